@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/error.h"
+
+namespace dewpoint {
+
+const char* phrase(ErrorCode code) {
+  switch (code) {
+  case ErrorCode::FileMissing:
+    return "the file does not exist";
+  case ErrorCode::FileUnreadable:
+    return "the file cannot be read";
+  case ErrorCode::FileUnwritable:
+    return "cannot be written";
+  case ErrorCode::NotParsed:
+    return "the text cannot be understood";
+  case ErrorCode::UnknownKey:
+    return "unknown key";
+  case ErrorCode::MissingKey:
+    return "this key is missing";
+  case ErrorCode::WrongType:
+    return "wrong type of value";
+  case ErrorCode::BadValue:
+    return "not a usable value";
+  case ErrorCode::Mismatch:
+    return "does not fit the rest";
+  case ErrorCode::EndedEarly:
+    return "ended before its announced end";
+  case ErrorCode::DeviceUnavailable:
+    return "the camera cannot be opened";
+  case ErrorCode::ConnectionLost:
+    return "the camera stopped delivering images";
+  case ErrorCode::NotFound:
+    return "there is nothing of this name";
+  }
+  return "failed";
+}
+
+std::string sentence(const Error& error) {
+  std::string text;
+  if (!error.file.empty()) {
+    text += error.file + ": ";
+  }
+  if (!error.field.empty()) {
+    text += error.field + ": ";
+  }
+  text += phrase(error.code);
+  if (!error.detail.empty()) {
+    text += " (" + error.detail + ")";
+  }
+  return text;
+}
+
+} // namespace dewpoint

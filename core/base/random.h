@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace dewpoint {
+
+/// Philox4x32-10 (Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC 2011): four
+/// random words that depend on nothing but counter and key, so that a number can be drawn by any
+/// thread, in any order, and is always the same.
+std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
+                                    std::array<std::uint32_t, 2> key);
+
+/// What random numbers are for: each purpose has a stream of its own.
+enum class RandomPurpose : std::uint32_t { Start, Motion, Resampling, Simulation, Noise, Resize };
+
+/// The random numbers of one filter iteration: element i of a stream is a pure function of
+/// (seed, frame, iteration, purpose, i).
+class RandomStream {
+public:
+  RandomStream(std::uint64_t seed, std::uint32_t frame, std::uint32_t iteration,
+               RandomPurpose purpose);
+
+  /// Four uniform words for element `index`; `block` gives further words of the same element.
+  std::array<std::uint32_t, 4> words(std::uint32_t index, std::uint32_t block = 0) const;
+  /// Uniform in [0, 1), 53 bits.
+  double uniform(std::uint32_t index, std::uint32_t block = 0) const;
+  /// Three uniforms in [0, 1), 32 bits each.
+  std::array<double, 3> uniform3(std::uint32_t index, std::uint32_t block = 0) const;
+  /// Four independent standard normal numbers (Box-Muller).
+  std::array<double, 4> normal4(std::uint32_t index, std::uint32_t block = 0) const;
+
+private:
+  std::array<std::uint32_t, 2> key_;
+  std::uint32_t frame_;
+  std::uint32_t iteration_;
+  std::uint32_t purpose_;
+};
+
+/// A seed for part `index` of something seeded with `seed`; part 0 keeps the seed itself.
+std::uint64_t derivedSeed(std::uint64_t seed, std::uint32_t index);
+
+} // namespace dewpoint

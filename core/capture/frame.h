@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/time.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace dewpoint {
+
+/// One image of one camera. It owns its pixels, and nobody writes them once it is published.
+struct Frame {
+  std::int64_t index = 0; ///< frame number of this camera, from 0
+  TimeStamp captureTime{}; ///< when it was taken, by the camera's own clock reading
+  cv::Mat image;           ///< CV_8UC3, blue green red
+};
+using FramePtr = std::shared_ptr<const Frame>;
+
+/// What all cameras delivered for one instant, in the order of the rig; null where one is missing.
+struct FrameSet {
+  std::int64_t index = 0;
+  TimeStamp time{};
+  std::vector<FramePtr> frames;
+};
+using FrameSetPtr = std::shared_ptr<const FrameSet>;
+
+} // namespace dewpoint

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dewpoint {
+
+/// Pinhole intrinsics in pixels; pixel centers lie at integer coordinates.
+struct Intrinsics {
+  int width = 0;
+  int height = 0;
+  double focalX = 0.0;
+  double focalY = 0.0;
+  double centerX = 0.0;
+  double centerY = 0.0;
+};
+
+/// One calibrated camera. World: metres, right-handed, Z up. Camera axes as in OpenCV: x right,
+/// y down, z forward. Distortion coefficients in OpenCV's order k1 k2 p1 p2 k3 k4 k5 k6.
+struct Camera {
+  std::string name;
+  Intrinsics intrinsics;
+  std::array<double, 8> distortion{};
+  Eigen::Isometry3d cameraFromWorld = Eigen::Isometry3d::Identity();
+
+  /// Optical center in the world frame, metres.
+  Eigen::Vector3d center() const { return cameraFromWorld.inverse().translation(); }
+  /// Unit vector of the optical axis in the world frame.
+  Eigen::Vector3d opticalAxis() const { return cameraFromWorld.linear().row(2).transpose(); }
+};
+
+using CameraRig = std::vector<Camera>;
+
+/// Projects points of the world into one camera: OpenCV's model (pinhole, rational radial and
+/// tangential distortion). Prepared once per camera, then cheap per point.
+class Projector {
+public:
+  explicit Projector(const Camera& camera);
+
+  /// Pixel (column, row) of a world point, also outside the image; nothing behind the camera, nor
+  /// beyond the angle where the distortion polynomial folds back (there it would invent an image).
+  std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& pointWorld) const;
+
+  const Intrinsics& intrinsics() const { return intrinsics_; }
+
+private:
+  Intrinsics intrinsics_;
+  std::array<double, 8> distortion_;
+  Eigen::Matrix3d rotation_;
+  Eigen::Vector3d translation_;
+  bool distorted_ = false;
+  /// Largest squared normalized radius at which the radial distortion still grows.
+  double radiusSquaredLimit_ = 0.0;
+};
+
+/// The pose (camera from world) of a camera at `position` that looks at `target`, image up along
+/// `up`, then turned by `roll` radians about its optical axis. All in the world frame, metres.
+Eigen::Isometry3d lookAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target,
+                         const Eigen::Vector3d& up = Eigen::Vector3d::UnitZ(), double roll = 0.0);
+
+} // namespace dewpoint

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/camera.h"
+#include "core/tracking/parameters.h"
+#include "core/tracking/tracker.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dewpoint {
+
+enum class SourceKind { Simulation, Video, Images, Device, Stream };
+
+/// A camera of a project: where its images come from, and its calibration.
+struct ProjectCamera {
+  Camera camera;
+  SourceKind source = SourceKind::Simulation;
+  std::string location; ///< absolute path of the video or image folder, device, or address
+  int rotateDegrees = 0; ///< images are turned clockwise by 0, 90, 180 or 270 before use
+};
+
+/// The document: everything a run needs, and nothing of its results.
+struct Project {
+  std::filesystem::path file; ///< where it was loaded from; empty for the built-in demo
+  std::string name;
+  std::string method = "barrera";
+  std::uint64_t seed = 1;
+  double framesPerSecond = 0.0; ///< for image folders; 0: what the source says, or 30
+  ParameterValues parameters;
+  std::vector<Target> targets;
+  std::vector<ProjectCamera> cameras;
+  std::optional<std::filesystem::path> truth; ///< truth.csv, absolute
+  std::string scene;                          ///< name or file of the simulated scene, or empty
+};
+
+/// Reads and checks a project file (TOML). The error names the file and the key.
+Result<Project> loadProject(const std::filesystem::path& file);
+/// Writes beside, flushes, renames: the old file is never broken. Paths below the file's folder
+/// are written relative to it.
+Status saveProject(const Project& project, const std::filesystem::path& file);
+
+} // namespace dewpoint

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/snapshot.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace dewpoint {
+
+/// An ellipse in an image, pixels; `angle` in radians from +column towards +row.
+struct ImageEllipse {
+  Eigen::Vector2d center;
+  double semiMajor = 0.0;
+  double semiMinor = 0.0;
+  double angle = 0.0;
+};
+
+/// One target as one camera would see it, in pixels of that camera's image.
+struct CameraOverlay {
+  std::vector<Eigen::Vector2f> particles; ///< those in front of the camera
+  std::vector<float> weights;             ///< relative to the largest: 0..1
+  std::optional<Eigen::Vector2d> estimate;
+  std::optional<ImageEllipse> ellipse; ///< 95 % of the projected Gaussian (chi² 5.991, 2 d.o.f.)
+  std::optional<Eigen::Vector2d> truth;
+};
+
+/// Projects a target of a snapshot into camera `camera` of its rig.
+CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera, const TargetSnapshot& target);
+
+} // namespace dewpoint

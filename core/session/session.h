@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/frame_source.h"
+#include "core/project/project.h"
+#include "core/session/snapshot.h"
+#include "core/trajectory/trajectory.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace dewpoint {
+
+/// What a run needs, chosen and wired by the application.
+struct SessionInputs {
+  Project project;
+  std::unique_ptr<FrameSetSource> source;
+  Trajectory truth; ///< empty when unknown
+};
+
+/// The running machine: one tracking thread that takes frame sets, iterates the filters and
+/// publishes snapshots. Every call returns at once; wishes are queued and obeyed at the next step.
+class Session {
+public:
+  explicit Session(SessionInputs inputs);
+  ~Session(); ///< stops the thread
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// `wake` is called from the tracking thread after a snapshot was published; it must only post.
+  void onSnapshot(std::function<void()> wake);
+  /// The newest snapshot; never null.
+  TrackSnapshotPtr newest() const;
+  /// Iterations logged at or after `position` (a running count since the restart); `position` moves
+  /// past them, and back to 0 first if the run was restarted meanwhile (returned `restarted`).
+  struct LogPiece {
+    std::vector<IterationRecord> records;
+    bool restarted = false;
+  };
+  LogPiece logSince(std::uint64_t& generation, std::size_t& position) const;
+  /// The trajectory so far.
+  Trajectory trajectory() const;
+
+  void play();
+  void pause();
+  void stepFrame();     ///< next frame with all its iterations, then pause
+  void stepIteration(); ///< one filter iteration on the frame shown, then pause
+  void restart(std::optional<std::uint64_t> seed = std::nullopt); ///< same seed unless given
+  void setParameters(const ParameterValues& parameters);
+  void setTargets(const std::vector<Target>& targets);
+  void setMasksWanted(bool wanted);
+
+private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace dewpoint

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dewpoint {
+
+enum class ParameterKind { Integer, Real };
+
+/// A parameter, declared once: editors, tooltips, validation, project file, command line and the
+/// reference page come from here.
+struct ParameterDeclaration {
+  std::string key;      ///< "motion_sigma"
+  ParameterKind kind = ParameterKind::Real;
+  std::string label;    ///< "Motion sigma"
+  std::string unit;     ///< "m", "" for a count
+  double minimum = 0.0; ///< inclusive
+  double maximum = 0.0; ///< inclusive
+  double step = 0.0;    ///< of an editor
+  double defaultValue = 0.0;
+  std::string sentence; ///< what it does, for a tooltip
+  bool logarithmic = false; ///< sliders move by factors
+};
+
+/// The declared parameters of a method with their values, each always within its declaration.
+/// An immutable value by custom: a change is a new value.
+class ParameterValues {
+public:
+  ParameterValues() = default;
+  explicit ParameterValues(std::span<const ParameterDeclaration> declarations);
+  std::span<const ParameterDeclaration> declarations() const { return declarations_; }
+  /// Value of a declared key (asserted).
+  double at(std::string_view key) const;
+  /// UnknownKey or BadValue (not finite, out of range, not whole) leave everything as it was.
+  Status set(std::string_view key, double value);
+  /// As set(), from text as on the command line.
+  Status setText(std::string_view key, std::string_view text);
+  bool operator==(const ParameterValues& other) const { return values_ == other.values_; }
+
+private:
+  std::span<const ParameterDeclaration> declarations_;
+  std::map<std::string, double, std::less<>> values_;
+};
+
+/// Names of the methods a project may choose: "barrera".
+std::vector<std::string> methodNames();
+/// Declarations of one method's parameters; empty for an unknown method. Lives for ever.
+std::span<const ParameterDeclaration> methodParameters(std::string_view method);
+
+} // namespace dewpoint

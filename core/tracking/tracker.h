@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/thread_team.h"
+#include "core/capture/frame.h"
+#include "core/color/color_range.h"
+#include "core/geometry/camera.h"
+#include "core/tracking/parameters.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace dewpoint {
+
+/// What is tracked.
+struct Target {
+  std::string name;
+  double radius = 0.0; ///< metres; 0 when unknown
+  ColorRange color;
+};
+
+/// What a tracker believes after one filter iteration. World frame, metres.
+struct TargetEstimate {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero(); ///< weighted mean (MMSE)
+  Eigen::Vector3d best = Eigen::Vector3d::Zero(); ///< particle of highest weight (MAP)
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< m²
+  double effectiveSampleSize = 0.0;
+  int particleCount = 0;
+  int camerasSeeing = 0; ///< cameras with target color at the projected mean
+  bool valid = false;    ///< seen by two cameras (by the only one, if there is one)
+  bool degenerate = false; ///< no particle had a usable weight; all were kept as equal
+  /// Root mean square distance of the particles to their mean, metres.
+  double spread() const;
+};
+
+/// One method tracking one target. `beginFrame` once per frame set, then `iterate` any number of
+/// times. Not thread safe; the same seed gives the same bits for any size of the ThreadTeam.
+class Tracker {
+public:
+  virtual ~Tracker() = default;
+  virtual void configure(const ParameterValues& parameters) = 0;
+  virtual void setTarget(const Target& target) = 0;
+  /// Forgets everything and starts anew.
+  virtual void restart(std::uint64_t seed) = 0;
+  virtual int iterationsPerFrame() const = 0;
+  virtual void beginFrame(FrameSetPtr frames) = 0;
+  virtual TargetEstimate iterate(ThreadTeam& team) = 0;
+  /// At most `limit` particles, evenly picked: rows x y z (metres), with linear weights that sum
+  /// to 1 over all particles.
+  virtual void particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const = 0;
+};
+
+/// A tracker of the named method; NotFound for an unknown one.
+Result<std::unique_ptr<Tracker>> makeTracker(const std::string& method,
+                                             const ParameterValues& parameters,
+                                             const CameraRig& rig, const Target& target);
+
+} // namespace dewpoint

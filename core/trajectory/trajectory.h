@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dewpoint {
+
+/// One target at one frame. World frame, metres, seconds; covariance in m².
+struct TrajectorySample {
+  double time = 0.0;
+  std::int64_t frame = 0;
+  std::string target;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  double effectiveSampleSize = 0.0;
+  int cameras = 0;
+  bool valid = true;
+};
+
+/// Where a camera stood, so that an error can be split along and across its optical axis.
+struct TrajectoryCamera {
+  std::string name;
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  Eigen::Vector3d opticalAxis = Eigen::Vector3d::UnitZ();
+};
+
+/// What the header of a trajectory file says.
+struct TrajectoryHeader {
+  std::vector<std::pair<std::string, std::string>> entries; ///< method, seed, parameters, version
+  std::vector<TrajectoryCamera> cameras;
+};
+
+struct Trajectory {
+  TrajectoryHeader header;
+  std::vector<TrajectorySample> samples;
+};
+
+} // namespace dewpoint
