@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/evaluation.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace dewpoint {
+
+/// Some lines per target for people, in millimetres.
+std::string evaluationText(const std::vector<Evaluation>& evaluations);
+/// The same numbers for programs, in metres: {"unit": "m", "targets": [...]}.
+nlohmann::json evaluationJson(const std::vector<Evaluation>& evaluations);
+
+} // namespace dewpoint

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/trajectory/trajectory.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace dewpoint {
+
+/// Writes a trajectory as tidy CSV: `#` header, a line of column names, one row per target and
+/// frame. Every row goes to the operating system at once, so that what a killed run wrote can be
+/// read. Numbers are the shortest that read back exactly, with a point in any locale.
+class TrajectoryWriter {
+public:
+  /// Creates (or empties) the file and writes its header; FileUnwritable if that cannot be done.
+  static Result<TrajectoryWriter> create(const std::filesystem::path& path,
+                                         const TrajectoryHeader& header);
+
+  Status write(const TrajectorySample& sample);
+  /// Hands everything written so far to the operating system.
+  Status flush();
+  /// Flushes and closes; nothing may be written after it.
+  Status finish();
+
+private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  TrajectoryWriter(std::string name, std::FILE* file) : name_(std::move(name)), file_(file) {}
+  Status put(const std::string& text);
+  tl::unexpected<Error> unwritable(int reason) const;
+
+  std::string name_;
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+} // namespace dewpoint
