@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dewpoint {
+namespace {
+
+constexpr double kMinDepth = 1e-9;
+constexpr int kScanSteps = 8192;
+constexpr int kBisections = 100;
+
+/// OpenCV's rational radial factor N(s)/D(s) at the squared normalized radius s.
+struct RadialFactor {
+  double numerator;
+  double denominator;
+};
+
+RadialFactor radialFactor(const std::array<double, 8>& k, double s) {
+  return {1.0 + s * (k[0] + s * (k[1] + s * k[4])), 1.0 + s * (k[5] + s * (k[6] + s * k[7]))};
+}
+
+/// True while the radial model is still one to one at s: no pole, and the sign of d(r N/D)/dr,
+/// which is that of (N + 2 s N') D - 2 s N D', is positive.
+bool stillGrows(const std::array<double, 8>& k, double s) {
+  const auto [n, d] = radialFactor(k, s);
+  const double dn = k[0] + s * (2.0 * k[1] + s * 3.0 * k[4]);
+  const double dd = k[5] + s * (2.0 * k[6] + s * 3.0 * k[7]);
+  return d > 0.0 && (n + 2.0 * s * dn) * d - 2.0 * s * n * dd > 0.0;
+}
+
+/// First squared radius at which the radial model stops growing. The scan is even in the angle off
+/// the axis, so it covers every direction in front of the camera.
+double foldBackRadiusSquared(const std::array<double, 8>& k) {
+  double inside = 0.0;
+  for (int i = 1; i < kScanSteps; ++i) {
+    const double r = std::tan(0.5 * std::numbers::pi * i / kScanSteps);
+    double outside = r * r;
+    if (stillGrows(k, outside)) {
+      inside = outside;
+      continue;
+    }
+    for (int j = 0; j < kBisections; ++j) {
+      const double middle = 0.5 * (inside + outside);
+      (stillGrows(k, middle) ? inside : outside) = middle;
+    }
+    return inside;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+Projector::Projector(const Camera& camera)
+    : intrinsics_(camera.intrinsics), distortion_(camera.distortion),
+      rotation_(camera.cameraFromWorld.linear()),
+      translation_(camera.cameraFromWorld.translation()),
+      distorted_(
+          std::any_of(distortion_.begin(), distortion_.end(), [](double k) { return k != 0.0; })),
+      radiusSquaredLimit_(distorted_ ? foldBackRadiusSquared(distortion_)
+                                     : std::numeric_limits<double>::infinity()) {}
+
+std::optional<Eigen::Vector2d> Projector::project(const Eigen::Vector3d& pointWorld) const {
+  const Eigen::Vector3d p = rotation_ * pointWorld + translation_;
+  if (!(p.z() > kMinDepth)) {
+    return std::nullopt; // also refuses NaN
+  }
+  double x = p.x() / p.z();
+  double y = p.y() / p.z();
+  if (distorted_) {
+    const double s = x * x + y * y;
+    if (!(s <= radiusSquaredLimit_)) {
+      return std::nullopt;
+    }
+    const auto [n, d] = radialFactor(distortion_, s);
+    const double f = n / d;
+    const double p1 = distortion_[2];
+    const double p2 = distortion_[3];
+    const double dx = 2.0 * p1 * x * y + p2 * (s + 2.0 * x * x);
+    const double dy = p1 * (s + 2.0 * y * y) + 2.0 * p2 * x * y;
+    x = x * f + dx;
+    y = y * f + dy;
+  }
+  return Eigen::Vector2d(intrinsics_.focalX * x + intrinsics_.centerX,
+                         intrinsics_.focalY * y + intrinsics_.centerY);
+}
+
+Eigen::Isometry3d lookAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target,
+                         const Eigen::Vector3d& up, double roll) {
+  const Eigen::Vector3d toTarget = target - position;
+  const Eigen::Vector3d forward =
+      toTarget.norm() > 0.0 ? toTarget.normalized() : Eigen::Vector3d::UnitX().eval();
+  Eigen::Vector3d right = forward.cross(up);
+  if (right.norm() < 1e-9 * up.norm() || !(up.norm() > 0.0)) {
+    right = forward.unitOrthogonal(); // looking straight along `up`: any right-hand axis will do
+  }
+  right.normalize();
+  Eigen::Matrix3d axes;
+  axes.row(0) = right.transpose();
+  axes.row(1) = forward.cross(right).transpose();
+  axes.row(2) = forward.transpose();
+  // The camera turns by +roll about its own z, so coordinates seen from it turn by -roll.
+  const Eigen::Matrix3d rotation =
+      Eigen::AngleAxisd(-roll, Eigen::Vector3d::UnitZ()).toRotationMatrix() * axes;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = rotation;
+  pose.translation() = -rotation * position;
+  return pose;
+}
+
+} // namespace dewpoint
