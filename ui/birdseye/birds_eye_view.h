@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/snapshot.h"
+#include "ui/scene3d/scene3d.h"
+
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+
+#include <memory>
+
+namespace dewpoint {
+
+class OffscreenVtk;
+
+/// The 3D picture of the room. VTK renders into its own off-screen context; this widget only paints
+/// the resulting image, so the rest of the window is never composed through OpenGL. Draws at its own
+/// rate, slower than the cameras. Without OpenGL it says so and the program goes on.
+class BirdsEyeView : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit BirdsEyeView(QWidget* parent = nullptr);
+  ~BirdsEyeView() override;
+
+  /// To be called once before the QApplication is made.
+  static void prepareSurfaceFormat();
+
+  /// Shows a moment with the next picture; null empties the scene. Cheap, also while hidden.
+  void show(TrackSnapshotPtr snapshot);
+  using QWidget::show;
+
+  Scene3d::View currentView() const;
+  /// False when there is no usable OpenGL (known after the first attempt to draw).
+  bool hasPicture() const;
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+public Q_SLOTS:
+  void look(dewpoint::Scene3d::View view);
+  void lookFromAbove();
+  void lookFromFront();
+  void lookFree();
+  /// Frames everything in the current view.
+  void resetView();
+
+Q_SIGNALS:
+  void viewChanged(dewpoint::Scene3d::View view);
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  bool event(QEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+private:
+  void requestPicture();
+  void renderPicture();
+  void applyTheme();
+  void retranslate();
+  QSize pictureSize() const;
+
+  Scene3d scene_;
+  std::unique_ptr<OffscreenVtk> vtk_;
+  TrackSnapshotPtr snapshot_;
+  QImage picture_;
+  QString failure_;
+  QTimer timer_;
+  bool sceneStale_ = false;
+  bool pictureStale_ = true;
+};
+
+} // namespace dewpoint

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/snapshot.h"
+
+#include <memory>
+
+class vtkRenderer;
+
+namespace dewpoint {
+
+/// The room as a scene: ground grid and axes, cameras, particles, estimates, tails, truths.
+/// VTK without Qt: whoever owns a render window adds `renderer()` to it. World frame, metres, Z up.
+/// Not thread safe; creating it needs no OpenGL context, rendering does.
+class Scene3d {
+public:
+  enum class View {
+    Above, ///< parallel projection onto the XY plane, X right, Y up (the papers' view)
+    Front, ///< parallel projection onto the XZ plane, looking along +Y, X right, Z up
+    Free   ///< perspective, to be orbited
+  };
+
+  Scene3d();
+  ~Scene3d();
+  Scene3d(const Scene3d&) = delete;
+  Scene3d& operator=(const Scene3d&) = delete;
+
+  /// Owned by the scene.
+  vtkRenderer* renderer();
+  void setTheme(bool dark);
+  /// Device pixels per logical pixel: line widths and text sizes follow.
+  void setPixelRatio(double ratio);
+  /// Shows one moment. Values that are not finite are left out. The first snapshot with something
+  /// to see (and each new rig) also frames the current view, unless the user moved the camera.
+  void show(const TrackSnapshot& snapshot);
+  /// Back to the empty grid.
+  void clear();
+  void look(View view);
+  View view() const;
+  /// Frames everything again in the current view.
+  void resetView();
+  /// The user has moved the camera: new rigs no longer move it.
+  void keepCamera();
+  /// Before each frame: clipping range and label sizes that depend on the camera.
+  void prepareFrame();
+
+private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+} // namespace dewpoint
