@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/geometry/camera.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace dewpoint {
+
+/// How a ball of the simulation moves.
+enum class Motion {
+  Still,  ///< stays at its position
+  Smooth, ///< a closed three-dimensional Lissajous path around its position
+  Fast,   ///< the same path, five times as fast
+  Jump,   ///< stays, then is somewhere else from one frame to the next, once per period
+};
+
+/// A ball whose true position is known at every instant.
+struct SceneBall {
+  std::string name = "pink ball";
+  double radius = 0.035;                     ///< metres
+  Eigen::Vector3d color{205.0, 95.0, 250.0}; ///< BGR in full light, [0, 255]
+  Motion motion = Motion::Smooth;
+  Eigen::Vector3d position{0.5, 0.5, 0.15}; ///< where it starts, and the middle of its path; metres
+  Eigen::Vector3d extent{0.12, 0.08, 0.05}; ///< half size of the path along X, Y, Z; metres
+  double period = 6.0;                      ///< seconds per smooth round, or between two jumps
+  double stillSeconds = 0.0;                ///< it rests this long before it starts to move
+
+  // The HSI ranges that hold the ball's rendered pixels and next to nothing else; hue in degrees,
+  // circular (hueMin > hueMax wraps through 0); saturation and intensity in [0, 1].
+  double hueMin = 300.0;
+  double hueMax = 335.0;
+  double saturationMin = 0.25;
+  double saturationMax = 0.75;
+  double intensityMin = 0.15;
+  double intensityMax = 0.90;
+};
+
+/// A simulated scene: everything that decides its images and its truth. Frame f is taken at
+/// f / framesPerSecond seconds; its exposure is centered on that instant.
+struct Scene {
+  std::string name = "demo";
+  CameraRig cameras;
+  double framesPerSecond = 30.0;
+  std::int64_t frameCount = 300;
+  std::uint64_t seed = 1;
+  std::vector<SceneBall> balls;
+  int lookAlikes = 0;            ///< further balls of the first ball's color, at rest; at most 4
+  bool occluder = false;         ///< a box that passes between the first ball and the first camera
+  bool clutter = true;           ///< books, boxes, wood- and skin-colored things on the desk
+  double noiseSigma = 3.0;       ///< standard deviation of the sensor noise, gray levels
+  double exposureSeconds = 0.01; ///< how long the shutter is open: the motion blur
+};
+
+/// The set-up of Barrera, Cañas and Matellán (2005): two cameras at the paper's positions, looking
+/// at (0.5, 0.5, 0.15), camera 2 with an upright (portrait) image; focal lengths 350 px.
+CameraRig demoRig();
+
+/// The embedded default: the demo rig; the ball is still for 60 frames, then on a smooth path.
+Scene demoScene();
+
+/// Names of the built-in scenes: demo, still, smooth, fast, jump, look-alikes, occluder.
+const std::vector<std::string>& sceneNames();
+
+/// A built-in scene by name, else a scene TOML file by path.
+Result<Scene> sceneNamed(const std::string& nameOrTomlFile);
+
+/// Parses scene TOML text. Absent keys keep the values of demoScene(); unknown keys, wrong types
+/// and senseless values are errors that name `file` and the key.
+Result<Scene> parseScene(const std::string& text, const std::string& file);
+
+/// The scene as TOML text, every key written; parseScene() reads the same scene from it.
+std::string sceneToml(const Scene& scene);
+
+/// The true center of a ball at `time` seconds, world frame, metres.
+Eigen::Vector3d ballPosition(const Scene& scene, int ball, double time);
+
+/// Where look-alike `index` rests, world frame, metres.
+Eigen::Vector3d lookAlikePosition(const Scene& scene, int index);
+
+/// The center of the occluder at `time` seconds, world frame, metres.
+Eigen::Vector3d occluderPosition(const Scene& scene, double time);
+
+/// Seconds at which frame `frame` is taken.
+double frameTime(const Scene& scene, std::int64_t frame);
+
+} // namespace dewpoint
