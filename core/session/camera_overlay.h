@@ -28,6 +28,7 @@ struct CameraOverlay {
 };
 
 /// Projects a target of a snapshot into camera `camera` of its rig.
-CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera, const TargetSnapshot& target);
+CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
+                            const TargetSnapshot& target);
 
 } // namespace dewpoint

@@ -19,8 +19,8 @@ namespace dewpoint {
 struct TargetSnapshot {
   Target target;
   TargetEstimate estimate;
-  Eigen::ArrayXXd particles; ///< up to 10,000 rows x y z, metres
-  Eigen::ArrayXd weights;    ///< one per row, linear
+  Eigen::ArrayXXd particles;         ///< up to 10,000 rows x y z, metres
+  Eigen::ArrayXd weights;            ///< one per row, linear
   std::vector<Eigen::Vector3d> tail; ///< estimates of the last frames, oldest first
   std::optional<Eigen::Vector3d> truth;
 };
@@ -30,13 +30,13 @@ enum class PlayState { Paused, Playing, Ended };
 /// Everything a view may show of one moment. Immutable once published.
 struct TrackSnapshot {
   std::shared_ptr<const CameraRig> rig;
-  FrameSetPtr frames; ///< null before the first frame
+  FrameSetPtr frames;         ///< null before the first frame
   std::vector<cv::Mat> masks; ///< per camera CV_8UC1, 255 = target color; empty unless wanted
   std::vector<TargetSnapshot> targets;
   std::int64_t frame = -1;
   std::optional<std::int64_t> frameCount;
-  std::int64_t iterations = 0; ///< filter iterations since the (re)start
-  double framesPerSecond = 0.0; ///< achieved
+  std::int64_t iterations = 0;           ///< filter iterations since the (re)start
+  double framesPerSecond = 0.0;          ///< achieved
   double microsecondsPerIteration = 0.0; ///< running median
   std::int64_t droppedFrames = 0;
   std::uint64_t seed = 0;
@@ -50,9 +50,9 @@ struct IterationRecord {
   std::int64_t iteration = 0;
   std::int64_t frame = 0;
   int target = 0;
-  double spread = 0.0;              ///< metres
+  double spread = 0.0; ///< metres
   double effectiveSampleSize = 0.0;
-  double error = -1.0;              ///< metres against truth; negative when unknown
+  double error = -1.0; ///< metres against truth; negative when unknown
 };
 
 } // namespace dewpoint

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/camera_overlay.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint {
+namespace {
+
+constexpr double kChiSquared95TwoDof = 5.991464547; // 95 % quantile, 2 degrees of freedom
+constexpr double kJacobianStep = 1e-4;              // metres, central differences
+
+/// First-order ellipse of a Gaussian in the world, seen by a camera: J C Jᵀ.
+std::optional<ImageEllipse> projectedEllipse(const Projector& projector,
+                                             const Eigen::Vector3d& mean,
+                                             const Eigen::Matrix3d& covariance) {
+  const auto center = projector.project(mean);
+  if (!center || !covariance.allFinite()) {
+    return std::nullopt;
+  }
+  Eigen::Matrix<double, 2, 3> jacobian;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d step = kJacobianStep * Eigen::Vector3d::Unit(axis);
+    const auto plus = projector.project(mean + step);
+    const auto minus = projector.project(mean - step);
+    if (!plus || !minus) {
+      return std::nullopt;
+    }
+    jacobian.col(axis) = (*plus - *minus) / (2.0 * kJacobianStep);
+  }
+  const Eigen::Matrix2d image = jacobian * covariance * jacobian.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(image);
+  const Eigen::Vector2d axis = solver.eigenvectors().col(1);
+  const auto radius = [&](int k) {
+    return std::sqrt(std::max(0.0, solver.eigenvalues()[k]) * kChiSquared95TwoDof);
+  };
+  return ImageEllipse{*center, radius(1), radius(0), std::atan2(axis.y(), axis.x())};
+}
+
+} // namespace
+
+CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
+                            const TargetSnapshot& target) {
+  CameraOverlay overlay;
+  if (!snapshot.rig || camera < 0 || camera >= static_cast<int>(snapshot.rig->size())) {
+    return overlay;
+  }
+  const Projector projector((*snapshot.rig)[static_cast<std::size_t>(camera)]);
+  const double largest = target.weights.size() > 0 ? target.weights.maxCoeff() : 0.0;
+  for (Eigen::Index i = 0; i < target.particles.rows(); ++i) {
+    const Eigen::Vector3d position = target.particles.row(i).matrix().transpose();
+    if (const auto pixel = projector.project(position)) {
+      overlay.particles.emplace_back(pixel->cast<float>());
+      overlay.weights.push_back(largest > 0.0 ? static_cast<float>(target.weights[i] / largest)
+                                              : 0.0F);
+    }
+  }
+  if (target.estimate.particleCount > 0) {
+    overlay.estimate = projector.project(target.estimate.mean);
+    overlay.ellipse = projectedEllipse(projector, target.estimate.mean, target.estimate.covariance);
+  }
+  if (target.truth) {
+    overlay.truth = projector.project(*target.truth);
+  }
+  return overlay;
+}
+
+} // namespace dewpoint

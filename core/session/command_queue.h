@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/parameters.h"
+#include "core/tracking/tracker.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <variant>
+#include <vector>
+
+namespace dewpoint {
+
+/// Wishes of the user, passed by value to the tracking thread.
+namespace command {
+struct Play {};
+struct Pause {};
+struct StepFrame {};
+struct StepIteration {};
+struct Restart {
+  std::optional<std::uint64_t> seed;
+};
+struct Configure {
+  ParameterValues parameters;
+};
+struct SetTargets {
+  std::vector<Target> targets;
+};
+struct ShowMasks {
+  bool wanted = false;
+};
+} // namespace command
+
+using Command =
+    std::variant<command::Play, command::Pause, command::StepFrame, command::StepIteration,
+                 command::Restart, command::Configure, command::SetTargets, command::ShowMasks>;
+
+/// Commands on their way to the tracking thread, in order.
+class CommandQueue {
+public:
+  void push(Command command) {
+    {
+      const std::lock_guard lock(mutex_);
+      commands_.push_back(std::move(command));
+    }
+    wake_.notify_one();
+  }
+  /// The next command; waits until `deadline` for one (for ever without a deadline), or until
+  /// stopped.
+  std::optional<Command> pop(const std::stop_token& stop,
+                             std::optional<std::chrono::steady_clock::time_point> deadline) {
+    std::unique_lock lock(mutex_);
+    const auto ready = [this] { return !commands_.empty(); };
+    const bool found =
+        deadline ? wake_.wait_until(lock, stop, *deadline, ready) : wake_.wait(lock, stop, ready);
+    if (!found) {
+      return std::nullopt;
+    }
+    Command command = std::move(commands_.front());
+    commands_.pop_front();
+    return command;
+  }
+
+private:
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::deque<Command> commands_;
+};
+
+} // namespace dewpoint

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run_log.h"
+
+#include <algorithm>
+
+namespace dewpoint {
+namespace {
+constexpr std::size_t kMostRecords = 200000;
+}
+
+void RunLog::restart(TrajectoryHeader header) {
+  const std::lock_guard lock(mutex_);
+  ++generation_;
+  dropped_ = 0;
+  records_.clear();
+  trajectory_ = Trajectory{std::move(header), {}};
+}
+
+void RunLog::append(const std::vector<IterationRecord>& records) {
+  const std::lock_guard lock(mutex_);
+  records_.insert(records_.end(), records.begin(), records.end());
+  if (records_.size() > kMostRecords) {
+    const auto surplus = records_.size() / 2;
+    records_.erase(records_.begin(), records_.begin() + static_cast<std::ptrdiff_t>(surplus));
+    dropped_ += surplus;
+  }
+}
+
+void RunLog::append(const std::vector<TrajectorySample>& samples) {
+  const std::lock_guard lock(mutex_);
+  trajectory_.samples.insert(trajectory_.samples.end(), samples.begin(), samples.end());
+}
+
+RunLog::Piece RunLog::since(std::uint64_t& generation, std::size_t& position) const {
+  const std::lock_guard lock(mutex_);
+  Piece piece;
+  if (generation != generation_) {
+    generation = generation_;
+    position = 0;
+    piece.restarted = true;
+  }
+  const std::size_t begin = std::max(position, dropped_) - dropped_;
+  if (begin < records_.size()) {
+    piece.records.assign(records_.begin() + static_cast<std::ptrdiff_t>(begin), records_.end());
+  }
+  position = dropped_ + records_.size();
+  return piece;
+}
+
+Trajectory RunLog::trajectory() const {
+  const std::lock_guard lock(mutex_);
+  return trajectory_;
+}
+
+void SnapshotPublisher::onSnapshot(std::function<void()> wake) {
+  const std::lock_guard lock(mutex_);
+  wake_ = std::move(wake);
+}
+
+void SnapshotPublisher::publish(TrackSnapshotPtr snapshot) {
+  // The wake-up runs under the lock: after onSnapshot(nullptr) returns it is never called again.
+  const std::lock_guard lock(mutex_);
+  newest_ = std::move(snapshot);
+  if (wake_) {
+    wake_();
+  }
+}
+
+TrackSnapshotPtr SnapshotPublisher::newest() const {
+  const std::lock_guard lock(mutex_);
+  return newest_;
+}
+
+} // namespace dewpoint

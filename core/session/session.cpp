@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/session.h"
+
+#include "core/session/tracking_loop.h"
+
+namespace dewpoint {
+
+class Session::Impl {
+public:
+  explicit Impl(SessionInputs inputs) : loop(std::move(inputs)) {
+    thread = std::jthread([this](const std::stop_token& stop) { loop.run(stop); });
+  }
+  TrackingLoop loop;
+  std::jthread thread; // last: joined before the loop goes
+};
+
+Session::Session(SessionInputs inputs) : impl_(std::make_unique<Impl>(std::move(inputs))) {}
+Session::~Session() = default;
+
+void Session::onSnapshot(std::function<void()> wake) {
+  impl_->loop.publisher().onSnapshot(std::move(wake));
+}
+TrackSnapshotPtr Session::newest() const {
+  return impl_->loop.publisher().newest();
+}
+Session::LogPiece Session::logSince(std::uint64_t& generation, std::size_t& position) const {
+  auto piece = impl_->loop.log().since(generation, position);
+  return {std::move(piece.records), piece.restarted};
+}
+Trajectory Session::trajectory() const {
+  return impl_->loop.log().trajectory();
+}
+
+void Session::play() {
+  impl_->loop.commands().push(command::Play{});
+}
+void Session::pause() {
+  impl_->loop.commands().push(command::Pause{});
+}
+void Session::stepFrame() {
+  impl_->loop.commands().push(command::StepFrame{});
+}
+void Session::stepIteration() {
+  impl_->loop.commands().push(command::StepIteration{});
+}
+void Session::restart(std::optional<std::uint64_t> seed) {
+  impl_->loop.commands().push(command::Restart{seed});
+}
+void Session::setParameters(const ParameterValues& parameters) {
+  impl_->loop.commands().push(command::Configure{parameters});
+}
+void Session::setTargets(const std::vector<Target>& targets) {
+  impl_->loop.commands().push(command::SetTargets{targets});
+}
+void Session::setMasksWanted(bool wanted) {
+  impl_->loop.commands().push(command::ShowMasks{wanted});
+}
+
+} // namespace dewpoint

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/tracking_run.h"
+
+#include "core/base/random.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace dewpoint {
+
+CameraRig rigOf(const Project& project) {
+  CameraRig rig;
+  rig.reserve(project.cameras.size());
+  for (const auto& camera : project.cameras) {
+    rig.push_back(camera.camera);
+  }
+  return rig;
+}
+
+TrajectoryHeader trajectoryHeader(const Project& project) {
+  TrajectoryHeader header;
+  header.entries = {{"version", DEWPOINT_VERSION},
+                    {"project", project.name},
+                    {"method", project.method},
+                    {"seed", std::to_string(project.seed)}};
+  for (const auto& declaration : project.parameters.declarations()) {
+    const std::string unit = declaration.unit.empty() ? "" : " " + declaration.unit;
+    header.entries.emplace_back(declaration.key,
+                                fmt::format("{}{}", project.parameters.at(declaration.key), unit));
+  }
+  for (const auto& camera : project.cameras) {
+    header.cameras.push_back(
+        {camera.camera.name, camera.camera.center(), camera.camera.opticalAxis()});
+  }
+  return header;
+}
+
+Result<TrackingRun> TrackingRun::create(const Project& project, int threadCount) {
+  TrackingRun run;
+  const CameraRig rig = rigOf(project);
+  for (const auto& target : project.targets) {
+    auto tracker = makeTracker(project.method, project.parameters, rig, target);
+    if (!tracker) {
+      return tl::make_unexpected(tracker.error());
+    }
+    run.trackers_.push_back(std::move(*tracker));
+  }
+  run.targets_ = project.targets;
+  run.team_ = std::make_unique<ThreadTeam>(threadCount);
+  run.restart(project.seed);
+  return run;
+}
+
+void TrackingRun::restart(std::uint64_t seed) {
+  for (std::size_t k = 0; k < trackers_.size(); ++k) {
+    trackers_[k]->restart(derivedSeed(seed, static_cast<std::uint32_t>(k)));
+  }
+  estimates_.assign(trackers_.size(), TargetEstimate{});
+  frames_ = nullptr;
+  iterations_ = 0;
+}
+
+void TrackingRun::configure(const ParameterValues& parameters) {
+  for (auto& tracker : trackers_) {
+    tracker->configure(parameters);
+  }
+}
+
+void TrackingRun::setTargets(const std::vector<Target>& targets) {
+  if (targets.size() != trackers_.size()) {
+    return;
+  }
+  targets_ = targets;
+  for (std::size_t k = 0; k < trackers_.size(); ++k) {
+    trackers_[k]->setTarget(targets_[k]);
+  }
+}
+
+void TrackingRun::beginFrame(FrameSetPtr frames) {
+  frames_ = std::move(frames);
+  for (auto& tracker : trackers_) {
+    tracker->beginFrame(frames_);
+  }
+}
+
+int TrackingRun::iterationsPerFrame() const {
+  return trackers_.empty() ? 0 : trackers_.front()->iterationsPerFrame();
+}
+
+double TrackingRun::iterate() {
+  const auto begin = std::chrono::steady_clock::now();
+  for (std::size_t k = 0; k < trackers_.size(); ++k) {
+    estimates_[k] = trackers_[k]->iterate(*team_);
+  }
+  ++iterations_;
+  const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
+  return took.count() / static_cast<double>(std::max<std::size_t>(1, trackers_.size()));
+}
+
+std::vector<TrajectorySample> TrackingRun::samples() const {
+  std::vector<TrajectorySample> samples;
+  for (std::size_t k = 0; frames_ && k < estimates_.size(); ++k) {
+    const auto& estimate = estimates_[k];
+    samples.push_back({seconds(frames_->time), frames_->index, targets_[k].name, estimate.mean,
+                       estimate.covariance, estimate.effectiveSampleSize, estimate.camerasSeeing,
+                       estimate.valid});
+  }
+  return samples;
+}
+
+std::vector<TargetSnapshot> TrackingRun::snapshots(int particleLimit) const {
+  std::vector<TargetSnapshot> all(trackers_.size());
+  for (std::size_t k = 0; k < trackers_.size(); ++k) {
+    all[k].target = targets_[k];
+    all[k].estimate = estimates_[k];
+    trackers_[k]->particles(particleLimit, all[k].particles, all[k].weights);
+  }
+  return all;
+}
+
+TruthTable::TruthTable(const Trajectory& truth) {
+  for (const auto& sample : truth.samples) {
+    positions_[{sample.target, sample.frame}] = sample.position;
+  }
+}
+
+std::optional<Eigen::Vector3d> TruthTable::at(const std::string& target, std::int64_t frame) const {
+  const auto found = positions_.find({target, frame});
+  return found == positions_.end() ? std::nullopt : std::optional(found->second);
+}
+
+} // namespace dewpoint
