@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
+
 namespace dewpoint {
 
 /// A target color as ranges in HSI (Gonzalez & Woods). Hue in degrees [0, 360), circular: hueMin >
@@ -15,5 +17,13 @@ struct ColorRange {
 
   bool operator==(const ColorRange&) const = default;
 };
+
+/// True if the range spans every hue (from 0 to 360): then the hue does not matter, and gray, which
+/// has none, is let through as well.
+bool spansEveryHue(const ColorRange& range);
+
+/// BadValue naming "hue", "saturation" or "intensity" when a bound is not finite or out of bounds,
+/// or when no color could ever match. A hue bound of 360 is allowed: 0 to 360 is every hue.
+Status checkColorRange(const ColorRange& range);
 
 } // namespace dewpoint

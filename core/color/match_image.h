@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/color/color_classifier.h"
+
+#include <opencv2/core/mat.hpp>
+
+namespace dewpoint {
+
+/// The whole image classified: CV_8UC1 of the same size, 255 where the color matches, 0 elsewhere.
+/// `bgr` is CV_8UC3; anything else gives an empty image.
+cv::Mat matchImage(const cv::Mat& bgr, const ColorClassifier& classifier);
+
+} // namespace dewpoint
