@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/architecture/source_rules.h"
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace dewpoint {
+namespace {
+
+using Names = std::set<std::string, std::less<>>;
+
+/// The table of docs/architecture.md: what each floor of core names; base is free for all. What a
+/// named floor names may be included as well.
+const std::map<std::string, Names, std::less<>>& floorTable() {
+  static const std::map<std::string, Names, std::less<>> kTable = {
+      {"base", {}},
+      {"geometry", {"base"}},
+      {"color", {"base"}},
+      {"trajectory", {"base"}},
+      {"filter", {"base"}},
+      {"simulation", {"geometry", "base"}},
+      {"capture", {"geometry", "base"}},
+      {"calibration", {"geometry", "base"}},
+      {"observation", {"filter", "color", "geometry"}},
+      {"tracking", {"observation", "filter", "color", "geometry"}},
+      {"project", {"calibration", "tracking", "base"}},
+      {"session", {"tracking", "capture", "project", "trajectory", "calibration"}},
+      {"experiment", {"session", "simulation"}},
+  };
+  return kTable;
+}
+
+/// A tracker takes frames, so the value type Frame is open to it and to what stands on it.
+constexpr std::string_view kFrameHeader = "core/capture/frame.h";
+
+/// The value types that core/session hands out; besides core/session and core/base, the window
+/// sees nothing else of core.
+const Names& windowHeaders() {
+  static const Names kHeaders = {"core/capture/frame.h",     "core/capture/frame_source.h",
+                                 "core/color/color_range.h", "core/geometry/camera.h",
+                                 "core/project/project.h",   "core/tracking/parameters.h",
+                                 "core/tracking/tracker.h",  "core/trajectory/trajectory.h"};
+  return kHeaders;
+}
+
+std::vector<std::string> split(std::string_view path) {
+  std::vector<std::string> parts;
+  std::istringstream stream{std::string(path)};
+  for (std::string part; std::getline(stream, part, '/');) {
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+Names reachable(const std::string& floor) {
+  Names found;
+  std::vector<std::string> open = {floor};
+  while (!open.empty()) {
+    const std::string name = open.back();
+    open.pop_back();
+    if (found.insert(name).second) {
+      for (const std::string& next : floorTable().at(name)) {
+        open.push_back(next);
+      }
+    }
+  }
+  return found;
+}
+
+bool isQt(const std::string& include) {
+  static const std::regex kQt("(Qt[A-Za-z0-9]*/.*)|(Q[A-Z][A-Za-z0-9]*)|(q[a-z0-9]+\\.h)");
+  return std::regex_match(include, kQt);
+}
+
+bool isVtk(const std::string& include) {
+  return include.rfind("vtk", 0) == 0;
+}
+bool isOpenCv(const std::string& include) {
+  return include.rfind("opencv2", 0) == 0;
+}
+bool isOwn(const std::string& include) {
+  static const std::regex kOwn("(core|ui|app|tests|bench)/.*");
+  return std::regex_match(include, kOwn);
+}
+
+std::string coreArrow(const std::string& floor, const std::string& include) {
+  const std::vector<std::string> target = split(include);
+  if (target[0] != "core") {
+    return "core stands below " + target[0];
+  }
+  const Names open = reachable(floor);
+  const bool frameAllowed = open.contains("tracking") && include == kFrameHeader;
+  if (target.size() < 3 || (!open.contains(target[1]) && !frameAllowed)) {
+    return "core/" + floor + " may not include core/" + (target.size() > 1 ? target[1] : "");
+  }
+  return {};
+}
+
+std::string coreLibrary(const std::string& floor, const std::string& include) {
+  if (isQt(include) || isVtk(include)) {
+    return "core is complete without Qt and VTK";
+  }
+  if ((floor == "filter" || floor == "geometry") && isOpenCv(include)) {
+    return "core/" + floor + " knows no images";
+  }
+  return {};
+}
+
+std::string windowArrow(const std::string& folder, const std::string& include) {
+  const std::vector<std::string> target = split(include);
+  if (target[0] == "core") {
+    const bool open = target.size() == 3 && (target[1] == "session" || target[1] == "base");
+    return open || windowHeaders().contains(include)
+               ? ""
+               : "ui sees core/session and the value types it hands out only";
+  }
+  if (target[0] != "ui") {
+    return "ui stands below " + target[0];
+  }
+  if (target.size() == 3 && target[1] == "mainwindow" && folder != "mainwindow") {
+    return "only app includes the main window";
+  }
+  return {};
+}
+
+std::string windowLibrary(const std::string& folder, const std::string& include) {
+  if (folder == "scene3d" && isQt(include)) {
+    return "ui/scene3d is free of Qt";
+  }
+  if (folder != "scene3d" && folder != "birdseye" && isVtk(include)) {
+    return "VTK stays in ui/scene3d and ui/birdseye";
+  }
+  return {};
+}
+
+std::string appArrow(const std::string& folder, const std::string& include) {
+  const bool windowless = folder == "dewpoint-cli" || folder == "wiring";
+  if (windowless && (include.rfind("ui/", 0) == 0 || isQt(include) || isVtk(include))) {
+    return "app/" + folder + " works without Qt and VTK";
+  }
+  const std::string top = split(include)[0];
+  return isOwn(include) && (top == "tests" || top == "bench") ? "app stands below " + top : "";
+}
+
+std::string verdict(const std::string& top, const std::string& folder, const std::string& include) {
+  if (top == "core") {
+    return isOwn(include) ? coreArrow(folder, include) : coreLibrary(folder, include);
+  }
+  if (top == "ui") {
+    return isOwn(include) ? windowArrow(folder, include) : windowLibrary(folder, include);
+  }
+  return top == "app" ? appArrow(folder, include) : "";
+}
+
+} // namespace
+
+std::vector<std::string> includesOf(std::string_view text) {
+  static const std::regex kInclude("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"].*");
+  std::vector<std::string> names;
+  std::istringstream stream{std::string(text)};
+  bool inComment = false;
+  for (std::string line; std::getline(stream, line);) {
+    std::smatch match;
+    if (!inComment && std::regex_match(line, match, kInclude)) {
+      names.push_back(match[1]);
+      continue;
+    }
+    const std::size_t open = line.rfind("/*");
+    const std::size_t close = line.rfind("*/");
+    if (close != std::string::npos && (open == std::string::npos || close > open)) {
+      inComment = false;
+    } else if (open != std::string::npos) {
+      inComment = true;
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> violations(const std::string& path, std::string_view text) {
+  std::vector<std::string> found;
+  const std::vector<std::string> parts = split(path);
+  const auto lineCount = std::count(text.begin(), text.end(), '\n');
+  if (lineCount > kLineLimit) {
+    found.push_back(path + ": " + std::to_string(lineCount) + " lines, the limit is " +
+                    std::to_string(kLineLimit));
+  }
+  if (parts[0] == "core" && (parts.size() != 3 || !floorTable().contains(parts[1]))) {
+    found.push_back(path + ": not on a floor of core");
+    return found;
+  }
+  const std::string folder = parts.size() > 2 ? parts[1] : "";
+  for (const std::string& include : includesOf(text)) {
+    const std::string reason = verdict(parts[0], folder, include);
+    if (!reason.empty()) {
+      found.push_back(path + " includes " + include + ": " + reason);
+    }
+  }
+  return found;
+}
+
+} // namespace dewpoint

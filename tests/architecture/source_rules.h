@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dewpoint {
+
+/// Longest file the project allows, in lines.
+constexpr int kLineLimit = 400;
+
+/// The names a source file includes, in order, as they stand between the quotes or angles;
+/// comments do not count.
+std::vector<std::string> includesOf(std::string_view text);
+
+/// Everything one source file does against the house rules (docs/architecture.md), one sentence
+/// each; empty when it is fine. `path` is relative to the repository, such as "core/base/time.h".
+std::vector<std::string> violations(const std::string& path, std::string_view text);
+
+} // namespace dewpoint
