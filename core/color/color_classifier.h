@@ -16,6 +16,7 @@ namespace dewpoint {
 /// bounds of saturation and intensity become bounds on 3 min(R,G,B) and on R + G + B.
 class ColorClassifier {
 public:
+  /// `range` has passed checkColorRange().
   explicit ColorClassifier(const ColorRange& range);
 
   /// True if the pixel's color lies in the range. Black never matches, gray only where every hue
