@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <CLI/App.hpp>
+
+namespace dewpoint {
+
+/// What the process returns, as promised by --help.
+enum ExitCode {
+  kExitDone = 0,
+  kExitUsage = 2,      ///< the command line cannot be understood
+  kExitBadInput = 3,   ///< nothing could be computed
+  kExitEndedEarly = 4, ///< the input broke off; what came before is kept
+  kExitOutput = 5,     ///< the output cannot be written; what was written so far is kept
+  kExitInterrupted = 130,
+};
+
+/// Prints the error's sentence to stderr and returns the exit code that fits it.
+int report(const Error& error);
+
+/// Each adds its subcommand; the chosen one stores what to return in `exitCode`.
+void addTrackCommand(CLI::App& app, int& exitCode);
+void addEvaluateCommand(CLI::App& app, int& exitCode);
+void addSimulateCommand(CLI::App& app, int& exitCode);
+
+} // namespace dewpoint

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/commands.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <exception>
+
+namespace dewpoint {
+
+int report(const Error& error) {
+  fmt::print(stderr, "dewpoint-cli: {}.\n", sentence(error));
+  switch (error.code) {
+  case ErrorCode::FileUnwritable:
+    return kExitOutput;
+  case ErrorCode::EndedEarly:
+    return kExitEndedEarly;
+  default:
+    return kExitBadInput;
+  }
+}
+
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App app("Dewpoint: tracks colored objects in 3D with particle filters.", "dewpoint-cli");
+  app.set_version_flag("--version", std::string("dewpoint-cli ") + DEWPOINT_VERSION);
+  app.require_subcommand(1);
+  app.footer("Exit codes: 0 done, 2 wrong command line, 3 bad input, 4 the input ended early "
+             "(results so far are kept),\n5 the output cannot be written, 130 interrupted.");
+  int exitCode = kExitDone;
+  addTrackCommand(app, exitCode);
+  addEvaluateCommand(app, exitCode);
+  addSimulateCommand(app, exitCode);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitDone : kExitUsage;
+  }
+  return exitCode;
+}
+
+} // namespace
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  try {
+    return dewpoint::run(argc, argv);
+  } catch (const std::exception& error) {
+    // Nothing below throws on purpose; this is memory running out and the like.
+    fmt::print(stderr, "dewpoint-cli: stopped: {}.\n", error.what());
+    return dewpoint::kExitBadInput;
+  }
+}

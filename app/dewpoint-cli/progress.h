@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace dewpoint {
+
+/// A progress bar on stderr; silent when stderr is not a terminal.
+class Progress {
+public:
+  /// `total` 0: unknown, only the count is shown.
+  Progress(std::string label, std::int64_t total);
+  void show(std::int64_t done);
+  /// Removes the bar, so that what follows starts on a clean line.
+  void finish();
+
+private:
+  std::string label_;
+  std::int64_t total_;
+  bool terminal_;
+  std::chrono::steady_clock::time_point begin_;
+  std::chrono::steady_clock::time_point last_{};
+};
+
+} // namespace dewpoint

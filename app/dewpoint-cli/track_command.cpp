@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/track_job.h"
+#include "app/wiring/open_project.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <memory>
+#include <optional>
+
+namespace dewpoint {
+namespace {
+
+struct TrackOptions {
+  std::string project;
+  TrackJob job;
+  std::optional<std::string> method;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::int64_t> particles;
+  std::string frames;
+  std::vector<std::string> settings;
+};
+
+Status parseFrames(const std::string& text, TrackJob& job) {
+  const auto wrong = [&] {
+    return failure(ErrorCode::BadValue, "", "--frames", "expected A:B, found " + text);
+  };
+  const auto number = [](std::string_view part, std::int64_t& value) {
+    const auto [end, problem] = std::from_chars(part.data(), part.data() + part.size(), value);
+    return problem == std::errc() && end == part.data() + part.size() && value >= 0;
+  };
+  if (text.empty()) {
+    return {};
+  }
+  const auto colon = text.find(':');
+  if (colon == std::string::npos) {
+    return wrong();
+  }
+  const std::string_view first = std::string_view(text).substr(0, colon);
+  const std::string_view last = std::string_view(text).substr(colon + 1);
+  if (!first.empty() && !number(first, job.firstFrame)) {
+    return wrong();
+  }
+  std::int64_t end = 0;
+  if (!last.empty()) {
+    if (!number(last, end) || end <= job.firstFrame) {
+      return wrong();
+    }
+    job.endFrame = end;
+  }
+  return {};
+}
+
+Status applySettings(const TrackOptions& options, Project& project) {
+  if (options.method && *options.method != project.method) {
+    project.method = *options.method;
+    project.parameters = ParameterValues(methodParameters(project.method));
+  }
+  project.seed = options.seed.value_or(project.seed);
+  if (options.particles) {
+    if (const auto set =
+            project.parameters.set("particles", static_cast<double>(*options.particles));
+        !set) {
+      return set;
+    }
+  }
+  for (const auto& setting : options.settings) {
+    const auto equals = setting.find('=');
+    if (equals == std::string::npos) {
+      return failure(ErrorCode::BadValue, "", "--set", "expected key=value, found " + setting);
+    }
+    if (auto set =
+            project.parameters.setText(setting.substr(0, equals), setting.substr(equals + 1));
+        !set) {
+      set.error().file = "--set";
+      return set;
+    }
+  }
+  return {};
+}
+
+int track(TrackOptions options) {
+  auto project = resolveProject(options.project);
+  if (!project) {
+    return report(project.error());
+  }
+  if (const auto parsed = parseFrames(options.frames, options.job); !parsed) {
+    report(parsed.error());
+    return kExitUsage;
+  }
+  if (const auto applied = applySettings(options, *project); !applied) {
+    report(applied.error());
+    return kExitUsage;
+  }
+  auto inputs = openInputs(std::move(*project));
+  if (!inputs) {
+    return report(inputs.error());
+  }
+  return options.job.run(std::move(*inputs));
+}
+
+} // namespace
+
+void addTrackCommand(CLI::App& app, int& exitCode) {
+  auto* command = app.add_subcommand(
+      "track", "Track a project's targets and write trajectory.csv and run.json.");
+  auto options = std::make_shared<TrackOptions>();
+  command->add_option("PROJECT", options->project, "Project file (TOML), or a built-in scene: demo")
+      ->required();
+  command->add_option("--out", options->job.folder, "Folder to write")->required();
+  command->add_option("--method", options->method, "Tracking method")
+      ->check(CLI::IsMember(methodNames()));
+  command->add_option("--seed", options->seed, "Seed of the run (the project's unless given)");
+  command
+      ->add_option("--threads", options->job.threads,
+                   "Threads of the filter; never changes the result")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command->add_option("--frames", options->frames,
+                      "Only frames A to B-1, as A:B (either may be empty)");
+  command->add_option("--particles", options->particles, "Number of particles");
+  command->add_option("--set", options->settings, "Set a parameter of the method: key=value");
+  command->callback([options, &exitCode] { exitCode = track(*options); });
+}
+
+} // namespace dewpoint

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/track_job.h"
+
+#include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/progress.h"
+#include "core/session/tracking_run.h"
+#include "core/trajectory/evaluation.h"
+#include "core/trajectory/trajectory_writer.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+
+namespace dewpoint {
+namespace {
+
+std::atomic<bool> interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
+
+struct RunFigures {
+  std::int64_t frames = 0;
+  double seconds = 0.0;
+  std::vector<double> iterationTimes; ///< microseconds
+  bool finished = false;
+  std::vector<std::string> notices;
+
+  double quantile(double q) const {
+    if (iterationTimes.empty()) {
+      return 0.0;
+    }
+    auto times = iterationTimes;
+    const auto at = static_cast<std::ptrdiff_t>(q * static_cast<double>(times.size() - 1));
+    std::nth_element(times.begin(), times.begin() + at, times.end());
+    return times[static_cast<std::size_t>(at)];
+  }
+};
+
+Status writeText(const std::filesystem::path& path, const std::string& text) {
+  // Written beside and renamed: a reader never sees half of it.
+  auto beside = path;
+  beside += ".part";
+  {
+    std::ofstream stream(beside);
+    stream << text;
+    stream.flush();
+    if (!stream) {
+      return failure(ErrorCode::FileUnwritable, path.string(), "", "writing failed");
+    }
+  }
+  std::error_code problem;
+  std::filesystem::rename(beside, path, problem);
+  if (problem) {
+    return failure(ErrorCode::FileUnwritable, path.string(), "", problem.message());
+  }
+  return {};
+}
+
+std::string runJson(const Project& project, const FrameSetSource& source, int threads,
+                    const RunFigures& figures) {
+  nlohmann::ordered_json json;
+  json["version"] = DEWPOINT_VERSION;
+  json["project"] = project.name;
+  json["method"] = project.method;
+  json["seed"] = project.seed;
+  json["threads"] = threads;
+  json["finished"] = figures.finished;
+  json["frames"] = figures.frames;
+  json["seconds"] = figures.seconds;
+  json["frames_per_second"] =
+      figures.seconds > 0.0 ? static_cast<double>(figures.frames) / figures.seconds : 0.0;
+  json["iterations"] = figures.iterationTimes.size();
+  json["microseconds_per_iteration"] = {{"p50", figures.quantile(0.5)},
+                                        {"p99", figures.quantile(0.99)}};
+  json["dropped_frames"] = source.droppedFrames();
+  for (const auto& declaration : project.parameters.declarations()) {
+    json["parameters"][declaration.key] = project.parameters.at(declaration.key);
+  }
+  json["notices"] = figures.notices;
+  return json.dump(2) + "\n";
+}
+
+/// Says each new notice of the source once.
+void sayNotices(const FrameSetSource& source, RunFigures& figures) {
+  for (const auto& notice : source.notices()) {
+    const std::string text = sentence(notice);
+    if (std::find(figures.notices.begin(), figures.notices.end(), text) == figures.notices.end()) {
+      fmt::print(stderr, "dewpoint-cli: note: {}.\n", text);
+      figures.notices.push_back(text);
+    }
+  }
+}
+
+/// The loop itself; what stopped it, if it was not the end.
+Status trackFrames(const TrackJob& job, FrameSetSource& source, TrackingRun& run,
+                   TrajectoryWriter& writer, Trajectory& kept, RunFigures& figures) {
+  if (job.firstFrame > 0) {
+    if (const auto sought = source.seek(job.firstFrame); !sought) {
+      return sought;
+    }
+  }
+  const auto total = source.frameCount();
+  const auto end = job.endFrame && total ? std::min(*job.endFrame, *total)
+                                         : job.endFrame.value_or(total.value_or(0));
+  Progress progress("tracking", std::max<std::int64_t>(0, end - job.firstFrame));
+  const bool bounded = total.has_value() || job.endFrame.has_value();
+  while (!interrupted && (!bounded || figures.frames < end - job.firstFrame)) {
+    auto frames = source.next();
+    sayNotices(source, figures);
+    if (!frames) {
+      progress.finish();
+      return tl::make_unexpected(frames.error());
+    }
+    if (!*frames) {
+      break;
+    }
+    const auto present = [](const FramePtr& frame) { return frame != nullptr; };
+    if (std::none_of((*frames)->frames.begin(), (*frames)->frames.end(), present)) {
+      continue; // live, and nothing came
+    }
+    run.beginFrame(*frames);
+    for (int k = 0; k < run.iterationsPerFrame(); ++k) {
+      figures.iterationTimes.push_back(run.iterate());
+    }
+    for (const auto& sample : run.samples()) {
+      if (const auto written = writer.write(sample); !written) {
+        progress.finish();
+        return written;
+      }
+      kept.samples.push_back(sample);
+    }
+    progress.show(++figures.frames);
+  }
+  progress.finish();
+  return writer.finish();
+}
+
+void printSummary(const Trajectory& estimate, const Trajectory& truth, int iterationsPerFrame,
+                  const RunFigures& figures) {
+  fmt::print("frames                  {:>10}\n", figures.frames);
+  fmt::print("frames per second       {:>10.1f}\n",
+             static_cast<double>(figures.frames) / std::max(1e-9, figures.seconds));
+  fmt::print("us per iteration p50    {:>10.1f}\n", figures.quantile(0.5));
+  fmt::print("us per iteration p99    {:>10.1f}\n", figures.quantile(0.99));
+  if (truth.samples.empty()) {
+    return;
+  }
+  const auto evaluations = evaluate(estimate, truth);
+  for (std::size_t k = 0; evaluations && k < evaluations->size(); ++k) {
+    const auto& one = (*evaluations)[k];
+    fmt::print("target                  {:>10}\n", one.target);
+    if (one.framesToConverge) {
+      fmt::print("iterations to converge  {:>10}\n",
+                 (*one.framesToConverge + 1) * iterationsPerFrame);
+      fmt::print("error RMSE              {:>7.1f} mm\n", 1000.0 * one.rmse);
+      fmt::print("error p95               {:>7.1f} mm\n", 1000.0 * one.p95);
+      fmt::print("frames lost             {:>10}\n", one.lostFrames);
+    } else {
+      fmt::print("iterations to converge  {:>10}\n", "never");
+      fmt::print("error RMSE, all frames  {:>7.1f} mm\n", 1000.0 * one.rmseAll);
+    }
+  }
+}
+
+Status writeTruth(const Trajectory& truth, const std::filesystem::path& path) {
+  auto writer = TrajectoryWriter::create(path, truth.header);
+  if (!writer) {
+    return tl::make_unexpected(writer.error());
+  }
+  for (const auto& sample : truth.samples) {
+    if (const auto written = writer->write(sample); !written) {
+      return written;
+    }
+  }
+  return writer->finish();
+}
+
+} // namespace
+
+int TrackJob::run(SessionInputs inputs) const {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) {
+    return report({ErrorCode::FileUnwritable, folder.string(), "--out", problem.message()});
+  }
+  auto run = TrackingRun::create(inputs.project, threads);
+  if (!run) {
+    return report(run.error());
+  }
+  const TrajectoryHeader header = trajectoryHeader(inputs.project);
+  auto writer = TrajectoryWriter::create(folder / "trajectory.csv", header);
+  if (!writer) {
+    return report(writer.error());
+  }
+  std::signal(SIGINT, [](int) { interrupted = true; });
+  std::signal(SIGTERM, [](int) { interrupted = true; });
+
+  RunFigures figures;
+  // Written now too: after a kill it says that the run did not finish.
+  const auto began =
+      writeText(folder / "run.json", runJson(inputs.project, *inputs.source, threads, figures));
+  if (!began) {
+    return report(began.error());
+  }
+  Trajectory kept{header, {}};
+  const auto begin = std::chrono::steady_clock::now();
+  const auto tracked = trackFrames(*this, *inputs.source, *run, *writer, kept, figures);
+  figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  figures.finished = tracked.has_value() && !interrupted;
+  if (!tracked) {
+    figures.notices.push_back(sentence(tracked.error()));
+  }
+  const auto ended =
+      writeText(folder / "run.json", runJson(inputs.project, *inputs.source, threads, figures));
+  printSummary(kept, inputs.truth, run->iterationsPerFrame(), figures);
+  if (!inputs.project.scene.empty()) {
+    if (const auto written = writeTruth(inputs.truth, folder / "truth.csv"); !written) {
+      return report(written.error());
+    }
+  }
+  if (!tracked) {
+    // Frames were tracked before the input broke: that is "ended early", whatever broke it.
+    const int code = report(tracked.error());
+    return code == kExitBadInput && figures.frames > 0 ? kExitEndedEarly : code;
+  }
+  if (!ended) {
+    return report(ended.error());
+  }
+  return interrupted ? kExitInterrupted : kExitDone;
+}
+
+} // namespace dewpoint

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/wiring/open_project.h"
+
+#include "core/capture/live_cameras.h"
+#include "core/capture/recording.h"
+#include "core/session/tracking_run.h"
+#include "core/simulation/scene_renderer.h"
+#include "core/trajectory/trajectory_reader.h"
+
+#include <algorithm>
+
+namespace dewpoint {
+namespace {
+
+bool isLive(const ProjectCamera& camera) {
+  return camera.source == SourceKind::Device || camera.source == SourceKind::Stream;
+}
+
+void fillFromScene(Project& project, const Scene& scene) {
+  project.framesPerSecond = scene.framesPerSecond;
+  project.cameras.clear();
+  for (const auto& camera : scene.cameras) {
+    project.cameras.push_back({camera, SourceKind::Simulation, "", 0});
+  }
+}
+
+Result<std::unique_ptr<FrameSetSource>> openSimulation(const Scene& scene) {
+  const auto renderer = std::make_shared<const SceneRenderer>(scene);
+  std::vector<RecordedCamera> cameras;
+  for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
+    RecordedCamera camera;
+    camera.name = scene.cameras[k].name;
+    camera.kind = RecordedCamera::Kind::Generated;
+    camera.width = scene.cameras[k].intrinsics.width;
+    camera.height = scene.cameras[k].intrinsics.height;
+    camera.generate = [renderer, k](std::int64_t frame) {
+      return renderer->render(static_cast<int>(k), frame);
+    };
+    camera.generatedFrames = scene.frameCount;
+    cameras.push_back(std::move(camera));
+  }
+  return openRecording(std::move(cameras), scene.framesPerSecond);
+}
+
+Result<std::unique_ptr<FrameSetSource>> openLiveCameras(const Project& project) {
+  std::vector<LiveCamera> cameras;
+  for (const auto& camera : project.cameras) {
+    const auto& intrinsics = camera.camera.intrinsics;
+    cameras.push_back({camera.camera.name, camera.location, camera.rotateDegrees, intrinsics.width,
+                       intrinsics.height});
+  }
+  return openLive(std::move(cameras));
+}
+
+Result<std::unique_ptr<FrameSetSource>> openRecordings(const Project& project) {
+  std::vector<RecordedCamera> cameras;
+  for (const auto& camera : project.cameras) {
+    RecordedCamera recorded;
+    recorded.name = camera.camera.name;
+    recorded.kind = camera.source == SourceKind::Video ? RecordedCamera::Kind::Video
+                                                       : RecordedCamera::Kind::Images;
+    recorded.path = camera.location;
+    recorded.rotateDegrees = camera.rotateDegrees;
+    recorded.width = camera.camera.intrinsics.width;
+    recorded.height = camera.camera.intrinsics.height;
+    cameras.push_back(std::move(recorded));
+  }
+  return openRecording(std::move(cameras), project.framesPerSecond);
+}
+
+Result<std::unique_ptr<FrameSetSource>> openSource(const Project& project) {
+  const auto live = std::count_if(project.cameras.begin(), project.cameras.end(), isLive);
+  if (live == 0) {
+    return openRecordings(project);
+  }
+  if (live < static_cast<std::ptrdiff_t>(project.cameras.size())) {
+    return failure(ErrorCode::Mismatch, project.file.string(), "camera",
+                   "live cameras and recordings cannot be mixed in one project");
+  }
+  return openLiveCameras(project);
+}
+
+} // namespace
+
+Project projectOfScene(const Scene& scene, const std::string& sceneName) {
+  Project project;
+  project.name = scene.name;
+  project.scene = sceneName;
+  project.parameters = ParameterValues(methodParameters(project.method));
+  for (const auto& ball : scene.balls) {
+    project.targets.push_back(
+        {ball.name, ball.radius,
+         ColorRange{ball.hueMin, ball.hueMax, ball.saturationMin, ball.saturationMax,
+                    ball.intensityMin, ball.intensityMax}});
+  }
+  fillFromScene(project, scene);
+  return project;
+}
+
+Trajectory truthOfScene(const Scene& scene) {
+  Trajectory truth;
+  truth.header.entries = {{"scene", scene.name}, {"seed", std::to_string(scene.seed)}};
+  for (const auto& camera : scene.cameras) {
+    truth.header.cameras.push_back({camera.name, camera.center(), camera.opticalAxis()});
+  }
+  for (std::int64_t frame = 0; frame < scene.frameCount; ++frame) {
+    for (std::size_t k = 0; k < scene.balls.size(); ++k) {
+      TrajectorySample sample;
+      sample.time = static_cast<double>(frame) / scene.framesPerSecond;
+      sample.frame = frame;
+      sample.target = scene.balls[k].name;
+      sample.position = ballPosition(scene, static_cast<int>(k), frameTime(scene, frame));
+      sample.cameras = static_cast<int>(scene.cameras.size());
+      truth.samples.push_back(std::move(sample));
+    }
+  }
+  return truth;
+}
+
+Result<Project> resolveProject(const std::string& nameOrFile) {
+  const std::string name = nameOrFile.empty() ? "demo" : nameOrFile;
+  const auto& builtIn = sceneNames();
+  if (std::find(builtIn.begin(), builtIn.end(), name) != builtIn.end() &&
+      !std::filesystem::exists(name)) {
+    return sceneNamed(name).map([&](const Scene& scene) { return projectOfScene(scene, name); });
+  }
+  auto project = loadProject(name);
+  if (project && !project->scene.empty()) {
+    const auto scene = sceneNamed(project->scene);
+    if (!scene) {
+      return tl::make_unexpected(scene.error());
+    }
+    fillFromScene(*project, *scene);
+  }
+  return project;
+}
+
+Result<SessionInputs> openInputs(Project project) {
+  SessionInputs inputs;
+  if (!project.scene.empty()) {
+    const auto scene = sceneNamed(project.scene);
+    if (!scene) {
+      return tl::make_unexpected(scene.error());
+    }
+    inputs.truth = truthOfScene(*scene);
+    auto source = openSimulation(*scene);
+    if (!source) {
+      return tl::make_unexpected(source.error());
+    }
+    inputs.source = std::move(*source);
+  } else {
+    auto source = openSource(project);
+    if (!source) {
+      return tl::make_unexpected(source.error());
+    }
+    inputs.source = std::move(*source);
+  }
+  if (project.truth) {
+    auto truth = readTrajectory(*project.truth);
+    if (!truth) {
+      return tl::make_unexpected(truth.error());
+    }
+    inputs.truth = std::move(*truth);
+  }
+  inputs.project = std::move(project);
+  return inputs;
+}
+
+Result<SessionInputs> openProject(const std::filesystem::path& nameOrFile) {
+  return resolveProject(nameOrFile.string()).and_then([](Project project) {
+    return openInputs(std::move(project));
+  });
+}
+
+} // namespace dewpoint

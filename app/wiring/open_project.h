@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+#include "core/session/session.h"
+#include "core/simulation/scene.h"
+
+#include <filesystem>
+#include <string>
+
+namespace dewpoint {
+
+/// A project that tracks the balls of a simulated scene, with the paper's parameters.
+Project projectOfScene(const Scene& scene, const std::string& sceneName);
+
+/// True positions of all balls of a scene at every frame, named as the project's targets.
+Trajectory truthOfScene(const Scene& scene);
+
+/// A project file, or the name of a built-in scene ("demo", the default when empty). Cameras of a
+/// simulated project are filled in from its scene.
+Result<Project> resolveProject(const std::string& nameOrFile);
+
+/// Opens the sources of a resolved project, and its truth where it is known.
+Result<SessionInputs> openInputs(Project project);
+
+/// Both in one: what the window's "Open" does.
+Result<SessionInputs> openProject(const std::filesystem::path& nameOrFile);
+
+} // namespace dewpoint
