@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What simulate writes is a project that track can run, with the truth beside it.
+. "$(dirname "$0")/common.sh"
+
+printf 'frame_count = 12\n' >short.toml
+expectExit 0 simulate short.toml --out scene --seed 3
+for file in scene/project.toml scene/truth.csv; do
+  [[ -s $file ]] || fail "$file is missing"
+done
+expectExit 0 track scene/project.toml --out run --seed 1
+[[ $(rowCount run/trajectory.csv) == 12 ]] || fail "$(rowCount run/trajectory.csv) rows, not 12"
+expectExit 0 evaluate run/trajectory.csv scene/truth.csv
+
+# The same folder again is fine, as is a track of image folders instead of videos.
+expectExit 0 simulate short.toml --out scene --seed 3
+expectExit 0 simulate smooth --out folders --images --frames 6
+expectExit 0 track folders/project.toml --out run
+[[ $(rowCount run/trajectory.csv) == 6 ]] || fail "$(rowCount run/trajectory.csv) rows, not 6"
+
+# The same seed gives the same files.
+expectExit 0 simulate short.toml --out one --images --seed 3
+expectExit 0 simulate short.toml --out again --images --seed 3
+diff -r one again >/dev/null || fail "two simulations with one seed differ"
+
+expectExit $kBadInput simulate no-such-scene --out nowhere
+expectSentence no-such-scene
+printf 'frame_cuont = 12\n' >typo.toml
+expectExit $kBadInput simulate typo.toml --out nowhere
+expectSentence typo.toml frame_cuont
