@@ -16,7 +16,7 @@ enum class ParameterKind { Integer, Real };
 /// A parameter, declared once: editors, tooltips, validation, project file, command line and the
 /// reference page come from here.
 struct ParameterDeclaration {
-  std::string key;      ///< "motion_sigma"
+  std::string key; ///< "motion_sigma"
   ParameterKind kind = ParameterKind::Real;
   std::string label;    ///< "Motion sigma"
   std::string unit;     ///< "m", "" for a count
@@ -24,7 +24,7 @@ struct ParameterDeclaration {
   double maximum = 0.0; ///< inclusive
   double step = 0.0;    ///< of an editor
   double defaultValue = 0.0;
-  std::string sentence; ///< what it does, for a tooltip
+  std::string sentence;     ///< what it does, for a tooltip
   bool logarithmic = false; ///< sliders move by factors
 };
 

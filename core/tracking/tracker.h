@@ -25,13 +25,13 @@ struct Target {
 
 /// What a tracker believes after one filter iteration. World frame, metres.
 struct TargetEstimate {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero(); ///< weighted mean (MMSE)
-  Eigen::Vector3d best = Eigen::Vector3d::Zero(); ///< particle of highest weight (MAP)
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();       ///< weighted mean (MMSE)
+  Eigen::Vector3d best = Eigen::Vector3d::Zero();       ///< particle of highest weight (MAP)
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< m²
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
-  int camerasSeeing = 0; ///< cameras with target color at the projected mean
-  bool valid = false;    ///< seen by two cameras (by the only one, if there is one)
+  int camerasSeeing = 0;   ///< cameras with target color at the projected mean
+  bool valid = false;      ///< seen by two cameras (by the only one, if there is one)
   bool degenerate = false; ///< no particle had a usable weight; all were kept as equal
   /// Root mean square distance of the particles to their mean, metres.
   double spread() const;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/thread_team.h"
+#include "core/filter/particle_set.h"
+
+#include <Eigen/Core>
+
+namespace dewpoint {
+
+/// What a weighted particle set says about the state, in the state's own units.
+struct StateEstimate {
+  Eigen::VectorXd mean;             ///< weighted mean (MMSE)
+  Eigen::MatrixXd covariance;       ///< weighted, about the mean, divisor 1
+  Eigen::Index bestIndex = 0;       ///< particle of highest weight (MAP); the first of equals
+  double effectiveSampleSize = 0.0; ///< 1 / sum of squared weights
+  bool degenerate = false;          ///< no usable weight: all particles were counted as equal
+};
+
+/// Turns log weights into linear weights that sum to 1, safe from underflow (log-sum-exp). A log
+/// weight that is not finite counts as weight zero. Returns false, and makes all weights equal,
+/// when no log weight is finite.
+bool normalize(const Eigen::ArrayXd& logWeights, Eigen::ArrayXd& weights, ThreadTeam& team);
+
+/// Mean, covariance, best particle and effective sample size for weights that sum to 1. The set
+/// must not be empty. Sums run in particle order, so that their bits depend on nothing else.
+StateEstimate estimate(const Eigen::ArrayXXd& states, const Eigen::ArrayXd& weights);
+
+} // namespace dewpoint

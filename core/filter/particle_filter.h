@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/random.h"
+#include "core/base/thread_team.h"
+#include "core/filter/estimate.h"
+#include "core/filter/models.h"
+#include "core/filter/particle_set.h"
+
+#include <cassert>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace dewpoint {
+
+/// Which random numbers an iteration draws.
+struct RandomKey {
+  std::uint64_t seed = 0;
+  std::uint32_t frame = 0;
+  std::uint32_t iteration = 0; ///< within the frame
+
+  RandomStream stream(RandomPurpose purpose) const { return {seed, frame, iteration, purpose}; }
+};
+
+/// A particle filter with resampling at every iteration (CONDENSATION; Barrera et al. 2005, section
+/// 2). It owns the particles; the models are handed in. The bits of every result are the same for
+/// any number of threads.
+class ParticleFilter {
+public:
+  /// Begins anew with these states, all equally likely. At least one.
+  void start(Eigen::ArrayXXd states) {
+    assert(states.rows() > 0);
+    weighted_.logWeights = Eigen::ArrayXd::Zero(states.rows());
+    weights_ = Eigen::ArrayXd::Constant(states.rows(), 1.0 / static_cast<double>(states.rows()));
+    weighted_.states = states;
+    next_ = std::move(states);
+  }
+
+  /// One iteration; the set for the next one is drawn with `nextCount` particles.
+  template <Proposal P, ObservationModel O, Resampler R>
+  StateEstimate iterate(const P& proposal, const O& observation, const R& resampler,
+                        Eigen::Index nextCount, const RandomKey& key, ThreadTeam& team) {
+    predict(proposal, key.stream(RandomPurpose::Motion), team);
+    update(observation, team);
+    const bool usable = normalize(weighted_.logWeights, weights_, team);
+    StateEstimate result = estimate(weighted_.states, weights_);
+    result.degenerate = !usable;
+    resample(resampler, nextCount, key.stream(RandomPurpose::Resampling), team);
+    return result;
+  }
+
+  /// Redraws the set for the next iteration from the weighted one, with another count.
+  template <Resampler R>
+  void resize(const R& resampler, Eigen::Index count, const RandomKey& key, ThreadTeam& team) {
+    resample(resampler, count, key.stream(RandomPurpose::Resize), team);
+  }
+
+  /// The particles as last weighted (before resampling): what estimates are made of.
+  const ParticleSet& weighted() const { return weighted_; }
+  /// Their linear weights; they sum to 1.
+  const Eigen::ArrayXd& weights() const { return weights_; }
+  /// The resampled particles, all equally likely, from which the next iteration starts.
+  const Eigen::ArrayXXd& next() const { return next_; }
+
+private:
+  template <Proposal P>
+  void predict(const P& proposal, const RandomStream& stream, ThreadTeam& team) {
+    weighted_.states.swap(next_);
+    weighted_.logWeights.setZero(weighted_.states.rows());
+    team.forEachRange(weighted_.particleCount(), [&](std::int64_t begin, std::int64_t end) {
+      proposal.propose(weighted_.states.middleRows(begin, end - begin),
+                       weighted_.logWeights.segment(begin, end - begin),
+                       static_cast<std::uint32_t>(begin), stream);
+    });
+  }
+
+  template <ObservationModel O> void update(const O& observation, ThreadTeam& team) {
+    team.forEachRange(weighted_.particleCount(), [&](std::int64_t begin, std::int64_t end) {
+      observation.addLogLikelihood(weighted_.states.middleRows(begin, end - begin),
+                                   weighted_.logWeights.segment(begin, end - begin));
+    });
+  }
+
+  template <Resampler R>
+  void resample(const R& resampler, Eigen::Index count, const RandomStream& stream,
+                ThreadTeam& team) {
+    assert(count > 0);
+    resampler.ancestors(weights_, count, stream, ancestors_);
+    next_.resize(count, weighted_.states.cols());
+    team.forEachRange(count, [&](std::int64_t begin, std::int64_t end) {
+      for (Eigen::Index column = 0; column < next_.cols(); ++column) {
+        for (std::int64_t i = begin; i < end; ++i) {
+          next_(i, column) = weighted_.states(ancestors_[static_cast<std::size_t>(i)], column);
+        }
+      }
+    });
+  }
+
+  ParticleSet weighted_;
+  Eigen::ArrayXd weights_;
+  Eigen::ArrayXXd next_;
+  std::vector<Eigen::Index> ancestors_;
+};
+
+} // namespace dewpoint

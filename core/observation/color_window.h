@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/color/color_classifier.h"
+#include "core/filter/particle_set.h"
+#include "core/geometry/camera.h"
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace dewpoint {
+
+/// The color window of Barrera et al. 2005, equations 5 to 7. For camera c and the pixel u to which
+/// particle X projects (rounded to the nearest pixel), with m the number of pixels in the 5x5
+/// window around u whose color matches the target:
+///   p_c = 1/25 when u is outside the image or X behind the camera; else p_c = max(m, 1) / 25.
+/// A window cut by the border counts the pixels it has, the divisor stays 25. The likelihood is the
+/// product over the cameras; a camera without an image contributes nothing.
+/// States: columns 0 to 2 are x, y, z in metres, world frame.
+class ColorWindow {
+public:
+  ColorWindow(const CameraRig& rig, const ColorClassifier& classifier);
+
+  std::size_t cameraCount() const { return views_.size(); }
+  void setClassifier(const ColorClassifier& classifier);
+  /// The image (CV_8UC3, blue green red) that a camera shows from now on; empty for none.
+  void setImage(std::size_t camera, const cv::Mat& image);
+  /// Decides how colors are looked up for this many particles: pixel by pixel where it is needed,
+  /// or from counts over the whole image once the windows together cover more pixels than it has.
+  /// The result is the same. Not to be called while other threads use the model.
+  void prepare(std::int64_t particleCount);
+
+  void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const;
+
+  /// Matching pixels in the window around the projection of a point, 0 to 25; nothing when the
+  /// point is outside the image or behind the camera, or the camera has no image.
+  std::optional<int> matchCount(std::size_t camera, const Eigen::Vector3d& pointWorld) const;
+
+private:
+  struct View {
+    Projector projector;
+    cv::Mat image;
+    /// (rows + 1) x (columns + 1): matching pixels above and left of here; empty when unused.
+    std::vector<std::int32_t> integral;
+  };
+
+  std::optional<int> matchCount(const View& view, const Eigen::Vector3d& pointWorld) const;
+  int countPixels(const cv::Mat& image, int left, int top, int right, int bottom) const;
+  void buildIntegral(View& view) const;
+
+  std::vector<View> views_;
+  ColorClassifier classifier_;
+};
+
+} // namespace dewpoint

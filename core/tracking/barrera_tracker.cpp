@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/barrera_tracker.h"
+
+#include "core/filter/isotropic_motion.h"
+#include "core/filter/multinomial_resampling.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace dewpoint {
+
+BarreraTracker::BarreraTracker(const ParameterValues& parameters, const CameraRig& rig,
+                               const Target& target)
+    : parameters_(parameters), observation_(rig, ColorClassifier(target.color)) {
+  filter_.start(drawStart());
+}
+
+void BarreraTracker::configure(const ParameterValues& parameters) {
+  parameters_ = parameters;
+  if (!started_) {
+    filter_.start(drawStart());
+  }
+}
+
+void BarreraTracker::setTarget(const Target& target) {
+  observation_.setClassifier(ColorClassifier(target.color));
+}
+
+void BarreraTracker::restart(std::uint64_t seed) {
+  key_.seed = seed;
+  key_.iteration = 0;
+  started_ = false;
+  filter_.start(drawStart());
+}
+
+int BarreraTracker::iterationsPerFrame() const {
+  return static_cast<int>(parameters_.at("iterations_per_frame"));
+}
+
+void BarreraTracker::beginFrame(FrameSetPtr frames) {
+  key_.iteration = 0;
+  key_.frame = frames ? static_cast<std::uint32_t>(frames->index) : 0;
+  for (std::size_t camera = 0; camera < observation_.cameraCount(); ++camera) {
+    const bool present =
+        frames && camera < frames->frames.size() && frames->frames[camera] != nullptr;
+    observation_.setImage(camera, present ? frames->frames[camera]->image : cv::Mat());
+  }
+}
+
+TargetEstimate BarreraTracker::iterate(ThreadTeam& team) {
+  const auto particleCount = static_cast<Eigen::Index>(parameters_.at("particles"));
+  const MotionProposal<IsotropicMotion> proposal{{parameters_.at("motion_sigma")}};
+  const MultinomialResampling resampling;
+  if (filter_.next().rows() != particleCount) {
+    filter_.resize(resampling, particleCount, key_, team);
+  }
+  observation_.prepare(particleCount);
+  const StateEstimate state =
+      filter_.iterate(proposal, observation_, resampling, particleCount, key_, team);
+  ++key_.iteration;
+  started_ = true;
+
+  TargetEstimate result;
+  result.mean = state.mean;
+  result.best = filter_.weighted().states.row(state.bestIndex).transpose();
+  result.covariance = state.covariance;
+  result.effectiveSampleSize = state.effectiveSampleSize;
+  result.particleCount = static_cast<int>(particleCount);
+  result.camerasSeeing = countCamerasSeeing(result.mean);
+  const int needed = std::clamp(static_cast<int>(observation_.cameraCount()), 1, 2);
+  result.valid = result.camerasSeeing >= needed;
+  result.degenerate = state.degenerate;
+  return result;
+}
+
+void BarreraTracker::particles(int limit, Eigen::ArrayXXd& positions,
+                               Eigen::ArrayXd& weights) const {
+  const Eigen::ArrayXXd& states = filter_.weighted().states;
+  const Eigen::Index shown = std::clamp<Eigen::Index>(limit, 0, states.rows());
+  positions.resize(shown, 3);
+  weights.resize(shown);
+  for (Eigen::Index i = 0; i < shown; ++i) {
+    const Eigen::Index picked = i * states.rows() / shown;
+    positions.row(i) = states.row(picked);
+    weights[i] = filter_.weights()[picked];
+  }
+}
+
+Eigen::ArrayXXd BarreraTracker::drawStart() const {
+  const std::array<std::string, 3> axes{"x", "y", "z"};
+  const RandomStream stream(key_.seed, 0, 0, RandomPurpose::Start);
+  Eigen::ArrayXXd states(static_cast<Eigen::Index>(parameters_.at("particles")), 3);
+  for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+    const double center = parameters_.at("start_" + axes[axis]);
+    const double half = parameters_.at("start_half_" + axes[axis]);
+    for (Eigen::Index i = 0; i < states.rows(); ++i) {
+      const double unit = stream.uniform3(static_cast<std::uint32_t>(i))[axis];
+      states(i, static_cast<Eigen::Index>(axis)) = center + half * (2.0 * unit - 1.0);
+    }
+  }
+  return states;
+}
+
+int BarreraTracker::countCamerasSeeing(const Eigen::Vector3d& point) const {
+  int seeing = 0;
+  for (std::size_t camera = 0; camera < observation_.cameraCount(); ++camera) {
+    seeing += observation_.matchCount(camera, point).value_or(0) >= 1 ? 1 : 0;
+  }
+  return seeing;
+}
+
+} // namespace dewpoint

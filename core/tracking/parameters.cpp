@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/parameters.h"
+
+#include "core/tracking/barrera_parameters.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+
+namespace dewpoint {
+namespace {
+
+const ParameterDeclaration* find(std::span<const ParameterDeclaration> declarations,
+                                 std::string_view key) {
+  const auto found = std::ranges::find(declarations, key, &ParameterDeclaration::key);
+  return found == declarations.end() ? nullptr : &*found;
+}
+
+std::string rangeText(const ParameterDeclaration& declaration) {
+  return fmt::format("a {}number from {} to {}{}{}",
+                     declaration.kind == ParameterKind::Integer ? "whole " : "",
+                     declaration.minimum, declaration.maximum, declaration.unit.empty() ? "" : " ",
+                     declaration.unit);
+}
+
+Error unknownKey(std::span<const ParameterDeclaration> declarations, std::string_view key) {
+  std::string known;
+  for (const auto& declaration : declarations) {
+    known += (known.empty() ? "known are " : ", ") + declaration.key;
+  }
+  return {ErrorCode::UnknownKey, "", std::string(key), known};
+}
+
+} // namespace
+
+ParameterValues::ParameterValues(std::span<const ParameterDeclaration> declarations)
+    : declarations_(declarations) {
+  for (const auto& declaration : declarations) {
+    values_.emplace(declaration.key, declaration.defaultValue);
+  }
+}
+
+double ParameterValues::at(std::string_view key) const {
+  const auto found = values_.find(key);
+  assert(found != values_.end());
+  return found->second;
+}
+
+Status ParameterValues::set(std::string_view key, double value) {
+  const ParameterDeclaration* declaration = find(declarations_, key);
+  if (declaration == nullptr) {
+    return tl::make_unexpected(unknownKey(declarations_, key));
+  }
+  const bool inRange = value >= declaration->minimum && value <= declaration->maximum;
+  const bool whole = declaration->kind == ParameterKind::Real || value == std::floor(value);
+  if (!std::isfinite(value) || !inRange || !whole) {
+    return failure(ErrorCode::BadValue, "", declaration->key,
+                   fmt::format("{} is not {}", value, rangeText(*declaration)));
+  }
+  values_.find(key)->second = value;
+  return {};
+}
+
+Status ParameterValues::setText(std::string_view key, std::string_view text) {
+  const ParameterDeclaration* declaration = find(declarations_, key);
+  if (declaration == nullptr) {
+    return tl::make_unexpected(unknownKey(declarations_, key));
+  }
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, value);
+  if (parsed.ec != std::errc() || parsed.ptr != end) {
+    return failure(ErrorCode::BadValue, "", declaration->key,
+                   fmt::format("\"{}\" is not {}", text, rangeText(*declaration)));
+  }
+  return set(key, value);
+}
+
+std::vector<std::string> methodNames() {
+  return {"barrera"};
+}
+
+std::span<const ParameterDeclaration> methodParameters(std::string_view method) {
+  if (method == "barrera") {
+    return barreraParameters();
+  }
+  return {};
+}
+
+} // namespace dewpoint
