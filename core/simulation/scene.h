@@ -24,7 +24,7 @@ enum class Motion {
 struct SceneBall {
   std::string name = "pink ball";
   double radius = 0.035;                     ///< metres
-  Eigen::Vector3d color{205.0, 95.0, 250.0}; ///< BGR in full light, [0, 255]
+  Eigen::Vector3d color{145.0, 85.0, 245.0}; ///< BGR in full light, [0, 255]
   Motion motion = Motion::Smooth;
   Eigen::Vector3d position{0.5, 0.5, 0.15}; ///< where it starts, and the middle of its path; metres
   Eigen::Vector3d extent{0.12, 0.08, 0.05}; ///< half size of the path along X, Y, Z; metres
@@ -33,13 +33,16 @@ struct SceneBall {
 
   // The HSI ranges that hold the ball's rendered pixels and next to nothing else; hue in degrees,
   // circular (hueMin > hueMax wraps through 0); saturation and intensity in [0, 1].
-  double hueMin = 300.0;
-  double hueMax = 335.0;
+  double hueMin = 320.0;
+  double hueMax = 352.0;
   double saturationMin = 0.25;
-  double saturationMax = 0.75;
+  double saturationMax = 0.65;
   double intensityMin = 0.15;
   double intensityMax = 0.90;
 };
+
+/// As many look-alike balls as have a place on the desk.
+inline constexpr int kMaxLookAlikes = 4;
 
 /// A simulated scene: everything that decides its images and its truth. Frame f is taken at
 /// f / framesPerSecond seconds; its exposure is centered on that instant.
@@ -50,9 +53,9 @@ struct Scene {
   std::int64_t frameCount = 300;
   std::uint64_t seed = 1;
   std::vector<SceneBall> balls;
-  int lookAlikes = 0;            ///< further balls of the first ball's color, at rest; at most 4
-  bool occluder = false;         ///< a box that passes between the first ball and the first camera
-  bool clutter = true;           ///< books, boxes, wood- and skin-colored things on the desk
+  int lookAlikes = 0;    ///< further balls of the first ball's color, at rest; up to kMaxLookAlikes
+  bool occluder = false; ///< a box that passes between the first ball and the first camera
+  bool clutter = true;   ///< books, boxes, wood- and skin-colored things on the desk
   double noiseSigma = 3.0;       ///< standard deviation of the sensor noise, gray levels
   double exposureSeconds = 0.01; ///< how long the shutter is open: the motion blur
 };

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dewpoint::simulation {
+
+/// Takes the known keys out of one table and keeps the first thing that is wrong with it.
+class TableReader {
+public:
+  TableReader(const toml::table& table, std::string file, std::string prefix)
+      : table_(table), file_(std::move(file)), prefix_(std::move(prefix)) {}
+
+  bool has(const char* key) const { return table_.contains(key); }
+
+  void number(const char* key, double& value, double low, double high) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+      return;
+    }
+    const auto read = node->value<double>();
+    if (!node->is_number() || !read) {
+      fail(ErrorCode::WrongType, key, "a number is expected");
+    } else if (!(*read >= low && *read <= high)) {
+      fail(ErrorCode::BadValue, key, fmt::format("{} is not within {} to {}", *read, low, high));
+    } else {
+      value = *read;
+    }
+  }
+
+  template <class Integer>
+  void integer(const char* key, Integer& value, std::int64_t low, std::int64_t high) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+      return;
+    }
+    if (!node->is_integer()) {
+      fail(ErrorCode::WrongType, key, "a whole number is expected");
+      return;
+    }
+    const std::int64_t read = node->as_integer()->get();
+    if (read < low || read > high) {
+      fail(ErrorCode::BadValue, key, fmt::format("{} is not within {} to {}", read, low, high));
+      return;
+    }
+    value = static_cast<Integer>(read);
+  }
+
+  void boolean(const char* key, bool& value) {
+    if (const toml::node* node = find(key)) {
+      if (node->is_boolean()) {
+        value = node->as_boolean()->get();
+      } else {
+        fail(ErrorCode::WrongType, key, "true or false is expected");
+      }
+    }
+  }
+
+  void text(const char* key, std::string& value) {
+    if (const toml::node* node = find(key)) {
+      if (node->is_string()) {
+        value = node->as_string()->get();
+      } else {
+        fail(ErrorCode::WrongType, key, "a text is expected");
+      }
+    }
+  }
+
+  /// Exactly `count` finite numbers into `values`.
+  bool numbers(const char* key, double* values, std::size_t count, double low = -1e6,
+               double high = 1e6) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+      return false;
+    }
+    const toml::array* array = node->as_array();
+    if (array == nullptr || array->size() != count ||
+        !std::ranges::all_of(*array, [](const toml::node& item) { return item.is_number(); })) {
+      fail(ErrorCode::WrongType, key, fmt::format("an array of {} numbers is expected", count));
+      return false;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      values[i] = *(*array)[i].value<double>();
+      if (!(values[i] >= low && values[i] <= high)) {
+        fail(ErrorCode::BadValue, key,
+             fmt::format("{} is not within {} to {}", values[i], low, high));
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// The tables of an array of tables; empty when the key is absent.
+  std::vector<const toml::table*> tables(const char* key) {
+    std::vector<const toml::table*> result;
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+      return result;
+    }
+    const toml::array* array = node->as_array();
+    if (array == nullptr ||
+        !std::ranges::all_of(*array, [](const toml::node& item) { return item.is_table(); })) {
+      fail(ErrorCode::WrongType, key, fmt::format("tables [[{}]] are expected", key));
+      return result;
+    }
+    for (const toml::node& item : *array) {
+      result.push_back(item.as_table());
+    }
+    return result;
+  }
+
+  void require(const char* key) {
+    if (!has(key)) {
+      fail(ErrorCode::MissingKey, key, "");
+    }
+  }
+
+  void fail(ErrorCode code, const std::string& key, std::string detail) {
+    if (!error_) {
+      error_ = Error{code, file_, prefix_ + key, std::move(detail)};
+    }
+  }
+
+  /// The first error, or the first key that nobody asked for.
+  std::optional<Error> finish() {
+    for (const auto& [key, node] : table_) {
+      if (std::ranges::find(known_, key.str()) == known_.end()) {
+        fail(ErrorCode::UnknownKey, std::string{key.str()}, "");
+      }
+    }
+    return error_;
+  }
+
+private:
+  const toml::node* find(const char* key) {
+    known_.emplace_back(key);
+    return table_.get(key);
+  }
+
+  const toml::table& table_;
+  std::string file_;
+  std::string prefix_;
+  std::vector<std::string> known_;
+  std::optional<Error> error_;
+};
+
+} // namespace dewpoint::simulation
