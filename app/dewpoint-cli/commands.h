@@ -24,5 +24,6 @@ int report(const Error& error);
 void addTrackCommand(CLI::App& app, int& exitCode);
 void addEvaluateCommand(CLI::App& app, int& exitCode);
 void addSimulateCommand(CLI::App& app, int& exitCode);
+void addExperimentCommand(CLI::App& app, int& exitCode);
 
 } // namespace dewpoint

@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
   addTrackCommand(app, exitCode);
   addEvaluateCommand(app, exitCode);
   addSimulateCommand(app, exitCode);
+  addExperimentCommand(app, exitCode);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

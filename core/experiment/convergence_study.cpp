@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/convergence_study.h"
+
+#include "core/simulation/scene_renderer.h"
+#include "core/tracking/tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace dewpoint {
+namespace {
+
+constexpr double kConvergedError = 0.03; // metres: "position error < 3 cm once converged"
+constexpr int kDistinctFrames = 16;      // frames of a still ball differ by their noise only
+
+Scene stillScene(const Eigen::Vector3d& ball) {
+  Scene scene = demoScene();
+  scene.balls.front().motion = Motion::Still;
+  scene.balls.front().position = ball;
+  return scene;
+}
+
+std::vector<FrameSetPtr> renderFrames(const Scene& scene) {
+  const SceneRenderer renderer(scene);
+  std::vector<FrameSetPtr> sets;
+  for (int k = 0; k < kDistinctFrames; ++k) {
+    FrameSet set{k, timeStamp(k / scene.framesPerSecond), {}};
+    for (int camera = 0; camera < static_cast<int>(scene.cameras.size()); ++camera) {
+      set.frames.push_back(
+          std::make_shared<const Frame>(Frame{k, set.time, renderer.render(camera, k)}));
+    }
+    sets.push_back(std::make_shared<const FrameSet>(std::move(set)));
+  }
+  return sets;
+}
+
+Target targetOf(const SceneBall& ball) {
+  return {ball.name, ball.radius,
+          ColorRange{ball.hueMin, ball.hueMax, ball.saturationMin, ball.saturationMax,
+                     ball.intensityMin, ball.intensityMax}};
+}
+
+ParameterValues parametersOf(const ConvergenceCase& setup) {
+  ParameterValues parameters(methodParameters("barrera"));
+  const char* const axes[] = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    // Within the declared range by construction of the cases.
+    (void)parameters.set(std::string("start_") + axes[axis], setup.start[axis]);
+    (void)parameters.set(std::string("start_half_") + axes[axis], setup.startHalf[axis]);
+  }
+  return parameters;
+}
+
+/// The cloud's mean after each iteration, one iteration per frame.
+std::vector<Eigen::Vector3d> meansOfRun(Tracker& tracker, const std::vector<FrameSetPtr>& frames,
+                                        std::uint64_t seed, int iterations) {
+  ThreadTeam team(1);
+  tracker.restart(seed);
+  std::vector<Eigen::Vector3d> means;
+  for (int k = 0; k < iterations; ++k) {
+    FrameSet frame = *frames[static_cast<std::size_t>(k) % frames.size()];
+    frame.index = k; // the random numbers go by frame number
+    tracker.beginFrame(std::make_shared<const FrameSet>(std::move(frame)));
+    means.push_back(tracker.iterate(team).mean);
+  }
+  return means;
+}
+
+/// Iterations done when the error falls below the bound for good; nothing if it is above it at the
+/// end.
+std::optional<int> iterationsToConverge(const std::vector<Eigen::Vector3d>& means,
+                                        const Eigen::Vector3d& truth) {
+  const auto isFar = [&](const Eigen::Vector3d& mean) {
+    return (mean - truth).norm() >= kConvergedError;
+  };
+  const auto last = std::find_if(means.rbegin(), means.rend(), isFar);
+  const auto iterations = static_cast<int>(means.rend() - last) + 1;
+  return iterations > static_cast<int>(means.size()) ? std::nullopt : std::optional(iterations);
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) {
+    return 0.0;
+  }
+  std::sort(values.begin(), values.end());
+  const auto middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+} // namespace
+
+std::vector<ConvergenceCase> barreraConvergenceCases(int runs) {
+  const Eigen::Vector3d near(0.5, 0.5, 0.15);
+  const Eigen::Vector3d far(0.7, 0.75, 0.15);
+  const Eigen::Vector3d paperStart(0.4, 0.1, 0.2);
+  return {
+      {"paper start, ball at 0.5 0.5 0.15", near, paperStart, Eigen::Vector3d::Zero(), runs, 150},
+      {"paper start, ball at 0.7 0.75 0.15", far, paperStart, Eigen::Vector3d::Zero(), runs, 150},
+      {"start beyond the ball, 0.5 0.9 0.15",
+       near,
+       {0.5, 0.9, 0.15},
+       Eigen::Vector3d::Zero(),
+       runs,
+       150},
+      {"uniform start, desk 1 x 1 x 0.5 m", near, {0.5, 0.5, 0.25}, {0.5, 0.5, 0.25}, runs, 150},
+      {"uniform start, room 4 x 4 x 2 m", near, {0.5, 0.5, 1.0}, {2.0, 2.0, 1.0}, runs, 150},
+  };
+}
+
+Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup) {
+  const Scene scene = stillScene(setup.ball);
+  auto tracker =
+      makeTracker("barrera", parametersOf(setup), scene.cameras, targetOf(scene.balls.front()));
+  if (!tracker) {
+    return tl::make_unexpected(tracker.error());
+  }
+  const auto frames = renderFrames(scene);
+  const Eigen::Vector3d axis = scene.cameras.front().opticalAxis();
+  ConvergenceResult result{setup};
+  std::vector<double> iterations;
+  double squares = 0.0;
+  double depth = 0.0;
+  int count = 0;
+  for (int run = 1; run <= setup.runs; ++run) {
+    const auto means =
+        meansOfRun(**tracker, frames, static_cast<std::uint64_t>(run), setup.iterations);
+    const auto converged = iterationsToConverge(means, setup.ball);
+    if (!converged) {
+      continue;
+    }
+    ++result.converged;
+    iterations.push_back(*converged);
+    for (auto k = static_cast<std::size_t>(*converged); k < means.size(); ++k) {
+      squares += (means[k] - setup.ball).squaredNorm();
+      depth += (means[k] - setup.ball).dot(axis);
+      ++count;
+    }
+  }
+  result.medianIterations = median(std::move(iterations));
+  result.rmse = std::sqrt(squares / std::max(1, count));
+  result.depthBias = depth / std::max(1, count);
+  return result;
+}
+
+Result<double> measureDrift(int runs, int iterations) {
+  Scene scene = stillScene({0.5, 0.5, 0.15});
+  scene.cameras.resize(1);
+  ConvergenceCase setup;
+  setup.start = scene.balls.front().position;
+  auto tracker =
+      makeTracker("barrera", parametersOf(setup), scene.cameras, targetOf(scene.balls.front()));
+  if (!tracker) {
+    return tl::make_unexpected(tracker.error());
+  }
+  const auto frames = renderFrames(scene);
+  const Eigen::Vector3d axis = scene.cameras.front().opticalAxis();
+  double sum = 0.0;
+  for (int run = 1; run <= runs; ++run) {
+    const auto means = meansOfRun(**tracker, frames, static_cast<std::uint64_t>(run), iterations);
+    sum += (means.back() - setup.start).dot(axis) / iterations;
+  }
+  return sum / runs;
+}
+
+} // namespace dewpoint
