@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace dewpoint {
+
+struct Error;
+
+/// The sentence of an error for a person, in the language of the window; file, field and
+/// particulars stay as they are.
+QString errorSentence(const Error& error);
+
+} // namespace dewpoint

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/bridge/session_bridge.h"
+
+#include "core/session/session.h"
+
+#include <QMetaObject>
+
+namespace dewpoint {
+
+SessionBridge::SessionBridge(SessionInputs inputs, QObject* parent)
+    : QObject(parent), session_(std::make_unique<Session>(std::move(inputs))) {
+  session_->onSnapshot([this] {
+    if (!pending_.exchange(true)) {
+      QMetaObject::invokeMethod(this, &SessionBridge::drain, Qt::QueuedConnection);
+    }
+  });
+}
+
+SessionBridge::~SessionBridge() = default;
+
+std::unique_ptr<Session> SessionBridge::release() {
+  if (session_) {
+    session_->onSnapshot({});
+    session_->pause();
+  }
+  return std::move(session_);
+}
+
+void SessionBridge::drain() {
+  // Cleared before reading: what is published from here on earns a wake-up of its own.
+  pending_ = false;
+  if (session_) {
+    Q_EMIT snapshotChanged(session_->newest());
+  }
+}
+
+} // namespace dewpoint

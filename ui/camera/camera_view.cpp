@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/camera/camera_view.h"
+
+#include "core/session/camera_overlay.h"
+#include "core/session/snapshot.h"
+#include "ui/bridge/image.h"
+#include "ui/camera/overlay_painter.h"
+
+#include <QPaintEvent>
+#include <QPainter>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint {
+
+namespace {
+
+FramePtr frameOf(const TrackSnapshotPtr& snapshot, int camera) {
+  const auto index = static_cast<std::size_t>(camera);
+  if (!snapshot || !snapshot->frames || index >= snapshot->frames->frames.size()) {
+    return nullptr;
+  }
+  return snapshot->frames->frames[index];
+}
+
+cv::Mat maskOf(const TrackSnapshotPtr& snapshot, int camera) {
+  const auto index = static_cast<std::size_t>(camera);
+  return snapshot && index < snapshot->masks.size() ? snapshot->masks[index] : cv::Mat();
+}
+
+/// Everything that has not the target's color steps back, and what has it is tinted.
+cv::Mat tinted(const cv::Mat& image, const cv::Mat& mask, const QColor& tint) {
+  cv::Mat result = image * 0.35;
+  const cv::Mat color(image.size(), image.type(),
+                      cv::Scalar(tint.blue(), tint.green(), tint.red()));
+  cv::Mat bright;
+  cv::addWeighted(image, 0.35, color, 0.65, 0.0, bright);
+  bright.copyTo(result, mask);
+  return result;
+}
+
+} // namespace
+
+CameraView::CameraView(int camera, QWidget* parent) : QWidget(parent), camera_(camera) {
+  setObjectName(QStringLiteral("cameraView%1").arg(camera));
+  setAttribute(Qt::WA_OpaquePaintEvent);
+}
+
+void CameraView::show(TrackSnapshotPtr snapshot) {
+  snapshot_ = std::move(snapshot);
+  if (const HoldState now = stateNow(); now != state_) {
+    state_ = now;
+    Q_EMIT stateChanged(state_);
+  }
+  update();
+}
+
+void CameraView::setMaskShown(bool shown) {
+  maskShown_ = shown;
+  update();
+}
+
+HoldState CameraView::stateNow() const {
+  if (!snapshot_ || !snapshot_->frames) {
+    return HoldState::NoImages;
+  }
+  if (!frameOf(snapshot_, camera_)) {
+    return HoldState::Missing;
+  }
+  const auto& targets = snapshot_->targets;
+  const bool held = !targets.empty() && std::all_of(targets.begin(), targets.end(),
+                                                    [](auto& t) { return t.estimate.valid; });
+  return held ? HoldState::Held : HoldState::Searching;
+}
+
+const QImage& CameraView::scaledImage(const QSize& devicePixels) {
+  const FramePtr frame = frameOf(snapshot_, camera_);
+  const cv::Mat mask = maskShown_ ? maskOf(snapshot_, camera_) : cv::Mat();
+  if (scaled_.size() == devicePixels && scaledFrom_ == frame->image.data &&
+      scaledMaskFrom_ == mask.data) {
+    return scaled_;
+  }
+  cv::Mat image = frame->image;
+  if (mask.size() == image.size() && !mask.empty()) {
+    image = tinted(image, mask, targetColor(0));
+  }
+  const bool smaller = devicePixels.width() < image.cols;
+  cv::Mat fitted;
+  cv::resize(image, fitted, cv::Size(devicePixels.width(), devicePixels.height()), 0.0, 0.0,
+             smaller ? cv::INTER_AREA : cv::INTER_LINEAR);
+  scaled_ = toImage(fitted);
+  scaledFrom_ = frame->image.data;
+  scaledMaskFrom_ = mask.data;
+  return scaled_;
+}
+
+void CameraView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  const QColor ground = palette().color(QPalette::Base).lightness() < 128
+                            ? palette().color(QPalette::Base)
+                            : palette().color(QPalette::Window).darker(108);
+  painter.fillRect(rect(), ground);
+  const FramePtr frame = frameOf(snapshot_, camera_);
+  if (!frame || frame->image.empty()) {
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
+                     snapshot_ && snapshot_->frames
+                         ? tr("This camera delivered no image for this frame.")
+                         : tr("No images yet. Press play (Space), or open a project (Ctrl+O)."));
+    return;
+  }
+  const QSize image(frame->image.cols, frame->image.rows);
+  const QSizeF room = QSizeF(image).scaled(QSizeF(size()), Qt::KeepAspectRatio);
+  const double ratio = devicePixelRatioF();
+  // Whole device pixels, so that the scaled image is drawn one to one.
+  const QSize device(std::max(1, static_cast<int>(std::lround(room.width() * ratio))),
+                     std::max(1, static_cast<int>(std::lround(room.height() * ratio))));
+  const QSizeF shown = QSizeF(device) / ratio;
+  const QPointF corner(std::round((width() - shown.width()) / 2.0 * ratio) / ratio,
+                       std::round((height() - shown.height()) / 2.0 * ratio) / ratio);
+  painter.drawImage(QRectF(corner, shown), scaledImage(device));
+
+  painter.setClipRect(QRectF(corner, shown));
+  const ImagePlacement placement{corner, shown.width() / image.width()};
+  for (std::size_t i = 0; i < snapshot_->targets.size(); ++i) {
+    paintOverlay(painter, cameraOverlay(*snapshot_, camera_, snapshot_->targets[i]), placement,
+                 targetColor(static_cast<int>(i)));
+  }
+}
+
+} // namespace dewpoint

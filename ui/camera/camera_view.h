@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/settings/theme.h"
+
+#include <QImage>
+#include <QWidget>
+
+#include <memory>
+
+namespace dewpoint {
+
+struct TrackSnapshot;
+using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
+
+/// What one camera sees, letterboxed, and what the filter believes, projected into it: particles,
+/// estimate with 95 % ellipse, truth where known, the mask of the target color on demand.
+class CameraView : public QWidget {
+  Q_OBJECT
+public:
+  /// View of camera `camera` of the rig of the snapshots it is given.
+  explicit CameraView(int camera, QWidget* parent = nullptr);
+
+  using QWidget::show;
+  void show(TrackSnapshotPtr snapshot);
+  void setMaskShown(bool shown);
+  HoldState state() const { return state_; }
+
+  QSize sizeHint() const override { return {400, 300}; }
+  QSize minimumSizeHint() const override { return {120, 90}; }
+
+Q_SIGNALS:
+  /// The word in the title of this view changed.
+  void stateChanged(HoldState state);
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  HoldState stateNow() const;
+  /// The image scaled to `devicePixels`, remade only when the frame, mask or size changed.
+  const QImage& scaledImage(const QSize& devicePixels);
+
+  int camera_;
+  TrackSnapshotPtr snapshot_;
+  bool maskShown_ = false;
+  HoldState state_ = HoldState::NoImages;
+  QImage scaled_;
+  const void* scaledFrom_ = nullptr;     ///< pixels of the frame in scaled_
+  const void* scaledMaskFrom_ = nullptr; ///< pixels of the mask in scaled_
+};
+
+} // namespace dewpoint

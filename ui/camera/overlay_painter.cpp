@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/camera/overlay_painter.h"
+
+#include "core/session/camera_overlay.h"
+
+#include <QPainter>
+#include <QPixmap>
+
+#include <algorithm>
+#include <numbers>
+#include <vector>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr std::size_t kMostDots = 4000; ///< more are one cloud to the eye, and cost time
+constexpr double kDotDiameter = 3.2;    ///< widget units, without halo
+const QColor kHalo(0, 0, 0, 150);
+
+/// Pixel centers lie at integer image coordinates.
+QPointF placed(double column, double row, const ImagePlacement& placement) {
+  return placement.corner + QPointF(column + 0.5, row + 0.5) * placement.scale;
+}
+
+QPixmap dot(const QColor& color, double ratio) {
+  const double side = kDotDiameter + 3.0;
+  QPixmap pixmap(QSizeF(side * ratio, side * ratio).toSize());
+  pixmap.setDevicePixelRatio(ratio);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  const QPointF center(side / 2.0, side / 2.0);
+  painter.setBrush(kHalo);
+  painter.drawEllipse(center, kDotDiameter / 2.0 + 1.0, kDotDiameter / 2.0 + 1.0);
+  painter.setBrush(color);
+  painter.drawEllipse(center, kDotDiameter / 2.0, kDotDiameter / 2.0);
+  return pixmap;
+}
+
+void paintParticles(QPainter& painter, const CameraOverlay& overlay,
+                    const ImagePlacement& placement, const QColor& color) {
+  if (overlay.particles.empty()) {
+    return;
+  }
+  const double ratio = painter.device()->devicePixelRatioF();
+  const QPixmap stamp = dot(color, ratio);
+  const QRectF whole(QPointF(0, 0), QSizeF(stamp.size()));
+  const std::size_t stride = overlay.particles.size() / kMostDots + 1;
+  std::vector<QPainter::PixmapFragment> dots;
+  dots.reserve(overlay.particles.size() / stride + 1);
+  for (std::size_t i = 0; i < overlay.particles.size(); i += stride) {
+    const auto& at = overlay.particles[i];
+    const double weight = i < overlay.weights.size() ? std::clamp(overlay.weights[i], 0.F, 1.F) : 1;
+    dots.push_back(QPainter::PixmapFragment::create(
+        placed(static_cast<double>(at.x()), static_cast<double>(at.y()), placement), whole,
+        1.0 / ratio, 1.0 / ratio, 0.0, 0.25 + 0.65 * weight));
+  }
+  painter.drawPixmapFragments(dots.data(), static_cast<int>(dots.size()), stamp);
+}
+
+/// Strokes twice: a wide dark line, then the bright one.
+template <class Draw>
+void withHalo(QPainter& painter, const QColor& color, double width, const Draw& draw) {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(kHalo, width + 2.2, Qt::SolidLine, Qt::RoundCap));
+  draw();
+  painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap));
+  draw();
+}
+
+} // namespace
+
+void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePlacement& placement,
+                  const QColor& color) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintParticles(painter, overlay, placement, color);
+  if (overlay.ellipse) {
+    const ImageEllipse& ellipse = *overlay.ellipse;
+    painter.save();
+    painter.translate(placed(ellipse.center.x(), ellipse.center.y(), placement));
+    painter.rotate(ellipse.angle * 180.0 / std::numbers::pi);
+    withHalo(painter, color, 1.5, [&] {
+      painter.drawEllipse(QPointF(0, 0), ellipse.semiMajor * placement.scale,
+                          ellipse.semiMinor * placement.scale);
+    });
+    painter.restore();
+  }
+  if (overlay.truth) {
+    const QPointF at = placed(overlay.truth->x(), overlay.truth->y(), placement);
+    withHalo(painter, Qt::white, 1.3, [&] {
+      painter.drawLine(at + QPointF(-5, -5), at + QPointF(5, 5));
+      painter.drawLine(at + QPointF(-5, 5), at + QPointF(5, -5));
+    });
+  }
+  if (overlay.estimate) {
+    const QPointF at = placed(overlay.estimate->x(), overlay.estimate->y(), placement);
+    withHalo(painter, color, 1.8, [&] {
+      for (const QPointF& arm : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+        painter.drawLine(at + arm * 4.0, at + arm * 11.0);
+      }
+    });
+  }
+  painter.restore();
+}
+
+} // namespace dewpoint

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/settings/parameter_panel.h"
+
+#include "core/project/project.h"
+#include "ui/document/document.h"
+#include "ui/settings/parameter_row.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace dewpoint {
+
+ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
+    : QWidget(parent), document_(document) {
+  setObjectName(QStringLiteral("parameterPanel"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  connect(&document_, &Document::replaced, this, &ParameterPanel::rebuild);
+  connect(&document_, &Document::parameterChanged, this, &ParameterPanel::showValue);
+  rebuild();
+}
+
+void ParameterPanel::rebuild() {
+  delete form_;
+  rows_.clear();
+  form_ = new QWidget(this);
+  form_->setObjectName(QStringLiteral("parameterForm"));
+  auto* layout = new QVBoxLayout(form_);
+  layout->setContentsMargins(12, 8, 12, 8);
+  layout->setSpacing(16);
+  const Project& project = document_.project();
+  if (project.parameters.declarations().empty()) {
+    auto* empty = new QLabel(tr("The parameters appear here once a project is open."), form_);
+    empty->setWordWrap(true);
+    layout->addWidget(empty);
+  }
+  for (const ParameterDeclaration& declaration : project.parameters.declarations()) {
+    auto* row = new ParameterRow(declaration, form_);
+    row->setValue(project.parameters.at(declaration.key));
+    connect(row, &ParameterRow::valueEdited, this, [this, key = declaration.key](double value) {
+      if (!document_.setParameter(key, value)) {
+        showValue(QString::fromStdString(key)); // refused: show what holds
+      }
+    });
+    layout->addWidget(row);
+    rows_.push_back(row);
+  }
+  layout->addStretch();
+  this->layout()->addWidget(form_);
+}
+
+void ParameterPanel::showValue(const QString& key) {
+  for (ParameterRow* row : rows_) {
+    if (row->key() == key.toStdString()) {
+      row->setValue(document_.project().parameters.at(row->key()));
+    }
+  }
+}
+
+} // namespace dewpoint

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/settings/theme.h"
+
+#include <QApplication>
+#include <QCoreApplication>
+#include <QStyle>
+#include <QStyleFactory>
+
+#include <array>
+
+namespace dewpoint {
+
+namespace {
+
+bool isDarkPalette(const QPalette& palette) {
+  return palette.color(QPalette::Window).lightness() < 128;
+}
+
+} // namespace
+
+QPalette themePalette(bool dark) {
+  const QColor window(dark ? "#202326" : "#f3f4f5");
+  const QColor base(dark ? "#17191b" : "#ffffff");
+  const QColor text(dark ? "#e4e6e8" : "#1d2124");
+  const QColor faint(dark ? "#767d84" : "#8b9298");
+  const QColor button(dark ? "#2b2f33" : "#e9ebed");
+  const QColor accent(dark ? "#4c9fe0" : "#1f6fb5");
+  QPalette palette;
+  palette.setColor(QPalette::Window, window);
+  palette.setColor(QPalette::WindowText, text);
+  palette.setColor(QPalette::Base, base);
+  palette.setColor(QPalette::AlternateBase, window);
+  palette.setColor(QPalette::Text, text);
+  palette.setColor(QPalette::PlaceholderText, faint);
+  palette.setColor(QPalette::Button, button);
+  palette.setColor(QPalette::ButtonText, text);
+  palette.setColor(QPalette::BrightText, QColor("#d55e00"));
+  palette.setColor(QPalette::ToolTipBase, base);
+  palette.setColor(QPalette::ToolTipText, text);
+  palette.setColor(QPalette::Highlight, accent);
+  palette.setColor(QPalette::HighlightedText, dark ? QColor("#101214") : QColor("#ffffff"));
+  palette.setColor(QPalette::Link, accent);
+  palette.setColor(QPalette::Light, dark ? QColor("#3a3f44") : QColor("#ffffff"));
+  palette.setColor(QPalette::Midlight, dark ? QColor("#33383c") : QColor("#f8f9fa"));
+  palette.setColor(QPalette::Mid, dark ? QColor("#3a3f44") : QColor("#c9ced2"));
+  palette.setColor(QPalette::Dark, dark ? QColor("#131516") : QColor("#a4abb1"));
+  palette.setColor(QPalette::Shadow, dark ? QColor("#0b0c0d") : QColor("#7c848b"));
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+    palette.setColor(QPalette::Disabled, role, faint);
+  }
+  palette.setColor(QPalette::Disabled, QPalette::Highlight, faint);
+  return palette;
+}
+
+bool isDark(Theme theme) {
+  static const bool systemIsDark = isDarkPalette(QApplication::palette());
+  return theme == Theme::Dark || (theme == Theme::System && systemIsDark);
+}
+
+void applyTheme(Theme theme) {
+  const bool dark = isDark(theme);
+  if (QApplication::style()->name() != QLatin1String("fusion")) {
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  }
+  QApplication::setPalette(themePalette(dark));
+}
+
+Theme themeFromName(const QString& name) {
+  return name == QLatin1String("light")  ? Theme::Light
+         : name == QLatin1String("dark") ? Theme::Dark
+                                         : Theme::System;
+}
+
+QString themeName(Theme theme) {
+  return theme == Theme::Light  ? QStringLiteral("light")
+         : theme == Theme::Dark ? QStringLiteral("dark")
+                                : QStringLiteral("system");
+}
+
+QString holdText(HoldState state) {
+  switch (state) {
+  case HoldState::Held:
+    return QCoreApplication::translate("HoldState", "● held");
+  case HoldState::Searching:
+    return QCoreApplication::translate("HoldState", "○ searching");
+  case HoldState::Lost:
+    return QCoreApplication::translate("HoldState", "▲ lost");
+  case HoldState::Missing:
+    return QCoreApplication::translate("HoldState", "✕ missing");
+  case HoldState::NoImages:
+    break;
+  }
+  return QCoreApplication::translate("HoldState", "– no images");
+}
+
+QColor holdColor(HoldState state, const QPalette& palette) {
+  const bool dark = isDarkPalette(palette);
+  switch (state) {
+  case HoldState::Held:
+    return QColor(dark ? "#2fc79a" : "#00734f");
+  case HoldState::Searching:
+    return QColor(dark ? "#e6a100" : "#8f5f00");
+  case HoldState::Lost:
+  case HoldState::Missing:
+    return QColor(dark ? "#ff7f3f" : "#b34a00");
+  case HoldState::NoImages:
+    break;
+  }
+  return palette.color(QPalette::PlaceholderText);
+}
+
+QColor targetColor(int target) {
+  static constexpr std::array<const char*, 6> kOkabeIto{"#56b4e9", "#f0e442", "#e69f00",
+                                                        "#009e73", "#cc79a7", "#d55e00"};
+  return QColor(kOkabeIto[static_cast<std::size_t>(target) % kOkabeIto.size()]);
+}
+
+} // namespace dewpoint
