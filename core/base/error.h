@@ -41,14 +41,14 @@ using Status = Result<void>;
 /// Shorthand to return a failure from a function that returns a Result.
 inline tl::unexpected<Error> failure(ErrorCode code, std::string file, std::string field,
                                      std::string detail) {
-  return tl::make_unexpected(
-      Error{code, std::move(file), std::move(field), std::move(detail)});
+  return tl::make_unexpected(Error{code, std::move(file), std::move(field), std::move(detail)});
 }
 
 /// The plain English words of a code, without file, field or detail ("the file does not exist").
 const char* phrase(ErrorCode code);
 
-/// One clear sentence for a person: "project.toml: camera 1.video: the file does not exist (a.mkv)".
+/// One clear sentence for a person: "project.toml: camera 1.video: the file does not exist
+/// (a.mkv)".
 std::string sentence(const Error& error);
 
 } // namespace dewpoint

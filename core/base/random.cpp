@@ -34,8 +34,8 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
 
 RandomStream::RandomStream(std::uint64_t seed, std::uint32_t frame, std::uint32_t iteration,
                            RandomPurpose purpose)
-    : key_{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)},
-      frame_(frame), iteration_(iteration), purpose_(static_cast<std::uint32_t>(purpose)) {}
+    : key_{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}, frame_(frame),
+      iteration_(iteration), purpose_(static_cast<std::uint32_t>(purpose)) {}
 
 std::array<std::uint32_t, 4> RandomStream::words(std::uint32_t index, std::uint32_t block) const {
   return philox({index, iteration_, frame_, (purpose_ << 24U) | block}, key_);
@@ -57,8 +57,7 @@ std::array<double, 4> RandomStream::normal4(std::uint32_t index, std::uint32_t b
   std::array<double, 4> normals{};
   for (std::size_t pair = 0; pair < 2; ++pair) {
     // Half a step away from 0, where the logarithm is not finite.
-    const double radius =
-        std::sqrt(-2.0 * std::log((word[2 * pair] + 0.5) * kTwoPowMinus32));
+    const double radius = std::sqrt(-2.0 * std::log((word[2 * pair] + 0.5) * kTwoPowMinus32));
     const double angle = 2.0 * std::numbers::pi * (word[2 * pair + 1] * kTwoPowMinus32);
     normals[2 * pair] = radius * std::cos(angle);
     normals[2 * pair + 1] = radius * std::sin(angle);

@@ -10,7 +10,9 @@ namespace dewpoint {
 using TimeStamp = std::chrono::nanoseconds;
 
 /// Seconds as a number, for mathematics and files.
-inline double seconds(TimeStamp time) { return std::chrono::duration<double>(time).count(); }
+inline double seconds(TimeStamp time) {
+  return std::chrono::duration<double>(time).count();
+}
 
 /// The time stamp nearest to a number of seconds.
 inline TimeStamp timeStamp(double seconds) {

@@ -13,7 +13,7 @@ namespace dewpoint {
 
 /// One image of one camera. It owns its pixels, and nobody writes them once it is published.
 struct Frame {
-  std::int64_t index = 0; ///< frame number of this camera, from 0
+  std::int64_t index = 0;  ///< frame number of this camera, from 0
   TimeStamp captureTime{}; ///< when it was taken, by the camera's own clock reading
   cv::Mat image;           ///< CV_8UC3, blue green red
 };

@@ -19,7 +19,7 @@ enum class SourceKind { Simulation, Video, Images, Device, Stream };
 struct ProjectCamera {
   Camera camera;
   SourceKind source = SourceKind::Simulation;
-  std::string location; ///< absolute path of the video or image folder, device, or address
+  std::string location;  ///< absolute path of the video or image folder, device, or address
   int rotateDegrees = 0; ///< images are turned clockwise by 0, 90, 180 or 270 before use
 };
 
