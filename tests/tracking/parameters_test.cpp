@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/parameters.h"
+#include "core/tracking/tracker.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace dewpoint {
+namespace {
+
+ParameterValues barrera() {
+  return ParameterValues(methodParameters("barrera"));
+}
+
+TEST(Parameters, DefaultsAreThePapers) {
+  const ParameterValues values = barrera();
+  // Barrera et al. 2005, section 4: 200 particles, sigma 0.03 m, started at (0.4, 0.1, 0.2).
+  EXPECT_EQ(values.at("particles"), 200);
+  EXPECT_EQ(values.at("motion_sigma"), 0.03);
+  EXPECT_EQ(values.at("start_x"), 0.4);
+  EXPECT_EQ(values.at("start_y"), 0.1);
+  EXPECT_EQ(values.at("start_z"), 0.2);
+  EXPECT_EQ(values.at("iterations_per_frame"), 1);
+  EXPECT_EQ(values.at("start_half_x"), 0);
+}
+
+TEST(Parameters, EveryDeclarationIsSound) {
+  for (const auto& name : methodNames()) {
+    ASSERT_FALSE(methodParameters(name).empty());
+    for (const auto& declaration : methodParameters(name)) {
+      EXPECT_LT(declaration.minimum, declaration.maximum) << declaration.key;
+      EXPECT_GT(declaration.step, 0.0) << declaration.key;
+      EXPECT_FALSE(declaration.label.empty() || declaration.sentence.empty()) << declaration.key;
+      EXPECT_TRUE(!declaration.logarithmic || declaration.minimum > 0.0) << declaration.key;
+      ParameterValues values(methodParameters(name));
+      EXPECT_TRUE(values.set(declaration.key, declaration.defaultValue));
+      EXPECT_TRUE(values.set(declaration.key, declaration.minimum));
+      EXPECT_TRUE(values.set(declaration.key, declaration.maximum));
+    }
+  }
+  EXPECT_TRUE(methodParameters("nothing").empty());
+}
+
+TEST(Parameters, BadValuesAreRefusedWithTheirRangeAndChangeNothing) {
+  ParameterValues values = barrera();
+  for (const double bad :
+       {9.0, 1000001.0, 20.5, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    const Status status = values.set("particles", bad);
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.error().code, ErrorCode::BadValue);
+    EXPECT_EQ(status.error().field, "particles");
+  }
+  EXPECT_EQ(values, barrera());
+  EXPECT_EQ(sentence(values.set("particles", 9).error()),
+            "particles: not a usable value (9 is not a whole number from 10 to 1000000)");
+  EXPECT_EQ(sentence(values.set("motion_sigma", 0.7).error()),
+            "motion_sigma: not a usable value (0.7 is not a number from 0.001 to 0.5 m)");
+}
+
+TEST(Parameters, UnknownKeysAreNamedWithTheKnownOnes) {
+  ParameterValues values = barrera();
+  const Status status = values.set("partikel", 20);
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, ErrorCode::UnknownKey);
+  EXPECT_EQ(status.error().field, "partikel");
+  EXPECT_NE(status.error().detail.find("particles, motion_sigma"), std::string::npos);
+  EXPECT_EQ(values.setText("partikel", "20").error().code, ErrorCode::UnknownKey);
+}
+
+TEST(Parameters, TextIsTakenWholeOrNotAtAll) {
+  ParameterValues values = barrera();
+  EXPECT_TRUE(values.setText("motion_sigma", "5e-2"));
+  EXPECT_EQ(values.at("motion_sigma"), 0.05);
+  for (const char* bad : {"", "x", "0.05m", " 0.05", "0,05", "nan", "inf"}) {
+    EXPECT_FALSE(values.setText("motion_sigma", bad)) << bad;
+  }
+  EXPECT_EQ(values.at("motion_sigma"), 0.05);
+  EXPECT_FALSE(values == barrera());
+}
+
+TEST(MakeTracker, UnknownMethodOrParametersOfAnotherAreRefused) {
+  const auto unknown = makeTracker("kalman", barrera(), {}, {});
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().code, ErrorCode::NotFound);
+  EXPECT_NE(unknown.error().detail.find("barrera"), std::string::npos);
+  EXPECT_FALSE(makeTracker("barrera", ParameterValues(), {}, {}));
+}
+
+} // namespace
+} // namespace dewpoint
