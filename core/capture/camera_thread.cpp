@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/camera_thread.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto kFirstPause = 250ms; ///< before the first new attempt; doubles up to the longest
+constexpr auto kLongestPause = 4000ms;
+/// A connected camera that is silent for so long is called lost, though its read still waits.
+constexpr auto kSilence = 2s;
+constexpr auto kPatience = 1s; ///< with a read that does not return, when the thread has to end
+constexpr double kRateSmoothing = 0.1;
+
+} // namespace
+
+void Bell::ring() {
+  {
+    std::scoped_lock lock(mutex_);
+    ++rings_;
+  }
+  rung_.notify_all();
+}
+
+std::uint64_t Bell::rings() const {
+  std::scoped_lock lock(mutex_);
+  return rings_;
+}
+
+void Bell::waitBeyond(std::uint64_t known, Clock::time_point deadline) {
+  std::unique_lock lock(mutex_);
+  rung_.wait_until(lock, deadline, [&] { return rings_ > known; });
+}
+
+/// What the camera's thread alone knows.
+struct CameraThread::Progress {
+  std::int64_t frames = 0;
+  std::optional<Clock::time_point> lastGrab;
+  Clock::duration pause = kFirstPause;
+};
+
+CameraThread::CameraThread(const LiveCamera& camera, LiveStreamFactory factory,
+                           std::shared_ptr<Bell> bell, Clock::time_point zero)
+    : shared_(std::make_shared<Shared>()) {
+  shared_->camera = camera;
+  shared_->shape = {camera.name, camera.rotateDegrees, camera.width, camera.height};
+  shared_->factory = std::move(factory);
+  shared_->bell = std::move(bell);
+  shared_->zero = zero;
+  thread_ = std::jthread([shared = shared_](const std::stop_token& stop) {
+    run(stop, *shared);
+    std::scoped_lock lock(shared->mutex);
+    shared->finished = true;
+    shared->changed.notify_all();
+  });
+}
+
+CameraThread::~CameraThread() {
+  if (thread_.joinable()) {
+    requestStop();
+    joinUntil(Clock::now() + kPatience);
+  }
+}
+
+void CameraThread::requestStop() {
+  thread_.request_stop();
+}
+
+void CameraThread::joinUntil(Clock::time_point deadline) {
+  if (!thread_.joinable()) {
+    return;
+  }
+  std::unique_lock lock(shared_->mutex);
+  const bool ended = shared_->changed.wait_until(lock, deadline, [&] { return shared_->finished; });
+  lock.unlock();
+  if (ended) {
+    thread_.join();
+  } else {
+    thread_.detach();
+  }
+}
+
+bool CameraThread::delivers() const {
+  std::scoped_lock lock(shared_->mutex);
+  return shared_->connected && !shared_->problem && Clock::now() - shared_->lastGrab < kSilence;
+}
+
+std::optional<Error> CameraThread::problem() const {
+  std::scoped_lock lock(shared_->mutex);
+  if (!shared_->problem && shared_->connected && Clock::now() - shared_->lastGrab >= kSilence) {
+    return Error{ErrorCode::ConnectionLost, shared_->camera.location,
+                 cameraField(shared_->camera.name), "connected, but no picture for two seconds"};
+  }
+  return shared_->problem;
+}
+
+void CameraThread::setProblem(Shared& shared, std::optional<Error> problem) {
+  {
+    std::scoped_lock lock(shared.mutex);
+    shared.problem = std::move(problem);
+  }
+  shared.bell->ring();
+}
+
+/// Without a connection: never had one, or lost it.
+void CameraThread::setDown(Shared& shared, const std::string& detail) {
+  {
+    std::scoped_lock lock(shared.mutex);
+    shared.connected = false;
+    const auto code =
+        shared.everDelivered ? ErrorCode::ConnectionLost : ErrorCode::DeviceUnavailable;
+    shared.problem = Error{code, shared.camera.location, cameraField(shared.camera.name), detail};
+  }
+  shared.bell->ring();
+}
+
+void CameraThread::run(const std::stop_token& stop, Shared& shared) {
+  Progress progress;
+  while (!stop.stop_requested()) {
+    try {
+      const LiveStreamPtr stream = shared.factory(shared.camera);
+      if (const auto opened = stream->open(); !opened) {
+        setDown(shared, opened.error() + "; trying again");
+      } else {
+        readAll(stop, shared, *stream, progress);
+        setDown(shared, "trying to connect again");
+      }
+    } catch (const std::exception& problem) {
+      setDown(shared, problem.what());
+    }
+    std::unique_lock lock(shared.mutex);
+    shared.changed.wait_for(lock, stop, progress.pause, [] { return false; });
+    progress.pause = std::min<Clock::duration>(progress.pause * 2, kLongestPause);
+  }
+}
+
+void CameraThread::readAll(const std::stop_token& stop, Shared& shared, LiveStream& stream,
+                           Progress& progress) {
+  {
+    std::scoped_lock lock(shared.mutex);
+    shared.connected = true;
+    shared.lastGrab = Clock::now();
+  }
+  progress.lastGrab.reset();
+  while (!stop.stop_requested() && stream.grab()) {
+    const auto grabbed = Clock::now();
+    cv::Mat picture = stream.retrieve();
+    if (!picture.empty() && !stop.stop_requested()) {
+      publish(shared, std::move(picture), grabbed, progress);
+    }
+  }
+}
+
+void CameraThread::publish(Shared& shared, cv::Mat picture, Clock::time_point grabbed,
+                           Progress& progress) {
+  progress.pause = kFirstPause;
+  if (progress.lastGrab && grabbed > *progress.lastGrab) {
+    const double interval = std::chrono::duration<double>(grabbed - *progress.lastGrab).count();
+    const double old = shared.rate;
+    shared.rate =
+        old > 0 ? 1.0 / ((1 - kRateSmoothing) / old + kRateSmoothing * interval) : 1.0 / interval;
+  }
+  progress.lastGrab = grabbed;
+  {
+    std::scoped_lock lock(shared.mutex);
+    shared.lastGrab = grabbed;
+    shared.everDelivered = true;
+  }
+  auto image = shaped(picture, shared.shape, shared.camera.location);
+  if (!image) {
+    setProblem(shared, image.error());
+    return;
+  }
+  shared.slot.put(std::make_shared<Frame>(
+      Frame{progress.frames++, std::chrono::duration_cast<TimeStamp>(grabbed - shared.zero),
+            std::move(*image)}));
+  setProblem(shared, std::nullopt);
+}
+
+} // namespace dewpoint

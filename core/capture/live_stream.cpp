@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/live_stream.h"
+
+#include "core/capture/picture.h"
+
+#include <opencv2/videoio.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr int kOpenTimeoutMilliseconds = 3000;
+constexpr int kReadTimeoutMilliseconds = 2000;
+constexpr std::string_view kPipelinePrefix = "gst:";
+constexpr std::string_view kDevicePrefix = "/dev/video";
+
+std::optional<int> deviceNumber(std::string_view location) {
+  if (location.starts_with(kDevicePrefix)) {
+    location.remove_prefix(kDevicePrefix.size());
+  }
+  int number = 0;
+  const char* end = location.data() + location.size();
+  const auto [stop, problem] = std::from_chars(location.data(), end, number);
+  const bool whole = problem == std::errc() && stop == end && number >= 0;
+  return whole ? std::optional(number) : std::nullopt;
+}
+
+bool isStream(std::string_view location) {
+  constexpr std::array<std::string_view, 9> kSchemes{"http://",  "https://", "rtsp://",
+                                                     "rtsps://", "rtmp://",  "udp://",
+                                                     "rtp://",   "tcp://",   "srt://"};
+  return std::ranges::any_of(kSchemes, [&](auto scheme) { return location.starts_with(scheme); });
+}
+
+class VideoStream final : public LiveStream {
+public:
+  explicit VideoStream(LiveCamera camera) : camera_(std::move(camera)) {}
+
+  tl::expected<void, std::string> open() override {
+    const std::string& location = camera_.location;
+    if (location.starts_with(kPipelinePrefix)) {
+      return opened(video_.open(location.substr(kPipelinePrefix.size()), cv::CAP_GSTREAMER),
+                    "the GStreamer pipeline does not start");
+    }
+    if (isStream(location)) {
+      return opened(video_.open(location, cv::CAP_FFMPEG,
+                                {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, kOpenTimeoutMilliseconds,
+                                 cv::CAP_PROP_READ_TIMEOUT_MSEC, kReadTimeoutMilliseconds}),
+                    "no video stream answers there");
+    }
+    return openDevice(deviceNumber(location).value_or(0));
+  }
+  bool grab() override { return video_.grab(); }
+  cv::Mat retrieve() override {
+    cv::Mat picture;
+    video_.retrieve(picture);
+    return picture;
+  }
+
+private:
+  static tl::expected<void, std::string> opened(bool good, const char* otherwise) {
+    if (!good) {
+      return tl::make_unexpected(std::string(otherwise));
+    }
+    return {};
+  }
+
+  tl::expected<void, std::string> openDevice(int number) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(std::string(kDevicePrefix) + std::to_string(number), ignored)) {
+      return opened(false, "no such device is plugged in");
+    }
+    if (!video_.open(number, cv::CAP_V4L2)) {
+      return opened(false, "the device is busy, or it is no camera");
+    }
+    if (camera_.width > 0 && camera_.height > 0) {
+      const bool lying = camera_.rotateDegrees % 180 != 0;
+      video_.set(cv::CAP_PROP_FRAME_WIDTH, lying ? camera_.height : camera_.width);
+      video_.set(cv::CAP_PROP_FRAME_HEIGHT, lying ? camera_.width : camera_.height);
+    }
+    return {};
+  }
+
+  LiveCamera camera_;
+  cv::VideoCapture video_;
+};
+
+} // namespace
+
+Status checkLocation(const LiveCamera& camera) {
+  const std::string_view location = camera.location;
+  const bool pipeline =
+      location.starts_with(kPipelinePrefix) && location.size() > kPipelinePrefix.size();
+  if (pipeline || isStream(location) || deviceNumber(location)) {
+    return {};
+  }
+  return failure(ErrorCode::BadValue, camera.location, cameraField(camera.name),
+                 "expected a device number, /dev/videoN, a stream address such as http://... or "
+                 "rtsp://..., or gst: and a GStreamer pipeline");
+}
+
+LiveStreamPtr makeVideoStream(const LiveCamera& camera) {
+  return std::make_unique<VideoStream>(camera);
+}
+
+} // namespace dewpoint
