@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace dewpoint::simulation {
+
+using Eigen::Vector3f;
+
+/// The one lamp: a small area light, so that shadows have soft borders. World frame, metres.
+inline const Vector3f kLampPosition{0.15F, -0.25F, 1.7F};
+inline constexpr float kLampRadius = 0.12F;
+inline constexpr float kLampShare = 0.62F; ///< of full light; the rest is ambient
+
+/// Light on a matte surface with unit normal `normal`: ambient, brighter from above, and `lit`
+/// (0 in shadow to 1) times Lambert's share of the lamp.
+float shade(const Vector3f& point, const Vector3f& normal, float lit);
+
+enum class Pattern { Plain, Wood, Plaster, Skin, Floor, Pages };
+
+/// What a surface is made of; `color` is BGR in full light, [0, 255].
+struct Material {
+  Pattern pattern = Pattern::Plain;
+  Vector3f color{128.0F, 128.0F, 128.0F};
+};
+
+enum class Shape { Box, Ellipsoid, Cylinder };
+
+/// A thing at rest: a box, an ellipsoid or an upright cylinder, turned about the vertical.
+struct Solid {
+  Shape shape = Shape::Box;
+  Vector3f center;
+  Vector3f halfSize; ///< semi-axes along the solid's own axes
+  float yaw = 0.0F;  ///< radians about Z
+  Material material;
+  float cosine = 1.0F;
+  float sine = 0.0F;
+  float bound = 0.0F; ///< radius of a sphere around it
+};
+
+/// A ray's first hit. `distance` is along the unit direction; infinite when there is none.
+struct Hit {
+  float distance = std::numeric_limits<float>::infinity();
+  Vector3f normal{0.0F, 0.0F, 1.0F};
+  const Solid* solid = nullptr; ///< the walls' own when the ray hits nothing else
+};
+
+/// What a camera sees of the room at one place of its image.
+struct Sight {
+  Vector3f color{0.0F, 0.0F, 0.0F}; ///< BGR, [0, 255]
+  float lit = 0.0F;                 ///< share of the color that comes from the lamp directly
+};
+
+/// The furnished room of the simulation, at rest: desk, walls and, if wanted, clutter. Its textures
+/// are functions of the place in the world, so that all cameras see the same room.
+class Room {
+public:
+  explicit Room(bool clutter);
+
+  Hit cast(const Vector3f& origin, const Vector3f& direction) const;
+  /// The color of a hit; `jitter` varies the place on the lamp that shadows are cast from.
+  Sight look(const Vector3f& origin, const Vector3f& direction, const Hit& hit,
+             std::uint32_t jitter) const;
+
+private:
+  void furnish();
+  void clutterDesk();
+  void add(Shape shape, Vector3f center, Vector3f halfSize, Material material, float yaw = 0.0F);
+  void addBook(Vector3f center, Vector3f halfSize, Vector3f color, float yaw);
+  bool shadowed(const Vector3f& point, const Vector3f& towards) const;
+
+  std::vector<Solid> solids_;
+  Solid walls_;
+};
+
+} // namespace dewpoint::simulation
