@@ -99,7 +99,7 @@ std::optional<Error> CameraThread::problem() const {
   return shared_->problem;
 }
 
-void CameraThread::setProblem(Shared& shared, std::optional<Error> problem) {
+void CameraThread::setProblem(Shared& shared, Error problem) {
   {
     std::scoped_lock lock(shared.mutex);
     shared.problem = std::move(problem);
@@ -176,10 +176,14 @@ void CameraThread::publish(Shared& shared, cv::Mat picture, Clock::time_point gr
     setProblem(shared, image.error());
     return;
   }
+  {
+    std::scoped_lock lock(shared.mutex); // first, so that nobody sees the frame and an old problem
+    shared.problem.reset();
+  }
   shared.slot.put(std::make_shared<Frame>(
       Frame{progress.frames++, std::chrono::duration_cast<TimeStamp>(grabbed - shared.zero),
             std::move(*image)}));
-  setProblem(shared, std::nullopt);
+  shared.bell->ring();
 }
 
 } // namespace dewpoint

@@ -84,7 +84,7 @@ private:
                       Progress& progress);
   static void publish(Shared& shared, cv::Mat picture, Clock::time_point grabbed,
                       Progress& progress);
-  static void setProblem(Shared& shared, std::optional<Error> problem);
+  static void setProblem(Shared& shared, Error problem);
   static void setDown(Shared& shared, const std::string& detail);
 
   std::shared_ptr<Shared> shared_;
