@@ -92,11 +92,13 @@ double median(std::vector<double> values) {
 
 std::vector<ConvergenceCase> barreraConvergenceCases(int runs) {
   const Eigen::Vector3d near(0.5, 0.5, 0.15);
-  const Eigen::Vector3d far(0.7, 0.75, 0.15);
+  const Eigen::Vector3d far(0.8, 0.7, 0.15);
+  const Eigen::Vector3d aside(0.7, 0.75, 0.15); // just outside camera 2's image in the demo's rig
   const Eigen::Vector3d paperStart(0.4, 0.1, 0.2);
   return {
       {"paper start, ball at 0.5 0.5 0.15", near, paperStart, Eigen::Vector3d::Zero(), runs, 150},
-      {"paper start, ball at 0.7 0.75 0.15", far, paperStart, Eigen::Vector3d::Zero(), runs, 150},
+      {"paper start, ball at 0.8 0.7 0.15", far, paperStart, Eigen::Vector3d::Zero(), runs, 150},
+      {"paper start, ball at 0.7 0.75 0.15", aside, paperStart, Eigen::Vector3d::Zero(), runs, 150},
       {"start beyond the ball, 0.5 0.9 0.15",
        near,
        {0.5, 0.9, 0.15},
