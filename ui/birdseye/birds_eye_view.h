@@ -4,19 +4,24 @@
 #include "core/session/snapshot.h"
 #include "ui/scene3d/scene3d.h"
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QTimer>
 #include <QWidget>
 
+#include <array>
 #include <memory>
+#include <string>
+
+class QToolButton;
 
 namespace dewpoint {
 
 class OffscreenVtk;
 
 /// The 3D picture of the room. VTK renders into its own off-screen context; this widget only paints
-/// the resulting image, so the rest of the window is never composed through OpenGL. Draws at its own
-/// rate, slower than the cameras. Without OpenGL it says so and the program goes on.
+/// the resulting image, so the rest of the window is never composed through OpenGL. Draws at its
+/// own rate, slower than the cameras. Without OpenGL it says so and the program goes on.
 class BirdsEyeView : public QWidget {
   Q_OBJECT
 
@@ -32,6 +37,10 @@ public:
   using QWidget::show;
 
   Scene3d::View currentView() const;
+  /// The picture as it is now, without the buttons; null without OpenGL. Device pixels.
+  QImage currentPicture();
+  /// The scene as drawn, for those who convert between pixels and metres.
+  const Scene3d& scene() const { return scene_; }
   /// False when there is no usable OpenGL (known after the first attempt to draw).
   bool hasPicture() const;
   QSize sizeHint() const override;
@@ -53,7 +62,6 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void changeEvent(QEvent* event) override;
-  bool event(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -62,18 +70,27 @@ protected:
   void keyPressEvent(QKeyEvent* event) override;
 
 private:
+  void makeButtons();
+  void placeButtons();
+  void checkButtons();
+  void startVtk();
   void requestPicture();
   void renderPicture();
   void applyTheme();
   void retranslate();
+  void sendPointer(int what, QPointF position, Qt::KeyboardModifiers modifiers);
   QSize pictureSize() const;
 
   Scene3d scene_;
-  std::unique_ptr<OffscreenVtk> vtk_;
+  std::unique_ptr<OffscreenVtk> vtk_; ///< after the scene: must go first
   TrackSnapshotPtr snapshot_;
+  std::array<QToolButton*, 3> buttons_{}; ///< above, front, free
   QImage picture_;
-  QString failure_;
+  std::string failure_; ///< why there is no 3D; empty while there is
   QTimer timer_;
+  QElapsedTimer sincePicture_;
+  qint64 pictureMs_ = 0; ///< what the last one cost
+  bool started_ = false;
   bool sceneStale_ = false;
   bool pictureStale_ = true;
 };

@@ -41,8 +41,16 @@ public:
   void resetView();
   /// The user has moved the camera: new rigs no longer move it.
   void keepCamera();
-  /// Before each frame: clipping range and label sizes that depend on the camera.
-  void prepareFrame();
+  /// Nearer by `factor` (above 1) or farther (below 1).
+  void zoom(double factor);
+  /// Before each frame, with the size of the picture in device pixels: framing, clipping range and
+  /// all that keeps its size on the screen.
+  void prepareFrame(int width, int height);
+
+  /// The world point in the middle of the picture, as of the last `prepareFrame`.
+  Eigen::Vector3d focus() const;
+  /// Metres per device pixel at the focus, as of the last `prepareFrame`.
+  double metresPerPixel() const;
 
 private:
   class Parts;

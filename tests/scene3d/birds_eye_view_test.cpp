@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/birdseye/birds_eye_view.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace dewpoint {
+namespace {
+
+const Eigen::Vector3d kBall(0.5, -0.3, 1.1);
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// A camera at `position` that looks at `target`; built here, so that the test needs no other code.
+Camera cameraAt(const std::string& name, const Eigen::Vector3d& position,
+                const Eigen::Vector3d& target) {
+  Camera camera;
+  camera.name = name;
+  camera.intrinsics = {640, 480, 560.0, 560.0, 319.5, 239.5};
+  const Eigen::Vector3d forward = (target - position).normalized();
+  const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
+  Eigen::Matrix3d rotation;
+  rotation << right.transpose(), forward.cross(right).transpose(), forward.transpose();
+  camera.cameraFromWorld.linear() = rotation;
+  camera.cameraFromWorld.translation() = -rotation * position;
+  return camera;
+}
+
+/// Three cameras around a ball; a cloud of 400 particles with sigma 0.08 m about it.
+std::shared_ptr<TrackSnapshot> ballSnapshot(const Eigen::Vector3d& ball = kBall) {
+  auto snapshot = std::make_shared<TrackSnapshot>();
+  const Eigen::Vector3d target(0.0, 0.0, 0.9);
+  snapshot->rig = std::make_shared<CameraRig>(CameraRig{
+      cameraAt("north", {0.4, 2.2, 2.0}, target), cameraAt("east", {2.0, -1.0, 1.6}, target),
+      cameraAt("west", {-2.1, -1.4, 1.8}, target)});
+  TargetSnapshot shown;
+  shown.target.name = "ball";
+  shown.target.radius = 0.04;
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal(0.0, 0.08);
+  constexpr int kCount = 400;
+  shown.particles.resize(kCount, 3);
+  shown.weights.resize(kCount);
+  for (int i = 0; i < kCount; ++i) {
+    const Eigen::Vector3d offset(normal(random), normal(random), normal(random));
+    shown.particles.row(i) = (ball + offset).transpose().array();
+    shown.weights[i] = std::exp(-offset.squaredNorm() / 0.01);
+  }
+  shown.estimate.mean = ball;
+  shown.estimate.best = ball;
+  shown.estimate.covariance = Eigen::Vector3d(0.0064, 0.0064, 0.0025).asDiagonal();
+  shown.estimate.particleCount = kCount;
+  shown.estimate.valid = true;
+  for (int i = 0; i < 40; ++i) {
+    const double back = 0.03 * (39 - i);
+    shown.tail.emplace_back(ball.x() - back, ball.y() + 0.4 * std::sin(1.5 * back),
+                            ball.z() - 0.2 * back);
+  }
+  shown.truth = ball + Eigen::Vector3d(0.02, 0.01, -0.01);
+  snapshot->targets.push_back(shown);
+  return snapshot;
+}
+
+/// Vermillion of Okabe and Ito (213, 94, 0), the first target's color, at any lightness.
+bool isTargetColor(QRgb pixel) {
+  const int red = qRed(pixel);
+  return red > 120 && red - qBlue(pixel) > 60 && red - qGreen(pixel) > 40;
+}
+
+/// Mean position and number of the pixels with the target's color within `reach` of `around`.
+struct Blob {
+  QPointF center;
+  int count = 0;
+};
+Blob blob(const QImage& picture, QPointF around, double reach) {
+  Blob result;
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      const bool near = std::hypot(x + 0.5 - around.x(), y + 0.5 - around.y()) < reach;
+      if (near && isTargetColor(picture.pixel(x, y))) {
+        result.center += QPointF(x + 0.5, y + 0.5);
+        ++result.count;
+      }
+    }
+  }
+  result.center /= std::max(1, result.count);
+  return result;
+}
+
+/// By hand: a parallel picture is its middle plus metres over metres per pixel; rows grow
+/// downwards.
+QPointF flatProjection(const Scene3d& scene, const QImage& picture, double right, double up,
+                       double focusRight, double focusUp) {
+  return {picture.width() / 2.0 + (right - focusRight) / scene.metresPerPixel(),
+          picture.height() / 2.0 - (up - focusUp) / scene.metresPerPixel()};
+}
+
+void keep(const QImage& picture, const char* name) {
+  const QString folder = qEnvironmentVariable("DEWPOINT_PICTURES");
+  if (!folder.isEmpty()) {
+    QVERIFY(picture.save(folder + QLatin1Char('/') + QLatin1String(name) + QLatin1String(".png")));
+  }
+}
+
+int differentPixels(const QImage& a, const QImage& b) {
+  int count = 0;
+  for (int y = 0; y < std::min(a.height(), b.height()); ++y) {
+    for (int x = 0; x < std::min(a.width(), b.width()); ++x) {
+      count += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+} // namespace
+
+class BirdsEyeViewTest : public QObject {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void init() {
+    view_ = std::make_unique<BirdsEyeView>();
+    view_->resize(640, 480);
+    view_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+  }
+  void cleanup() { view_.reset(); }
+
+  void emptyRoomShowsTheGrid() {
+    const QImage picture = view_->currentPicture();
+    QVERIFY(view_->hasPicture());
+    QCOMPARE(picture.size(), (QSizeF(view_->size()) * view_->devicePixelRatioF()).toSize());
+    QCOMPARE(blob(picture, {0, 0}, 0.0).count, 0);
+    QVERIFY(picture.pixel(2, 2) !=
+            picture.pixel(picture.width() / 2 + 5, picture.height() / 2 + 5));
+    keep(picture, "empty");
+  }
+
+  void fromAboveTheBallIsWhereXAndYSay() {
+    view_->show(ballSnapshot());
+    const QImage picture = view_->currentPicture();
+    keep(picture, "above");
+    const Scene3d& scene = view_->scene();
+    const QPointF expected =
+        flatProjection(scene, picture, kBall.x(), kBall.y(), scene.focus().x(), scene.focus().y());
+    // Near enough that neither tail nor far particles count: the sphere alone, symmetric. The
+    // truth's cross, 0.02 m aside, hides a few pixels.
+    const Blob found = blob(picture, expected, 0.03 / scene.metresPerPixel());
+    QVERIFY(found.count > 20);
+    QVERIFY(std::abs(found.center.x() - expected.x()) < 2.5 * view_->devicePixelRatioF());
+    QVERIFY(std::abs(found.center.y() - expected.y()) < 2.5 * view_->devicePixelRatioF());
+    // The cloud reaches two sigma (0.16 m), far less than the mirrored place.
+    const QPointF mirrored = flatProjection(scene, picture, kBall.x(), -kBall.y() + 0.4,
+                                            scene.focus().x(), scene.focus().y());
+    QVERIFY(blob(picture, expected, 0.16 / scene.metresPerPixel()).count > 3 * found.count / 2);
+    QCOMPARE(blob(picture, mirrored, 0.05 / scene.metresPerPixel()).count, 0);
+  }
+
+  void fromTheFrontTheBallIsWhereXAndZSay() {
+    const QSignalSpy changed(view_.get(), &BirdsEyeView::viewChanged);
+    view_->show(ballSnapshot());
+    const QImage above = view_->currentPicture();
+    view_->lookFromFront();
+    const QImage front = view_->currentPicture();
+    keep(front, "front");
+    QCOMPARE(changed.count(), 1);
+    QCOMPARE(view_->currentView(), Scene3d::View::Front);
+    const Scene3d& scene = view_->scene();
+    const QPointF expected =
+        flatProjection(scene, front, kBall.x(), kBall.z(), scene.focus().x(), scene.focus().z());
+    const Blob found = blob(front, expected, 0.03 / scene.metresPerPixel());
+    QVERIFY(found.count > 20);
+    QVERIFY(std::abs(found.center.x() - expected.x()) < 2.5 * view_->devicePixelRatioF());
+    QVERIFY(std::abs(found.center.y() - expected.y()) < 2.5 * view_->devicePixelRatioF());
+    QVERIFY(differentPixels(above, front) > above.width() * above.height() / 20);
+  }
+
+  void darkAndFreeDiffer() {
+    view_->show(ballSnapshot());
+    view_->lookFree();
+    const QImage light = view_->currentPicture();
+    keep(light, "free");
+    QPalette dark;
+    dark.setColor(QPalette::Window, QColor(30, 32, 36));
+    dark.setColor(QPalette::WindowText, Qt::white);
+    dark.setColor(QPalette::ButtonText, Qt::white);
+    view_->setPalette(dark);
+    const QImage picture = view_->currentPicture();
+    keep(picture, "free_dark");
+    QVERIFY(qGray(light.pixel(2, 2)) > 200);
+    QVERIFY(qGray(picture.pixel(2, 2)) < 60);
+    view_->lookFromAbove();
+    keep(view_->currentPicture(), "above_dark");
+    keep(view_->grab().toImage(), "widget_dark");
+  }
+
+  void newSnapshotsMoveTheBall() {
+    view_->show(ballSnapshot());
+    const QImage before = view_->currentPicture();
+    QCOMPARE(differentPixels(before, view_->currentPicture()), 0);
+    auto next = ballSnapshot({-0.6, 0.5, 0.7});
+    view_->show(next);
+    const QImage picture = view_->currentPicture();
+    const Scene3d& scene = view_->scene();
+    const QPointF expected =
+        flatProjection(scene, picture, -0.6, 0.5, scene.focus().x(), scene.focus().y());
+    QVERIFY(blob(picture, expected, 0.03 / scene.metresPerPixel()).count > 20);
+    view_->show(TrackSnapshotPtr{});
+    QCOMPARE(blob(view_->currentPicture(), expected, 0.2 / scene.metresPerPixel()).count, 0);
+  }
+
+  void numbersThatAreNotFiniteAreLeftOut() {
+    auto snapshot = ballSnapshot();
+    TargetSnapshot& target = snapshot->targets[0];
+    target.particles.row(3).setConstant(kNaN);
+    target.weights[5] = kNaN;
+    target.tail[2].x() = kNaN;
+    TargetSnapshot lost = target;
+    lost.estimate.mean.setConstant(kNaN);
+    lost.estimate.covariance.setConstant(kNaN);
+    lost.truth = Eigen::Vector3d(kNaN, 0.0, 0.0);
+    lost.particles.setConstant(kNaN);
+    lost.weights.resize(0);
+    snapshot->targets.push_back(lost);
+    Camera broken = snapshot->rig->front();
+    broken.cameraFromWorld.translation().setConstant(kNaN);
+    CameraRig rig = *snapshot->rig;
+    rig.push_back(broken);
+    snapshot->rig = std::make_shared<CameraRig>(rig);
+    view_->show(snapshot);
+    const QImage picture = view_->currentPicture();
+    const Scene3d& scene = view_->scene();
+    QVERIFY(std::isfinite(scene.metresPerPixel()) && scene.focus().allFinite());
+    const QPointF expected =
+        flatProjection(scene, picture, kBall.x(), kBall.y(), scene.focus().x(), scene.focus().y());
+    QVERIFY(blob(picture, expected, 0.03 / scene.metresPerPixel()).count > 20);
+  }
+
+  void draggingMovesAndDoubleClickRestores() {
+    view_->show(ballSnapshot());
+    const QImage before = view_->currentPicture();
+    const Eigen::Vector3d focus = view_->scene().focus();
+    QTest::mousePress(view_.get(), Qt::LeftButton, {}, {300, 200});
+    QTest::mouseMove(view_.get(), {360, 220});
+    QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, {360, 220});
+    view_->currentPicture();
+    // 60 px to the right drag the room along: the focus goes left by as many metres.
+    const double metres = view_->scene().metresPerPixel() * view_->devicePixelRatioF();
+    QVERIFY(std::abs(view_->scene().focus().x() - (focus.x() - 60.0 * metres)) < 2.0 * metres);
+    QVERIFY(std::abs(view_->scene().focus().y() - (focus.y() + 20.0 * metres)) < 2.0 * metres);
+    QTest::mouseDClick(view_.get(), Qt::LeftButton, {}, {300, 200});
+    QCOMPARE(differentPixels(before, view_->currentPicture()), 0);
+  }
+
+  void orbitingTurnsTheFreeView() {
+    view_->show(ballSnapshot());
+    view_->lookFree();
+    const QImage before = view_->currentPicture();
+    QTest::mousePress(view_.get(), Qt::LeftButton, {}, {300, 200});
+    QTest::mouseMove(view_.get(), {380, 230});
+    QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, {380, 230});
+    const QImage after = view_->currentPicture();
+    keep(after, "orbited");
+    QVERIFY(differentPixels(before, after) > before.width() * before.height() / 50);
+  }
+
+  void buttonsChooseTheView() {
+    auto* front = view_->findChild<QToolButton*>(QStringLiteral("lookFromFrontButton"));
+    QVERIFY(front != nullptr);
+    QTest::mouseClick(front, Qt::LeftButton);
+    QCOMPARE(view_->currentView(), Scene3d::View::Front);
+    QVERIFY(front->isChecked());
+    QVERIFY(!view_->accessibleName().isEmpty());
+  }
+
+  void picturesComeOnTheirOwn() {
+    view_->show(ballSnapshot());
+    QTRY_VERIFY_WITH_TIMEOUT(view_->grab().toImage() == view_->grab().toImage(), 5000);
+    const double ratio = view_->devicePixelRatioF();
+    QTRY_VERIFY_WITH_TIMEOUT(
+        blob(view_->grab().toImage(), {320 * ratio, 240 * ratio}, 400 * ratio).count > 100, 5000);
+    keep(view_->grab().toImage(), "widget");
+  }
+
+  void noQt5InTheProcess() {
+    view_->currentPicture();
+    QFile maps(QStringLiteral("/proc/self/maps"));
+    QVERIFY(maps.open(QIODevice::ReadOnly));
+    const QByteArray mapped = maps.readAll();
+    QVERIFY(mapped.contains("libQt6Widgets"));
+    QVERIFY(!mapped.contains("libQt5"));
+  }
+
+private:
+  std::unique_ptr<BirdsEyeView> view_;
+};
+
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setStyle(QStringLiteral("Fusion"));
+  dewpoint::BirdsEyeViewTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "birds_eye_view_test.moc"

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/birdseye/gl_context.h"
+
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+
+namespace dewpoint {
+
+class GlContext::Handles {
+public:
+  QOffscreenSurface surface; ///< must outlive the context
+  QOpenGLContext context;
+};
+
+GlContext::GlContext() : handles_(std::make_unique<Handles>()) {}
+
+GlContext::~GlContext() = default;
+
+std::string GlContext::start() {
+  QOpenGLContext& context = handles_->context;
+  context.setFormat(QSurfaceFormat::defaultFormat());
+  if (!context.create()) {
+    return "no OpenGL context can be made on this display";
+  }
+  handles_->surface.setFormat(context.format());
+  handles_->surface.create();
+  if (!handles_->surface.isValid() || !context.makeCurrent(&handles_->surface)) {
+    return "the OpenGL context cannot be used";
+  }
+  if (context.isOpenGLES() || context.format().version() < qMakePair(3, 2)) {
+    context.doneCurrent();
+    return "OpenGL 3.2 is needed";
+  }
+  return {};
+}
+
+bool GlContext::isCurrent() const {
+  return QOpenGLContext::currentContext() == &handles_->context;
+}
+
+void GlContext::makeCurrent() {
+  if (!isCurrent()) {
+    handles_->context.makeCurrent(&handles_->surface);
+  }
+}
+
+void GlContext::doneCurrent() {
+  handles_->context.doneCurrent();
+}
+
+} // namespace dewpoint

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/scene3d/camera_frusta.h"
+
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+namespace dewpoint {
+namespace {
+
+bool usable(const Camera& camera) {
+  return camera.intrinsics.focalX > 0.0 && camera.intrinsics.focalY > 0.0 &&
+         camera.intrinsics.width > 0 && camera.intrinsics.height > 0 &&
+         camera.cameraFromWorld.matrix().allFinite();
+}
+
+/// The world point seen at a pixel, `depth` metres before the camera. Distortion is left out: it
+/// would not be visible at this size.
+Eigen::Vector3d unproject(const Camera& camera, double column, double row, double depth) {
+  const Intrinsics& k = camera.intrinsics;
+  const Eigen::Vector3d ray((column - k.centerX) / k.focalX, (row - k.centerY) / k.focalY, 1.0);
+  return camera.cameraFromWorld.inverse() * (ray * depth);
+}
+
+} // namespace
+
+CameraFrusta::CameraFrusta(vtkRenderer* renderer)
+    : edges_(flatActor(edgeData_)), faces_(flatActor(faceData_)), labels_(renderer) {
+  renderer->AddActor(edges_);
+  renderer->AddActor(faces_);
+}
+
+void CameraFrusta::show(const CameraRig& rig, double length) {
+  labels_.clear();
+  Strokes edges;
+  Strokes faces;
+  for (const Camera& camera : rig) {
+    if (!usable(camera)) {
+      continue;
+    }
+    const double right = camera.intrinsics.width - 0.5;
+    const double bottom = camera.intrinsics.height - 0.5;
+    const std::vector<Eigen::Vector3d> image{
+        unproject(camera, -0.5, -0.5, length), unproject(camera, right, -0.5, length),
+        unproject(camera, right, bottom, length), unproject(camera, -0.5, bottom, length)};
+    const Eigen::Vector3d center = camera.center();
+    edges.polyline({image[0], image[1], image[2], image[3], image[0]});
+    for (const Eigen::Vector3d& corner : image) {
+      edges.line(center, corner);
+    }
+    // A roof over the upper edge says which way up the image is.
+    const Eigen::Vector3d middle = 0.5 * (image[0] + image[1]);
+    const Eigen::Vector3d up = (image[0] - image[3]) * 0.18;
+    faces.face({mix(middle, image[0], 0.4), middle + up, mix(middle, image[1], 0.4)});
+    faces.face(image);
+    labels_.add(camera.name, center, 12.0, 0.0, 1.2);
+  }
+  edges.writeTo(edgeData_);
+  faces.writeTo(faceData_);
+}
+
+void CameraFrusta::setPalette(const ScenePalette& palette) {
+  paint(edges_, palette.camera);
+  paint(faces_, palette.camera, 0.22);
+  labels_.setColors(palette.text, palette.background);
+}
+
+void CameraFrusta::prepareFrame(const ScreenScale& scale) {
+  edges_->GetProperty()->SetLineWidth(static_cast<float>(1.5 * scale.pixelRatio));
+  labels_.prepareFrame(scale);
+}
+
+} // namespace dewpoint

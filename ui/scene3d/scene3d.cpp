@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/scene3d/scene3d.h"
+
+#include "ui/scene3d/camera_frusta.h"
+#include "ui/scene3d/ground.h"
+#include "ui/scene3d/target_actors.h"
+
+#include <vtkCamera.h>
+#include <vtkCullerCollection.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint {
+namespace {
+
+constexpr double kViewAngle = 35.0 * std::numbers::pi / 180.0; ///< vertical, free view
+constexpr double kMargin = 1.12; ///< of the picture around what is framed
+/// From the scene towards the eye of the free view.
+const Eigen::Vector3d kFreeSide = Eigen::Vector3d(-0.55, -1.0, 0.75).normalized();
+
+Eigen::Vector3d toEigen(const double* values) {
+  return {values[0], values[1], values[2]};
+}
+
+std::vector<Eigen::Vector3d> corners(const Eigen::AlignedBox3d& box) {
+  std::vector<Eigen::Vector3d> result;
+  for (int i = 0; i < 8; ++i) {
+    result.push_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
+  }
+  return result;
+}
+
+bool usablePose(const Camera& camera) {
+  return camera.cameraFromWorld.matrix().allFinite();
+}
+
+/// The point nearest to all optical axes: where a rig looks. For a single camera (or parallel axes)
+/// two metres before the cameras.
+Eigen::Vector3d lookedAt(const CameraRig& rig) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (const Camera& camera : rig) {
+    if (!usablePose(camera)) {
+      continue;
+    }
+    const Eigen::Vector3d axis = camera.opticalAxis();
+    const Eigen::Vector3d ahead = camera.center() + 2.0 * axis;
+    // The small part along the axis decides only where the axes leave it open.
+    const Eigen::Matrix3d part =
+        Eigen::Matrix3d::Identity() - (1.0 - 1e-3) * axis * axis.transpose();
+    sum += part;
+    right += part * ahead;
+  }
+  const Eigen::Vector3d point = sum.ldlt().solve(right);
+  return point.allFinite() ? point : Eigen::Vector3d::Zero();
+}
+
+} // namespace
+
+class Scene3d::Parts {
+public:
+  Parts() : ground(renderer), frusta(renderer) {
+    renderer->SetActiveCamera(camera);
+    // Cullers ask for bounds that a cloud of bare points does not have.
+    renderer->GetCullers()->RemoveAllItems();
+  }
+
+  const ScenePalette& palette() const { return scenePalette(dark); }
+  void applyPalette();
+  void showRig(const std::shared_ptr<const CameraRig>& shown);
+  void include(const TrackSnapshot& snapshot);
+  void coverGround();
+  void lookAlong(const Eigen::Vector3d& side, const Eigen::Vector3d& up);
+  void frame();
+  void keepUpright();
+  void setClipping();
+  void measure();
+
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkCamera> camera;
+  Ground ground;
+  CameraFrusta frusta;
+  std::vector<std::unique_ptr<TargetActors>> targets;
+  std::shared_ptr<const CameraRig> rig;
+  Eigen::AlignedBox3d rigBox;  ///< cameras and what they look at; empty without
+  Eigen::AlignedBox3d content; ///< all that was shown since the rig came
+  View view = View::Above;
+  bool dark = false;
+  bool moved = false; ///< by the user
+  bool frameWanted = true;
+  int width = 0;
+  int height = 0;
+  ScreenScale scale;
+  Eigen::Vector3d uprightPosition = Eigen::Vector3d::Zero();
+};
+
+void Scene3d::Parts::applyPalette() {
+  const SceneColor& background = palette().background;
+  renderer->SetBackground(background.x(), background.y(), background.z());
+  ground.setPalette(palette());
+  frusta.setPalette(palette());
+  for (const auto& target : targets) {
+    target->setPalette(palette());
+  }
+}
+
+void Scene3d::Parts::showRig(const std::shared_ptr<const CameraRig>& shown) {
+  rig = shown;
+  rigBox.setEmpty();
+  const CameraRig none;
+  const CameraRig& cameras = rig ? *rig : none;
+  for (const Camera& each : cameras) {
+    if (usablePose(each)) {
+      rigBox.extend(each.center());
+    }
+  }
+  if (!rigBox.isEmpty()) {
+    rigBox.extend(lookedAt(cameras));
+  }
+  content = rigBox;
+  const double size = rigBox.isEmpty() ? 2.0 : rigBox.diagonal().norm();
+  frusta.show(cameras, std::clamp(0.09 * size, 0.05, 1.0));
+  frusta.setPalette(palette());
+  coverGround();
+}
+
+/// Lets the framed room grow with the estimates, but not after one that has run away.
+void Scene3d::Parts::include(const TrackSnapshot& snapshot) {
+  const Eigen::AlignedBox3d before = content;
+  const double reach = rigBox.isEmpty() ? 100.0 : 3.0 * std::max(1.0, rigBox.diagonal().norm());
+  const Eigen::Vector3d middle =
+      rigBox.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(rigBox.center());
+  const auto extend = [&](const Eigen::Vector3d& point) {
+    if (point.allFinite() && (point - middle).norm() < reach) {
+      content.extend(point);
+    }
+  };
+  for (const TargetSnapshot& target : snapshot.targets) {
+    if (target.estimate.particleCount > 0) {
+      extend(target.estimate.mean);
+    }
+    if (target.truth) {
+      extend(*target.truth);
+    }
+    std::for_each(target.tail.begin(), target.tail.end(), extend);
+  }
+  if (before.isEmpty() != content.isEmpty() || !before.contains(content)) {
+    coverGround();
+  }
+}
+
+void Scene3d::Parts::coverGround() {
+  Eigen::AlignedBox2d area;
+  if (content.isEmpty()) {
+    area = Eigen::AlignedBox2d(Eigen::Vector2d(-1.0, -1.0), Eigen::Vector2d(1.0, 1.0));
+  } else {
+    const Eigen::Vector2d low = content.min().head<2>();
+    const Eigen::Vector2d high = content.max().head<2>();
+    const double margin = std::max(0.05, 0.06 * (high - low).maxCoeff());
+    area = Eigen::AlignedBox2d(low.array() - margin, high.array() + margin);
+  }
+  const Eigen::AlignedBox2d before = ground.extent();
+  ground.cover(area);
+  ground.setPalette(palette());
+  if (before.isEmpty() || !before.isApprox(ground.extent())) {
+    frameWanted = frameWanted || !moved;
+  }
+}
+
+void Scene3d::Parts::lookAlong(const Eigen::Vector3d& side, const Eigen::Vector3d& up) {
+  const Eigen::Vector3d focal = toEigen(camera->GetFocalPoint());
+  const Eigen::Vector3d position = focal + side * 10.0;
+  camera->SetPosition(position.data());
+  camera->SetViewUp(up.data());
+}
+
+/// Puts floor and content into the picture, as large as they fit.
+void Scene3d::Parts::frame() {
+  Eigen::AlignedBox3d box;
+  const Eigen::AlignedBox2d& floor = ground.extent();
+  box.extend(Eigen::Vector3d(floor.min().x(), floor.min().y(), 0.0));
+  box.extend(Eigen::Vector3d(floor.max().x(), floor.max().y(), 0.0));
+  box.extend(content);
+  const Eigen::Vector3d center = box.center();
+  camera->SetFocalPoint(center.data());
+  camera->SetViewAngle(kViewAngle * 180.0 / std::numbers::pi);
+  camera->SetParallelProjection(view != View::Free);
+  const Eigen::Vector3d side = view == View::Above   ? Eigen::Vector3d(Eigen::Vector3d::UnitZ())
+                               : view == View::Front ? Eigen::Vector3d(-Eigen::Vector3d::UnitY())
+                                                     : kFreeSide;
+  lookAlong(side, view == View::Above ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3d right = toEigen(camera->GetViewUp()).cross(side).normalized();
+  const Eigen::Vector3d up = side.cross(right);
+  const double aspect = static_cast<double>(std::max(1, width)) / std::max(1, height);
+  const double slope = std::tan(kViewAngle / 2.0);
+  double halfHeight = 1e-3;
+  double distance = 1e-3;
+  for (const Eigen::Vector3d& corner : corners(box)) {
+    const Eigen::Vector3d offset = corner - center;
+    const double needed = std::max(std::abs(offset.dot(up)), std::abs(offset.dot(right)) / aspect);
+    halfHeight = std::max(halfHeight, needed * kMargin);
+    distance = std::max(distance, needed * kMargin / slope + offset.dot(side));
+  }
+  camera->SetParallelScale(halfHeight);
+  const double away = view == View::Free ? distance : 10.0 + box.diagonal().norm();
+  const Eigen::Vector3d position = center + side * away;
+  camera->SetPosition(position.data());
+  uprightPosition = position;
+}
+
+/// Orbiting keeps the horizon level and stops short of the pole, where "up" would flip.
+void Scene3d::Parts::keepUpright() {
+  if (view != View::Free) {
+    return;
+  }
+  const Eigen::Vector3d focal = toEigen(camera->GetFocalPoint());
+  const Eigen::Vector3d offset = toEigen(camera->GetPosition()) - focal;
+  const double rise = offset.z() / std::max(offset.norm(), 1e-9);
+  const bool overTheTop = camera->GetViewUp()[2] < 0.0;
+  if (!offset.allFinite() || std::abs(rise) > 0.995 || overTheTop) {
+    camera->SetPosition(uprightPosition.data());
+  }
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  uprightPosition = toEigen(camera->GetPosition());
+}
+
+void Scene3d::Parts::setClipping() {
+  const Eigen::Vector3d eye = toEigen(camera->GetPosition());
+  const Eigen::Vector3d direction = toEigen(camera->GetDirectionOfProjection());
+  double farthest = 1.0;
+  Eigen::AlignedBox3d box = content;
+  box.extend(Eigen::Vector3d(ground.extent().min().x(), ground.extent().min().y(), 0.0));
+  box.extend(Eigen::Vector3d(ground.extent().max().x(), ground.extent().max().y(), 0.0));
+  const double room = box.diagonal().norm();
+  for (const Eigen::Vector3d& corner : corners(box)) {
+    farthest = std::max(farthest, (corner - eye).dot(direction));
+  }
+  // Room to spare for particles scattered beyond.
+  const double far = farthest + 2.0 * room;
+  camera->SetClippingRange(view == View::Free ? std::max(0.01, 0.002 * far) : 0.01, far);
+}
+
+void Scene3d::Parts::measure() {
+  const Eigen::Vector3d focal = toEigen(camera->GetFocalPoint());
+  scale.eye = toEigen(camera->GetPosition());
+  scale.direction = toEigen(camera->GetDirectionOfProjection());
+  scale.right = scale.direction.cross(toEigen(camera->GetViewUp())).normalized();
+  scale.up = scale.right.cross(scale.direction);
+  scale.parallel = camera->GetParallelProjection() != 0;
+  scale.slope = 2.0 * std::tan(kViewAngle / 2.0) / std::max(1, height);
+  scale.metresPerPixel = scale.parallel ? 2.0 * camera->GetParallelScale() / std::max(1, height)
+                                        : scale.slope * (focal - scale.eye).norm();
+}
+
+Scene3d::Scene3d() : parts_(std::make_unique<Parts>()) {
+  parts_->coverGround();
+  parts_->applyPalette();
+}
+
+Scene3d::~Scene3d() = default;
+
+vtkRenderer* Scene3d::renderer() {
+  return parts_->renderer;
+}
+
+void Scene3d::setTheme(bool dark) {
+  parts_->dark = dark;
+  parts_->applyPalette();
+}
+
+void Scene3d::setPixelRatio(double ratio) {
+  parts_->scale.pixelRatio = std::isfinite(ratio) && ratio > 0.0 ? ratio : 1.0;
+}
+
+void Scene3d::show(const TrackSnapshot& snapshot) {
+  Parts& parts = *parts_;
+  if (snapshot.rig != parts.rig) {
+    parts.showRig(snapshot.rig);
+  }
+  parts.include(snapshot);
+  if (parts.targets.size() > snapshot.targets.size()) {
+    parts.targets.resize(snapshot.targets.size());
+  }
+  for (std::size_t i = 0; i < snapshot.targets.size(); ++i) {
+    if (i == parts.targets.size()) {
+      parts.targets.push_back(std::make_unique<TargetActors>(parts.renderer, i));
+      parts.targets.back()->setPalette(parts.palette());
+    }
+    parts.targets[i]->show(snapshot.targets[i]);
+  }
+}
+
+void Scene3d::clear() {
+  show(TrackSnapshot{});
+}
+
+void Scene3d::look(View view) {
+  parts_->view = view;
+  resetView();
+}
+
+Scene3d::View Scene3d::view() const {
+  return parts_->view;
+}
+
+void Scene3d::resetView() {
+  parts_->moved = false;
+  parts_->frameWanted = true;
+}
+
+void Scene3d::keepCamera() {
+  parts_->moved = true;
+}
+
+void Scene3d::zoom(double factor) {
+  if (!std::isfinite(factor) || factor <= 0.0) {
+    return;
+  }
+  parts_->moved = true;
+  if (parts_->view == View::Free) {
+    parts_->camera->Dolly(factor);
+  } else {
+    parts_->camera->SetParallelScale(parts_->camera->GetParallelScale() / factor);
+  }
+}
+
+void Scene3d::prepareFrame(int width, int height) {
+  Parts& parts = *parts_;
+  const bool resized = width != parts.width || height != parts.height;
+  parts.width = width;
+  parts.height = height;
+  if (parts.frameWanted || (resized && !parts.moved)) {
+    parts.frame();
+    parts.frameWanted = false;
+  }
+  parts.keepUpright();
+  parts.setClipping();
+  parts.measure();
+  parts.ground.prepareFrame(parts.scale);
+  parts.frusta.prepareFrame(parts.scale);
+  for (const auto& target : parts.targets) {
+    target->prepareFrame(parts.scale);
+  }
+}
+
+Eigen::Vector3d Scene3d::focus() const {
+  return toEigen(parts_->camera->GetFocalPoint());
+}
+
+double Scene3d::metresPerPixel() const {
+  return parts_->scale.metresPerPixel;
+}
+
+} // namespace dewpoint

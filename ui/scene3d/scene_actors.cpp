@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/scene3d/scene_actors.h"
+
+#include <vtkCellArray.h>
+#include <vtkCoordinate.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint {
+namespace {
+
+void appendCells(const std::vector<std::vector<Eigen::Vector3d>>& shapes, vtkPoints* points,
+                 vtkCellArray* cells) {
+  for (const auto& shape : shapes) {
+    cells->InsertNextCell(static_cast<int>(shape.size()));
+    for (const Eigen::Vector3d& point : shape) {
+      cells->InsertCellPoint(points->InsertNextPoint(point.data()));
+    }
+  }
+}
+
+bool allFinite(const std::vector<Eigen::Vector3d>& points) {
+  return std::all_of(points.begin(), points.end(),
+                     [](const Eigen::Vector3d& point) { return point.allFinite(); });
+}
+
+} // namespace
+
+double ScreenScale::metres(const Eigen::Vector3d& point, double pixels) const {
+  const double perPixel = parallel ? metresPerPixel : slope * std::max(depth(point), 1e-3);
+  return pixels * pixelRatio * perPixel;
+}
+
+vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->PickableOff();
+  return actor;
+}
+
+void paint(vtkActor* actor, const SceneColor& color, double opacity) {
+  actor->GetProperty()->SetColor(color.x(), color.y(), color.z());
+  actor->GetProperty()->SetOpacity(opacity);
+}
+
+Strokes::Strokes() = default;
+
+void Strokes::line(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  polyline({from, to});
+}
+
+void Strokes::polyline(const std::vector<Eigen::Vector3d>& points) {
+  if (points.size() > 1 && allFinite(points)) {
+    lines_.push_back(points);
+  }
+}
+
+void Strokes::face(const std::vector<Eigen::Vector3d>& corners) {
+  if (corners.size() > 2 && allFinite(corners)) {
+    faces_.push_back(corners);
+  }
+}
+
+void Strokes::writeTo(vtkPolyData* data) const {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkCellArray> faces;
+  appendCells(lines_, points, lines);
+  appendCells(faces_, points, faces);
+  data->SetPoints(points);
+  data->SetLines(lines);
+  data->SetPolys(faces);
+}
+
+SceneLabels::SceneLabels(vtkRenderer* renderer) : renderer_(renderer) {}
+
+SceneLabels::~SceneLabels() {
+  clear();
+}
+
+void SceneLabels::clear() {
+  for (const Label& label : labels_) {
+    renderer_->RemoveActor2D(label.actor);
+  }
+  labels_.clear();
+}
+
+void SceneLabels::add(const std::string& text, const Eigen::Vector3d& point, double sizePx,
+                      double right, double up) {
+  if (text.empty() || !point.allFinite()) {
+    return;
+  }
+  auto actor = vtkSmartPointer<vtkTextActor>::New();
+  actor->SetInput(text.c_str());
+  actor->SetTextScaleModeToNone();
+  actor->PickableOff();
+  actor->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+  actor->GetPositionCoordinate()->SetValue(point.x(), point.y(), point.z());
+  vtkTextProperty* style = actor->GetTextProperty();
+  style->SetFontFamilyToArial();
+  style->SetVerticalJustificationToCentered();
+  if (right > 0.0) {
+    style->SetJustificationToLeft();
+  } else if (right < 0.0) {
+    style->SetJustificationToRight();
+  } else {
+    style->SetJustificationToCentered();
+  }
+  labels_.push_back({actor, point, sizePx, right, up});
+  paintLabel(labels_.back());
+  renderer_->AddActor2D(actor);
+}
+
+void SceneLabels::setColors(const SceneColor& text, const SceneColor& background) {
+  text_ = text;
+  background_ = background;
+  for (const Label& label : labels_) {
+    paintLabel(label);
+  }
+}
+
+void SceneLabels::paintLabel(const Label& label) const {
+  vtkTextProperty* style = label.actor->GetTextProperty();
+  style->SetColor(text_.x(), text_.y(), text_.z());
+  style->SetBackgroundColor(background_.x(), background_.y(), background_.z());
+  style->SetBackgroundOpacity(0.55);
+}
+
+void SceneLabels::prepareFrame(const ScreenScale& scale) {
+  for (const Label& label : labels_) {
+    // 2D text is projected through the eye too: behind it, it would appear mirrored.
+    label.actor->SetVisibility(scale.parallel || scale.depth(label.point) > 0.05);
+    const double height = scale.metres(label.point, label.sizePx);
+    const Eigen::Vector3d place =
+        label.point + (scale.right * label.right + scale.up * label.up) * height;
+    label.actor->GetPositionCoordinate()->SetValue(place.x(), place.y(), place.z());
+    label.actor->GetTextProperty()->SetFontSize(
+        std::max(1, static_cast<int>(std::lround(label.sizePx * scale.pixelRatio))));
+  }
+}
+
+} // namespace dewpoint

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/scene3d/scene_palette.h"
+
+#include <Eigen/Core>
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkPolyData;
+class vtkRenderer;
+
+namespace dewpoint {
+
+/// Where lines and texts of constant size on the screen are.
+struct ScreenScale {
+  Eigen::Vector3d eye = Eigen::Vector3d::Zero();
+  Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ(); ///< unit, into the picture
+  Eigen::Vector3d right = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d up = Eigen::Vector3d::UnitY();
+  bool parallel = true;
+  double metresPerPixel = 0.01; ///< at the focus
+  double slope = 0.0;           ///< metres per pixel and metre of depth, perspective only
+  double pixelRatio = 1.0;
+
+  /// Depth before the eye, metres.
+  double depth(const Eigen::Vector3d& point) const { return (point - eye).dot(direction); }
+  /// Length in metres at `point` of so many logical pixels.
+  double metres(const Eigen::Vector3d& point, double pixels) const;
+};
+
+/// An actor without lighting, of plain lines or faces.
+vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data);
+void paint(vtkActor* actor, const SceneColor& color, double opacity = 1.0);
+
+/// Builds line and face data.
+class Strokes {
+public:
+  Strokes();
+  void line(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+  void polyline(const std::vector<Eigen::Vector3d>& points);
+  void face(const std::vector<Eigen::Vector3d>& corners);
+  /// Replaces the content of `data`.
+  void writeTo(vtkPolyData* data) const;
+
+private:
+  std::vector<std::vector<Eigen::Vector3d>> lines_;
+  std::vector<std::vector<Eigen::Vector3d>> faces_;
+};
+
+/// Texts of constant size on the screen, each at a point of the world.
+class SceneLabels {
+public:
+  explicit SceneLabels(vtkRenderer* renderer);
+  ~SceneLabels();
+  void clear();
+  /// `right`, `up`: where beside the point the text stands, in heights of the text.
+  void add(const std::string& text, const Eigen::Vector3d& point, double sizePx, double right = 0.0,
+           double up = 0.0);
+  void setColors(const SceneColor& text, const SceneColor& background);
+  void prepareFrame(const ScreenScale& scale);
+
+private:
+  struct Label {
+    vtkSmartPointer<vtkTextActor> actor;
+    Eigen::Vector3d point;
+    double sizePx;
+    double right;
+    double up;
+  };
+  void paintLabel(const Label& label) const;
+
+  vtkRenderer* renderer_;
+  std::vector<Label> labels_;
+  SceneColor text_ = SceneColor::Zero();
+  SceneColor background_ = SceneColor::Ones();
+};
+
+} // namespace dewpoint

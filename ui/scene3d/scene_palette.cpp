@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/scene3d/scene_palette.h"
+
+#include <array>
+
+namespace dewpoint {
+namespace {
+
+SceneColor hex(unsigned rgb) {
+  return SceneColor((rgb >> 16U) & 255U, (rgb >> 8U) & 255U, rgb & 255U) / 255.0;
+}
+
+} // namespace
+
+const ScenePalette& scenePalette(bool dark) {
+  static const ScenePalette kLight{hex(0xf4f5f7), hex(0xffffff), hex(0xe6e9ed), hex(0xc6ccd4),
+                                   hex(0x4a5560), hex(0x5b6672), hex(0x111111)};
+  static const ScenePalette kDark{hex(0x1b1e23), hex(0x22262c), hex(0x2c3138), hex(0x444c56),
+                                  hex(0xaeb6c0), hex(0x9aa5b1), hex(0xffffff)};
+  return dark ? kDark : kLight;
+}
+
+SceneColor targetColor(std::size_t index) {
+  static const std::array<unsigned, 6> kColors{0xd55e00, 0x0072b2, 0x009e73,
+                                               0xcc79a7, 0xe69f00, 0x56b4e9};
+  return hex(kColors[index % kColors.size()]);
+}
+
+SceneColor axisColor(int axis) {
+  static const std::array<unsigned, 3> kColors{0xd55e00, 0x009e73, 0x0072b2};
+  return hex(kColors[static_cast<std::size_t>(axis) % kColors.size()]);
+}
+
+} // namespace dewpoint

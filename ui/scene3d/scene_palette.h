@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+
+namespace dewpoint {
+
+/// RGB, 0 to 1.
+using SceneColor = Eigen::Vector3d;
+
+/// The colors of the scene for a light or a dark window.
+struct ScenePalette {
+  SceneColor background;
+  SceneColor floor;
+  SceneColor gridMinor;
+  SceneColor gridMajor;
+  SceneColor text;
+  SceneColor camera;
+  SceneColor truth;
+};
+
+const ScenePalette& scenePalette(bool dark);
+
+/// Color of the i-th target, from the color-blind-safe set of Okabe and Ito (2008).
+SceneColor targetColor(std::size_t index);
+/// Colors of the x, y and z axis, from the same set.
+SceneColor axisColor(int axis);
+
+/// Straight from `from` (at 0) to `to` (at 1).
+inline SceneColor mix(const SceneColor& from, const SceneColor& to, double share) {
+  return from + (to - from) * share;
+}
+
+} // namespace dewpoint

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/scene3d/target_actors.h"
+
+#include <Eigen/Eigenvalues>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint {
+namespace {
+
+/// 95 % quantile of chi² with 3 degrees of freedom.
+constexpr double kChiSquared95 = 7.815;
+constexpr double kParticlePx = 1.7;       ///< radius
+constexpr double kSmallestSpherePx = 4.5; ///< radius
+constexpr Eigen::Index kMostParticles = 20000;
+
+/// A disc with a soft rim instead of VTK's Gaussian, whose wide skirt costs software OpenGL dearly.
+constexpr const char* kDiscShader =
+    "//VTK::Color::Impl\n"
+    "float dist2 = dot(offsetVCVSOutput.xy, offsetVCVSOutput.xy);\n"
+    "if (dist2 > 1.0) { discard; }\n"
+    "opacity = 0.85 * opacity * (1.0 - smoothstep(0.5, 1.0, dist2));\n";
+
+vtkSmartPointer<vtkActor> ballActor(int resolution) {
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(1.0);
+  source->SetThetaResolution(resolution);
+  source->SetPhiResolution(resolution / 2 + 2);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetAmbient(0.35);
+  actor->GetProperty()->SetDiffuse(0.75);
+  actor->PickableOff();
+  actor->VisibilityOff();
+  return actor;
+}
+
+/// Three great circles of the unit ball.
+void unitRings(vtkPolyData* data) {
+  constexpr int kSteps = 72;
+  Strokes strokes;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<Eigen::Vector3d> ring;
+    for (int i = 0; i <= kSteps; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kSteps;
+      Eigen::Vector3d point = Eigen::Vector3d::Zero();
+      point[(axis + 1) % 3] = std::cos(angle);
+      point[(axis + 2) % 3] = std::sin(angle);
+      ring.push_back(point);
+    }
+    strokes.polyline(ring);
+  }
+  strokes.writeTo(data);
+}
+
+std::array<unsigned char, 3> bytes(const SceneColor& color) {
+  std::array<unsigned char, 3> result{};
+  for (int i = 0; i < 3; ++i) {
+    result[static_cast<std::size_t>(i)] =
+        static_cast<unsigned char>(std::lround(255.0 * std::clamp(color[i], 0.0, 1.0)));
+  }
+  return result;
+}
+
+} // namespace
+
+TargetActors::TargetActors(vtkRenderer* renderer, std::size_t index)
+    : renderer_(renderer), color_(targetColor(index)), palette_(scenePalette(false)),
+      sphere_(ballActor(28)), ellipsoid_(ballActor(40)), rings_(flatActor(ringData_)),
+      tail_(flatActor(tailData_)), plumb_(flatActor(plumbData_)),
+      truthMark_(flatActor(truthData_)) {
+  positions_->SetNumberOfComponents(3);
+  colors_->SetNumberOfComponents(3);
+  points_->SetData(positions_);
+  cloudData_->SetPoints(points_);
+  cloudData_->GetPointData()->SetScalars(colors_);
+  cloudMapper_->SetInputData(cloudData_);
+  cloudMapper_->EmissiveOff();
+  cloudMapper_->SetSplatShaderCode(kDiscShader);
+  cloudMapper_->SetTriangleScale(2.0F); // the triangle around the unit disc
+  cloud_->SetMapper(cloudMapper_);
+  cloud_->PickableOff();
+  cloud_->VisibilityOff();
+  unitRings(ringData_);
+  for (vtkActor* actor : {ellipsoid_.Get(), rings_.Get()}) {
+    actor->SetUserMatrix(ellipsoidPose_);
+  }
+  // Translucent things are drawn in this order.
+  for (vtkActor* actor : {plumb_.Get(), tail_.Get(), sphere_.Get(), truthMark_.Get(),
+                          ellipsoid_.Get(), rings_.Get()}) {
+    actor->VisibilityOff();
+    renderer_->AddActor(actor);
+  }
+  renderer_->AddActor(cloud_);
+}
+
+TargetActors::~TargetActors() {
+  for (vtkActor* actor : {plumb_.Get(), tail_.Get(), sphere_.Get(), truthMark_.Get(),
+                          ellipsoid_.Get(), rings_.Get()}) {
+    renderer_->RemoveActor(actor);
+  }
+  renderer_->RemoveActor(cloud_);
+}
+
+void TargetActors::show(const TargetSnapshot& target) {
+  showParticles(target);
+  showEstimate(target);
+  showTail(target);
+  showTruth(target);
+}
+
+void TargetActors::showParticles(const TargetSnapshot& target) {
+  const Eigen::ArrayXXd& rows = target.particles;
+  const Eigen::Index count = rows.cols() >= 3 ? rows.rows() : 0;
+  const Eigen::Index stride = count / (kMostParticles + 1) + 1;
+  const bool weighted = target.weights.size() == count;
+  double largest = 0.0;
+  for (Eigen::Index i = 0; weighted && i < count; ++i) {
+    largest = std::isfinite(target.weights[i]) ? std::max(largest, target.weights[i]) : largest;
+  }
+  positions_->SetNumberOfTuples((count + stride - 1) / stride);
+  brightness_.clear();
+  vtkIdType used = 0;
+  for (Eigen::Index i = 0; i < count; i += stride) {
+    const Eigen::Vector3f point(rows.row(i).head(3).cast<float>().transpose());
+    if (!point.allFinite()) {
+      continue;
+    }
+    positions_->SetTypedTuple(used++, point.data());
+    const double share = weighted && largest > 0.0 ? target.weights[i] / largest : 1.0;
+    // The root lifts the many faint ones into sight.
+    brightness_.push_back(std::isfinite(share) ? static_cast<float>(std::sqrt(std::max(0.0, share)))
+                                               : 0.0F);
+  }
+  positions_->SetNumberOfTuples(used);
+  colorParticles();
+  positions_->Modified();
+  points_->Modified();
+  cloudData_->Modified();
+  cloud_->SetVisibility(used > 0);
+}
+
+void TargetActors::colorParticles() {
+  const SceneColor faint = mix(palette_.floor, color_, 0.45);
+  const SceneColor strong = mix(color_, palette_.truth, 0.12);
+  colors_->SetNumberOfTuples(static_cast<vtkIdType>(brightness_.size()));
+  for (std::size_t i = 0; i < brightness_.size(); ++i) {
+    const auto rgb = bytes(mix(faint, strong, std::clamp<double>(brightness_[i], 0.0, 1.0)));
+    colors_->SetTypedTuple(static_cast<vtkIdType>(i), rgb.data());
+  }
+  colors_->Modified();
+}
+
+void TargetActors::showEstimate(const TargetSnapshot& target) {
+  const TargetEstimate& estimate = target.estimate;
+  const bool known = estimate.mean.allFinite() && estimate.particleCount > 0;
+  sphere_->SetVisibility(known);
+  plumb_->SetVisibility(known);
+  ellipsoid_->VisibilityOff();
+  rings_->VisibilityOff();
+  if (!known) {
+    return;
+  }
+  mean_ = estimate.mean;
+  radius_ = std::isfinite(target.target.radius) ? std::max(0.0, target.target.radius) : 0.0;
+  sphere_->SetPosition(mean_.x(), mean_.y(), mean_.z());
+  // Not held: a ghost only.
+  sphere_->GetProperty()->SetOpacity(estimate.valid ? 1.0 : 0.35);
+  Strokes plumb;
+  plumb.line(mean_, {mean_.x(), mean_.y(), 0.0});
+  plumb.writeTo(plumbData_);
+  showEllipsoid(estimate);
+}
+
+void TargetActors::showEllipsoid(const TargetEstimate& estimate) {
+  if (!estimate.covariance.allFinite()) {
+    return;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+      0.5 * (estimate.covariance + estimate.covariance.transpose()));
+  if (solver.info() != Eigen::Success || solver.eigenvalues().maxCoeff() <= 0.0) {
+    return;
+  }
+  Eigen::Matrix3d directions = solver.eigenvectors();
+  if (directions.determinant() < 0.0) {
+    directions.col(0) *= -1.0; // a mirrored ball would be lit from inside
+  }
+  const Eigen::Vector3d semiAxes =
+      (solver.eigenvalues() * kChiSquared95).cwiseMax(1e-12).cwiseSqrt().cwiseMax(1e-4);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      ellipsoidPose_->SetElement(row, column, directions(row, column) * semiAxes[column]);
+    }
+    ellipsoidPose_->SetElement(row, 3, mean_[row]);
+  }
+  ellipsoidPose_->Modified();
+  ellipsoid_->VisibilityOn();
+  rings_->VisibilityOn();
+}
+
+void TargetActors::showTail(const TargetSnapshot& target) {
+  vtkNew<vtkUnsignedCharArray> fade;
+  fade->SetNumberOfComponents(4);
+  std::vector<Eigen::Vector3d> points;
+  for (const Eigen::Vector3d& point : target.tail) {
+    if (point.allFinite()) {
+      points.push_back(point);
+    }
+  }
+  const auto rgb = bytes(color_);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double age = 1.0 - static_cast<double>(i + 1) / static_cast<double>(points.size());
+    const std::array<unsigned char, 4> rgba{rgb[0], rgb[1], rgb[2],
+                                            static_cast<unsigned char>(255.0 * (1.0 - 0.85 * age))};
+    fade->InsertNextTypedTuple(rgba.data());
+  }
+  Strokes strokes;
+  strokes.polyline(points);
+  strokes.writeTo(tailData_);
+  tailData_->GetPointData()->SetScalars(points.size() > 1 ? fade.Get() : nullptr);
+  tail_->SetVisibility(points.size() > 1);
+}
+
+void TargetActors::showTruth(const TargetSnapshot& target) {
+  const bool known = target.truth && target.truth->allFinite();
+  truthMark_->SetVisibility(known);
+  if (known) {
+    truth_ = *target.truth;
+  }
+}
+
+void TargetActors::setPalette(const ScenePalette& palette) {
+  palette_ = palette;
+  const double opacity = sphere_->GetProperty()->GetOpacity();
+  paint(sphere_, color_, opacity);
+  paint(ellipsoid_, color_, 0.13);
+  paint(rings_, mix(color_, palette.truth, 0.1), 0.55);
+  paint(plumb_, mix(color_, palette.floor, 0.35), 0.8);
+  paint(truthMark_, palette.truth);
+  colorParticles();
+}
+
+/// A cross through the true position, a little larger than the drawn sphere.
+void TargetActors::drawMarkers(const ScreenScale& scale) {
+  if (truthMark_->GetVisibility() == 0) {
+    return;
+  }
+  const double reach =
+      std::max(scale.metres(truth_, kSmallestSpherePx), radius_) + scale.metres(truth_, 6.0);
+  Strokes cross;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d arm = Eigen::Vector3d::Unit(axis) * reach;
+    cross.line(truth_ - arm, truth_ + arm);
+  }
+  cross.writeTo(truthData_);
+}
+
+void TargetActors::prepareFrame(const ScreenScale& scale) {
+  sphereRadius_ = std::max(radius_, scale.metres(mean_, kSmallestSpherePx));
+  sphere_->SetScale(sphereRadius_);
+  const double dot = scale.metres(mean_, kParticlePx);
+  // A new scale makes the mapper upload all points again: only when it shows.
+  if (std::abs(dot - cloudMapper_->GetScaleFactor()) > 0.1 * dot) {
+    cloudMapper_->SetScaleFactor(dot);
+  }
+  drawMarkers(scale);
+  const auto width = [&](double pixels) { return static_cast<float>(pixels * scale.pixelRatio); };
+  tail_->GetProperty()->SetLineWidth(width(2.5));
+  rings_->GetProperty()->SetLineWidth(width(1.0));
+  plumb_->GetProperty()->SetLineWidth(width(1.0));
+  truthMark_->GetProperty()->SetLineWidth(width(1.6));
+}
+
+} // namespace dewpoint

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/snapshot.h"
+#include "ui/scene3d/scene_actors.h"
+
+#include <vtkFloatArray.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPointGaussianMapper.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <array>
+
+namespace dewpoint {
+
+/// One target: particles, estimate with the ellipsoid that holds 95 % of the belief, tail, truth,
+/// and the plumb line to the floor that tells its height.
+class TargetActors {
+public:
+  TargetActors(vtkRenderer* renderer, std::size_t index);
+  ~TargetActors();
+  TargetActors(const TargetActors&) = delete;
+  TargetActors& operator=(const TargetActors&) = delete;
+
+  void show(const TargetSnapshot& target);
+  void setPalette(const ScenePalette& palette);
+  void prepareFrame(const ScreenScale& scale);
+
+private:
+  void showParticles(const TargetSnapshot& target);
+  void showEstimate(const TargetSnapshot& target);
+  void showEllipsoid(const TargetEstimate& estimate);
+  void showTail(const TargetSnapshot& target);
+  void showTruth(const TargetSnapshot& target);
+  void colorParticles();
+  void drawMarkers(const ScreenScale& scale);
+
+  vtkRenderer* renderer_;
+  SceneColor color_;
+  ScenePalette palette_;
+  std::vector<float> brightness_; ///< per drawn particle, 0 to 1
+  Eigen::Vector3d mean_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d truth_ = Eigen::Vector3d::Zero();
+  double radius_ = 0.0;
+  double sphereRadius_ = 0.0; ///< as drawn
+
+  vtkNew<vtkFloatArray> positions_;
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkUnsignedCharArray> colors_;
+  vtkNew<vtkPolyData> cloudData_;
+  vtkNew<vtkPointGaussianMapper> cloudMapper_;
+  vtkNew<vtkActor> cloud_;
+  vtkNew<vtkMatrix4x4> ellipsoidPose_;
+  vtkNew<vtkPolyData> ringData_;
+  vtkNew<vtkPolyData> tailData_;
+  vtkNew<vtkPolyData> plumbData_;
+  vtkNew<vtkPolyData> truthData_;
+  vtkSmartPointer<vtkActor> sphere_;
+  vtkSmartPointer<vtkActor> ellipsoid_;
+  vtkSmartPointer<vtkActor> rings_;
+  vtkSmartPointer<vtkActor> tail_;
+  vtkSmartPointer<vtkActor> plumb_;
+  vtkSmartPointer<vtkActor> truthMark_;
+};
+
+} // namespace dewpoint
