@@ -77,20 +77,6 @@ Status writeCamera(const SceneRenderer& renderer, int index, const SimulateOptio
   return writer->finish();
 }
 
-Status writeTruth(const Scene& scene, const std::filesystem::path& path) {
-  const Trajectory truth = truthOfScene(scene);
-  auto writer = TrajectoryWriter::create(path, truth.header);
-  if (!writer) {
-    return tl::make_unexpected(writer.error());
-  }
-  for (const auto& sample : truth.samples) {
-    if (const auto written = writer->write(sample); !written) {
-      return written;
-    }
-  }
-  return writer->finish();
-}
-
 int simulate(const SimulateOptions& options) {
   auto scene = chosenScene(options);
   if (!scene) {
@@ -115,7 +101,7 @@ int simulate(const SimulateOptions& options) {
     }
   }
   progress.finish();
-  for (const auto& written : {writeTruth(*scene, folder / "truth.csv"),
+  for (const auto& written : {writeTrajectory(truthOfScene(*scene), folder / "truth.csv"),
                               saveCalibration(rigOf(project), folder / "calibration.toml"),
                               saveProject(project, folder / "project.toml")}) {
     if (!written) {

@@ -166,19 +166,6 @@ void printSummary(const Trajectory& estimate, const Trajectory& truth, int itera
   }
 }
 
-Status writeTruth(const Trajectory& truth, const std::filesystem::path& path) {
-  auto writer = TrajectoryWriter::create(path, truth.header);
-  if (!writer) {
-    return tl::make_unexpected(writer.error());
-  }
-  for (const auto& sample : truth.samples) {
-    if (const auto written = writer->write(sample); !written) {
-      return written;
-    }
-  }
-  return writer->finish();
-}
-
 } // namespace
 
 int TrackJob::run(SessionInputs inputs) const {
@@ -218,7 +205,7 @@ int TrackJob::run(SessionInputs inputs) const {
       writeText(folder / "run.json", runJson(inputs.project, *inputs.source, threads, figures));
   printSummary(kept, inputs.truth, run->iterationsPerFrame(), figures);
   if (!inputs.project.scene.empty()) {
-    if (const auto written = writeTruth(inputs.truth, folder / "truth.csv"); !written) {
+    if (const auto written = writeTrajectory(inputs.truth, folder / "truth.csv"); !written) {
       return report(written.error());
     }
   }
