@@ -12,7 +12,9 @@ namespace {
 const Eigen::Vector3d kBall(0.5, 0.5, 0.15);
 constexpr double kRadius = 0.035;
 
-/// The cameras of Barrera et al. 2005; its focal lengths are not published, 300 px is a webcam's.
+/// The cameras of Barrera et al. 2005, camera 2 in portrait. The paper gives neither their
+/// directions nor focal lengths: along +y and +x, which both see the ball, and 300 px, usual for a
+/// webcam.
 CameraRig barreraRig() {
   CameraRig rig(2);
   rig[0].intrinsics = {320, 240, 300.0, 300.0, 159.5, 119.5};

@@ -16,7 +16,7 @@ ParameterValues barrera() {
 
 TEST(Parameters, DefaultsAreThePapers) {
   const ParameterValues values = barrera();
-  // Barrera et al. 2005, section 4: 200 particles, sigma 0.03 m, started at (0.4, 0.1, 0.2).
+  // Barrera et al. 2005, section 3: 200 particles, sigma 0.03 m, started at (0.4, 0.1, 0.2).
   EXPECT_EQ(values.at("particles"), 200);
   EXPECT_EQ(values.at("motion_sigma"), 0.03);
   EXPECT_EQ(values.at("start_x"), 0.4);
