@@ -28,7 +28,11 @@ void RunLog::append(const std::vector<IterationRecord>& records) {
 
 void RunLog::append(const std::vector<TrajectorySample>& samples) {
   const std::lock_guard lock(mutex_);
-  trajectory_.samples.insert(trajectory_.samples.end(), samples.begin(), samples.end());
+  auto& all = trajectory_.samples;
+  while (!samples.empty() && !all.empty() && all.back().frame == samples.front().frame) {
+    all.pop_back();
+  }
+  all.insert(all.end(), samples.begin(), samples.end());
 }
 
 RunLog::Piece RunLog::since(std::uint64_t& generation, std::size_t& position) const {

@@ -19,6 +19,7 @@ public:
   };
   void restart(TrajectoryHeader header);
   void append(const std::vector<IterationRecord>& records);
+  /// Samples of one frame; they replace those of the same frame, if it was the last one.
   void append(const std::vector<TrajectorySample>& samples);
   /// Records from `position` on; both arguments move along. Old records are dropped in bulk when
   /// there are more than about 200,000.

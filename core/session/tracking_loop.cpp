@@ -44,8 +44,8 @@ TrackingLoop::TrackingLoop(SessionInputs inputs)
 }
 
 void TrackingLoop::run(const std::stop_token& stop) {
-  if (source_ && run_ && takeFrame()) {
-    frameOpen_ = false; // shown, but not yet tracked
+  if (source_ && run_) {
+    takeFrame(); // shown, but not yet tracked
   }
   publish();
   while (!stop.stop_requested()) {
@@ -72,21 +72,24 @@ void TrackingLoop::obey(const Command& command) {
     return;
   }
   if (std::holds_alternative<command::Play>(command)) {
-    if (state_ == PlayState::Ended) {
-      restart(std::nullopt);
+    if (state_ != PlayState::Ended || restart(std::nullopt)) {
+      state_ = PlayState::Playing;
     }
-    state_ = PlayState::Playing;
     nextFrameDue_ = Clock::now();
     frameTimes_.clear();
   } else if (std::holds_alternative<command::Pause>(command)) {
     state_ = state_ == PlayState::Ended ? state_ : PlayState::Paused;
   } else if (std::holds_alternative<command::StepFrame>(command)) {
-    state_ = PlayState::Paused;
-    iterateFrame();
-    return;
+    if (state_ != PlayState::Ended) {
+      state_ = PlayState::Paused;
+      iterateFrame();
+      return;
+    }
   } else if (std::holds_alternative<command::StepIteration>(command)) {
-    state_ = PlayState::Paused;
-    iterateOnce();
+    state_ = state_ == PlayState::Ended ? state_ : PlayState::Paused;
+    if (iterateOnce()) {
+      recordFrame();
+    }
   } else if (const auto* wish = std::get_if<command::Restart>(&command)) {
     restart(wish->seed);
   } else if (const auto* configure = std::get_if<command::Configure>(&command)) {
@@ -100,7 +103,7 @@ void TrackingLoop::obey(const Command& command) {
   publish();
 }
 
-void TrackingLoop::restart(std::optional<std::uint64_t> seed) {
+bool TrackingLoop::restart(std::optional<std::uint64_t> seed) {
   project_.seed = seed.value_or(project_.seed);
   errors_.clear();
   run_->restart(project_.seed);
@@ -110,17 +113,19 @@ void TrackingLoop::restart(std::optional<std::uint64_t> seed) {
   }
   iterationTimes_.clear();
   frameTimes_.clear();
-  frameOpen_ = false;
+  frameFresh_ = false;
+  recordedFrame_.reset();
   if (const auto sought = source_->seek(0); !sought) {
     errors_.push_back(sought.error());
-    state_ = PlayState::Paused;
-    return;
+    state_ = PlayState::Ended;
+    return false;
   }
   if (state_ == PlayState::Ended) {
     state_ = PlayState::Paused;
   }
   takeFrame();
   nextFrameDue_ = Clock::now();
+  return state_ != PlayState::Ended;
 }
 
 bool TrackingLoop::takeFrame() {
@@ -140,6 +145,7 @@ bool TrackingLoop::takeFrame() {
     return false; // live, and nothing came
   }
   run_->beginFrame(*taken);
+  frameFresh_ = true;
   frameTimes_.push_back(Clock::now());
   keepNewest(frameTimes_, kFrameTimesKept);
   return true;
@@ -147,24 +153,23 @@ bool TrackingLoop::takeFrame() {
 
 void TrackingLoop::iterateFrame() {
   // The frame shown first was already taken, but has had no iteration yet.
-  const bool fresh = run_->frames() && run_->iterations() == 0;
-  finishFrame();
-  if (fresh || takeFrame()) {
+  if (frameFresh_ || takeFrame()) {
     for (int k = 0; k < run_->iterationsPerFrame(); ++k) {
       iterateOnce();
     }
-    finishFrame();
+    frameFresh_ = false; // also without any target
+    recordFrame();
   }
   publish();
 }
 
-void TrackingLoop::iterateOnce() {
+bool TrackingLoop::iterateOnce() {
   if (!run_->frames() && !takeFrame()) {
-    return;
+    return false;
   }
   iterationTimes_.push_back(run_->iterate());
   keepNewest(iterationTimes_, kTimesKept);
-  frameOpen_ = true;
+  frameFresh_ = false;
   std::vector<IterationRecord> records;
   for (std::size_t k = 0; k < run_->estimates().size(); ++k) {
     const auto& estimate = run_->estimates()[k];
@@ -176,15 +181,17 @@ void TrackingLoop::iterateOnce() {
     records.push_back(record);
   }
   log_.append(records);
+  return true;
 }
 
-void TrackingLoop::finishFrame() {
-  if (!frameOpen_) {
-    return;
-  }
-  frameOpen_ = false;
+void TrackingLoop::recordFrame() {
+  const bool again = recordedFrame_ == run_->frames()->index;
+  recordedFrame_ = run_->frames()->index;
   log_.append(run_->samples());
   for (std::size_t k = 0; k < tails_.size(); ++k) {
+    if (again) {
+      tails_[k].pop_back();
+    }
     tails_[k].push_back(run_->estimates()[k].mean);
     keepNewest(tails_[k], kTailLength);
   }

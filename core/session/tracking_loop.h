@@ -26,12 +26,14 @@ private:
   using Clock = std::chrono::steady_clock;
 
   void obey(const Command& command);
-  void restart(std::optional<std::uint64_t> seed);
+  /// False if there is nothing to track.
+  bool restart(std::optional<std::uint64_t> seed);
   /// Takes the next frame set; false at the end, on an error, or when nothing came (live).
   bool takeFrame();
   void iterateFrame();
-  void iterateOnce();
-  void finishFrame();
+  bool iterateOnce();
+  /// The estimates of the frame shown, in place of earlier ones of the same frame.
+  void recordFrame();
   void publish();
   std::vector<cv::Mat> masks() const;
 
@@ -46,7 +48,8 @@ private:
 
   PlayState state_ = PlayState::Paused;
   bool masksWanted_ = false;
-  bool frameOpen_ = false; ///< the frame shown has iterations but no trajectory sample yet
+  bool frameFresh_ = false; ///< taken, but without any iteration yet
+  std::optional<std::int64_t> recordedFrame_;
   std::vector<Error> errors_;
   std::vector<std::deque<Eigen::Vector3d>> tails_;
   std::deque<double> iterationTimes_;

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/random.h"
+#include "core/session/camera_overlay.h"
+#include "tests/session/fake_recording.h"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace dewpoint {
+namespace {
+
+TrackSnapshot snapshotWithRig() {
+  TrackSnapshot snapshot;
+  snapshot.rig = std::make_shared<const CameraRig>(test::twoCameras());
+  return snapshot;
+}
+
+TargetSnapshot threeParticles() {
+  TargetSnapshot target;
+  target.particles.resize(3, 3);
+  target.particles << 0.0, 0.0, 0.1, //
+      0.05, 0.02, 0.12,              //
+      0.0, -0.8, 0.1;                // behind the left camera, in front of the right one
+  target.weights.resize(3);
+  target.weights << 0.2, 0.5, 0.3;
+  return target;
+}
+
+TEST(CameraOverlay, ProjectsParticlesInFrontOfTheCamera) {
+  const auto snapshot = snapshotWithRig();
+  const auto target = threeParticles();
+  const auto left = cameraOverlay(snapshot, 0, target);
+  ASSERT_EQ(left.particles.size(), 2U);
+  ASSERT_EQ(left.weights.size(), 2U);
+  EXPECT_FLOAT_EQ(left.weights[0], 0.4F); // 0.2 of the largest, 0.5
+  EXPECT_FLOAT_EQ(left.weights[1], 1.0F);
+  const Projector projector((*snapshot.rig)[0]);
+  for (Eigen::Index i = 0; i < 2; ++i) {
+    const Eigen::Vector3d point = target.particles.row(i).matrix().transpose();
+    EXPECT_TRUE(left.particles[static_cast<std::size_t>(i)].isApprox(
+        projector.project(point)->cast<float>()));
+  }
+  EXPECT_EQ(cameraOverlay(snapshot, 1, target).particles.size(), 3U);
+}
+
+TEST(CameraOverlay, IsEmptyWithoutRigCameraOrEstimate) {
+  const auto target = threeParticles();
+  EXPECT_TRUE(cameraOverlay(TrackSnapshot{}, 0, target).particles.empty());
+  EXPECT_TRUE(cameraOverlay(snapshotWithRig(), -1, target).particles.empty());
+  EXPECT_TRUE(cameraOverlay(snapshotWithRig(), 2, target).particles.empty());
+  const auto overlay = cameraOverlay(snapshotWithRig(), 0, target);
+  EXPECT_FALSE(overlay.estimate || overlay.ellipse || overlay.truth);
+}
+
+TEST(CameraOverlay, EllipseIsThatOfASampledGaussian) {
+  const auto snapshot = snapshotWithRig();
+  TargetSnapshot target;
+  target.estimate.particleCount = 1;
+  target.estimate.mean = {0.03, 0.02, 0.08};
+  Eigen::Matrix3d root; // standard deviations of up to 1 cm, at 0.6 m: nearly linear
+  root << 0.010, 0.0, 0.0, 0.004, 0.006, 0.0, -0.003, 0.002, 0.003;
+  target.estimate.covariance = root * root.transpose();
+  target.truth = Eigen::Vector3d(0.01, 0.0, 0.1);
+  for (int camera = 0; camera < 2; ++camera) {
+    const Projector projector((*snapshot.rig)[static_cast<std::size_t>(camera)]);
+    constexpr int kSamples = 100000; // standard error of a standard deviation: 0.2 %
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+    const RandomStream stream(1, 0, 0, RandomPurpose::Simulation);
+    for (std::uint32_t i = 0; i < kSamples; ++i) {
+      const auto normal = stream.normal4(i);
+      const Eigen::Vector3d point =
+          target.estimate.mean + root * Eigen::Vector3d(normal[0], normal[1], normal[2]);
+      const Eigen::Vector2d pixel = projector.project(point).value();
+      sum += pixel;
+      squares += pixel * pixel.transpose();
+    }
+    const Eigen::Vector2d mean = sum / kSamples;
+    const Eigen::Matrix2d covariance = squares / kSamples - mean * mean.transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance);
+    const auto overlay = cameraOverlay(snapshot, camera, target);
+    ASSERT_TRUE(overlay.ellipse && overlay.estimate && overlay.truth);
+    // 5.991: the 95 % quantile of chi-squared with 2 degrees of freedom (any table). 2 %: sampling
+    // and the square of 1 cm / 0.6 m.
+    const double major = std::sqrt(5.991 * solver.eigenvalues()[1]);
+    const double minor = std::sqrt(5.991 * solver.eigenvalues()[0]);
+    EXPECT_NEAR(overlay.ellipse->semiMajor, major, 0.02 * major);
+    EXPECT_NEAR(overlay.ellipse->semiMinor, minor, 0.02 * minor);
+    const Eigen::Vector2d along(std::cos(overlay.ellipse->angle), std::sin(overlay.ellipse->angle));
+    EXPECT_GT(std::abs(along.dot(solver.eigenvectors().col(1))), std::cos(0.05));
+    EXPECT_TRUE(overlay.ellipse->center.isApprox(*projector.project(target.estimate.mean)));
+    EXPECT_TRUE(overlay.estimate->isApprox(*projector.project(target.estimate.mean)));
+    EXPECT_TRUE(overlay.truth->isApprox(*projector.project(*target.truth)));
+  }
+}
+
+TEST(CameraOverlay, RoundCloudOnTheAxisIsACircle) {
+  const auto snapshot = snapshotWithRig();
+  TargetSnapshot target;
+  target.estimate.particleCount = 1;
+  target.estimate.mean = test::kBall; // on both optical axes, 0.6 m away, focal length 150 px
+  target.estimate.covariance = 1e-4 * Eigen::Matrix3d::Identity();
+  const auto overlay = cameraOverlay(snapshot, 0, target);
+  ASSERT_TRUE(overlay.ellipse);
+  const double radius = std::sqrt(5.991) * 0.01 * 150.0 / 0.6;
+  EXPECT_NEAR(overlay.ellipse->semiMajor, radius, 0.001 * radius);
+  EXPECT_NEAR(overlay.ellipse->semiMinor, radius, 0.001 * radius);
+}
+
+TEST(CameraOverlay, NoEllipseWithoutAFiniteCovarianceOrBehindTheCamera) {
+  const auto snapshot = snapshotWithRig();
+  TargetSnapshot target;
+  target.estimate.particleCount = 1;
+  target.estimate.mean = test::kBall;
+  target.estimate.covariance(0, 0) = std::nan("");
+  EXPECT_FALSE(cameraOverlay(snapshot, 0, target).ellipse);
+  EXPECT_TRUE(cameraOverlay(snapshot, 0, target).estimate);
+  target.estimate.covariance.setIdentity();
+  target.estimate.mean = {0.0, -0.9, 0.1};
+  EXPECT_FALSE(cameraOverlay(snapshot, 0, target).ellipse);
+  EXPECT_FALSE(cameraOverlay(snapshot, 0, target).estimate);
+}
+
+} // namespace
+} // namespace dewpoint
