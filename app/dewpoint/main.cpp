@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint/screenshot.h"
+#include "app/wiring/open_project.h"
+#include "core/session/session.h"
+#include "ui/birdseye/birds_eye_view.h"
+#include "ui/mainwindow/main_window.h"
+
+#include <CLI/CLI.hpp>
+#include <QApplication>
+#include <QIcon>
+#include <QSettings>
+
+#include <cstdio>
+#include <string>
+
+namespace {
+
+struct Options {
+  std::string project;
+  std::string screenshot;
+  int frames = 60;
+  bool paused = false;
+  std::string theme;
+  std::string size;
+};
+
+bool isSize(const std::string& text, int& width, int& height) {
+  return std::sscanf(text.c_str(), "%dx%d", &width, &height) == 2 && width >= 400 && height >= 300;
+}
+
+void describe(CLI::App& app, Options& options) {
+  app.add_option("project", options.project, "Project file; the simulated demo when omitted");
+  app.add_option("--screenshot", options.screenshot, "Save the window as PNG, then quit");
+  app.add_option("--frames", options.frames, "Frames to track before the screenshot")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_flag("--paused", options.paused, "Do not start playing");
+  app.add_option("--theme", options.theme, "Colors")
+      ->check(CLI::IsMember({"light", "dark", "system"}));
+  app.add_option("--size", options.size, "Size of the window, like 1400x900")
+      ->check([](const std::string& text) {
+        int width = 0;
+        int height = 0;
+        return isSize(text, width, height) ? std::string()
+                                           : std::string("give it as WIDTHxHEIGHT, from 400x300");
+      });
+  app.set_version_flag("--version", DEWPOINT_VERSION);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv); // takes its own options out of argv
+  QApplication::setApplicationName(QStringLiteral("dewpoint"));
+  QApplication::setOrganizationName(QStringLiteral("dewpoint"));
+  QApplication::setApplicationVersion(QStringLiteral(DEWPOINT_VERSION));
+  QApplication::setDesktopFileName(QStringLiteral("dewpoint"));
+  QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/dewpoint.svg")));
+
+  CLI::App app("Tracks colored objects in 3D with particle filters.", "dewpoint");
+  Options options;
+  describe(app, options);
+  CLI11_PARSE(app, argc, argv);
+
+  const QString theme = options.theme.empty()
+                            ? QSettings().value(QStringLiteral("theme")).toString()
+                            : QString::fromStdString(options.theme);
+  dewpoint::MainWindow window(&dewpoint::openProject);
+  window.setTheme(dewpoint::themeFromName(theme));
+  int width = 0;
+  int height = 0;
+  if (isSize(options.size, width, height)) {
+    window.resize(width, height);
+  }
+  window.setPlayOnOpen(!options.paused || !options.screenshot.empty());
+  if (!options.screenshot.empty()) {
+    dewpoint::takeScreenshot(window, QString::fromStdString(options.screenshot), options.frames);
+  }
+  window.show();
+  window.openProject(options.project);
+  return QApplication::exec();
+}

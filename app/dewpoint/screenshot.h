@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace dewpoint {
+
+class MainWindow;
+
+/// Once `frames` frames were tracked, saves the whole window as a PNG, prints its path and ends the
+/// application: 0 if all went well, 1 with a sentence on stderr if not.
+void takeScreenshot(MainWindow& window, const QString& file, int frames);
+
+} // namespace dewpoint

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project.h"
+#include "core/session/session.h"
+#include "core/trajectory/trajectory_writer.h"
+#include "ui/bridge/error_sentence.h"
+#include "ui/bridge/session_bridge.h"
+#include "ui/document/document.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/message_bar.h"
+
+#include <QCloseEvent>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QUndoStack>
+
+namespace dewpoint {
+
+namespace {
+
+std::filesystem::path toPath(const QString& file) {
+  return file.toStdString();
+}
+
+Status writeTrajectory(const Trajectory& trajectory, const std::filesystem::path& file) {
+  auto writer = TrajectoryWriter::create(file, trajectory.header);
+  if (!writer) {
+    return tl::make_unexpected(writer.error());
+  }
+  for (const TrajectorySample& sample : trajectory.samples) {
+    if (auto status = writer->write(sample); !status) {
+      return status;
+    }
+  }
+  return writer->finish();
+}
+
+} // namespace
+
+void MainWindow::askOpen() {
+  if (!mayDiscard()) {
+    return;
+  }
+  const QString file = QFileDialog::getOpenFileName(
+      this, tr("Open a project"), {}, tr("Dewpoint projects (*.toml);;All files (*)"));
+  if (!file.isEmpty()) {
+    openProject(toPath(file));
+  }
+}
+
+void MainWindow::save() {
+  if (document_->project().file.empty()) {
+    askSaveAs();
+  } else {
+    saveTo(document_->project().file);
+  }
+}
+
+void MainWindow::askSaveAs() {
+  const QString file =
+      QFileDialog::getSaveFileName(this, tr("Save the project"), QStringLiteral("project.toml"),
+                                   tr("Dewpoint projects (*.toml)"));
+  if (!file.isEmpty()) {
+    saveTo(toPath(file));
+  }
+}
+
+void MainWindow::saveTo(const std::filesystem::path& file) {
+  if (auto status = document_->saveAs(file); !status) {
+    messages_->showError(errorSentence(status.error()));
+  } else {
+    messages_->showNotice(tr("Saved %1.").arg(QString::fromStdString(file.string())));
+  }
+}
+
+void MainWindow::exportTrajectory() {
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Save the trajectory"), QStringLiteral("trajectory.csv"), tr("Tables (*.csv)"));
+  if (file.isEmpty() || bridge_ == nullptr) {
+    return;
+  }
+  const Trajectory trajectory = bridge_->session().trajectory();
+  if (auto status = writeTrajectory(trajectory, toPath(file)); !status) {
+    messages_->showError(errorSentence(status.error()));
+  } else {
+    messages_->showNotice(
+        tr("Saved %n samples to %1.", nullptr, static_cast<int>(trajectory.samples.size()))
+            .arg(file));
+  }
+}
+
+bool MainWindow::mayDiscard() {
+  // The demo has no file: what was tried there is not worth a question.
+  if (document_->undoStack()->isClean() || document_->project().file.empty()) {
+    return true;
+  }
+  const auto answer = QMessageBox::question(
+      this, tr("Unsaved changes"), tr("Save the changes to this project?"),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  if (answer == QMessageBox::Save) {
+    save();
+    return document_->undoStack()->isClean();
+  }
+  return answer == QMessageBox::Discard;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (mayDiscard()) {
+    event->accept();
+  } else {
+    event->ignore();
+  }
+}
+
+} // namespace dewpoint

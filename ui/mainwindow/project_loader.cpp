@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/mainwindow/project_loader.h"
+
+#include "core/session/session.h"
+#include "ui/bridge/error_sentence.h"
+
+#include <QMetaObject>
+
+namespace dewpoint {
+
+ProjectLoader::ProjectLoader(ProjectOpener opener, QObject* parent)
+    : QObject(parent), opener_(std::move(opener)) {}
+
+ProjectLoader::~ProjectLoader() {
+  // Before QObject goes: the worker posts to it.
+  if (worker_.joinable()) {
+    worker_.join();
+  }
+}
+
+void ProjectLoader::open(const std::filesystem::path& file) {
+  if (opening_) {
+    return;
+  }
+  opening_ = true;
+  Q_EMIT openingChanged(true);
+  worker_ = std::jthread([this, file] {
+    auto result = std::make_shared<Result<SessionInputs>>(opener_(file));
+    QMetaObject::invokeMethod(
+        this, [this, result] { finish(result); }, Qt::QueuedConnection);
+  });
+}
+
+void ProjectLoader::finish(const std::shared_ptr<Result<SessionInputs>>& result) {
+  opening_ = false;
+  if (*result) {
+    Q_EMIT opened(std::make_shared<SessionInputs>(std::move(**result)));
+  } else {
+    Q_EMIT failed(errorSentence(result->error()));
+  }
+  Q_EMIT openingChanged(false);
+}
+
+void ProjectLoader::retire(std::unique_ptr<Session> session) {
+  if (session) {
+    retirement_ = std::jthread([old = std::move(session)]() mutable { old.reset(); });
+  }
+}
+
+} // namespace dewpoint

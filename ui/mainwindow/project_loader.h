@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <QObject>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <thread>
+
+namespace dewpoint {
+
+class Session;
+struct SessionInputs;
+
+/// Opens a project (empty path: the demo), as the application wires it. Called in a thread.
+using ProjectOpener = std::function<Result<SessionInputs>(const std::filesystem::path&)>;
+
+/// Does what may take long, opening videos and joining threads, away from the window's thread.
+class ProjectLoader : public QObject {
+  Q_OBJECT
+public:
+  explicit ProjectLoader(ProjectOpener opener, QObject* parent = nullptr);
+  ~ProjectLoader() override;
+
+  /// Starts opening; nothing while an opening is under way.
+  void open(const std::filesystem::path& file);
+  bool isOpening() const { return opening_; }
+  /// Lets a session end in a thread of its own.
+  void retire(std::unique_ptr<Session> session);
+
+Q_SIGNALS:
+  void openingChanged(bool opening);
+  /// The inputs are the receiver's to move from.
+  void opened(std::shared_ptr<SessionInputs> inputs);
+  void failed(const QString& sentence);
+
+private:
+  void finish(const std::shared_ptr<Result<SessionInputs>>& result);
+
+  ProjectOpener opener_;
+  bool opening_ = false;
+  std::jthread worker_;
+  std::jthread retirement_;
+};
+
+} // namespace dewpoint

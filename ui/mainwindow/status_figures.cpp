@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/mainwindow/status_figures.h"
+
+#include "core/session/snapshot.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+
+#include <algorithm>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr qint64 kFramesUntilLost = 30; ///< one second of most cameras
+
+QString number(double value, int decimals) {
+  return QLocale().toString(value, 'f', decimals);
+}
+
+/// Millimetres below a metre, metres above.
+QString length(double metres) {
+  return metres < 1.0 ? StatusFigures::tr("%1 mm").arg(number(metres * 1000.0, 0))
+                      : StatusFigures::tr("%1 m").arg(number(metres, 2));
+}
+
+QString playWord(PlayState state) {
+  switch (state) {
+  case PlayState::Playing:
+    return StatusFigures::tr("playing");
+  case PlayState::Paused:
+    return StatusFigures::tr("paused");
+  case PlayState::Ended:
+    break;
+  }
+  return StatusFigures::tr("ended");
+}
+
+} // namespace
+
+StatusFigures::StatusFigures(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("statusFigures"));
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(8, 2, 8, 2);
+  layout->setSpacing(16);
+  playing_ = figure("statusPlaying", tr("playing"), tr("Playing, paused, or at the end"));
+  frame_ = figure("statusFrame", tr("frame 00000 / 00000"), tr("Frame shown, of all frames"));
+  rate_ = figure("statusRate", tr("%1 /s").arg("0000.0"), tr("Frames tracked per second"));
+  time_ = figure("statusTime", tr("%1 per iteration").arg("00000 µs"),
+                 tr("Median time of one filter iteration"));
+  sampleSize_ = figure("statusSampleSize", tr("ESS %1 / %2").arg("00000", "00000"),
+                       tr("Effective sample size, of all particles"));
+  spread_ = figure("statusSpread", tr("spread %1").arg("0000 mm"),
+                   tr("Root mean square distance of the particles to their mean"));
+  position_ = figure("statusPosition", QStringLiteral("x −00.000  y −00.000  z −00.000 m"),
+                     tr("Estimated position of the first target in the room"));
+  layout->addStretch();
+  held_ = figure("statusHeld", QStringLiteral("○ searching"),
+                 tr("Held: two cameras see the target's color where the estimate is. "
+                    "Lost: not so for 30 frames."));
+  QFont bold = held_->font();
+  bold.setWeight(QFont::DemiBold);
+  held_->setFont(bold);
+  held_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  held_->setMinimumWidth(QFontMetrics(bold).horizontalAdvance(QStringLiteral("○ searching")) + 8);
+  clear();
+}
+
+QLabel* StatusFigures::figure(const char* name, const QString& widest, const QString& hint) {
+  auto* label = new QLabel(this);
+  label->setObjectName(QLatin1String(name));
+  label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest));
+  label->setToolTip(hint);
+  layout()->addWidget(label);
+  return label;
+}
+
+void StatusFigures::clear() {
+  state_ = HoldState::NoImages;
+  lastHeldFrame_ = -1;
+  for (QLabel* label : {playing_, frame_, rate_, time_, sampleSize_, spread_, position_}) {
+    label->setText(QStringLiteral("–"));
+  }
+  applyPalette();
+}
+
+void StatusFigures::show(const TrackSnapshot& snapshot) {
+  playing_->setText(playWord(snapshot.state));
+  const QString frame = QString::number(snapshot.frame + 1); // people count from 1
+  frame_->setText(snapshot.frameCount ? tr("frame %1 / %2").arg(frame).arg(*snapshot.frameCount)
+                                      : tr("frame %1").arg(frame));
+  rate_->setText(tr("%1 /s").arg(number(snapshot.framesPerSecond, 1)));
+  const double microseconds = snapshot.microsecondsPerIteration;
+  time_->setText(tr("%1 per iteration")
+                     .arg(microseconds < 10000.0
+                              ? tr("%1 µs").arg(number(microseconds, 0))
+                              : tr("%1 ms").arg(number(microseconds / 1000.0, 1))));
+  if (!snapshot.targets.empty() && snapshot.iterations > 0) {
+    const TargetEstimate& estimate = snapshot.targets.front().estimate;
+    sampleSize_->setText(
+        tr("ESS %1 / %2").arg(number(estimate.effectiveSampleSize, 0)).arg(estimate.particleCount));
+    spread_->setText(tr("spread %1").arg(length(estimate.spread())));
+    position_->setText(tr("x %1  y %2  z %3 m")
+                           .arg(number(estimate.mean.x(), 3), number(estimate.mean.y(), 3),
+                                number(estimate.mean.z(), 3)));
+  }
+  state_ = stateOf(snapshot);
+  applyPalette();
+}
+
+HoldState StatusFigures::stateOf(const TrackSnapshot& snapshot) {
+  if (!snapshot.frames || snapshot.targets.empty()) {
+    return HoldState::NoImages;
+  }
+  if (snapshot.frame < lastHeldFrame_) {
+    lastHeldFrame_ = -1; // restarted
+  }
+  const bool held = std::all_of(snapshot.targets.begin(), snapshot.targets.end(),
+                                [](const auto& target) { return target.estimate.valid; });
+  if (held) {
+    lastHeldFrame_ = snapshot.frame;
+    return HoldState::Held;
+  }
+  return snapshot.frame - lastHeldFrame_ > kFramesUntilLost ? HoldState::Lost
+                                                            : HoldState::Searching;
+}
+
+void StatusFigures::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) {
+    applyPalette();
+  }
+}
+
+void StatusFigures::applyPalette() {
+  held_->setText(holdText(state_));
+  QPalette colors = held_->palette();
+  const QColor color = holdColor(state_, palette());
+  if (colors.color(QPalette::WindowText) != color) {
+    colors.setColor(QPalette::WindowText, color);
+    held_->setPalette(colors);
+  }
+}
+
+} // namespace dewpoint

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/settings/theme.h"
+
+#include <QString>
+#include <QWidget>
+
+class QLabel;
+
+namespace dewpoint {
+
+struct TrackSnapshot;
+
+/// The line of numbers at the bottom: frame, rate, time per iteration, effective sample size,
+/// spread, and whether the target is held. Figures keep their places while they change.
+class StatusFigures : public QWidget {
+  Q_OBJECT
+public:
+  explicit StatusFigures(QWidget* parent = nullptr);
+
+  void show(const TrackSnapshot& snapshot);
+  using QWidget::show;
+  void clear();
+  /// Held while two cameras see the target; searching at first and for a second after a loss.
+  HoldState state() const { return state_; }
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  QLabel* figure(const char* name, const QString& widest, const QString& hint);
+  HoldState stateOf(const TrackSnapshot& snapshot);
+  void applyPalette();
+
+  QLabel* playing_;
+  QLabel* frame_;
+  QLabel* rate_;
+  QLabel* time_;
+  QLabel* sampleSize_;
+  QLabel* spread_;
+  QLabel* position_;
+  QLabel* held_;
+  HoldState state_ = HoldState::NoImages;
+  qint64 lastHeldFrame_ = -1;
+};
+
+} // namespace dewpoint
