@@ -21,19 +21,6 @@ std::filesystem::path toPath(const QString& file) {
   return file.toStdString();
 }
 
-Status writeTrajectory(const Trajectory& trajectory, const std::filesystem::path& file) {
-  auto writer = TrajectoryWriter::create(file, trajectory.header);
-  if (!writer) {
-    return tl::make_unexpected(writer.error());
-  }
-  for (const TrajectorySample& sample : trajectory.samples) {
-    if (auto status = writer->write(sample); !status) {
-      return status;
-    }
-  }
-  return writer->finish();
-}
-
 } // namespace
 
 void MainWindow::askOpen() {
