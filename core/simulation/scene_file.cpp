@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/scene.h"
-#include "core/simulation/table_reader.h"
+#include "core/base/table_reader.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -17,7 +17,6 @@
 namespace dewpoint {
 namespace {
 
-using simulation::TableReader;
 
 constexpr std::array<std::pair<Motion, const char*>, 4> kMotionNames{{{Motion::Still, "still"},
                                                                       {Motion::Smooth, "smooth"},

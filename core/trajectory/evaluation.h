@@ -46,9 +46,9 @@ inline constexpr int kConvergedRun = 5;
 inline constexpr double kDefaultGate = 0.03;
 
 /// Compares each target of `estimate` with the truth of the same name (or the only truth there
-/// is), by frame number, or by time within half a frame if either has no frame numbers. Only truth
-/// between the first and the last estimate counts. NotFound if a target has no truth, Mismatch if
-/// no frame is common.
+/// is; targets without one are left out), by frame number, or by time within half a frame if either
+/// has no frame numbers. Only truth between the first and the last estimate counts. NotFound if no
+/// target has a truth, Mismatch if no frame is common.
 Result<std::vector<Evaluation>> evaluate(const Trajectory& estimate, const Trajectory& truth,
                                          double gate = kDefaultGate);
 

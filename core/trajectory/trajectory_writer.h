@@ -39,4 +39,7 @@ private:
   std::unique_ptr<std::FILE, Close> file_;
 };
 
+/// Writes a whole trajectory at once.
+Status writeTrajectory(const Trajectory& trajectory, const std::filesystem::path& path);
+
 } // namespace dewpoint

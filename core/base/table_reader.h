@@ -13,9 +13,36 @@
 #include <utility>
 #include <vector>
 
-namespace dewpoint::simulation {
+namespace dewpoint {
 
-/// Takes the known keys out of one table and keeps the first thing that is wrong with it.
+/// Parses TOML; NotParsed with the line and what was expected there.
+inline Result<toml::table> parseToml(const std::string& text, const std::string& file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    return failure(ErrorCode::NotParsed, file, fmt::format("line {}", error.source().begin.line),
+                   std::string(error.description()));
+  }
+}
+
+/// A text as TOML writes it.
+inline std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') {
+      result += '\\';
+      result += letter;
+    } else if (static_cast<unsigned char>(letter) < 0x20) {
+      result += fmt::format("\\u{:04X}", static_cast<int>(letter));
+    } else {
+      result += letter;
+    }
+  }
+  return result + "\"";
+}
+
+/// Takes the known keys out of one TOML table and keeps the first thing that is wrong with it, with
+/// the line where it stands. Keys nobody asked for are an error: they are typing mistakes.
 class TableReader {
 public:
   TableReader(const toml::table& table, std::string file, std::string prefix)
@@ -76,6 +103,27 @@ public:
     }
   }
 
+  /// The table under a key, or nothing when it is absent.
+  const toml::table* table(const char* key) {
+    const toml::node* node = find(key);
+    if (node != nullptr && !node->is_table()) {
+      fail(ErrorCode::WrongType, key, "a table is expected");
+    }
+    return node != nullptr ? node->as_table() : nullptr;
+  }
+
+  /// Any node under a key, for values with a shape of their own; marks the key as known.
+  const toml::node* node(const char* key) { return find(key); }
+
+  bool failed() const { return error_.has_value(); }
+
+  /// Takes over what is wrong with a part.
+  void adopt(std::optional<Error> error) {
+    if (!error_) {
+      error_ = std::move(error);
+    }
+  }
+
   /// Exactly `count` finite numbers into `values`.
   bool numbers(const char* key, double* values, std::size_t count, double low = -1e6,
                double high = 1e6) {
@@ -126,9 +174,15 @@ public:
   }
 
   void fail(ErrorCode code, const std::string& key, std::string detail) {
-    if (!error_) {
-      error_ = Error{code, file_, prefix_ + key, std::move(detail)};
+    if (error_) {
+      return;
     }
+    const toml::node* node = table_.get(key);
+    const auto line = (node != nullptr ? node->source() : table_.source()).begin.line;
+    if (line > 0) {
+      detail += fmt::format("{}line {}", detail.empty() ? "" : ", ", line);
+    }
+    error_ = Error{code, file_, prefix_ + key, std::move(detail)};
   }
 
   /// The first error, or the first key that nobody asked for.
@@ -154,4 +208,4 @@ private:
   std::optional<Error> error_;
 };
 
-} // namespace dewpoint::simulation
+} // namespace dewpoint

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text_file.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <unistd.h>
+
+namespace dewpoint {
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+bool writeAndSync(const std::filesystem::path& file, const std::string& text) {
+  const std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(file.c_str(), "wb"));
+  return stream && std::fwrite(text.data(), 1, text.size(), stream.get()) == text.size() &&
+         std::fflush(stream.get()) == 0 && fsync(fileno(stream.get())) == 0;
+}
+
+} // namespace
+
+Result<std::string> readTextFile(const std::filesystem::path& file) {
+  std::error_code problem;
+  if (!std::filesystem::exists(file, problem)) {
+    return failure(ErrorCode::FileMissing, file.string(), "", "");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream || std::filesystem::is_directory(file, problem)) {
+    return failure(ErrorCode::FileUnreadable, file.string(), "", "");
+  }
+  return text.str();
+}
+
+Status writeTextFile(const std::filesystem::path& file, const std::string& text) {
+  auto beside = file;
+  beside += ".part";
+  errno = 0;
+  if (!writeAndSync(beside, text)) {
+    const std::string reason = std::strerror(errno);
+    std::error_code ignored;
+    std::filesystem::remove(beside, ignored);
+    return failure(ErrorCode::FileUnwritable, file.string(), "", reason);
+  }
+  std::error_code problem;
+  std::filesystem::rename(beside, file, problem);
+  if (problem) {
+    return failure(ErrorCode::FileUnwritable, file.string(), "", problem.message());
+  }
+  return {};
+}
+
+} // namespace dewpoint

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <filesystem>
+#include <string>
+
+namespace dewpoint {
+
+/// Reads a whole text file: FileMissing or FileUnreadable.
+Result<std::string> readTextFile(const std::filesystem::path& file);
+
+/// Writes beside, flushes to the disk, renames: a reader, or a crash at any moment, finds the old
+/// text or the new one, never half of one. FileUnwritable says why.
+Status writeTextFile(const std::filesystem::path& file, const std::string& text);
+
+} // namespace dewpoint

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/camera_calibration.h"
+
+#include "core/base/table_reader.h"
+
+#include <Eigen/SVD>
+
+#include <cmath>
+
+namespace dewpoint {
+namespace {
+
+constexpr double kRotationTolerance = 1e-3; // |RᵀR - 1|: published files carry 6 digits or more
+constexpr double kLargest = 1e9;
+
+/// A 3x3 array of numbers under `key`.
+bool readMatrix(TableReader& reader, const char* key, Eigen::Matrix3d& matrix) {
+  const toml::node* node = reader.node(key);
+  const toml::array* rows = node != nullptr ? node->as_array() : nullptr;
+  bool good = rows != nullptr && rows->size() == 3;
+  for (std::size_t row = 0; good && row < 3; ++row) {
+    const toml::array* columns = (*rows)[row].as_array();
+    good = columns != nullptr && columns->size() == 3;
+    for (std::size_t column = 0; good && column < 3; ++column) {
+      const auto value = (*columns)[column].value<double>();
+      good = value.has_value();
+      matrix(static_cast<int>(row), static_cast<int>(column)) = value.value_or(0.0);
+    }
+  }
+  if (!good) {
+    reader.fail(node != nullptr ? ErrorCode::WrongType : ErrorCode::MissingKey, key,
+                "three rows of three numbers are expected");
+  } else if (!matrix.allFinite()) {
+    reader.fail(ErrorCode::BadValue, key, "a number is not finite");
+    good = false;
+  }
+  return good;
+}
+
+void readIntrinsics(TableReader& reader, Intrinsics& intrinsics) {
+  double size[2] = {};
+  reader.require("size");
+  if (reader.numbers("size", size, 2, 1, 100000)) {
+    intrinsics.width = static_cast<int>(size[0]);
+    intrinsics.height = static_cast<int>(size[1]);
+    if (intrinsics.width != size[0] || intrinsics.height != size[1]) {
+      reader.fail(ErrorCode::BadValue, "size", "whole pixels are expected");
+    }
+  }
+  Eigen::Matrix3d matrix;
+  if (!readMatrix(reader, "matrix", matrix)) {
+    return;
+  }
+  if (matrix(0, 0) <= 0.0 || matrix(1, 1) <= 0.0) {
+    reader.fail(ErrorCode::BadValue, "matrix",
+                fmt::format("the focal length must be positive, found {} and {}", matrix(0, 0),
+                            matrix(1, 1)));
+  } else if (matrix(0, 1) != 0.0 || matrix(1, 0) != 0.0 || matrix(2, 0) != 0.0 ||
+             matrix(2, 1) != 0.0 || matrix(2, 2) != 1.0) {
+    reader.fail(ErrorCode::BadValue, "matrix",
+                "expected [[fx, 0, cx], [0, fy, cy], [0, 0, 1]] without skew");
+  }
+  intrinsics.focalX = matrix(0, 0);
+  intrinsics.focalY = matrix(1, 1);
+  intrinsics.centerX = matrix(0, 2);
+  intrinsics.centerY = matrix(1, 2);
+}
+
+void readDistortion(TableReader& reader, std::array<double, 8>& distortion) {
+  const toml::node* node = reader.node("distortions");
+  if (node == nullptr) {
+    return;
+  }
+  const toml::array* array = node->as_array();
+  const std::size_t count = array != nullptr ? array->size() : 1;
+  if (count != 0 && count != 4 && count != 5 && count != 8) {
+    reader.fail(ErrorCode::WrongType, "distortions", "0, 4, 5 or 8 numbers are expected");
+    return;
+  }
+  if (count > 0) {
+    reader.numbers("distortions", distortion.data(), count, -kLargest, kLargest);
+  }
+}
+
+/// The nearest rotation of a matrix that is nearly one.
+std::optional<Eigen::Matrix3d> checkedRotation(TableReader& reader, const Eigen::Matrix3d& matrix) {
+  const double deviation =
+      (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (deviation > kRotationTolerance) {
+    reader.fail(
+        ErrorCode::BadValue, "rotation",
+        fmt::format("not a rotation: its rows are not orthonormal, off by {:.3g}", deviation));
+    return std::nullopt;
+  }
+  if (matrix.determinant() < 0.0) {
+    reader.fail(ErrorCode::BadValue, "rotation",
+                "not a rotation: it mirrors, its determinant is -1");
+    return std::nullopt;
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return svd.matrixU() * svd.matrixV().transpose();
+}
+
+void readRotation(TableReader& reader, Camera& camera) {
+  const toml::node* node = reader.node("rotation");
+  const toml::array* array = node != nullptr ? node->as_array() : nullptr;
+  if (array != nullptr && array->size() == 3 && (*array)[0].is_array()) {
+    Eigen::Matrix3d matrix;
+    if (readMatrix(reader, "rotation", matrix)) {
+      if (const auto rotation = checkedRotation(reader, matrix)) {
+        camera.cameraFromWorld.linear() = *rotation;
+      }
+    }
+    return;
+  }
+  reader.require("rotation");
+  Eigen::Vector3d vector;
+  if (reader.numbers("rotation", vector.data(), 3, -100, 100)) {
+    const double angle = vector.norm();
+    camera.cameraFromWorld.linear() =
+        angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
+                    : Eigen::Matrix3d::Identity();
+  }
+}
+
+} // namespace
+
+Result<Camera> cameraFromToml(const toml::table& table, const std::string& file,
+                              const std::string& prefix) {
+  Camera camera;
+  TableReader reader(table, file, prefix);
+  reader.text("name", camera.name);
+  readIntrinsics(reader, camera.intrinsics);
+  readDistortion(reader, camera.distortion);
+  readRotation(reader, camera);
+  double unit = 1.0;
+  reader.number("unit", unit, 1e-9, kLargest);
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+  reader.require("translation");
+  reader.numbers("translation", translation.data(), 3, -kLargest, kLargest);
+  camera.cameraFromWorld.translation() = unit * translation;
+  if (auto error = reader.finish()) {
+    return tl::make_unexpected(std::move(*error));
+  }
+  return camera;
+}
+
+std::string cameraToToml(const Camera& camera) {
+  const auto& in = camera.intrinsics;
+  const auto& d = camera.distortion;
+  const bool rational = d[5] != 0.0 || d[6] != 0.0 || d[7] != 0.0;
+  const Eigen::AngleAxisd turn(camera.cameraFromWorld.linear());
+  const Eigen::Vector3d rotation = turn.angle() * turn.axis();
+  const Eigen::Vector3d translation = camera.cameraFromWorld.translation();
+  return fmt::format("size = [{}, {}]\n"
+                     "matrix = [[{}, 0.0, {}], [0.0, {}, {}], [0.0, 0.0, 1.0]]\n"
+                     "distortions = [{}]\n"
+                     "rotation = [{}, {}, {}]\n"
+                     "translation = [{}, {}, {}]\n",
+                     in.width, in.height, in.focalX, in.centerX, in.focalY, in.centerY,
+                     fmt::join(d.begin(), d.begin() + (rational ? 8 : 5), ", "), rotation.x(),
+                     rotation.y(), rotation.z(), translation.x(), translation.y(), translation.z());
+}
+
+} // namespace dewpoint

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/table_reader.h"
+#include "core/base/text_file.h"
+#include "core/calibration/calibration_file.h"
+#include "core/calibration/camera_calibration.h"
+#include "core/project/project.h"
+#include "core/project/project_format.h"
+
+#include <cstdlib>
+#include <set>
+
+namespace dewpoint {
+namespace {
+
+using std::filesystem::path;
+
+/// `${NAME}` replaced by the environment variable of that name.
+std::string expanded(TableReader& reader, const char* key, std::string text) {
+  for (auto begin = text.find("${"); begin != std::string::npos; begin = text.find("${")) {
+    const auto end = text.find('}', begin);
+    const std::string name =
+        text.substr(begin + 2, end == std::string::npos ? end : end - begin - 2);
+    const char* value = end == std::string::npos ? nullptr : std::getenv(name.c_str());
+    if (value == nullptr) {
+      reader.fail(ErrorCode::BadValue, key, "the environment variable " + name + " is not set");
+      return text;
+    }
+    text.replace(begin, end - begin + 1, value);
+  }
+  return text;
+}
+
+/// A path of the file, absolute; relative ones count from the project's folder.
+path readPath(TableReader& reader, const char* key, const path& folder) {
+  std::string text;
+  reader.text(key, text);
+  if (text.empty()) {
+    if (reader.has(key)) {
+      reader.fail(ErrorCode::BadValue, key, "the path is empty");
+    }
+    return {};
+  }
+  return (folder / expanded(reader, key, text)).lexically_normal();
+}
+
+void readRange(TableReader& reader, const char* key, double& low, double& high) {
+  double bounds[2] = {low, high};
+  if (reader.numbers(key, bounds, 2)) {
+    low = bounds[0];
+    high = bounds[1];
+  }
+}
+
+Target readTarget(const toml::table& table, const std::string& file, std::size_t index,
+                  std::optional<Error>& error) {
+  const std::string prefix = fmt::format("target {}.", index + 1);
+  TableReader reader(table, file, prefix);
+  Target target;
+  reader.require("name");
+  reader.text("name", target.name);
+  reader.number("radius", target.radius, 0.0, 1000.0);
+  reader.require("hue");
+  readRange(reader, "hue", target.color.hueMin, target.color.hueMax);
+  readRange(reader, "saturation", target.color.saturationMin, target.color.saturationMax);
+  readRange(reader, "intensity", target.color.intensityMin, target.color.intensityMax);
+  if (const auto good = checkColorRange(target.color); !good) {
+    reader.fail(good.error().code, good.error().field, good.error().detail);
+  }
+  error = reader.finish();
+  return target;
+}
+
+/// Where the images come from: exactly one of the source keys.
+void readSource(TableReader& reader, const path& folder, ProjectCamera& camera) {
+  const bool hasVideo = reader.has("video");
+  int sources = 0;
+  for (const auto& [key, kind] : kSourceKeys) {
+    if (!reader.has(key)) {
+      continue;
+    }
+    ++sources;
+    camera.source = kind;
+    if (kind == SourceKind::Video || kind == SourceKind::Images) {
+      camera.location = readPath(reader, key, folder).string();
+    } else {
+      reader.text(key, camera.location);
+      camera.location = expanded(reader, key, camera.location);
+    }
+  }
+  if (sources != 1) {
+    reader.fail(sources == 0 ? ErrorCode::MissingKey : ErrorCode::BadValue,
+                hasVideo ? "video" : "video, images, device or stream",
+                "exactly one source is expected");
+  }
+  reader.integer("rotate", camera.rotateDegrees, 0, 270);
+  if (camera.rotateDegrees % 90 != 0) {
+    reader.fail(ErrorCode::BadValue, "rotate", "0, 90, 180 or 270 degrees are expected");
+  }
+}
+
+ProjectCamera readCamera(const toml::table& table, const path& file, std::size_t index,
+                         const CameraRig& calibrated, std::optional<Error>& error) {
+  const std::string prefix = fmt::format("camera {}.", index + 1);
+  TableReader reader(table, file.string(), prefix);
+  ProjectCamera camera;
+  std::string name;
+  reader.require("name");
+  reader.text("name", name);
+  readSource(reader, file.parent_path(), camera);
+  if (const toml::table* calibration = reader.table("calibration")) {
+    auto read = cameraFromToml(*calibration, file.string(), prefix + "calibration.");
+    if (read) {
+      camera.camera = std::move(*read);
+    } else {
+      reader.adopt(read.error());
+    }
+  } else {
+    const auto found = std::ranges::find(calibrated, name, &Camera::name);
+    if (found == calibrated.end()) {
+      reader.fail(ErrorCode::MissingKey, "calibration",
+                  "neither here nor in a calibration file is there one for '" + name + "'");
+    } else {
+      camera.camera = *found;
+    }
+  }
+  camera.camera.name = name;
+  error = reader.finish();
+  return camera;
+}
+
+void readParameters(const toml::table& table, const std::string& file, Project& project,
+                    std::optional<Error>& error) {
+  for (const auto& [key, node] : table) {
+    const auto value = node.value<double>();
+    const std::string field = "parameters." + std::string(key.str());
+    if (!value || !node.is_number()) {
+      error = Error{ErrorCode::WrongType, file, field,
+                    fmt::format("a number is expected, line {}", node.source().begin.line)};
+      return;
+    }
+    if (auto set = project.parameters.set(key.str(), *value); !set) {
+      error = Error{set.error().code, file, field,
+                    fmt::format("{}, line {}", set.error().detail, node.source().begin.line)};
+      return;
+    }
+  }
+}
+
+template <class Names>
+void requireDistinct(TableReader& reader, const char* key, const Names& names) {
+  std::set<std::string> seen;
+  for (const auto& name : names) {
+    if (!seen.insert(name).second) {
+      reader.fail(ErrorCode::BadValue, key, "the name '" + name + "' is used twice");
+    }
+  }
+}
+
+void readHead(TableReader& reader, const path& folder, Project& project) {
+  std::int64_t format = kProjectFormat;
+  reader.require("format");
+  reader.integer("format", format, 1, std::int64_t{1} << 30);
+  if (format > kProjectFormat) {
+    reader.fail(ErrorCode::BadValue, "format",
+                fmt::format("written by a newer Dewpoint: {}, this one reads up to {}", format,
+                            kProjectFormat));
+  }
+  reader.text("name", project.name);
+  reader.text("method", project.method);
+  const auto methods = methodNames();
+  if (std::ranges::find(methods, project.method) == methods.end()) {
+    reader.fail(ErrorCode::BadValue, "method",
+                fmt::format("known methods: {}", fmt::join(methods, ", ")));
+  }
+  reader.integer("seed", project.seed, 0, std::numeric_limits<std::int64_t>::max());
+  reader.number("frames_per_second", project.framesPerSecond, 0.0, 100000.0);
+  if (const path truth = readPath(reader, "truth", folder); !truth.empty()) {
+    project.truth = truth;
+  }
+  reader.text("scene", project.scene);
+  if (project.scene.ends_with(".toml")) {
+    project.scene = readPath(reader, "scene", folder).string();
+  }
+}
+
+CameraRig readCalibrationFile(TableReader& reader, const path& folder) {
+  const path file = readPath(reader, "calibration", folder);
+  if (file.empty()) {
+    return {};
+  }
+  auto rig = loadCalibration(file);
+  if (!rig) {
+    reader.adopt(rig.error());
+    return {};
+  }
+  return std::move(*rig);
+}
+
+void readParts(TableReader& reader, const path& file, Project& project) {
+  const CameraRig calibrated = readCalibrationFile(reader, file.parent_path());
+  project.parameters = ParameterValues(methodParameters(project.method));
+  std::optional<Error> error;
+  if (const toml::table* parameters = reader.table("parameters");
+      parameters != nullptr && !reader.failed()) {
+    readParameters(*parameters, file.string(), project, error);
+    reader.adopt(error);
+  }
+  for (const toml::table* table : reader.tables("target")) {
+    project.targets.push_back(readTarget(*table, file.string(), project.targets.size(), error));
+    reader.adopt(error);
+  }
+  for (const toml::table* table : reader.tables("camera")) {
+    project.cameras.push_back(readCamera(*table, file, project.cameras.size(), calibrated, error));
+    reader.adopt(error);
+  }
+}
+
+void checkWhole(TableReader& reader, const Project& project) {
+  if (project.targets.empty()) {
+    reader.fail(ErrorCode::MissingKey, "target", "at least one [[target]] is needed");
+  }
+  if (project.cameras.empty() && project.scene.empty()) {
+    reader.fail(ErrorCode::MissingKey, "camera", "at least one [[camera]] is needed, or a scene");
+  }
+  if (!project.cameras.empty() && !project.scene.empty()) {
+    reader.fail(ErrorCode::BadValue, "scene", "a simulated scene brings its own cameras");
+  }
+  std::vector<std::string> names;
+  std::ranges::transform(project.targets, std::back_inserter(names), &Target::name);
+  requireDistinct(reader, "target", names);
+  names.clear();
+  for (const auto& camera : project.cameras) {
+    names.push_back(camera.camera.name);
+  }
+  requireDistinct(reader, "camera", names);
+}
+
+} // namespace
+
+Result<Project> loadProject(const std::filesystem::path& file) {
+  const auto text = readTextFile(file);
+  if (!text) {
+    return tl::make_unexpected(text.error());
+  }
+  const auto table = parseToml(*text, file.string());
+  if (!table) {
+    return tl::make_unexpected(table.error());
+  }
+  Project project;
+  project.file = std::filesystem::absolute(file);
+  project.name = file.stem().string();
+  TableReader reader(*table, file.string(), "");
+  readHead(reader, project.file.parent_path(), project);
+  readParts(reader, project.file, project);
+  checkWhole(reader, project);
+  if (auto error = reader.finish()) {
+    return tl::make_unexpected(std::move(*error));
+  }
+  return project;
+}
+
+} // namespace dewpoint

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/table_reader.h"
+#include "core/base/text_file.h"
+#include "core/calibration/camera_calibration.h"
+#include "core/project/project.h"
+#include "core/project/project_format.h"
+
+namespace dewpoint {
+namespace {
+
+using std::filesystem::path;
+
+/// Relative where the file lies below the project's folder, so that the folder can be moved.
+std::string storedPath(const path& file, const path& folder) {
+  const path relative = file.lexically_relative(folder);
+  const bool below = !relative.empty() && *relative.begin() != "..";
+  return quoted((below ? relative : file).string());
+}
+
+std::string targetText(const Target& target) {
+  const auto& color = target.color;
+  return fmt::format("\n[[target]]\n"
+                     "name = {}\n"
+                     "radius = {}          # m; 0: unknown\n"
+                     "hue = [{}, {}]       # degrees; from > to wraps through 0\n"
+                     "saturation = [{}, {}]\n"
+                     "intensity = [{}, {}]\n",
+                     quoted(target.name), target.radius, color.hueMin, color.hueMax,
+                     color.saturationMin, color.saturationMax, color.intensityMin,
+                     color.intensityMax);
+}
+
+std::string cameraText(const ProjectCamera& camera, const path& folder) {
+  std::string text = "\n[[camera]]\nname = " + quoted(camera.camera.name) + "\n";
+  for (const auto& [key, kind] : kSourceKeys) {
+    if (kind == camera.source) {
+      const bool isFile = kind == SourceKind::Video || kind == SourceKind::Images;
+      text += fmt::format("{} = {}\n", key,
+                          isFile ? storedPath(camera.location, folder) : quoted(camera.location));
+    }
+  }
+  if (camera.rotateDegrees != 0) {
+    text += fmt::format("rotate = {}   # degrees clockwise\n", camera.rotateDegrees);
+  }
+  return text + "[camera.calibration]   # pixels, radians, metres; camera from world\n" +
+         cameraToToml(camera.camera);
+}
+
+std::string parametersText(const ParameterValues& parameters) {
+  std::string text = "\n[parameters]\n";
+  for (const auto& declaration : parameters.declarations()) {
+    const double value = parameters.at(declaration.key);
+    text += declaration.kind == ParameterKind::Integer
+                ? fmt::format("{} = {}", declaration.key, static_cast<std::int64_t>(value))
+                : fmt::format("{} = {}", declaration.key, value);
+    text += declaration.unit.empty() ? "\n" : fmt::format("   # {}\n", declaration.unit);
+  }
+  return text;
+}
+
+} // namespace
+
+Status saveProject(const Project& project, const std::filesystem::path& file) {
+  const path folder = std::filesystem::absolute(file).parent_path();
+  std::string text =
+      fmt::format("# Dewpoint project: metres, seconds, radians, pixels; Z is up\n"
+                  "format = {}\nname = {}\nmethod = {}\nseed = {}\n",
+                  kProjectFormat, quoted(project.name), quoted(project.method), project.seed);
+  if (project.framesPerSecond > 0.0 && project.scene.empty()) {
+    text += fmt::format("frames_per_second = {}\n", project.framesPerSecond);
+  }
+  if (project.truth) {
+    text += "truth = " + storedPath(*project.truth, folder) + "\n";
+  }
+  if (!project.scene.empty()) {
+    text += "scene = " +
+            (project.scene.ends_with(".toml") ? storedPath(project.scene, folder)
+                                              : quoted(project.scene)) +
+            "\n";
+  }
+  text += parametersText(project.parameters);
+  for (const auto& target : project.targets) {
+    text += targetText(target);
+  }
+  for (const auto& camera : project.cameras) {
+    if (camera.source != SourceKind::Simulation) {
+      text += cameraText(camera, folder);
+    }
+  }
+  return writeTextFile(file, text);
+}
+
+} // namespace dewpoint

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/evaluation.h"
+
+#include "core/trajectory/trajectory_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace dewpoint {
+namespace {
+
+using Samples = std::vector<const TrajectorySample*>;
+
+/// One frame of the truth; `estimate` is null where there is none (or none that is finite).
+struct Pair {
+  const TrajectorySample* truth = nullptr;
+  const TrajectorySample* estimate = nullptr;
+
+  Eigen::Vector3d error() const { return estimate->position - truth->position; }
+};
+
+std::vector<std::string> targetNames(const Trajectory& trajectory) {
+  std::vector<std::string> names;
+  for (const TrajectorySample& sample : trajectory.samples)
+    if (std::find(names.begin(), names.end(), sample.target) == names.end())
+      names.push_back(sample.target);
+  return names;
+}
+
+Samples samplesOf(const Trajectory& trajectory, const std::string& target) {
+  Samples samples;
+  for (const TrajectorySample& sample : trajectory.samples)
+    if (sample.target == target)
+      samples.push_back(&sample);
+  return samples;
+}
+
+bool haveFrames(const Samples& samples) {
+  return std::all_of(samples.begin(), samples.end(),
+                     [](const TrajectorySample* sample) { return sample->frame != kNoFrame; });
+}
+
+bool haveTimes(const Samples& samples) {
+  return std::all_of(samples.begin(), samples.end(),
+                     [](const TrajectorySample* sample) { return std::isfinite(sample->time); });
+}
+
+Pair makePair(const TrajectorySample* truth, const TrajectorySample* estimate) {
+  const bool usable = estimate != nullptr && estimate->position.allFinite();
+  return {truth, usable ? estimate : nullptr};
+}
+
+std::vector<Pair> pairByFrame(const Samples& estimate, const Samples& truth) {
+  std::map<std::int64_t, const TrajectorySample*> byFrame;
+  for (const TrajectorySample* sample : estimate)
+    byFrame[sample->frame] = sample;
+  std::map<std::int64_t, Pair> pairs;
+  for (const TrajectorySample* sample : truth) {
+    if (sample->frame < byFrame.begin()->first || sample->frame > byFrame.rbegin()->first)
+      continue;
+    const auto found = byFrame.find(sample->frame);
+    pairs[sample->frame] = makePair(sample, found == byFrame.end() ? nullptr : found->second);
+  }
+  std::vector<Pair> result;
+  for (const auto& [frame, pair] : pairs)
+    result.push_back(pair);
+  return result;
+}
+
+Samples sortedByTime(Samples samples) {
+  std::stable_sort(samples.begin(), samples.end(),
+                   [](const auto* a, const auto* b) { return a->time < b->time; });
+  return samples;
+}
+
+/// Median time between samples, in seconds; 0 if there are fewer than two.
+double framePeriod(const Samples& sorted) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+    steps.push_back(sorted[i]->time - sorted[i - 1]->time);
+  if (steps.empty())
+    return 0.0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+std::vector<Pair> pairByTime(const Samples& estimate, const Samples& truth) {
+  const Samples found = sortedByTime(estimate);
+  const Samples wanted = sortedByTime(truth);
+  const double period = framePeriod(wanted) > 0.0 ? framePeriod(wanted) : framePeriod(found);
+  // Times written with few digits must still meet when there is no other measure.
+  const double half = std::max(period / 2.0, 1e-6);
+  std::vector<Pair> pairs;
+  for (const TrajectorySample* sample : wanted) {
+    if (sample->time < found.front()->time - half || sample->time > found.back()->time + half)
+      continue;
+    auto next = std::lower_bound(found.begin(), found.end(), sample->time,
+                                 [](const auto* a, double time) { return a->time < time; });
+    if (next == found.end() || (next != found.begin() && sample->time - (*std::prev(next))->time <=
+                                                             (*next)->time - sample->time))
+      --next;
+    const bool near = std::abs((*next)->time - sample->time) <= half;
+    pairs.push_back(makePair(sample, near ? *next : nullptr));
+  }
+  return pairs;
+}
+
+std::optional<std::size_t> convergedAt(const std::vector<Pair>& pairs, double gate) {
+  int run = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    run = pairs[i].estimate != nullptr && pairs[i].error().norm() < gate ? run + 1 : 0;
+    if (run == kConvergedRun)
+      return i + 1 - static_cast<std::size_t>(kConvergedRun);
+  }
+  return std::nullopt;
+}
+
+/// Quantile of sorted values, linear between order statistics.
+double quantile(const std::vector<double>& sorted, double fraction) {
+  const double place = fraction * static_cast<double>(sorted.size() - 1);
+  const auto low = static_cast<std::size_t>(place);
+  const std::size_t high = std::min(low + 1, sorted.size() - 1);
+  return sorted[low] + (place - static_cast<double>(low)) * (sorted[high] - sorted[low]);
+}
+
+double rootMeanSquare(const std::vector<Eigen::Vector3d>& errors) {
+  double sum = 0.0;
+  for (const Eigen::Vector3d& error : errors)
+    sum += error.squaredNorm();
+  return std::sqrt(sum / static_cast<double>(errors.size()));
+}
+
+CameraBias cameraBias(const TrajectoryCamera& camera, const std::vector<Eigen::Vector3d>& errors) {
+  const Eigen::Vector3d axis = camera.opticalAxis.normalized();
+  std::vector<Eigen::Vector3d> along;
+  std::vector<Eigen::Vector3d> across;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& error : errors) {
+    along.emplace_back(error.dot(axis) * axis);
+    across.emplace_back(error - along.back());
+    mean += error / static_cast<double>(errors.size());
+  }
+  CameraBias bias;
+  bias.name = camera.name;
+  bias.alongBias = mean.dot(axis);
+  bias.acrossBias = (mean - mean.dot(axis) * axis).norm();
+  bias.alongRms = rootMeanSquare(along);
+  bias.acrossRms = rootMeanSquare(across);
+  return bias;
+}
+
+void fillStatistics(Evaluation& evaluation, const std::vector<Eigen::Vector3d>& errors,
+                    const std::vector<TrajectoryCamera>& cameras) {
+  std::vector<double> lengths;
+  for (const Eigen::Vector3d& error : errors) {
+    lengths.push_back(error.norm());
+    evaluation.bias += error / static_cast<double>(errors.size());
+  }
+  std::sort(lengths.begin(), lengths.end());
+  evaluation.rmse = rootMeanSquare(errors);
+  evaluation.median = quantile(lengths, 0.5);
+  evaluation.p95 = quantile(lengths, 0.95);
+  evaluation.max = lengths.back();
+  for (const TrajectoryCamera& camera : cameras)
+    evaluation.cameras.push_back(cameraBias(camera, errors));
+}
+
+Result<Evaluation> evaluateTarget(const std::string& target, const Samples& estimate,
+                                  const Samples& truth,
+                                  const std::vector<TrajectoryCamera>& cameras, double gate) {
+  const bool byFrame = haveFrames(estimate) && haveFrames(truth);
+  if (!byFrame && !(haveTimes(estimate) && haveTimes(truth)))
+    return failure(ErrorCode::Mismatch, "", target,
+                   "trajectory and truth have neither frame numbers nor times in common");
+  const std::vector<Pair> pairs =
+      byFrame ? pairByFrame(estimate, truth) : pairByTime(estimate, truth);
+  Evaluation evaluation;
+  evaluation.target = target;
+  const auto start = convergedAt(pairs, gate);
+  std::vector<Eigen::Vector3d> all;
+  std::vector<Eigen::Vector3d> settled;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Pair& pair = pairs[i];
+    const bool after = start && i >= *start;
+    const bool present = pair.estimate != nullptr;
+    if (after && (!present || !pair.estimate->valid || pair.error().norm() >= gate))
+      ++evaluation.lostFrames;
+    if (!present) {
+      ++evaluation.missing;
+      continue;
+    }
+    all.push_back(pair.error());
+    if (after || !start)
+      settled.push_back(pair.error());
+  }
+  if (all.empty())
+    return failure(ErrorCode::Mismatch, "", target, "no frame of the trajectory is in the truth");
+  evaluation.framesCompared = static_cast<std::int64_t>(all.size());
+  evaluation.rmseAll = rootMeanSquare(all);
+  if (start)
+    evaluation.framesToConverge = static_cast<std::int64_t>(*start);
+  fillStatistics(evaluation, settled, cameras);
+  return evaluation;
+}
+
+} // namespace
+
+Result<std::vector<Evaluation>> evaluate(const Trajectory& estimate, const Trajectory& truth,
+                                         double gate) {
+  if (!std::isfinite(gate) || gate <= 0.0)
+    return failure(ErrorCode::BadValue, "", "gate", "it must be a positive number of metres");
+  const auto& cameras =
+      estimate.header.cameras.empty() ? truth.header.cameras : estimate.header.cameras;
+  const auto names = targetNames(estimate);
+  const auto truths = targetNames(truth);
+  std::vector<Evaluation> evaluations;
+  for (const std::string& name : names) {
+    const bool named = std::find(truths.begin(), truths.end(), name) != truths.end();
+    if (!named && !(truths.size() == 1 && (names.size() == 1 || truths.front().empty())))
+      continue;
+    auto result = evaluateTarget(name, samplesOf(estimate, name),
+                                 samplesOf(truth, named ? name : truths.front()), cameras, gate);
+    if (!result)
+      return tl::make_unexpected(result.error());
+    evaluations.push_back(std::move(*result));
+  }
+  if (evaluations.empty())
+    return failure(ErrorCode::NotFound, "", "target", "no target of the trajectory has a truth");
+  return evaluations;
+}
+
+} // namespace dewpoint

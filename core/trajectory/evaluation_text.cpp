@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/evaluation_text.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace dewpoint {
+namespace {
+
+double millimetres(double metres) {
+  return metres * 1000.0;
+}
+
+std::string targetText(const Evaluation& e) {
+  std::string text = fmt::format("target {}\n", e.target.empty() ? "(unnamed)" : e.target);
+  text +=
+      fmt::format("  frames             {} compared, {} missing\n", e.framesCompared, e.missing);
+  if (e.framesToConverge)
+    text += fmt::format("  converged          after {} frames, then {} lost\n", *e.framesToConverge,
+                        e.lostFrames);
+  else
+    text += "  converged          never\n";
+  text += fmt::format(
+      "  error              RMSE {:.1f} mm, median {:.1f}, p95 {:.1f}, max {:.1f}\n",
+      millimetres(e.rmse), millimetres(e.median), millimetres(e.p95), millimetres(e.max));
+  text += fmt::format("  RMSE, all frames   {:.1f} mm\n", millimetres(e.rmseAll));
+  text += fmt::format("  bias x y z         {:+.1f} {:+.1f} {:+.1f} mm\n", millimetres(e.bias.x()),
+                      millimetres(e.bias.y()), millimetres(e.bias.z()));
+  for (const CameraBias& camera : e.cameras)
+    text += fmt::format("  camera {:<11} along axis {:+.1f} mm (rms {:.1f}), across {:.1f} mm (rms "
+                        "{:.1f})\n",
+                        camera.name, millimetres(camera.alongBias), millimetres(camera.alongRms),
+                        millimetres(camera.acrossBias), millimetres(camera.acrossRms));
+  return text;
+}
+
+nlohmann::json targetJson(const Evaluation& e) {
+  nlohmann::json json = {{"target", e.target},
+                         {"rmse", e.rmse},
+                         {"median", e.median},
+                         {"p95", e.p95},
+                         {"max", e.max},
+                         {"rmse_all", e.rmseAll},
+                         {"bias", {e.bias.x(), e.bias.y(), e.bias.z()}},
+                         {"frames_compared", e.framesCompared},
+                         {"frames_to_converge", nullptr},
+                         {"lost_frames", e.lostFrames},
+                         {"missing", e.missing},
+                         {"cameras", nlohmann::json::array()}};
+  if (e.framesToConverge)
+    json["frames_to_converge"] = *e.framesToConverge;
+  for (const CameraBias& camera : e.cameras)
+    json["cameras"].push_back({{"name", camera.name},
+                               {"along_bias", camera.alongBias},
+                               {"across_bias", camera.acrossBias},
+                               {"along_rms", camera.alongRms},
+                               {"across_rms", camera.acrossRms}});
+  return json;
+}
+
+} // namespace
+
+std::string evaluationText(const std::vector<Evaluation>& evaluations) {
+  std::string text;
+  for (const Evaluation& evaluation : evaluations)
+    text += targetText(evaluation);
+  return text;
+}
+
+nlohmann::json evaluationJson(const std::vector<Evaluation>& evaluations) {
+  nlohmann::json json = {{"unit", "m"}, {"targets", nlohmann::json::array()}};
+  for (const Evaluation& evaluation : evaluations)
+    json["targets"].push_back(targetJson(evaluation));
+  return json;
+}
+
+} // namespace dewpoint

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/trajectory_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+namespace dewpoint {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+std::string_view trimmed(std::string_view text) {
+  const auto isSpace = [](char c) { return c == ' ' || c == '\t'; };
+  while (!text.empty() && isSpace(text.front()))
+    text.remove_prefix(1);
+  while (!text.empty() && isSpace(text.back()))
+    text.remove_suffix(1);
+  return text;
+}
+
+/// Reads a quoted text ("" is a quote within) at the start of `text`, and removes it from there.
+std::optional<std::string> takeQuoted(std::string_view& text) {
+  std::string value;
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    if (text[i] != '"') {
+      value += text[i];
+    } else if (i + 1 < text.size() && text[i + 1] == '"') {
+      value += text[i++];
+    } else {
+      text.remove_prefix(i + 1);
+      return value;
+    }
+  }
+  return std::nullopt;
+}
+
+/// The cells of one line; nothing if a quote never ends.
+std::optional<Cells> splitLine(std::string_view line) {
+  Cells cells;
+  while (true) {
+    if (!line.empty() && line.front() == '"') {
+      auto value = takeQuoted(line);
+      if (!value || (!line.empty() && line.front() != ','))
+        return std::nullopt;
+      cells.push_back(std::move(*value));
+    } else {
+      const std::size_t end = std::min(line.find(','), line.size());
+      cells.emplace_back(trimmed(line.substr(0, end)));
+      line.remove_prefix(end);
+    }
+    if (line.empty())
+      return cells;
+    line.remove_prefix(1);
+  }
+}
+
+template <class T> bool parse(std::string_view text, T& value) {
+  if (!text.empty() && text.front() == '+')
+    text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+/// `"name" center x y z axis x y z`; anything else is somebody's comment.
+std::optional<TrajectoryCamera> parseCamera(std::string_view text) {
+  if (text.empty() || text.front() != '"')
+    return std::nullopt;
+  auto name = takeQuoted(text);
+  if (!name)
+    return std::nullopt;
+  Cells words;
+  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    words.emplace_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+  if (words.size() != 8 || words[0] != "center" || words[4] != "axis")
+    return std::nullopt;
+  TrajectoryCamera camera{*name, {}, {}};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!parse(words[1 + i], camera.center[static_cast<Eigen::Index>(i)]) ||
+        !parse(words[5 + i], camera.opticalAxis[static_cast<Eigen::Index>(i)]))
+      return std::nullopt;
+  return camera;
+}
+
+/// One pass over the text of a file.
+class Reader {
+public:
+  explicit Reader(std::string file) : file_(std::move(file)) {}
+
+  Result<Trajectory> read(std::string_view text) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.starts_with(kByteOrderMark))
+      text.remove_prefix(kByteOrderMark.size());
+    // A line without its end was cut off while it was written.
+    for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+      std::string_view line = text.substr(0, end);
+      text.remove_prefix(end + 1);
+      ++lineNumber_;
+      if (line.ends_with('\r'))
+        line.remove_suffix(1);
+      if (Status status = readLine(line); !status)
+        return tl::make_unexpected(status.error());
+    }
+    if (columns_.empty())
+      return failure(ErrorCode::EndedEarly, file_, "", "there is no line of column names");
+    return std::move(trajectory_);
+  }
+
+private:
+  Status readLine(std::string_view line) {
+    if (trimmed(line).empty())
+      return {};
+    if (line.front() == '#') {
+      readComment(trimmed(line.substr(1)));
+      return {};
+    }
+    auto cells = splitLine(line);
+    if (!cells)
+      return notParsed("a quoted text is not closed");
+    if (columns_.empty())
+      return readColumns(std::move(*cells));
+    if (cells->size() != columns_.size())
+      return notParsed(fmt::format("{} cells, but {} columns", cells->size(), columns_.size()));
+    return readSample(*cells);
+  }
+
+  void readComment(std::string_view text) {
+    const std::size_t colon = text.find(':');
+    if (colon == std::string_view::npos)
+      return;
+    const std::string_view key = trimmed(text.substr(0, colon));
+    const std::string_view value = trimmed(text.substr(colon + 1));
+    if (key == "camera") {
+      if (auto camera = parseCamera(value))
+        trajectory_.header.cameras.push_back(std::move(*camera));
+    } else if (key != "units") {
+      trajectory_.header.entries.emplace_back(key, value);
+    }
+  }
+
+  Status readColumns(Cells cells) {
+    columns_ = std::move(cells);
+    for (const char* name : {"x_m", "y_m", "z_m"})
+      if (!column(name))
+        return missing(name, "this column is needed");
+    if (!column("frame") && !column("time_s"))
+      return missing("frame", "a column frame or time_s is needed");
+    return {};
+  }
+
+  Status readSample(const Cells& cells) {
+    TrajectorySample sample;
+    sample.time = std::numeric_limits<double>::quiet_NaN();
+    sample.frame = kNoFrame;
+    auto& c = sample.covariance;
+    int valid = 1;
+    Status status;
+    const auto number = [&](const char* name, auto& value) {
+      const auto index = column(name);
+      if (status && index && !parse(cells[*index], value))
+        status = badNumber(name, cells[*index]);
+    };
+    number("time_s", sample.time);
+    number("frame", sample.frame);
+    number("x_m", sample.position.x());
+    number("y_m", sample.position.y());
+    number("z_m", sample.position.z());
+    number("cov_xx_m2", c(0, 0));
+    number("cov_xy_m2", c(0, 1));
+    number("cov_xz_m2", c(0, 2));
+    number("cov_yy_m2", c(1, 1));
+    number("cov_yz_m2", c(1, 2));
+    number("cov_zz_m2", c(2, 2));
+    number("ess", sample.effectiveSampleSize);
+    number("cameras", sample.cameras);
+    number("valid", valid);
+    if (!status)
+      return status;
+    c(1, 0) = c(0, 1);
+    c(2, 0) = c(0, 2);
+    c(2, 1) = c(1, 2);
+    sample.valid = valid != 0;
+    if (const auto index = column("target"))
+      sample.target = cells[*index];
+    trajectory_.samples.push_back(std::move(sample));
+    return {};
+  }
+
+  std::optional<std::size_t> column(std::string_view name) const {
+    const auto found = std::find(columns_.begin(), columns_.end(), name);
+    if (found == columns_.end())
+      return std::nullopt;
+    return static_cast<std::size_t>(found - columns_.begin());
+  }
+
+  tl::unexpected<Error> missing(const char* name, const char* detail) const {
+    return failure(ErrorCode::MissingKey, file_, fmt::format("line {}, {}", lineNumber_, name),
+                   detail);
+  }
+  tl::unexpected<Error> badNumber(const char* name, const std::string& text) const {
+    return failure(ErrorCode::BadValue, file_, fmt::format("line {}, {}", lineNumber_, name),
+                   fmt::format("\"{}\" is not such a number", text));
+  }
+  tl::unexpected<Error> notParsed(std::string detail) const {
+    return failure(ErrorCode::NotParsed, file_, fmt::format("line {}", lineNumber_),
+                   std::move(detail));
+  }
+
+  std::string file_;
+  std::size_t lineNumber_ = 0;
+  Cells columns_;
+  Trajectory trajectory_;
+};
+
+} // namespace
+
+Result<Trajectory> readTrajectory(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored))
+    return failure(ErrorCode::FileMissing, path.string(), "", "");
+  if (std::filesystem::is_directory(path, ignored))
+    return failure(ErrorCode::FileUnreadable, path.string(), "", "it is a folder");
+  std::ifstream stream(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream)
+    return failure(ErrorCode::FileUnreadable, path.string(), "", "");
+  return Reader(path.string()).read(text);
+}
+
+} // namespace dewpoint

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/trajectory_writer.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+
+namespace dewpoint {
+namespace {
+
+constexpr std::string_view kColumns =
+    "time_s,frame,target,x_m,y_m,z_m,cov_xx_m2,cov_xy_m2,cov_xz_m2,cov_yy_m2,cov_yz_m2,cov_zz_m2,"
+    "ess,cameras,valid\n";
+
+/// Line ends and other control characters would break the file's lines: they become spaces.
+std::string oneLine(std::string_view text) {
+  std::string line(text);
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 0x20)
+      c = ' ';
+  return line;
+}
+
+std::string inQuotes(std::string_view text) {
+  std::string result = "\"";
+  for (char c : oneLine(text))
+    result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + '"';
+}
+
+/// Quoted only where the CSV rules (RFC 4180) or our comment sign need it.
+std::string cell(std::string_view text) {
+  const bool plain = text.find_first_of(",\"#") == std::string_view::npos &&
+                     (text.empty() || (text.front() != ' ' && text.back() != ' '));
+  return plain ? oneLine(text) : inQuotes(text);
+}
+
+std::string headerText(const TrajectoryHeader& header) {
+  std::string text = "# dewpoint trajectory\n# units: time s, position m, covariance m^2\n";
+  for (const auto& [key, value] : header.entries)
+    text += fmt::format("# {}: {}\n", oneLine(key), oneLine(value));
+  for (const TrajectoryCamera& camera : header.cameras) {
+    const auto& c = camera.center;
+    const auto& a = camera.opticalAxis;
+    text += fmt::format("# camera: {} center {} {} {} axis {} {} {}\n", inQuotes(camera.name),
+                        c.x(), c.y(), c.z(), a.x(), a.y(), a.z());
+  }
+  return text.append(kColumns);
+}
+
+} // namespace
+
+Result<TrajectoryWriter> TrajectoryWriter::create(const std::filesystem::path& path,
+                                                  const TrajectoryHeader& header) {
+  std::FILE* file = std::fopen(path.c_str(), "wbe");
+  if (file == nullptr)
+    return failure(ErrorCode::FileUnwritable, path.string(), "", std::strerror(errno));
+  TrajectoryWriter writer(path.string(), file);
+  if (Status status = writer.put(headerText(header)); !status)
+    return tl::make_unexpected(status.error());
+  return writer;
+}
+
+Status TrajectoryWriter::write(const TrajectorySample& sample) {
+  const auto& p = sample.position;
+  const auto& c = sample.covariance;
+  return put(fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", sample.time,
+                         sample.frame, cell(sample.target), p.x(), p.y(), p.z(), c(0, 0), c(0, 1),
+                         c(0, 2), c(1, 1), c(1, 2), c(2, 2), sample.effectiveSampleSize,
+                         sample.cameras, sample.valid ? 1 : 0));
+}
+
+Status TrajectoryWriter::flush() {
+  if (!file_)
+    return failure(ErrorCode::FileUnwritable, name_, "", "it is closed already");
+  if (std::fflush(file_.get()) != 0)
+    return unwritable(errno);
+  return {};
+}
+
+Status TrajectoryWriter::finish() {
+  if (Status status = flush(); !status)
+    return status;
+  // Some file systems report a full disk only here.
+  if (std::fclose(file_.release()) != 0)
+    return unwritable(errno);
+  return {};
+}
+
+Status TrajectoryWriter::put(const std::string& text) {
+  if (!file_)
+    return failure(ErrorCode::FileUnwritable, name_, "", "it is closed already");
+  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size())
+    return unwritable(errno);
+  return flush();
+}
+
+tl::unexpected<Error> TrajectoryWriter::unwritable(int reason) const {
+  return failure(ErrorCode::FileUnwritable, name_, "", std::strerror(reason));
+}
+
+Status writeTrajectory(const Trajectory& trajectory, const std::filesystem::path& path) {
+  auto writer = TrajectoryWriter::create(path, trajectory.header);
+  if (!writer) {
+    return tl::make_unexpected(writer.error());
+  }
+  for (const auto& sample : trajectory.samples) {
+    if (auto written = writer->write(sample); !written) {
+      return written;
+    }
+  }
+  return writer->finish();
+}
+
+} // namespace dewpoint
