@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The documented project of a real recording: two videos of a hand over a desk, real calibration.
+#include "app/wiring/open_project.h"
+#include "core/color/color_classifier.h"
+#include "core/session/tracking_run.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace dewpoint {
+namespace {
+
+// The desk plane of the recording, Z = +0.5 board squares of 0.03 m in the author's frame (its
+// README); Z is turned up in the project.
+constexpr double kDeskZ = -0.015;
+
+std::string example() { return std::string(DEWPOINT_SOURCE_DIR) + "/docs/examples/hand2_desk.toml"; }
+
+bool hasRecording() {
+  const char* data = std::getenv("DEWPOINT_DATA");
+  return data != nullptr &&
+         std::filesystem::exists(std::filesystem::path(data) / "hand2_desk" / "cam0.mp4");
+}
+
+TEST(Hand2Desk, FollowsTheArmInBothViewsAndNeverDivesBelowTheDesk) {
+  if (!hasRecording()) {
+    GTEST_SKIP() << "the recording hand2_desk is not in DEWPOINT_DATA";
+  }
+  auto inputs = openProject(example());
+  ASSERT_TRUE(inputs) << sentence(inputs.error());
+  auto run = TrackingRun::create(inputs->project, 2);
+  ASSERT_TRUE(run) << sentence(run.error());
+  int frames = 0;
+  int seenByBoth = 0;
+  for (auto set = inputs->source->next(); set && *set; set = inputs->source->next()) {
+    run->beginFrame(*set);
+    for (int k = 0; k < run->iterationsPerFrame(); ++k) {
+      run->iterate();
+    }
+    const auto& estimate = run->estimates().front();
+    EXPECT_GT(estimate.mean.z(), kDeskZ) << "frame " << frames;
+    seenByBoth += estimate.camerasSeeing == 2 ? 1 : 0;
+    ++frames;
+  }
+  EXPECT_EQ(frames, 378); // README of the recording
+  // The arm is in both pictures throughout; seen when written: 378.
+  EXPECT_GE(seenByBoth, 370);
+}
+
+} // namespace
+} // namespace dewpoint
