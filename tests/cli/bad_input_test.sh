@@ -16,11 +16,22 @@ broken() {
   sed "$change" good/project.toml >"good/$name.toml"
   ! cmp -s good/project.toml "good/$name.toml" || fail "'$change' changes nothing"
   expectExit $kBadInput track "good/$name.toml" --out o
-  expectSentence "$name.toml" "$@"
+  expectSentence "$@"
 }
 broken syntax '1s/^/[[[/'
 broken unknown_key '1s/^/flavor = 1\n/' flavor
 broken wrong_type 's/^seed *=.*/seed = "one"/' seed
+broken newer 's/^format *=.*/format = 99/' format newer
+broken method 's/^method *=.*/method = "magic"/' method barrera
+broken range 's/^particles *=.*/particles = 3/' particles
+broken no_target '/^\[\[target/,/^$/d' target
+broken no_camera '/^\[\[camera/,$d' camera
+broken empty_color 's/^saturation *=.*/saturation = [0.8, 0.2]/' saturation
+broken nan '0,/^translation/s/^translation *=.*/translation = [nan, 0.0, 0.0]/' translation
+broken zero_focal '0,/^matrix/s/^matrix *=.*/matrix = [[0.0, 0.0, 9.0], [0.0, 0.0, 9.0], [0.0, 0.0, 1.0]]/' matrix focal
+broken no_rotation '0,/^rotation/s/^rotation *=.*/rotation = [[2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]/' rotation
+broken size '0,/^size/s/^size *=.*/size = [64, 48]/'
+broken no_video '0,/^video/s/^video *=.*/video = "nowhere.mkv"/' nowhere.mkv
 
 printf 'name = "x"\n' >none.toml
 expectExit $kBadInput track none.toml --out o
