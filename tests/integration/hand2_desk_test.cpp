@@ -15,7 +15,9 @@ namespace {
 // README); Z is turned up in the project.
 constexpr double kDeskZ = -0.015;
 
-std::string example() { return std::string(DEWPOINT_SOURCE_DIR) + "/docs/examples/hand2_desk.toml"; }
+std::string example() {
+  return std::string(DEWPOINT_SOURCE_DIR) + "/docs/examples/hand2_desk.toml";
+}
 
 bool hasRecording() {
   const char* data = std::getenv("DEWPOINT_DATA");
