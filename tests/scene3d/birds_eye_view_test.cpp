@@ -136,7 +136,7 @@ private Q_SLOTS:
     const QImage picture = view_->currentPicture();
     QVERIFY(view_->hasPicture());
     QCOMPARE(picture.size(), (QSizeF(view_->size()) * view_->devicePixelRatioF()).toSize());
-    QCOMPARE(blob(picture, {0, 0}, 0.0).count, 0);
+    QCOMPARE(blob(picture, {320, 240}, 2000.0).count, 0);
     QVERIFY(picture.pixel(2, 2) !=
             picture.pixel(picture.width() / 2 + 5, picture.height() / 2 + 5));
     keep(picture, "empty");
@@ -281,8 +281,8 @@ private Q_SLOTS:
 
   void picturesComeOnTheirOwn() {
     view_->show(ballSnapshot());
-    QTRY_VERIFY_WITH_TIMEOUT(view_->grab().toImage() == view_->grab().toImage(), 5000);
     const double ratio = view_->devicePixelRatioF();
+    // Nothing but the target has its color; the timer alone brings the picture.
     QTRY_VERIFY_WITH_TIMEOUT(
         blob(view_->grab().toImage(), {320 * ratio, 240 * ratio}, 400 * ratio).count > 100, 5000);
     keep(view_->grab().toImage(), "widget");

@@ -61,7 +61,7 @@ void BirdsEyeView::makeButtons() {
     auto* button = new QToolButton(this);
     button->setObjectName(names[i]);
     button->setCheckable(true);
-    button->setAutoRaise(true);
+    button->setAutoFillBackground(true);
     button->setCursor(Qt::ArrowCursor);
     connect(button, &QToolButton::clicked, this, [this, i] { look(kViews[i]); });
     buttons_[i] = button;

@@ -13,23 +13,37 @@ namespace {
 
 constexpr const char* kAxisNames[3] = {"x", "y", "z"};
 
-/// Lines parallel to both axes at the multiples of `step` inside `extent`.
-void gridLines(const Eigen::AlignedBox2d& extent, double step, double z, vtkPolyData* data) {
+/// Lines at the multiples of `step` inside `extent`, which spans the world axes `u` and `v`;
+/// `level` is the third coordinate.
+void gridLines(const Eigen::AlignedBox2d& extent, int u, int v, double level, double step,
+               vtkPolyData* data) {
+  const int axes[2] = {u, v};
   Strokes strokes;
-  for (int axis = 0; axis < 2; ++axis) {
-    const int other = 1 - axis;
-    const auto first = std::llround(std::ceil(extent.min()[axis] / step - 1e-6));
-    const auto last = std::llround(std::floor(extent.max()[axis] / step + 1e-6));
-    for (auto i = first; i <= last; ++i) {
-      Eigen::Vector3d from(0.0, 0.0, z);
-      from[axis] = static_cast<double>(i) * step;
+  for (int i = 0; i < 2; ++i) {
+    const auto first = std::llround(std::ceil(extent.min()[i] / step - 1e-6));
+    const auto last = std::llround(std::floor(extent.max()[i] / step + 1e-6));
+    for (auto k = first; k <= last; ++k) {
+      Eigen::Vector3d from = Eigen::Vector3d::Constant(level);
+      from[axes[i]] = static_cast<double>(k) * step;
       Eigen::Vector3d to = from;
-      from[other] = extent.min()[other];
-      to[other] = extent.max()[other];
+      from[axes[1 - i]] = extent.min()[1 - i];
+      to[axes[1 - i]] = extent.max()[1 - i];
       strokes.line(from, to);
     }
   }
   strokes.writeTo(data);
+}
+
+double numberStep(double size, double majorStep) {
+  if (majorStep == 1.0 && size < 3.2) {
+    return 0.5;
+  }
+  for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0}) {
+    if (majorStep * factor >= size / 9.0) {
+      return majorStep * factor;
+    }
+  }
+  return majorStep * 100.0;
 }
 
 std::string metres(double value, double step) {
@@ -40,17 +54,22 @@ std::string metres(double value, double step) {
 
 Ground::Ground(vtkRenderer* renderer)
     : plane_(flatActor(planeData_)), minor_(flatActor(minorData_)), major_(flatActor(majorData_)),
-      labels_(renderer) {
+      wallMinor_(flatActor(wallMinorData_)),
+      wallMajor_(flatActor(wallMajorData_)), numbers_{SceneLabels(renderer), SceneLabels(renderer),
+                                                      SceneLabels(renderer)},
+      names_{SceneLabels(renderer), SceneLabels(renderer), SceneLabels(renderer)} {
   renderer->AddActor(plane_);
   renderer->AddActor(minor_);
   renderer->AddActor(major_);
+  renderer->AddActor(wallMinor_);
+  renderer->AddActor(wallMajor_);
   for (int axis = 0; axis < 3; ++axis) {
     axes_[axis] = flatActor(axisData_[axis]);
     renderer->AddActor(axes_[axis]);
   }
 }
 
-void Ground::cover(const Eigen::AlignedBox2d& extent) {
+void Ground::cover(const Eigen::AlignedBox2d& extent, double height) {
   const double size = extent.sizes().maxCoeff();
   majorStep_ = size > 60.0 ? 10.0 : size > 1.2 ? 1.0 : 0.1;
   minorStep_ = size > 60.0 ? 10.0 : size > 6.5 ? 1.0 : 0.1;
@@ -58,13 +77,17 @@ void Ground::cover(const Eigen::AlignedBox2d& extent) {
   const Eigen::Array2d low = (extent.min().array() / rounding - 1e-6).floor() * rounding;
   const Eigen::Array2d high = (extent.max().array() / rounding + 1e-6).ceil() * rounding;
   const Eigen::AlignedBox2d rounded(low.matrix(), high.matrix());
-  if (!extent_.isEmpty() && rounded.isApprox(extent_, 1e-9)) {
+  const double roundedHeight = std::max(rounding, std::ceil(height / rounding - 1e-6) * rounding);
+  if (!extent_.isEmpty() && rounded.isApprox(extent_, 1e-9) && roundedHeight == height_) {
     return;
   }
   extent_ = rounded;
+  height_ = roundedHeight;
+  numberStep_ = numberStep(size, majorStep_);
   drawPlane();
   drawLines();
   drawNumbers();
+  drawWall();
   drawAxes();
 }
 
@@ -83,39 +106,37 @@ void Ground::drawPlane() {
 
 void Ground::drawLines() {
   const double lift = 0.0005 * extent_.sizes().maxCoeff();
-  minor_->SetVisibility(minorStep_ < majorStep_);
-  gridLines(extent_, minorStep_, -lift, minorData_);
-  gridLines(extent_, majorStep_, 0.0, majorData_);
+  gridLines(extent_, 0, 1, -lift, minorStep_, minorData_);
+  gridLines(extent_, 0, 1, 0.0, majorStep_, majorData_);
 }
 
 void Ground::drawNumbers() {
-  labels_.clear();
-  const double size = extent_.sizes().maxCoeff();
-  const double wanted = size / 9.0;
-  double step = majorStep_;
-  for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0}) {
-    step = majorStep_ * factor;
-    if (step >= wanted) {
-      break;
-    }
-  }
-  if (majorStep_ == 1.0 && size < 3.2) {
-    step = 0.5;
-  }
-  for (int axis = 0; axis < 2; ++axis) {
-    const int other = 1 - axis;
-    const auto first = static_cast<long>(std::ceil(extent_.min()[axis] / step - 1e-6));
-    const auto last = static_cast<long>(std::floor(extent_.max()[axis] / step + 1e-6));
+  const Eigen::Vector3d low(extent_.min().x(), extent_.min().y(), 0.0);
+  const Eigen::Vector3d high(extent_.max().x(), extent_.max().y(), height_);
+  for (int axis = 0; axis < 3; ++axis) {
+    numbers_[axis].clear();
+    const auto first = static_cast<long>(std::ceil(low[axis] / numberStep_ - 1e-6));
+    const auto last = static_cast<long>(std::floor(high[axis] / numberStep_ + 1e-6));
     for (long i = first; i <= last; ++i) {
-      const double value = static_cast<double>(i) * step;
-      Eigen::Vector3d point = Eigen::Vector3d::Zero();
+      const double value = static_cast<double>(i) * numberStep_;
+      Eigen::Vector3d point(low.x(), low.y(), 0.0);
       point[axis] = value;
-      point[other] = extent_.min()[other];
-      const std::string unit = i == last ? " m" : "";
-      labels_.add(metres(value, step) + unit, point, 11.0, axis == 1 ? -0.6 : 0.0,
-                  axis == 0 ? -1.0 : 0.0);
+      if (axis == 0) {
+        numbers_[0].add(metres(value, numberStep_) + (i == last ? " m" : ""), point, 11.0, 0.0,
+                        -1.0);
+      } else {
+        numbers_[axis].add(metres(value, numberStep_) + (i == last ? " m" : ""), point, 11.0, -0.6);
+      }
     }
   }
+}
+
+void Ground::drawWall() {
+  const double back = extent_.max().y() + 0.01 * extent_.sizes().maxCoeff();
+  const Eigen::AlignedBox2d wall(Eigen::Vector2d(extent_.min().x(), 0.0),
+                                 Eigen::Vector2d(extent_.max().x(), height_));
+  gridLines(wall, 0, 2, back * 1.001, minorStep_, wallMinorData_);
+  gridLines(wall, 0, 2, back, majorStep_, wallMajorData_);
 }
 
 void Ground::drawAxes() {
@@ -127,7 +148,8 @@ void Ground::drawAxes() {
     Strokes strokes;
     strokes.line(base, tip);
     strokes.writeTo(axisData_[axis]);
-    labels_.add(kAxisNames[axis], base + Eigen::Vector3d::Unit(axis) * length * 1.12, 12.0);
+    names_[axis].clear();
+    names_[axis].add(kAxisNames[axis], base + Eigen::Vector3d::Unit(axis) * length * 1.12, 12.0);
   }
 }
 
@@ -138,17 +160,35 @@ void Ground::setPalette(const ScenePalette& palette) {
   for (int axis = 0; axis < 3; ++axis) {
     paint(axes_[axis], axisColor(axis));
   }
-  labels_.setColors(palette.text, palette.background);
+  paint(wallMinor_, palette.gridMinor);
+  paint(wallMajor_, palette.gridMajor);
+  for (int axis = 0; axis < 3; ++axis) {
+    numbers_[axis].setColors(palette.text, palette.background);
+    names_[axis].setColors(palette.text, palette.floor);
+  }
 }
 
 void Ground::prepareFrame(const ScreenScale& scale) {
   const auto width = [&](double pixels) { return static_cast<float>(pixels * scale.pixelRatio); };
   minor_->GetProperty()->SetLineWidth(width(1.0));
-  major_->GetProperty()->SetLineWidth(width(1.0));
+  major_->GetProperty()->SetLineWidth(width(1.6));
+  const bool fromFront = scale.parallel && std::abs(scale.direction.y()) > 0.99;
+  wallMinor_->SetVisibility(fromFront && minorStep_ < majorStep_);
+  wallMajor_->SetVisibility(fromFront);
+  minor_->SetVisibility(!fromFront && minorStep_ < majorStep_);
+  wallMinor_->GetProperty()->SetLineWidth(width(1.0));
+  wallMajor_->GetProperty()->SetLineWidth(width(1.6));
   for (const auto& axis : axes_) {
     axis->GetProperty()->SetLineWidth(width(2.5));
   }
-  labels_.prepareFrame(scale);
+  for (int axis = 0; axis < 3; ++axis) {
+    // Along the line of sight, texts would pile up in one place.
+    const bool across = std::abs(scale.direction[axis]) < 0.97;
+    names_[axis].setVisible(across);
+    numbers_[axis].setVisible(axis == 2 ? fromFront : across);
+    names_[axis].prepareFrame(scale);
+    numbers_[axis].prepareFrame(scale);
+  }
 }
 
 } // namespace dewpoint

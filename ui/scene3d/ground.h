@@ -9,12 +9,13 @@
 namespace dewpoint {
 
 /// The floor z = 0: a faint plane, lines every 0.1 m or 1 m, numbers in metres along two edges, and
-/// the axes at the origin.
+/// the axes at the origin. Seen from the front, where the floor is a line, a wall in the plane of x
+/// and z takes its place.
 class Ground {
 public:
   explicit Ground(vtkRenderer* renderer);
-  /// The rectangle to cover; rounded outwards to whole steps. Metres.
-  void cover(const Eigen::AlignedBox2d& extent);
+  /// The rectangle to cover and the height of the room; rounded outwards to whole steps. Metres.
+  void cover(const Eigen::AlignedBox2d& extent, double height);
   void setPalette(const ScenePalette& palette);
   void prepareFrame(const ScreenScale& scale);
   /// What the floor covers, after rounding.
@@ -24,20 +25,28 @@ private:
   void drawPlane();
   void drawLines();
   void drawNumbers();
+  void drawWall();
   void drawAxes();
 
   vtkNew<vtkPolyData> planeData_;
   vtkNew<vtkPolyData> minorData_;
   vtkNew<vtkPolyData> majorData_;
+  vtkNew<vtkPolyData> wallMinorData_;
+  vtkNew<vtkPolyData> wallMajorData_;
   vtkNew<vtkPolyData> axisData_[3];
   vtkSmartPointer<vtkActor> plane_;
   vtkSmartPointer<vtkActor> minor_;
   vtkSmartPointer<vtkActor> major_;
+  vtkSmartPointer<vtkActor> wallMinor_;
+  vtkSmartPointer<vtkActor> wallMajor_;
   vtkSmartPointer<vtkActor> axes_[3];
-  SceneLabels labels_;
+  SceneLabels numbers_[3]; ///< along x, y and, on the wall, z
+  SceneLabels names_[3];   ///< of the axes
   Eigen::AlignedBox2d extent_;
+  double height_ = 0.0;
   double majorStep_ = 1.0;
   double minorStep_ = 0.1;
+  double numberStep_ = 1.0;
 };
 
 } // namespace dewpoint

@@ -17,7 +17,8 @@ namespace dewpoint {
 namespace {
 
 constexpr double kViewAngle = 35.0 * std::numbers::pi / 180.0; ///< vertical, free view
-constexpr double kMargin = 1.12; ///< of the picture around what is framed
+constexpr double kMargin = 1.14;   ///< of the picture around what is framed
+constexpr double kBottomPx = 34.0; ///< kept free below, for buttons
 /// From the scene towards the eye of the free view.
 const Eigen::Vector3d kFreeSide = Eigen::Vector3d(-0.55, -1.0, 0.75).normalized();
 
@@ -65,6 +66,7 @@ public:
   Parts() : ground(renderer), frusta(renderer) {
     renderer->SetActiveCamera(camera);
     // Cullers ask for bounds that a cloud of bare points does not have.
+    renderer->UseFXAAOn();
     renderer->GetCullers()->RemoveAllItems();
   }
 
@@ -73,7 +75,7 @@ public:
   void showRig(const std::shared_ptr<const CameraRig>& shown);
   void include(const TrackSnapshot& snapshot);
   void coverGround();
-  void lookAlong(const Eigen::Vector3d& side, const Eigen::Vector3d& up);
+  Eigen::AlignedBox3d room() const; ///< floor and content
   void frame();
   void keepUpright();
   void setClipping();
@@ -163,52 +165,69 @@ void Scene3d::Parts::coverGround() {
     area = Eigen::AlignedBox2d(low.array() - margin, high.array() + margin);
   }
   const Eigen::AlignedBox2d before = ground.extent();
-  ground.cover(area);
+  ground.cover(area, content.isEmpty() ? 1.0 : content.max().z());
   ground.setPalette(palette());
   if (before.isEmpty() || !before.isApprox(ground.extent())) {
     frameWanted = frameWanted || !moved;
   }
 }
 
-void Scene3d::Parts::lookAlong(const Eigen::Vector3d& side, const Eigen::Vector3d& up) {
-  const Eigen::Vector3d focal = toEigen(camera->GetFocalPoint());
-  const Eigen::Vector3d position = focal + side * 10.0;
-  camera->SetPosition(position.data());
-  camera->SetViewUp(up.data());
-}
-
 /// Puts floor and content into the picture, as large as they fit.
 void Scene3d::Parts::frame() {
-  Eigen::AlignedBox3d box;
-  const Eigen::AlignedBox2d& floor = ground.extent();
-  box.extend(Eigen::Vector3d(floor.min().x(), floor.min().y(), 0.0));
-  box.extend(Eigen::Vector3d(floor.max().x(), floor.max().y(), 0.0));
-  box.extend(content);
-  const Eigen::Vector3d center = box.center();
-  camera->SetFocalPoint(center.data());
-  camera->SetViewAngle(kViewAngle * 180.0 / std::numbers::pi);
-  camera->SetParallelProjection(view != View::Free);
+  const Eigen::AlignedBox3d box = room();
   const Eigen::Vector3d side = view == View::Above   ? Eigen::Vector3d(Eigen::Vector3d::UnitZ())
                                : view == View::Front ? Eigen::Vector3d(-Eigen::Vector3d::UnitY())
                                                      : kFreeSide;
-  lookAlong(side, view == View::Above ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ());
-  const Eigen::Vector3d right = toEigen(camera->GetViewUp()).cross(side).normalized();
+  const Eigen::Vector3d right = view == View::Free
+                                    ? Eigen::Vector3d::UnitZ().cross(side).normalized()
+                                    : Eigen::Vector3d(Eigen::Vector3d::UnitX());
   const Eigen::Vector3d up = side.cross(right);
-  const double aspect = static_cast<double>(std::max(1, width)) / std::max(1, height);
-  const double slope = std::tan(kViewAngle / 2.0);
-  double halfHeight = 1e-3;
+  const double pixels = std::max(1, height);
+  const double free = std::max(0.5 * pixels, pixels - kBottomPx * scale.pixelRatio);
+  const double aspect = std::max(1, width) / free;
+  const double slope = std::tan(kViewAngle / 2.0) * free / pixels;
+  Eigen::Vector3d center = box.center();
+  double halfHeight = 1e-3; // of the free part
   double distance = 1e-3;
-  for (const Eigen::Vector3d& corner : corners(box)) {
-    const Eigen::Vector3d offset = corner - center;
-    const double needed = std::max(std::abs(offset.dot(up)), std::abs(offset.dot(right)) / aspect);
-    halfHeight = std::max(halfHeight, needed * kMargin);
-    distance = std::max(distance, needed * kMargin / slope + offset.dot(side));
+  // In perspective, the middle of the picture depends on the distance and that on the middle.
+  for (int round = 0; round < 6; ++round) {
+    halfHeight = distance = 1e-3;
+    for (const Eigen::Vector3d& corner : corners(box)) {
+      const Eigen::Vector3d offset = corner - center;
+      const double needed =
+          kMargin * std::max(std::abs(offset.dot(up)), std::abs(offset.dot(right)) / aspect);
+      halfHeight = std::max(halfHeight, needed);
+      distance = std::max(distance, needed / slope + offset.dot(side));
+    }
+    Eigen::AlignedBox2d picture;
+    for (const Eigen::Vector3d& corner : corners(box)) {
+      const Eigen::Vector3d offset = corner - center;
+      const double shrink = view == View::Free ? distance / (distance - offset.dot(side)) : 1.0;
+      picture.extend(Eigen::Vector2d(offset.dot(right), offset.dot(up)) * shrink);
+    }
+    center += right * picture.center().x() + up * picture.center().y();
   }
-  camera->SetParallelScale(halfHeight);
+  const double whole = halfHeight * pixels / free;
+  center -=
+      up * (view == View::Free ? distance * slope * (pixels / free - 1.0) : whole - halfHeight);
   const double away = view == View::Free ? distance : 10.0 + box.diagonal().norm();
   const Eigen::Vector3d position = center + side * away;
+  camera->SetViewAngle(kViewAngle * 180.0 / std::numbers::pi);
+  camera->SetParallelProjection(view != View::Free);
+  camera->SetParallelScale(whole);
+  camera->SetFocalPoint(center.data());
   camera->SetPosition(position.data());
+  const Eigen::Vector3d upright =
+      view == View::Free ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : up;
+  camera->SetViewUp(upright.data());
   uprightPosition = position;
+}
+
+Eigen::AlignedBox3d Scene3d::Parts::room() const {
+  Eigen::AlignedBox3d box = content;
+  box.extend(Eigen::Vector3d(ground.extent().min().x(), ground.extent().min().y(), 0.0));
+  box.extend(Eigen::Vector3d(ground.extent().max().x(), ground.extent().max().y(), 0.0));
+  return box;
 }
 
 /// Orbiting keeps the horizon level and stops short of the pole, where "up" would flip.
@@ -231,15 +250,12 @@ void Scene3d::Parts::setClipping() {
   const Eigen::Vector3d eye = toEigen(camera->GetPosition());
   const Eigen::Vector3d direction = toEigen(camera->GetDirectionOfProjection());
   double farthest = 1.0;
-  Eigen::AlignedBox3d box = content;
-  box.extend(Eigen::Vector3d(ground.extent().min().x(), ground.extent().min().y(), 0.0));
-  box.extend(Eigen::Vector3d(ground.extent().max().x(), ground.extent().max().y(), 0.0));
-  const double room = box.diagonal().norm();
+  const Eigen::AlignedBox3d box = room();
   for (const Eigen::Vector3d& corner : corners(box)) {
     farthest = std::max(farthest, (corner - eye).dot(direction));
   }
   // Room to spare for particles scattered beyond.
-  const double far = farthest + 2.0 * room;
+  const double far = farthest + 2.0 * box.diagonal().norm();
   camera->SetClippingRange(view == View::Free ? std::max(0.01, 0.002 * far) : 0.01, far);
 }
 

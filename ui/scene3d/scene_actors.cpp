@@ -38,6 +38,18 @@ double ScreenScale::metres(const Eigen::Vector3d& point, double pixels) const {
   return pixels * pixelRatio * perPixel;
 }
 
+double ScreenScale::nearerFactor(const Eigen::Vector3d& point, double distance) const {
+  const double away = (point - eye).norm();
+  return parallel || away <= 0.0 ? 1.0 : std::clamp(1.0 - distance / away, 0.3, 1.0);
+}
+
+Eigen::Vector3d ScreenScale::nearer(const Eigen::Vector3d& point, double distance) const {
+  if (parallel) {
+    return point - direction * distance;
+  }
+  return eye + (point - eye) * nearerFactor(point, distance);
+}
+
 vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
@@ -139,7 +151,7 @@ void SceneLabels::paintLabel(const Label& label) const {
 void SceneLabels::prepareFrame(const ScreenScale& scale) {
   for (const Label& label : labels_) {
     // 2D text is projected through the eye too: behind it, it would appear mirrored.
-    label.actor->SetVisibility(scale.parallel || scale.depth(label.point) > 0.05);
+    label.actor->SetVisibility(visible_ && (scale.parallel || scale.depth(label.point) > 0.05));
     const double height = scale.metres(label.point, label.sizePx);
     const Eigen::Vector3d place =
         label.point + (scale.right * label.right + scale.up * label.up) * height;

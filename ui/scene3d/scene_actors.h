@@ -31,6 +31,10 @@ struct ScreenScale {
 
   /// Depth before the eye, metres.
   double depth(const Eigen::Vector3d& point) const { return (point - eye).dot(direction); }
+  /// By which factor to shrink something about the eye, so that it comes `distance` metres nearer
+  /// and looks the same; in parallel views it is only moved.
+  double nearerFactor(const Eigen::Vector3d& point, double distance) const;
+  Eigen::Vector3d nearer(const Eigen::Vector3d& point, double distance) const;
   /// Length in metres at `point` of so many logical pixels.
   double metres(const Eigen::Vector3d& point, double pixels) const;
 };
@@ -59,10 +63,13 @@ class SceneLabels {
 public:
   explicit SceneLabels(vtkRenderer* renderer);
   ~SceneLabels();
+  SceneLabels(const SceneLabels&) = delete;
+  SceneLabels& operator=(const SceneLabels&) = delete;
   void clear();
   /// `right`, `up`: where beside the point the text stands, in heights of the text.
   void add(const std::string& text, const Eigen::Vector3d& point, double sizePx, double right = 0.0,
            double up = 0.0);
+  void setVisible(bool visible) { visible_ = visible; }
   void setColors(const SceneColor& text, const SceneColor& background);
   void prepareFrame(const ScreenScale& scale);
 
@@ -78,6 +85,7 @@ private:
 
   vtkRenderer* renderer_;
   std::vector<Label> labels_;
+  bool visible_ = true;
   SceneColor text_ = SceneColor::Zero();
   SceneColor background_ = SceneColor::Ones();
 };

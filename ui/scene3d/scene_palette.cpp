@@ -27,7 +27,7 @@ SceneColor targetColor(std::size_t index) {
 }
 
 SceneColor axisColor(int axis) {
-  static const std::array<unsigned, 3> kColors{0xd55e00, 0x009e73, 0x0072b2};
+  static const std::array<unsigned, 3> kColors{0xcc79a7, 0x009e73, 0x0072b2};
   return hex(kColors[static_cast<std::size_t>(axis) % kColors.size()]);
 }
 

@@ -75,8 +75,8 @@ std::array<unsigned char, 3> bytes(const SceneColor& color) {
 
 TargetActors::TargetActors(vtkRenderer* renderer, std::size_t index)
     : renderer_(renderer), color_(targetColor(index)), palette_(scenePalette(false)),
-      sphere_(ballActor(28)), ellipsoid_(ballActor(40)), rings_(flatActor(ringData_)),
-      tail_(flatActor(tailData_)), plumb_(flatActor(plumbData_)),
+      sphere_(ballActor(28)), halo_(ballActor(28)), ellipsoid_(ballActor(40)),
+      rings_(flatActor(ringData_)), tail_(flatActor(tailData_)), plumb_(flatActor(plumbData_)),
       truthMark_(flatActor(truthData_)) {
   positions_->SetNumberOfComponents(3);
   colors_->SetNumberOfComponents(3);
@@ -91,11 +91,12 @@ TargetActors::TargetActors(vtkRenderer* renderer, std::size_t index)
   cloud_->PickableOff();
   cloud_->VisibilityOff();
   unitRings(ringData_);
+  halo_->GetProperty()->LightingOff();
   for (vtkActor* actor : {ellipsoid_.Get(), rings_.Get()}) {
     actor->SetUserMatrix(ellipsoidPose_);
   }
   // Translucent things are drawn in this order.
-  for (vtkActor* actor : {plumb_.Get(), tail_.Get(), sphere_.Get(), truthMark_.Get(),
+  for (vtkActor* actor : {plumb_.Get(), tail_.Get(), halo_.Get(), sphere_.Get(), truthMark_.Get(),
                           ellipsoid_.Get(), rings_.Get()}) {
     actor->VisibilityOff();
     renderer_->AddActor(actor);
@@ -104,7 +105,7 @@ TargetActors::TargetActors(vtkRenderer* renderer, std::size_t index)
 }
 
 TargetActors::~TargetActors() {
-  for (vtkActor* actor : {plumb_.Get(), tail_.Get(), sphere_.Get(), truthMark_.Get(),
+  for (vtkActor* actor : {plumb_.Get(), tail_.Get(), halo_.Get(), sphere_.Get(), truthMark_.Get(),
                           ellipsoid_.Get(), rings_.Get()}) {
     renderer_->RemoveActor(actor);
   }
@@ -164,6 +165,8 @@ void TargetActors::showEstimate(const TargetSnapshot& target) {
   const TargetEstimate& estimate = target.estimate;
   const bool known = estimate.mean.allFinite() && estimate.particleCount > 0;
   sphere_->SetVisibility(known);
+  halo_->SetVisibility(known && estimate.valid);
+  cloudReach_ = 0.0;
   plumb_->SetVisibility(known);
   ellipsoid_->VisibilityOff();
   rings_->VisibilityOff();
@@ -172,7 +175,6 @@ void TargetActors::showEstimate(const TargetSnapshot& target) {
   }
   mean_ = estimate.mean;
   radius_ = std::isfinite(target.target.radius) ? std::max(0.0, target.target.radius) : 0.0;
-  sphere_->SetPosition(mean_.x(), mean_.y(), mean_.z());
   // Not held: a ghost only.
   sphere_->GetProperty()->SetOpacity(estimate.valid ? 1.0 : 0.35);
   Strokes plumb;
@@ -203,6 +205,7 @@ void TargetActors::showEllipsoid(const TargetEstimate& estimate) {
     ellipsoidPose_->SetElement(row, 3, mean_[row]);
   }
   ellipsoidPose_->Modified();
+  cloudReach_ = semiAxes.maxCoeff();
   ellipsoid_->VisibilityOn();
   rings_->VisibilityOn();
 }
@@ -242,6 +245,7 @@ void TargetActors::setPalette(const ScenePalette& palette) {
   palette_ = palette;
   const double opacity = sphere_->GetProperty()->GetOpacity();
   paint(sphere_, color_, opacity);
+  paint(halo_, palette.floor);
   paint(ellipsoid_, color_, 0.13);
   paint(rings_, mix(color_, palette.truth, 0.1), 0.55);
   paint(plumb_, mix(color_, palette.floor, 0.35), 0.8);
@@ -249,24 +253,41 @@ void TargetActors::setPalette(const ScenePalette& palette) {
   colorParticles();
 }
 
-/// A cross through the true position, a little larger than the drawn sphere.
+/// Cross hairs about the true position that leave the middle open for the estimate.
 void TargetActors::drawMarkers(const ScreenScale& scale) {
   if (truthMark_->GetVisibility() == 0) {
     return;
   }
-  const double reach =
-      std::max(scale.metres(truth_, kSmallestSpherePx), radius_) + scale.metres(truth_, 6.0);
-  Strokes cross;
+  const double inner =
+      std::max(scale.metres(truth_, kSmallestSpherePx), radius_) + scale.metres(truth_, 1.0);
+  const double outer = inner + scale.metres(truth_, 7.0);
+  const double nearer = 1.5 * cloudReach_ + 3.0 * outer;
+  Strokes hairs;
   for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::Vector3d arm = Eigen::Vector3d::Unit(axis) * reach;
-    cross.line(truth_ - arm, truth_ + arm);
+    // Along the line of sight a hair would be a dot on the estimate.
+    if (std::abs(scale.direction[axis]) > 0.97) {
+      continue;
+    }
+    for (const double sign : {-1.0, 1.0}) {
+      const Eigen::Vector3d arm = Eigen::Vector3d::Unit(axis) * sign;
+      hairs.line(scale.nearer(truth_ + arm * inner, nearer),
+                 scale.nearer(truth_ + arm * outer, nearer));
+    }
   }
-  cross.writeTo(truthData_);
+  hairs.writeTo(truthData_);
 }
 
 void TargetActors::prepareFrame(const ScreenScale& scale) {
-  sphereRadius_ = std::max(radius_, scale.metres(mean_, kSmallestSpherePx));
-  sphere_->SetScale(sphereRadius_);
+  // Estimate and truth are drawn before their own cloud, which would bury them.
+  const double radius = std::max(radius_, scale.metres(mean_, kSmallestSpherePx));
+  const double nearer = 1.5 * cloudReach_ + radius;
+  const Eigen::Vector3d place = scale.nearer(mean_, nearer);
+  sphere_->SetPosition(place.x(), place.y(), place.z());
+  sphere_->SetScale(radius * scale.nearerFactor(mean_, nearer));
+  const double haloNearer = nearer - 0.7 * radius;
+  const Eigen::Vector3d behind = scale.nearer(mean_, haloNearer);
+  halo_->SetPosition(behind.x(), behind.y(), behind.z());
+  halo_->SetScale((radius + scale.metres(mean_, 1.5)) * scale.nearerFactor(mean_, haloNearer));
   const double dot = scale.metres(mean_, kParticlePx);
   // A new scale makes the mapper upload all points again: only when it shows.
   if (std::abs(dot - cloudMapper_->GetScaleFactor()) > 0.1 * dot) {

@@ -44,7 +44,7 @@ private:
   Eigen::Vector3d mean_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d truth_ = Eigen::Vector3d::Zero();
   double radius_ = 0.0;
-  double sphereRadius_ = 0.0; ///< as drawn
+  double cloudReach_ = 0.0; ///< from the mean to the rim of the ellipsoid, metres
 
   vtkNew<vtkFloatArray> positions_;
   vtkNew<vtkPoints> points_;
@@ -58,6 +58,7 @@ private:
   vtkNew<vtkPolyData> plumbData_;
   vtkNew<vtkPolyData> truthData_;
   vtkSmartPointer<vtkActor> sphere_;
+  vtkSmartPointer<vtkActor> halo_;
   vtkSmartPointer<vtkActor> ellipsoid_;
   vtkSmartPointer<vtkActor> rings_;
   vtkSmartPointer<vtkActor> tail_;
