@@ -288,6 +288,20 @@ private Q_SLOTS:
     keep(view_->grab().toImage(), "widget");
   }
 
+  /// Run by itself without a display too (see CMakeLists.txt).
+  void withoutOpenGlTheWidgetStillWorks() {
+    view_->show(ballSnapshot());
+    view_->lookFree();
+    QTest::mouseClick(view_.get(), Qt::LeftButton, {}, {100, 100});
+    QTest::keyClick(view_.get(), Qt::Key_Plus);
+    const QImage shown = view_->grab().toImage();
+    QCOMPARE(view_->hasPicture(), !view_->currentPicture().isNull());
+    QCOMPARE(view_->hasPicture(), qEnvironmentVariableIsSet("DISPLAY"));
+    keep(shown, view_->hasPicture() ? "zoomed" : "no_3d");
+    // Something is written or drawn either way.
+    QVERIFY(differentPixels(shown, shown.mirrored()) > 50);
+  }
+
   void noQt5InTheProcess() {
     view_->currentPicture();
     QFile maps(QStringLiteral("/proc/self/maps"));
