@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <exception>
 
 namespace dewpoint {
@@ -45,6 +46,8 @@ int run(int argc, char** argv) {
 } // namespace dewpoint
 
 int main(int argc, char** argv) {
+  // FFmpeg's own words about a damaged file would stand beside our one sentence.
+  setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
   try {
     return dewpoint::run(argc, argv);
   } catch (const std::exception& error) {

@@ -11,6 +11,7 @@
 #include <QSettings>
 
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 namespace {
@@ -50,6 +51,8 @@ void describe(CLI::App& app, Options& options) {
 } // namespace
 
 int main(int argc, char** argv) {
+  // FFmpeg's own words about a damaged file would stand beside our one sentence.
+  setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
   dewpoint::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv); // takes its own options out of argv
   QApplication::setApplicationName(QStringLiteral("dewpoint"));

@@ -189,6 +189,10 @@ public:
   std::optional<Error> finish() {
     for (const auto& [key, node] : table_) {
       if (std::ranges::find(known_, key.str()) == known_.end()) {
+        // A mistyped key is why another one is missing: say the mistake, not what follows from it.
+        if (error_ && error_->code == ErrorCode::MissingKey) {
+          error_.reset();
+        }
         fail(ErrorCode::UnknownKey, std::string{key.str()}, "");
       }
     }

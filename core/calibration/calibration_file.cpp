@@ -40,7 +40,8 @@ Result<CameraRig> loadCalibration(const std::filesystem::path& file) {
 Status saveCalibration(const CameraRig& rig, const std::filesystem::path& file) {
   std::string text = "# Camera calibration: metres, radians, camera from world (OpenCV axes)\n";
   for (std::size_t k = 0; k < rig.size(); ++k) {
-    text += fmt::format("\n[cam_{}]\nname = {}\n", k, quoted(rig[k].name)) + cameraToToml(rig[k]);
+    text += fmt::format("\n[cam_{}]\nname = {}\n", k, quoted(rig[k].name)) +
+            cameraToToml(rig[k], RotationForm::Vector);
   }
   return writeTextFile(file, text + "\n[metadata]\nunit = \"m\"\n");
 }

@@ -11,6 +11,7 @@ namespace dewpoint {
 namespace {
 
 constexpr double kRotationTolerance = 1e-3; // |RᵀR - 1|: published files carry 6 digits or more
+constexpr double kExactRotation = 1e-12;    // what rounding in double precision leaves
 constexpr double kLargest = 1e9;
 
 /// A 3x3 array of numbers under `key`.
@@ -97,6 +98,9 @@ std::optional<Eigen::Matrix3d> checkedRotation(TableReader& reader, const Eigen:
                 "not a rotation: it mirrors, its determinant is -1");
     return std::nullopt;
   }
+  if (deviation < kExactRotation) {
+    return matrix; // so that what was saved comes back bit by bit
+  }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return svd.matrixU() * svd.matrixV().transpose();
 }
@@ -145,21 +149,36 @@ Result<Camera> cameraFromToml(const toml::table& table, const std::string& file,
   return camera;
 }
 
-std::string cameraToToml(const Camera& camera) {
+namespace {
+
+std::string rotationText(const Eigen::Matrix3d& rotation, RotationForm form) {
+  const auto row = [](const auto& values) {
+    return fmt::format("[{}, {}, {}]", values(0), values(1), values(2));
+  };
+  if (form == RotationForm::Vector) {
+    const Eigen::AngleAxisd turn(rotation);
+    return row(Eigen::Vector3d(turn.angle() * turn.axis()));
+  }
+  return fmt::format("[{}, {}, {}]", row(rotation.row(0)), row(rotation.row(1)),
+                     row(rotation.row(2)));
+}
+
+} // namespace
+
+std::string cameraToToml(const Camera& camera, RotationForm form) {
   const auto& in = camera.intrinsics;
   const auto& d = camera.distortion;
   const bool rational = d[5] != 0.0 || d[6] != 0.0 || d[7] != 0.0;
-  const Eigen::AngleAxisd turn(camera.cameraFromWorld.linear());
-  const Eigen::Vector3d rotation = turn.angle() * turn.axis();
   const Eigen::Vector3d translation = camera.cameraFromWorld.translation();
   return fmt::format("size = [{}, {}]\n"
                      "matrix = [[{}, 0.0, {}], [0.0, {}, {}], [0.0, 0.0, 1.0]]\n"
                      "distortions = [{}]\n"
-                     "rotation = [{}, {}, {}]\n"
+                     "rotation = {}\n"
                      "translation = [{}, {}, {}]\n",
                      in.width, in.height, in.focalX, in.centerX, in.focalY, in.centerY,
-                     fmt::join(d.begin(), d.begin() + (rational ? 8 : 5), ", "), rotation.x(),
-                     rotation.y(), rotation.z(), translation.x(), translation.y(), translation.z());
+                     fmt::join(d.begin(), d.begin() + (rational ? 8 : 5), ", "),
+                     rotationText(camera.cameraFromWorld.linear(), form), translation.x(),
+                     translation.y(), translation.z());
 }
 
 } // namespace dewpoint

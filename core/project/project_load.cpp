@@ -7,6 +7,7 @@
 #include "core/project/project_format.h"
 
 #include <cstdlib>
+#include <cstring>
 #include <set>
 
 namespace dewpoint {
@@ -16,7 +17,7 @@ using std::filesystem::path;
 
 /// `${NAME}` replaced by the environment variable of that name.
 std::string expanded(TableReader& reader, const char* key, std::string text) {
-  for (auto begin = text.find("${"); begin != std::string::npos; begin = text.find("${")) {
+  for (auto begin = text.find("${"); begin != std::string::npos; begin = text.find("${", begin)) {
     const auto end = text.find('}', begin);
     const std::string name =
         text.substr(begin + 2, end == std::string::npos ? end : end - begin - 2);
@@ -26,6 +27,7 @@ std::string expanded(TableReader& reader, const char* key, std::string text) {
       return text;
     }
     text.replace(begin, end - begin + 1, value);
+    begin += std::strlen(value); // what it stands for is not expanded again
   }
   return text;
 }

@@ -43,7 +43,7 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
     text += fmt::format("rotate = {}   # degrees clockwise\n", camera.rotateDegrees);
   }
   return text + "[camera.calibration]   # pixels, radians, metres; camera from world\n" +
-         cameraToToml(camera.camera);
+         cameraToToml(camera.camera, RotationForm::Matrix);
 }
 
 std::string parametersText(const ParameterValues& parameters) {

@@ -2,6 +2,7 @@
 #include "core/session/session.h"
 
 #include "core/session/tracking_loop.h"
+#include "core/trajectory/trajectory_writer.h"
 
 namespace dewpoint {
 
@@ -29,6 +30,10 @@ Session::LogPiece Session::logSince(std::uint64_t& generation, std::size_t& posi
 }
 Trajectory Session::trajectory() const {
   return impl_->loop.log().trajectory();
+}
+Result<std::size_t> Session::saveTrajectory(const std::filesystem::path& file) const {
+  const Trajectory found = trajectory();
+  return writeTrajectory(found, file).map([&] { return found.samples.size(); });
 }
 
 void Session::play() {

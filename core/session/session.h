@@ -6,6 +6,7 @@
 #include "core/session/snapshot.h"
 #include "core/trajectory/trajectory.h"
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -42,6 +43,8 @@ public:
   LogPiece logSince(std::uint64_t& generation, std::size_t& position) const;
   /// The trajectory so far.
   Trajectory trajectory() const;
+  /// Writes it as CSV; how many samples it held.
+  Result<std::size_t> saveTrajectory(const std::filesystem::path& file) const;
 
   void play();
   void pause();

@@ -189,7 +189,7 @@ TEST(LiveCameras, aServerThatDiesIsNoticedAndComesBack) {
   const auto notices = (*source)->notices();
   ASSERT_EQ(notices.size(), 1U);
   EXPECT_EQ(notices[0].code, ErrorCode::ConnectionLost);
-  EXPECT_EQ(notices[0].field, "camera left");
+  EXPECT_EQ(notices[0].field, "camera 'left'");
   EXPECT_TRUE(blank(*(*source)->next().value()));
   server = std::make_unique<MjpegServer>(movingSquare, port);
   EXPECT_TRUE(waitFor(**source, complete));
@@ -209,7 +209,7 @@ TEST(LiveCameras, aCameraThatIsNotThereLeavesTheOthersAlone) {
   const auto notices = (*source)->notices();
   ASSERT_EQ(notices.size(), 1U);
   EXPECT_EQ(notices[0].code, ErrorCode::DeviceUnavailable);
-  EXPECT_EQ(notices[0].field, "camera right");
+  EXPECT_EQ(notices[0].field, "camera 'right'");
   absent->present = true; // plugged in
   EXPECT_TRUE(waitFor(**source, complete));
   EXPECT_TRUE((*source)->notices().empty());
@@ -239,7 +239,7 @@ TEST(LiveCameras, aWrongSizeIsNoticedAndNotPassedOn) {
   }));
   EXPECT_EQ((*source)->notices()[0].code, ErrorCode::Mismatch);
   EXPECT_EQ((*source)->notices()[0].detail,
-            "48 x 32, but the calibration of camera left is for 48 x 64");
+            "48 x 32, but the calibration of camera 'left' is for 48 x 64");
   device->width = 64;
   const auto set = waitFor(**source, complete);
   ASSERT_TRUE(set);

@@ -214,7 +214,7 @@ TEST(Recording, aWrongSizeIsRefused) {
   const Error error = errorOf(camera);
   EXPECT_EQ(error.code, ErrorCode::Mismatch);
   EXPECT_EQ(error.file, home / "a.mkv");
-  EXPECT_EQ(error.detail, "48 x 32, but the calibration of camera left is for 320 x 240");
+  EXPECT_EQ(error.detail, "48 x 32, but the calibration of camera 'left' is for 320 x 240");
 }
 
 TEST(Recording, rotatesClockwise) {
@@ -245,7 +245,7 @@ TEST(Recording, missingAndUnreadableFilesAreNamed) {
   const Error missing = errorOf(video(home / "nowhere.mkv"));
   EXPECT_EQ(missing.code, ErrorCode::FileMissing);
   EXPECT_EQ(missing.file, home / "nowhere.mkv");
-  EXPECT_EQ(missing.field, "camera left");
+  EXPECT_EQ(missing.field, "camera 'left'");
   for (const char* name : {"text.mkv", "empty.mp4", "folder"}) {
     const Error error = errorOf(video(home / name));
     EXPECT_EQ(error.code, ErrorCode::FileUnreadable) << name;

@@ -5,6 +5,7 @@
 
 #include <QPainter>
 #include <QPixmap>
+#include <QPolygonF>
 
 #include <algorithm>
 #include <numbers>
@@ -32,7 +33,7 @@ QPixmap dot(const QColor& color, double ratio) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
   const QPointF center(side / 2.0, side / 2.0);
-  painter.setBrush(kHalo);
+  painter.setBrush(QColor(0, 0, 0, 110));
   painter.drawEllipse(center, kDotDiameter / 2.0 + 1.0, kDotDiameter / 2.0 + 1.0);
   painter.setBrush(color);
   painter.drawEllipse(center, kDotDiameter / 2.0, kDotDiameter / 2.0);
@@ -90,16 +91,17 @@ void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePl
   }
   if (overlay.truth) {
     const QPointF at = placed(overlay.truth->x(), overlay.truth->y(), placement);
+    // A diamond: another shape than the cross of the estimate, which should lie inside it.
     withHalo(painter, Qt::white, 1.3, [&] {
-      painter.drawLine(at + QPointF(-5, -5), at + QPointF(5, 5));
-      painter.drawLine(at + QPointF(-5, 5), at + QPointF(5, -5));
+      painter.drawPolygon(QPolygonF(
+          {at + QPointF(0, -7), at + QPointF(7, 0), at + QPointF(0, 7), at + QPointF(-7, 0)}));
     });
   }
   if (overlay.estimate) {
     const QPointF at = placed(overlay.estimate->x(), overlay.estimate->y(), placement);
     withHalo(painter, color, 1.8, [&] {
       for (const QPointF& arm : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
-        painter.drawLine(at + arm * 4.0, at + arm * 11.0);
+        painter.drawLine(at + arm * 3.0, at + arm * 11.0);
       }
     });
   }

@@ -62,6 +62,7 @@ private:
   QDockWidget* makeDock(const QString& name, const QString& title, QWidget* content);
   void makeCameraDocks();
   void arrange();
+  void shareSpace();
   void toggleMaximized(QDockWidget* dock);
 
   void adoptInputs(SessionInputs inputs);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/session/session.h"
-#include "core/trajectory/trajectory_writer.h"
 #include "ui/bridge/error_sentence.h"
 #include "ui/bridge/session_bridge.h"
 #include "ui/document/document.h"
@@ -65,13 +64,12 @@ void MainWindow::exportTrajectory() {
   if (file.isEmpty() || bridge_ == nullptr) {
     return;
   }
-  const Trajectory trajectory = bridge_->session().trajectory();
-  if (auto status = writeTrajectory(trajectory, toPath(file)); !status) {
-    messages_->showError(errorSentence(status.error()));
+  const auto saved = bridge_->session().saveTrajectory(toPath(file));
+  if (!saved) {
+    messages_->showError(errorSentence(saved.error()));
   } else {
     messages_->showNotice(
-        tr("Saved %n samples to %1.", nullptr, static_cast<int>(trajectory.samples.size()))
-            .arg(file));
+        tr("Saved %n samples to %1.", nullptr, static_cast<int>(*saved)).arg(file));
   }
 }
 

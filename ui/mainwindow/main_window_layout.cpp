@@ -42,16 +42,6 @@ void MainWindow::makeDocks() {
   birdsEye_ = new BirdsEyeView(this);
   birdsEye_->setObjectName(QStringLiteral("birdsEyeView"));
   birdsEyeDock_ = makeDock(QStringLiteral("birdsEyeDock"), tr("Bird's-eye view"), birdsEye_);
-  auto* bar = static_cast<DockTitle*>(birdsEyeDock_->titleBarWidget());
-  for (QAction* action : {actions_->lookFromAbove, actions_->lookFromFront, actions_->lookFree}) {
-    auto* button = new QToolButton(bar);
-    button->setObjectName(action->objectName() + QStringLiteral("Button"));
-    button->setDefaultAction(action);
-    button->setAutoRaise(true);
-    button->setIconSize({16, 16});
-    button->setFocusPolicy(Qt::NoFocus);
-    bar->addTool(button);
-  }
   plot_ = new ConvergencePlot(this);
   plotDock_ = makeDock(QStringLiteral("plotDock"), tr("Convergence"), plot_);
 
@@ -61,7 +51,7 @@ void MainWindow::makeDocks() {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(232);
+  scroll->setMinimumWidth(276);
   scroll->setWidget(parameters_);
   parameterDock_ = makeDock(QStringLiteral("parameterDock"), tr("Parameters"), scroll);
 
@@ -116,15 +106,24 @@ void MainWindow::arrange() {
     }
   }
   splitDockWidget(birdsEyeDock_, parameterDock_, Qt::Horizontal);
-  const int wide = width();
+  // The sizes can be given only once the layout has settled.
+  QMetaObject::invokeMethod(this, &MainWindow::shareSpace, Qt::QueuedConnection);
+}
+
+void MainWindow::shareSpace() {
+  const int inner = width() - parameterDock_->minimumSizeHint().width();
   QList<QDockWidget*> row{birdsEyeDock_, parameterDock_};
-  QList<int> widths{wide - 256 - (cameraDocks_.empty() ? 0 : wide * 3 / 10), 256};
+  QList<int> widths{inner, parameterDock_->minimumSizeHint().width()};
   if (!cameraDocks_.empty()) {
     row.prepend(cameraDocks_.front());
-    widths.prepend(wide * 3 / 10);
+    widths.prepend(inner * 38 / 100);
+    widths[1] = inner - widths.front();
   }
   resizeDocks(row, widths, Qt::Horizontal);
-  resizeDocks({birdsEyeDock_, plotDock_}, {height() * 3 / 4, height() / 4}, Qt::Vertical);
+  const int plotHeight = height() * 22 / 100;
+  resizeDocks({birdsEyeDock_, plotDock_}, {height() - plotHeight, plotHeight}, Qt::Vertical);
+  QList<QDockWidget*> column(cameraDocks_.begin(), cameraDocks_.end());
+  resizeDocks(column, QList<int>(column.size(), height() / 3), Qt::Vertical);
 }
 
 void MainWindow::toggleMaximized(QDockWidget* dock) {
@@ -189,7 +188,7 @@ void MainWindow::makeToolBar() {
         ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   }
   bar->widgetForAction(actions_->play)
-      ->setMinimumWidth(bar->fontMetrics().horizontalAdvance(tr("Pause")) + 44);
+      ->setMinimumWidth(bar->fontMetrics().horizontalAdvance(tr("Pause")) + 40);
 
   addToolBarBreak();
   QToolBar* messageRow = addToolBar(tr("Message"));

@@ -44,13 +44,13 @@ StatusFigures::StatusFigures(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("statusFigures"));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 2, 8, 2);
-  layout->setSpacing(16);
+  layout->setSpacing(20);
   playing_ = figure("statusPlaying", tr("playing"), tr("Playing, paused, or at the end"));
-  frame_ = figure("statusFrame", tr("frame 00000 / 00000"), tr("Frame shown, of all frames"));
+  frame_ = figure("statusFrame", tr("frame 0000 / 0000"), tr("Frame shown, of all frames"));
   rate_ = figure("statusRate", tr("%1 /s").arg("0000.0"), tr("Frames tracked per second"));
-  time_ = figure("statusTime", tr("%1 per iteration").arg("00000 µs"),
+  time_ = figure("statusTime", tr("%1 per iteration").arg("0000 µs"),
                  tr("Median time of one filter iteration"));
-  sampleSize_ = figure("statusSampleSize", tr("ESS %1 / %2").arg("00000", "00000"),
+  sampleSize_ = figure("statusSampleSize", tr("ESS %1 / %2").arg("0000", "0000"),
                        tr("Effective sample size, of all particles"));
   spread_ = figure("statusSpread", tr("spread %1").arg("0000 mm"),
                    tr("Root mean square distance of the particles to their mean"));

@@ -47,7 +47,17 @@ ConvergencePlot::ConvergencePlot(QWidget* parent) : QWidget(parent), plot_(new Q
   plot_->xAxis->setRange(0.0, 100.0);
   plot_->legend->setVisible(true);
   plot_->legend->setBorderPen(Qt::NoPen);
-  plot_->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignRight);
+  // One row above the curves, which therefore never run behind it.
+  plot_->plotLayout()->insertRow(0);
+  auto* row = new QCPLayoutGrid;
+  plot_->plotLayout()->addElement(0, 0, row);
+  row->addElement(0, 0, new QCPLayoutElement(plot_));
+  row->addElement(0, 1, plot_->legend);
+  row->setColumnStretchFactor(1, 0.001);
+  plot_->plotLayout()->setRowStretchFactor(0, 0.001);
+  plot_->plotLayout()->setRowSpacing(0);
+  plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
+  plot_->legend->setMargins(QMargins(8, 4, 8, 0));
   applyPalette();
 }
 

@@ -47,6 +47,8 @@ void ParameterPanel::rebuild() {
   }
   layout->addStretch();
   this->layout()->addWidget(form_);
+  // The dock must not be squeezed below what its numbers need.
+  setMinimumWidth(form_->minimumSizeHint().width());
 }
 
 void ParameterPanel::showValue(const QString& key) {

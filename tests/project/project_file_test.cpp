@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text_file.h"
+#include "core/project/project.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace dewpoint {
+namespace {
+
+constexpr const char* kGood = R"(format = 1
+name = "two cameras"
+seed = 7
+frames_per_second = 25
+truth = "truth.csv"
+
+[parameters]
+particles = 500
+motion_sigma = 0.02
+
+[[target]]
+name = "ball"
+radius = 0.035
+hue = [330, 20]
+saturation = [0.3, 1]
+intensity = [0.1, 0.9]
+
+[[camera]]
+name = "left"
+video = "left.mkv"
+[camera.calibration]
+size = [640, 480]
+matrix = [[500.0, 0, 319.5], [0, 510.0, 239.5], [0, 0, 1]]
+rotation = [0, 0.1, 0]
+translation = [1.0, 2.0, 3.0]
+)";
+
+std::filesystem::path fileNamed(const std::string& name) {
+  // A name of its own per test: tests run side by side.
+  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+  return std::filesystem::path(testing::TempDir()) / (std::string(info->name()) + "_" + name);
+}
+
+Result<Project> load(std::string text, const std::string& from = "", const std::string& to = "") {
+  if (const auto at = from.empty() ? std::string::npos : text.find(from); at != std::string::npos) {
+    text.replace(at, from.size(), to);
+  }
+  const auto file = fileNamed("project.toml");
+  EXPECT_TRUE(writeTextFile(file, text));
+  return loadProject(file);
+}
+
+Error errorOf(const std::string& from, const std::string& to) {
+  const auto project = load(kGood, from, to);
+  EXPECT_FALSE(project) << from << " -> " << to;
+  return project ? Error{} : project.error();
+}
+
+TEST(ProjectFile, ReadsEveryKey) {
+  const auto project = load(kGood);
+  ASSERT_TRUE(project) << sentence(project.error());
+  EXPECT_EQ(project->name, "two cameras");
+  EXPECT_EQ(project->seed, 7U);
+  EXPECT_EQ(project->parameters.at("particles"), 500);
+  EXPECT_EQ(project->targets.front().color.hueMin, 330);
+  EXPECT_EQ(project->cameras.front().camera.name, "left");
+  EXPECT_EQ(project->cameras.front().source, SourceKind::Video);
+  // Relative paths count from the project's own folder.
+  EXPECT_EQ(std::filesystem::path(project->cameras.front().location).parent_path(),
+            project->file.parent_path());
+  EXPECT_TRUE(project->truth->is_absolute());
+}
+
+TEST(ProjectFile, SavedTwiceItIsTheSameBytes) {
+  const auto first = load(kGood);
+  ASSERT_TRUE(first);
+  const auto file = fileNamed("saved.toml");
+  ASSERT_TRUE(saveProject(*first, file));
+  const auto text = readTextFile(file);
+  const auto second = loadProject(file);
+  ASSERT_TRUE(second) << sentence(second.error());
+  ASSERT_TRUE(saveProject(*second, file));
+  EXPECT_EQ(*readTextFile(file), *text);
+  EXPECT_EQ(second->parameters, first->parameters);
+  EXPECT_EQ(second->targets.front().color, first->targets.front().color);
+  EXPECT_EQ(second->cameras.front().location, first->cameras.front().location);
+}
+
+TEST(ProjectFile, NamesTheKeyThatIsWrong) {
+  EXPECT_EQ(errorOf("video =", "vidoe =").field, "camera 1.vidoe")
+      << "a typing mistake is shown, not the source that is missing because of it";
+  EXPECT_EQ(errorOf("seed = 7", "sede = 7").code, ErrorCode::UnknownKey);
+  EXPECT_EQ(errorOf("seed = 7", "seed = \"x\"").code, ErrorCode::WrongType);
+  EXPECT_EQ(errorOf("particles = 500", "particles = 3").field, "parameters.particles");
+  EXPECT_EQ(errorOf("particles = 500", "particels = 500").code, ErrorCode::UnknownKey);
+  EXPECT_EQ(errorOf("[0.3, 1]", "[0.8, 0.2]").field, "target 1.saturation");
+  EXPECT_EQ(errorOf("500.0", "nan").field, "camera 1.calibration.matrix");
+  EXPECT_EQ(errorOf("format = 1", "format = 99").field, "format");
+  EXPECT_EQ(errorOf("rotation = [0, 0.1, 0]", "").field, "camera 1.calibration.rotation");
+  EXPECT_NE(errorOf("name = \"ball\"", "name = ball").field.find("line"), std::string::npos);
+}
+
+TEST(ProjectFile, NeedsACameraAndATarget) {
+  const std::string text = kGood;
+  const auto camera = text.find("[[camera]]");
+  const auto target = text.find("[[target]]");
+  EXPECT_EQ(load(text.substr(0, camera)).error().field, "camera");
+  EXPECT_EQ(load(text.substr(0, target) + text.substr(camera)).error().field, "target");
+  EXPECT_EQ(load(text + text.substr(camera)).error().field, "camera") << "the same name twice";
+}
+
+TEST(ProjectFile, PathsMayNameAnEnvironmentVariable) {
+  setenv("DEWPOINT_TEST_FOLDER", "/some/${DEWPOINT_TEST_FOLDER}", 1); // must not go on for ever
+  const auto project = load(kGood, "left.mkv", "${DEWPOINT_TEST_FOLDER}/left.mkv");
+  ASSERT_TRUE(project) << sentence(project.error());
+  EXPECT_EQ(project->cameras.front().location, "/some/${DEWPOINT_TEST_FOLDER}/left.mkv");
+  EXPECT_EQ(errorOf("left.mkv", "${DEWPOINT_NOT_SET}/left.mkv").field, "camera 1.video");
+}
+
+TEST(ProjectFile, AnUnwritablePlaceIsSaid) {
+  const auto project = load(kGood);
+  ASSERT_TRUE(project);
+  const auto saved = saveProject(*project, "/nowhere/project.toml");
+  ASSERT_FALSE(saved);
+  EXPECT_EQ(saved.error().code, ErrorCode::FileUnwritable);
+}
+
+} // namespace
+} // namespace dewpoint
