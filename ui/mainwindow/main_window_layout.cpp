@@ -54,6 +54,8 @@ void MainWindow::makeDocks() {
   scroll->setMinimumWidth(276);
   scroll->setWidget(parameters_);
   parameterDock_ = makeDock(QStringLiteral("parameterDock"), tr("Parameters"), scroll);
+  // The dock itself too: with a title bar of our own its minimum does not follow its content's.
+  parameterDock_->setMinimumWidth(scroll->minimumWidth());
 
   figures_ = new StatusFigures(this);
   statusBar()->setSizeGripEnabled(false);

@@ -47,8 +47,6 @@ void ParameterPanel::rebuild() {
   }
   layout->addStretch();
   this->layout()->addWidget(form_);
-  // The dock must not be squeezed below what its numbers need.
-  setMinimumWidth(form_->minimumSizeHint().width());
 }
 
 void ParameterPanel::showValue(const QString& key) {
