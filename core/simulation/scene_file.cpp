@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/scene.h"
 #include "core/base/table_reader.h"
+#include "core/simulation/scene.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -16,7 +16,6 @@
 
 namespace dewpoint {
 namespace {
-
 
 constexpr std::array<std::pair<Motion, const char*>, 4> kMotionNames{{{Motion::Still, "still"},
                                                                       {Motion::Smooth, "smooth"},
