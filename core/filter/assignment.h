@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace dewpoint {
+
+/// Stands for "no column" in an Assignment.
+inline constexpr Eigen::Index kUnassigned = -1;
+
+/// Which column each row got. A column is given at most once.
+struct Assignment {
+  std::vector<Eigen::Index> columnOfRow; ///< one entry per row; kUnassigned where it got none
+  Eigen::Index pairCount = 0;            ///< rows that got a column
+  double cost = 0.0;                     ///< sum over the pairs, in the unit of the costs
+};
+
+/// Minimum-cost assignment of the rows of `cost` to its columns, each used at most once; any shape,
+/// any sign, empty too. A pair whose cost is not finite is forbidden. First as many pairs as
+/// possible are made, then their sum is made as small as possible. Equal inputs give equal results,
+/// ties included. Shortest augmenting paths (Jonker & Volgenant 1987, in the rectangular form of
+/// Crouse 2016, "On implementing 2D rectangular assignment algorithms"): at most s²l steps, s the
+/// shorter and l the longer side.
+Assignment assignMinimumCost(const Eigen::MatrixXd& cost);
+
+} // namespace dewpoint
