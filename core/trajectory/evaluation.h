@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/trajectory/error_statistics.h"
 #include "core/trajectory/trajectory.h"
 
 #include <Eigen/Core>
@@ -12,15 +13,6 @@
 #include <vector>
 
 namespace dewpoint {
-
-/// The error as one camera sees it, in metres: along its optical axis (depth) and across it.
-struct CameraBias {
-  std::string name;
-  double alongBias = 0.0;  ///< mean error along the axis; positive: estimated too far away
-  double acrossBias = 0.0; ///< length of the mean error across the axis
-  double alongRms = 0.0;
-  double acrossRms = 0.0;
-};
 
 /// Estimate against truth for one target, in metres. The statistics cover the frames from
 /// convergence on (all, if it never converged); `rmseAll` covers every compared frame.

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/error_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint {
+
+double quantile(const std::vector<double>& sorted, double fraction) {
+  const double place = fraction * static_cast<double>(sorted.size() - 1);
+  const auto low = static_cast<std::size_t>(place);
+  const std::size_t high = std::min(low + 1, sorted.size() - 1);
+  return sorted[low] + (place - static_cast<double>(low)) * (sorted[high] - sorted[low]);
+}
+
+double rootMeanSquare(const std::vector<Eigen::Vector3d>& errors) {
+  double sum = 0.0;
+  for (const Eigen::Vector3d& error : errors)
+    sum += error.squaredNorm();
+  return std::sqrt(sum / static_cast<double>(errors.size()));
+}
+
+CameraBias cameraBias(const TrajectoryCamera& camera, const std::vector<Eigen::Vector3d>& errors) {
+  const Eigen::Vector3d axis = camera.opticalAxis.normalized();
+  std::vector<Eigen::Vector3d> along;
+  std::vector<Eigen::Vector3d> across;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& error : errors) {
+    along.emplace_back(error.dot(axis) * axis);
+    across.emplace_back(error - along.back());
+    mean += error / static_cast<double>(errors.size());
+  }
+  CameraBias bias;
+  bias.name = camera.name;
+  bias.alongBias = mean.dot(axis);
+  bias.acrossBias = (mean - mean.dot(axis) * axis).norm();
+  bias.alongRms = rootMeanSquare(along);
+  bias.acrossRms = rootMeanSquare(across);
+  return bias;
+}
+
+} // namespace dewpoint

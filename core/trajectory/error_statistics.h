@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/trajectory.h"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace dewpoint {
+
+/// The error as one camera sees it, in metres: along its optical axis (depth) and across it.
+struct CameraBias {
+  std::string name;
+  double alongBias = 0.0;  ///< mean error along the axis; positive: estimated too far away
+  double acrossBias = 0.0; ///< length of the mean error across the axis
+  double alongRms = 0.0;
+  double acrossRms = 0.0;
+};
+
+/// Splits errors (estimate minus truth, world, metres; at least one) along and across the axis.
+CameraBias cameraBias(const TrajectoryCamera& camera, const std::vector<Eigen::Vector3d>& errors);
+
+/// Root of the mean squared length; at least one error.
+double rootMeanSquare(const std::vector<Eigen::Vector3d>& errors);
+
+/// Quantile of ascending values (at least one), linear between order statistics; `fraction` in
+/// [0, 1].
+double quantile(const std::vector<double>& sorted, double fraction);
+
+} // namespace dewpoint
