@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/tracking_run.h"
 
-#include "core/base/random.h"
-
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace dewpoint {
@@ -37,15 +36,13 @@ TrajectoryHeader trajectoryHeader(const Project& project) {
 }
 
 Result<TrackingRun> TrackingRun::create(const Project& project, int threadCount) {
-  TrackingRun run;
-  const CameraRig rig = rigOf(project);
-  for (const auto& target : project.targets) {
-    auto tracker = makeTracker(project.method, project.parameters, rig, target);
-    if (!tracker) {
-      return tl::make_unexpected(tracker.error());
-    }
-    run.trackers_.push_back(std::move(*tracker));
+  auto tracker =
+      makeMultiTracker(project.method, project.parameters, rigOf(project), project.targets);
+  if (!tracker) {
+    return tl::make_unexpected(tracker.error());
   }
+  TrackingRun run;
+  run.tracker_ = std::move(*tracker);
   run.targets_ = project.targets;
   run.team_ = std::make_unique<ThreadTeam>(threadCount);
   run.restart(project.seed);
@@ -53,55 +50,44 @@ Result<TrackingRun> TrackingRun::create(const Project& project, int threadCount)
 }
 
 void TrackingRun::restart(std::uint64_t seed) {
-  for (std::size_t k = 0; k < trackers_.size(); ++k) {
-    trackers_[k]->restart(derivedSeed(seed, static_cast<std::uint32_t>(k)));
-  }
-  estimates_.assign(trackers_.size(), TargetEstimate{});
+  tracker_->restart(seed);
   frames_ = nullptr;
   iterations_ = 0;
 }
 
 void TrackingRun::configure(const ParameterValues& parameters) {
-  for (auto& tracker : trackers_) {
-    tracker->configure(parameters);
-  }
+  tracker_->configure(parameters);
 }
 
 void TrackingRun::setTargets(const std::vector<Target>& targets) {
-  if (targets.size() != trackers_.size()) {
+  if (targets.size() != targets_.size()) {
     return;
   }
   targets_ = targets;
-  for (std::size_t k = 0; k < trackers_.size(); ++k) {
-    trackers_[k]->setTarget(targets_[k]);
-  }
+  tracker_->setTargets(targets_);
 }
 
 void TrackingRun::beginFrame(FrameSetPtr frames) {
   frames_ = std::move(frames);
-  for (auto& tracker : trackers_) {
-    tracker->beginFrame(frames_);
-  }
+  tracker_->beginFrame(frames_);
 }
 
 int TrackingRun::iterationsPerFrame() const {
-  return trackers_.empty() ? 0 : trackers_.front()->iterationsPerFrame();
+  return tracker_->iterationsPerFrame();
 }
 
 double TrackingRun::iterate() {
   const auto begin = std::chrono::steady_clock::now();
-  for (std::size_t k = 0; k < trackers_.size(); ++k) {
-    estimates_[k] = trackers_[k]->iterate(*team_);
-  }
+  tracker_->iterate(*team_);
   ++iterations_;
   const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
-  return took.count() / static_cast<double>(std::max<std::size_t>(1, trackers_.size()));
+  return took.count() / static_cast<double>(std::max<std::size_t>(1, targets_.size()));
 }
 
 std::vector<TrajectorySample> TrackingRun::samples() const {
   std::vector<TrajectorySample> samples;
-  for (std::size_t k = 0; frames_ && k < estimates_.size(); ++k) {
-    const auto& estimate = estimates_[k];
+  for (std::size_t k = 0; frames_ && k < targets_.size(); ++k) {
+    const auto& estimate = estimates()[k];
     samples.push_back({seconds(frames_->time), frames_->index, targets_[k].name, estimate.mean,
                        estimate.covariance, estimate.effectiveSampleSize, estimate.camerasSeeing,
                        estimate.valid});
@@ -110,11 +96,11 @@ std::vector<TrajectorySample> TrackingRun::samples() const {
 }
 
 std::vector<TargetSnapshot> TrackingRun::snapshots(int particleLimit) const {
-  std::vector<TargetSnapshot> all(trackers_.size());
-  for (std::size_t k = 0; k < trackers_.size(); ++k) {
+  std::vector<TargetSnapshot> all(targets_.size());
+  for (std::size_t k = 0; k < targets_.size(); ++k) {
     all[k].target = targets_[k];
-    all[k].estimate = estimates_[k];
-    trackers_[k]->particles(particleLimit, all[k].particles, all[k].weights);
+    all[k].estimate = estimates()[k];
+    tracker_->particles(k, particleLimit, all[k].particles, all[k].weights);
   }
   return all;
 }

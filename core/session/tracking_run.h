@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/session/snapshot.h"
+#include "core/tracking/multi_tracker.h"
 #include "core/trajectory/trajectory.h"
 
 #include <map>
@@ -17,14 +18,14 @@ CameraRig rigOf(const Project& project);
 /// Header of a trajectory of this project: method, seed, parameters, version, cameras.
 TrajectoryHeader trajectoryHeader(const Project& project);
 
-/// The trackers of all targets fed with the same frame sets: what the window's tracking thread and
+/// The tracker of all targets fed with frame sets: what the window's tracking thread and
 /// the command line both drive. Not thread safe.
 class TrackingRun {
 public:
   /// NotFound for an unknown method.
   static Result<TrackingRun> create(const Project& project, int threadCount);
 
-  /// Forgets all beliefs; target k starts from derivedSeed(seed, k).
+  /// Forgets all beliefs.
   void restart(std::uint64_t seed);
   void configure(const ParameterValues& parameters);
   /// New colors for the same targets; a different number of targets is ignored (reopen instead).
@@ -37,7 +38,7 @@ public:
 
   std::int64_t iterations() const { return iterations_; }
   const std::vector<Target>& targets() const { return targets_; }
-  const std::vector<TargetEstimate>& estimates() const { return estimates_; }
+  const std::vector<TargetEstimate>& estimates() const { return tracker_->estimates(); }
   const FrameSetPtr& frames() const { return frames_; }
   /// The estimates as trajectory samples of the current frame.
   std::vector<TrajectorySample> samples() const;
@@ -46,8 +47,7 @@ public:
 
 private:
   std::vector<Target> targets_;
-  std::vector<std::unique_ptr<Tracker>> trackers_;
-  std::vector<TargetEstimate> estimates_;
+  std::unique_ptr<MultiTracker> tracker_;
   FrameSetPtr frames_;
   std::unique_ptr<ThreadTeam> team_;
   std::int64_t iterations_ = 0;

@@ -70,6 +70,7 @@ TargetEstimate BarreraTracker::iterate(ThreadTeam& team) {
   result.camerasSeeing = countCamerasSeeing(result.mean);
   const int needed = std::clamp(static_cast<int>(observation_.cameraCount()), 1, 2);
   result.valid = result.camerasSeeing >= needed;
+  result.existence = result.valid ? 1.0 : 0.0; // the paper's filter has no opinion of its own
   result.degenerate = state.degenerate;
   return result;
 }

@@ -32,6 +32,7 @@ struct TargetEstimate {
   int particleCount = 0;
   int camerasSeeing = 0;   ///< cameras with target color at the projected mean
   bool valid = false;      ///< seen by two cameras (by the only one, if there is one)
+  double existence = 0.0;  ///< probability that the target is where the estimate says
   bool degenerate = false; ///< no particle had a usable weight; all were kept as equal
   /// Root mean square distance of the particles to their mean, metres.
   double spread() const;

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/independent_trackers.h"
+
+#include "core/base/random.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint {
+
+IndependentTrackers::IndependentTrackers(std::vector<std::unique_ptr<Tracker>> trackers)
+    : trackers_(std::move(trackers)), estimates_(trackers_.size()) {}
+
+void IndependentTrackers::configure(const ParameterValues& parameters) {
+  for (auto& tracker : trackers_) {
+    tracker->configure(parameters);
+  }
+}
+
+void IndependentTrackers::setTargets(const std::vector<Target>& targets) {
+  const std::size_t count = std::min(targets.size(), trackers_.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    trackers_[k]->setTarget(targets[k]);
+  }
+}
+
+void IndependentTrackers::restart(std::uint64_t seed) {
+  for (std::size_t k = 0; k < trackers_.size(); ++k) {
+    trackers_[k]->restart(derivedSeed(seed, static_cast<std::uint32_t>(k)));
+  }
+  estimates_.assign(trackers_.size(), TargetEstimate{});
+}
+
+int IndependentTrackers::iterationsPerFrame() const {
+  return trackers_.empty() ? 0 : trackers_.front()->iterationsPerFrame();
+}
+
+void IndependentTrackers::beginFrame(FrameSetPtr frames) {
+  for (auto& tracker : trackers_) {
+    tracker->beginFrame(frames);
+  }
+}
+
+void IndependentTrackers::iterate(ThreadTeam& team) {
+  for (std::size_t k = 0; k < trackers_.size(); ++k) {
+    estimates_[k] = trackers_[k]->iterate(team);
+  }
+}
+
+void IndependentTrackers::particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
+                                    Eigen::ArrayXd& weights) const {
+  trackers_.at(target)->particles(limit, positions, weights);
+}
+
+} // namespace dewpoint

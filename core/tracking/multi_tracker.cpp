@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/multi_tracker.h"
+
+#include "core/tracking/independent_trackers.h"
+
+#include <utility>
+
+namespace dewpoint {
+
+Result<std::unique_ptr<MultiTracker>> makeMultiTracker(const std::string& method,
+                                                       const ParameterValues& parameters,
+                                                       const CameraRig& rig,
+                                                       const std::vector<Target>& targets) {
+  std::vector<std::unique_ptr<Tracker>> trackers;
+  for (const Target& target : targets) {
+    auto tracker = makeTracker(method, parameters, rig, target);
+    if (!tracker) {
+      return tl::make_unexpected(tracker.error());
+    }
+    trackers.push_back(std::move(*tracker));
+  }
+  return std::make_unique<IndependentTrackers>(std::move(trackers));
+}
+
+} // namespace dewpoint

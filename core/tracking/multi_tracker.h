@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/tracker.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace dewpoint {
+
+/// One method tracking all targets of a run together, so that targets of one color can be told
+/// apart. `beginFrame` once per frame set, then `iterate` any number of times. Not thread safe;
+/// the same seed gives the same bits for any size of the ThreadTeam.
+class MultiTracker {
+public:
+  virtual ~MultiTracker() = default;
+  virtual void configure(const ParameterValues& parameters) = 0;
+  /// New colors and sizes for the same targets, in the same order and number.
+  virtual void setTargets(const std::vector<Target>& targets) = 0;
+  /// Forgets everything and starts anew.
+  virtual void restart(std::uint64_t seed) = 0;
+  virtual int iterationsPerFrame() const = 0;
+  virtual void beginFrame(FrameSetPtr frames) = 0;
+  virtual void iterate(ThreadTeam& team) = 0;
+  /// What is believed now, one per target; before the first iteration they are all not valid.
+  virtual const std::vector<TargetEstimate>& estimates() const = 0;
+  /// As Tracker::particles, of one target.
+  virtual void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
+                         Eigen::ArrayXd& weights) const = 0;
+};
+
+/// A tracker of the named method for these targets; NotFound for an unknown method, MissingKey when
+/// `parameters` are not the method's.
+Result<std::unique_ptr<MultiTracker>> makeMultiTracker(const std::string& method,
+                                                       const ParameterValues& parameters,
+                                                       const CameraRig& rig,
+                                                       const std::vector<Target>& targets);
+
+} // namespace dewpoint
