@@ -129,6 +129,7 @@ void addSimulateCommand(CLI::App& app, int& exitCode) {
   command->add_option("--frames", options->frames, "Number of frames")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{10'000'000}));
   std::vector<std::string> motions;
+  motions.reserve(kMotions.size());
   for (const auto& [name, motion] : kMotions) {
     motions.push_back(name);
   }

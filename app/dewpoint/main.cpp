@@ -12,6 +12,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <string>
 
 namespace {
@@ -48,11 +49,7 @@ void describe(CLI::App& app, Options& options) {
   app.set_version_flag("--version", DEWPOINT_VERSION);
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
-  // FFmpeg's own words about a damaged file would stand beside our one sentence.
-  setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
+int run(int argc, char** argv) {
   dewpoint::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv); // takes its own options out of argv
   QApplication::setApplicationName(QStringLiteral("dewpoint"));
@@ -83,4 +80,18 @@ int main(int argc, char** argv) {
   window.show();
   window.openProject(options.project);
   return QApplication::exec();
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  // FFmpeg's own words about a damaged file would stand beside our one sentence.
+  setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    // Nothing below throws on purpose; this is memory running out and the like.
+    std::fprintf(stderr, "dewpoint: stopped: %s.\n", error.what());
+    return 1;
+  }
 }

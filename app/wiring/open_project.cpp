@@ -39,7 +39,7 @@ Result<std::unique_ptr<FrameSetSource>> openSimulation(const Scene& scene) {
     camera.generatedFrames = scene.frameCount;
     cameras.push_back(std::move(camera));
   }
-  return openRecording(std::move(cameras), scene.framesPerSecond);
+  return openRecording(cameras, scene.framesPerSecond);
 }
 
 Result<std::unique_ptr<FrameSetSource>> openLiveCameras(const Project& project) {
@@ -49,7 +49,7 @@ Result<std::unique_ptr<FrameSetSource>> openLiveCameras(const Project& project) 
     cameras.push_back({camera.camera.name, camera.location, camera.rotateDegrees, intrinsics.width,
                        intrinsics.height});
   }
-  return openLive(std::move(cameras));
+  return openLive(cameras);
 }
 
 Result<std::unique_ptr<FrameSetSource>> openRecordings(const Project& project) {
@@ -65,7 +65,7 @@ Result<std::unique_ptr<FrameSetSource>> openRecordings(const Project& project) {
     recorded.height = camera.camera.intrinsics.height;
     cameras.push_back(std::move(recorded));
   }
-  return openRecording(std::move(cameras), project.framesPerSecond);
+  return openRecording(cameras, project.framesPerSecond);
 }
 
 Result<std::unique_ptr<FrameSetSource>> openSource(const Project& project) {

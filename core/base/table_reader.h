@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/toml_text.h"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -14,32 +15,6 @@
 #include <vector>
 
 namespace dewpoint {
-
-/// Parses TOML; NotParsed with the line and what was expected there.
-inline Result<toml::table> parseToml(const std::string& text, const std::string& file) {
-  try {
-    return toml::parse(text, file);
-  } catch (const toml::parse_error& error) {
-    return failure(ErrorCode::NotParsed, file, fmt::format("line {}", error.source().begin.line),
-                   std::string(error.description()));
-  }
-}
-
-/// A text as TOML writes it.
-inline std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\') {
-      result += '\\';
-      result += letter;
-    } else if (static_cast<unsigned char>(letter) < 0x20) {
-      result += fmt::format("\\u{:04X}", static_cast<int>(letter));
-    } else {
-      result += letter;
-    }
-  }
-  return result + "\"";
-}
 
 /// Takes the known keys out of one TOML table and keeps the first thing that is wrong with it, with
 /// the line where it stands. Keys nobody asked for are an error: they are typing mistakes.

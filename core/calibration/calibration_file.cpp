@@ -8,11 +8,7 @@
 namespace dewpoint {
 
 Result<CameraRig> loadCalibration(const std::filesystem::path& file) {
-  const auto text = readTextFile(file);
-  if (!text) {
-    return tl::make_unexpected(text.error());
-  }
-  const auto table = parseToml(*text, file.string());
+  const auto table = readTomlFile(file);
   if (!table) {
     return tl::make_unexpected(table.error());
   }

@@ -149,14 +149,14 @@ void CameraThread::readAll(const std::stop_token& stop, Shared& shared, LiveStre
   progress.lastGrab.reset();
   while (!stop.stop_requested() && stream.grab()) {
     const auto grabbed = Clock::now();
-    cv::Mat picture = stream.retrieve();
+    const cv::Mat picture = stream.retrieve();
     if (!picture.empty() && !stop.stop_requested()) {
-      publish(shared, std::move(picture), grabbed, progress);
+      publish(shared, picture, grabbed, progress);
     }
   }
 }
 
-void CameraThread::publish(Shared& shared, cv::Mat picture, Clock::time_point grabbed,
+void CameraThread::publish(Shared& shared, const cv::Mat& picture, Clock::time_point grabbed,
                            Progress& progress) {
   progress.pause = kFirstPause;
   if (progress.lastGrab && grabbed > *progress.lastGrab) {

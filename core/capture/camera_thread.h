@@ -82,7 +82,7 @@ private:
   static void run(const std::stop_token& stop, Shared& shared);
   static void readAll(const std::stop_token& stop, Shared& shared, LiveStream& stream,
                       Progress& progress);
-  static void publish(Shared& shared, cv::Mat picture, Clock::time_point grabbed,
+  static void publish(Shared& shared, const cv::Mat& picture, Clock::time_point grabbed,
                       Progress& progress);
   static void setProblem(Shared& shared, Error problem);
   static void setDown(Shared& shared, const std::string& detail);

@@ -130,8 +130,8 @@ std::vector<Error> LiveCameras::notices() const {
 
 } // namespace
 
-Result<std::unique_ptr<FrameSetSource>> openLive(std::vector<LiveCamera> cameras,
-                                                 LiveStreamFactory factory) {
+Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras,
+                                                 const LiveStreamFactory& factory) {
   if (cameras.empty()) {
     return failure(ErrorCode::MissingKey, "", "camera", "there is no camera to open");
   }
@@ -148,13 +148,13 @@ Result<std::unique_ptr<FrameSetSource>> openLive(std::vector<LiveCamera> cameras
   }
 }
 
-Result<std::unique_ptr<FrameSetSource>> openLive(std::vector<LiveCamera> cameras) {
+Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras) {
   for (const LiveCamera& camera : cameras) {
     if (auto known = checkLocation(camera); !known) {
       return tl::make_unexpected(known.error());
     }
   }
-  return openLive(std::move(cameras), makeVideoStream);
+  return openLive(cameras, makeVideoStream);
 }
 
 } // namespace dewpoint

@@ -35,7 +35,7 @@ Status checkLocation(const LiveCamera& camera);
 LiveStreamPtr makeVideoStream(const LiveCamera& camera);
 
 /// As openLive(cameras), but with other connections (devices of another kind, or fakes in tests).
-Result<std::unique_ptr<FrameSetSource>> openLive(std::vector<LiveCamera> cameras,
-                                                 LiveStreamFactory factory);
+Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras,
+                                                 const LiveStreamFactory& factory);
 
 } // namespace dewpoint

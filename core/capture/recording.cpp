@@ -172,7 +172,7 @@ double rateOf(const std::vector<Camera>& cameras, double asked) {
 
 } // namespace
 
-Result<std::unique_ptr<FrameSetSource>> openRecording(std::vector<RecordedCamera> cameras,
+Result<std::unique_ptr<FrameSetSource>> openRecording(const std::vector<RecordedCamera>& cameras,
                                                       double framesPerSecond) {
   if (cameras.empty()) {
     return failure(ErrorCode::MissingKey, "", "camera", "a recording needs at least one camera");

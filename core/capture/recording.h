@@ -31,7 +31,7 @@ struct RecordedCamera {
 /// Opens synchronized recordings: frame k of each camera shows the same instant, k / rate seconds
 /// after the first. `framesPerSecond` 0 takes the first video's own rate, else 30. Seeking is exact
 /// to the frame. Cameras of different length give the shortest's frame count and one notice.
-Result<std::unique_ptr<FrameSetSource>> openRecording(std::vector<RecordedCamera> cameras,
+Result<std::unique_ptr<FrameSetSource>> openRecording(const std::vector<RecordedCamera>& cameras,
                                                       double framesPerSecond);
 
 } // namespace dewpoint

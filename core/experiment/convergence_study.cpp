@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <utility>
 
 namespace dewpoint {
 namespace {
@@ -88,6 +90,59 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
+/// A still scene, its frames and the tracker that is to find its ball.
+struct Trial {
+  std::unique_ptr<Tracker> tracker;
+  std::vector<FrameSetPtr> frames;
+  Eigen::Vector3d axis; ///< optical axis of the first camera, world
+};
+
+Result<Trial> prepare(const Scene& scene, const ConvergenceCase& setup) {
+  return makeTracker("barrera", parametersOf(setup), scene.cameras, targetOf(scene.balls.front()))
+      .map([&](std::unique_ptr<Tracker> tracker) {
+        return Trial{std::move(tracker), renderFrames(scene), scene.cameras.front().opticalAxis()};
+      });
+}
+
+/// Runs with seeds 1, 2, ... and what they add up to.
+ConvergenceResult resultOf(const ConvergenceCase& setup, const Trial& trial) {
+  ConvergenceResult result{setup};
+  std::vector<double> iterations;
+  double squares = 0.0;
+  double depth = 0.0;
+  int count = 0;
+  for (int run = 1; run <= setup.runs; ++run) {
+    const auto means =
+        meansOfRun(*trial.tracker, trial.frames, static_cast<std::uint64_t>(run), setup.iterations);
+    const auto converged = iterationsToConverge(means, setup.ball);
+    if (!converged) {
+      continue;
+    }
+    ++result.converged;
+    iterations.push_back(*converged);
+    for (auto k = static_cast<std::size_t>(*converged); k < means.size(); ++k) {
+      squares += (means[k] - setup.ball).squaredNorm();
+      depth += (means[k] - setup.ball).dot(trial.axis);
+      ++count;
+    }
+  }
+  result.medianIterations = median(std::move(iterations));
+  result.rmse = std::sqrt(squares / std::max(1, count));
+  result.depthBias = depth / std::max(1, count);
+  return result;
+}
+
+/// Metres per iteration along the optical axis, mean over the runs, starting on the ball.
+double driftOf(const Eigen::Vector3d& start, const Trial& trial, int runs, int iterations) {
+  double sum = 0.0;
+  for (int run = 1; run <= runs; ++run) {
+    const auto means =
+        meansOfRun(*trial.tracker, trial.frames, static_cast<std::uint64_t>(run), iterations);
+    sum += (means.back() - start).dot(trial.axis) / iterations;
+  }
+  return sum / runs;
+}
+
 } // namespace
 
 std::vector<ConvergenceCase> barreraConvergenceCases(int runs) {
@@ -111,38 +166,9 @@ std::vector<ConvergenceCase> barreraConvergenceCases(int runs) {
 }
 
 Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup) {
-  const Scene scene = stillScene(setup.ball);
-  auto tracker =
-      makeTracker("barrera", parametersOf(setup), scene.cameras, targetOf(scene.balls.front()));
-  if (!tracker) {
-    return tl::make_unexpected(tracker.error());
-  }
-  const auto frames = renderFrames(scene);
-  const Eigen::Vector3d axis = scene.cameras.front().opticalAxis();
-  ConvergenceResult result{setup};
-  std::vector<double> iterations;
-  double squares = 0.0;
-  double depth = 0.0;
-  int count = 0;
-  for (int run = 1; run <= setup.runs; ++run) {
-    const auto means =
-        meansOfRun(**tracker, frames, static_cast<std::uint64_t>(run), setup.iterations);
-    const auto converged = iterationsToConverge(means, setup.ball);
-    if (!converged) {
-      continue;
-    }
-    ++result.converged;
-    iterations.push_back(*converged);
-    for (auto k = static_cast<std::size_t>(*converged); k < means.size(); ++k) {
-      squares += (means[k] - setup.ball).squaredNorm();
-      depth += (means[k] - setup.ball).dot(axis);
-      ++count;
-    }
-  }
-  result.medianIterations = median(std::move(iterations));
-  result.rmse = std::sqrt(squares / std::max(1, count));
-  result.depthBias = depth / std::max(1, count);
-  return result;
+  return prepare(stillScene(setup.ball), setup).map([&](const Trial& trial) {
+    return resultOf(setup, trial);
+  });
 }
 
 Result<double> measureDrift(int runs, int iterations) {
@@ -150,19 +176,9 @@ Result<double> measureDrift(int runs, int iterations) {
   scene.cameras.resize(1);
   ConvergenceCase setup;
   setup.start = scene.balls.front().position;
-  auto tracker =
-      makeTracker("barrera", parametersOf(setup), scene.cameras, targetOf(scene.balls.front()));
-  if (!tracker) {
-    return tl::make_unexpected(tracker.error());
-  }
-  const auto frames = renderFrames(scene);
-  const Eigen::Vector3d axis = scene.cameras.front().opticalAxis();
-  double sum = 0.0;
-  for (int run = 1; run <= runs; ++run) {
-    const auto means = meansOfRun(**tracker, frames, static_cast<std::uint64_t>(run), iterations);
-    sum += (means.back() - setup.start).dot(axis) / iterations;
-  }
-  return sum / runs;
+  return prepare(scene, setup).map([&](const Trial& trial) {
+    return driftOf(setup.start, trial, runs, iterations);
+  });
 }
 
 } // namespace dewpoint

@@ -115,7 +115,7 @@ std::optional<int> ColorWindow::matchCount(const View& view,
 int ColorWindow::countPixels(const cv::Mat& image, int left, int top, int right, int bottom) const {
   int count = 0;
   for (int row = top; row < bottom; ++row) {
-    const std::uint8_t* pixel = image.ptr<std::uint8_t>(row) + 3 * left;
+    const std::uint8_t* pixel = image.ptr<std::uint8_t>(row) + std::ptrdiff_t{3} * left;
     for (int column = left; column < right; ++column, pixel += 3) {
       count += matchesAt(classifier_, pixel) ? 1 : 0;
     }

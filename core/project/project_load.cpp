@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/table_reader.h"
-#include "core/base/text_file.h"
+#include "core/base/toml_text.h"
 #include "core/calibration/calibration_file.h"
 #include "core/calibration/camera_calibration.h"
 #include "core/project/project.h"
@@ -240,11 +240,7 @@ void checkWhole(TableReader& reader, const Project& project) {
 } // namespace
 
 Result<Project> loadProject(const std::filesystem::path& file) {
-  const auto text = readTextFile(file);
-  if (!text) {
-    return tl::make_unexpected(text.error());
-  }
-  const auto table = parseToml(*text, file.string());
+  const auto table = readTomlFile(file);
   if (!table) {
     return tl::make_unexpected(table.error());
   }

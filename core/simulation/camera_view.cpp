@@ -13,11 +13,11 @@ namespace {
 /// The direction (z = 1, camera frame) whose image is `pixel`: a fixed point of the projection.
 /// Nothing where the lens model has no such direction.
 std::optional<Eigen::Vector3d> unproject(const Projector& lens, const Eigen::Vector2d& pixel) {
-  constexpr int iterations = 30;
-  constexpr double enough = 1e-4; // pixels
+  constexpr int kIterations = 30;
+  constexpr double kEnough = 1e-4; // pixels
   const Intrinsics& k = lens.intrinsics();
   Eigen::Vector3d ray{(pixel.x() - k.centerX) / k.focalX, (pixel.y() - k.centerY) / k.focalY, 1.0};
-  for (int i = 0; i < iterations; ++i) {
+  for (int i = 0; i < kIterations; ++i) {
     const auto image = lens.project(ray);
     if (!image) {
       // Beyond the lens: come back towards the axis.
@@ -25,7 +25,7 @@ std::optional<Eigen::Vector3d> unproject(const Projector& lens, const Eigen::Vec
       continue;
     }
     const Eigen::Vector2d miss = pixel - *image;
-    if (miss.squaredNorm() < enough * enough) {
+    if (miss.squaredNorm() < kEnough * kEnough) {
       return ray;
     }
     ray.x() += miss.x() / k.focalX;
@@ -35,6 +35,15 @@ std::optional<Eigen::Vector3d> unproject(const Projector& lens, const Eigen::Vec
 }
 
 } // namespace
+
+std::array<float, 2> subpixel(int sample, int side) {
+  const int row = sample / side;
+  const int column = sample % side;
+  const auto offset = [side](int index) {
+    return (static_cast<float>(index) + 0.5F) / static_cast<float>(side) - 0.5F;
+  };
+  return {offset(column), offset(row)};
+}
 
 CameraView::CameraView(const Camera& camera, const Room& room)
     : projector(camera), width(camera.intrinsics.width), height(camera.intrinsics.height),
@@ -74,7 +83,7 @@ Vector3f CameraView::direction(int column, int row, float right, float down) con
 }
 
 void CameraView::seeRoom(const Room& room) {
-  constexpr int side = 2; // 2x2 samples per pixel
+  constexpr int kSide = 2; // 2x2 samples per pixel
   distances.assign(directions.size(), std::numeric_limits<float>::infinity());
   lit.assign(directions.size(), 0.0F);
   background = cv::Mat::zeros(height, width, CV_32FC3);
@@ -86,15 +95,14 @@ void CameraView::seeRoom(const Room& room) {
       }
       distances[pixel] = room.cast(center, directions[pixel]).distance;
       Vector3f color = Vector3f::Zero();
-      for (int sample = 0; sample < side * side; ++sample) {
-        const auto right = (static_cast<float>(sample % side) + 0.5F) / side - 0.5F;
-        const auto down = (static_cast<float>(sample / side) + 0.5F) / side - 0.5F;
+      for (int sample = 0; sample < kSide * kSide; ++sample) {
+        const auto [right, down] = subpixel(sample, kSide);
         const Vector3f ray = direction(column, row, right, down);
         const auto jitter =
             static_cast<std::uint32_t>(pixel) * 4U + static_cast<std::uint32_t>(sample);
         const Sight sight = room.look(center, ray, room.cast(center, ray), jitter);
-        color += sight.color / (side * side);
-        lit[pixel] += sight.lit / (side * side);
+        color += sight.color / (kSide * kSide);
+        lit[pixel] += sight.lit / (kSide * kSide);
       }
       background.at<cv::Vec3f>(row, column) = {color.x(), color.y(), color.z()};
     }
@@ -102,8 +110,8 @@ void CameraView::seeRoom(const Room& room) {
 }
 
 cv::Rect CameraView::boundsOfSphere(const Eigen::Vector3d& sphere, double radius) const {
-  constexpr int points = 32;
-  constexpr double margin = 2.0; // pixels; more than the silhouette bulges between the points
+  constexpr int kPoints = 32;
+  constexpr double kMargin = 2.0; // pixels; more than the silhouette bulges between the points
   const Eigen::Vector3d eye = center.cast<double>();
   const Eigen::Vector3d way = sphere - eye;
   const double distance = way.norm();
@@ -119,8 +127,8 @@ cv::Rect CameraView::boundsOfSphere(const Eigen::Vector3d& sphere, double radius
   const Eigen::Vector3d v = axis.cross(u);
   Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Array2d high = -low;
-  for (int i = 0; i < points; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / points;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kPoints;
     const auto pixel = projector.project(middle + std::cos(angle) * u + std::sin(angle) * v);
     if (!pixel) {
       // Partly behind the camera or beyond the lens: search everywhere, if it is seen at all.
@@ -131,8 +139,8 @@ cv::Rect CameraView::boundsOfSphere(const Eigen::Vector3d& sphere, double radius
     high = high.max(pixel->array());
   }
   const Eigen::Array2d size{static_cast<double>(width), static_cast<double>(height)};
-  const Eigen::Array2i first = (low - margin).max(0.0).min(size).cast<int>();
-  const Eigen::Array2i last = (high + margin + 1.0).max(0.0).min(size).cast<int>();
+  const Eigen::Array2i first = (low - kMargin).max(0.0).min(size).cast<int>();
+  const Eigen::Array2i last = (high + kMargin + 1.0).max(0.0).min(size).cast<int>();
   return {first.x(), first.y(), last.x() - first.x(), last.y() - first.y()};
 }
 

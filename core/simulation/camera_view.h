@@ -6,9 +6,14 @@
 
 #include <opencv2/core.hpp>
 
+#include <array>
 #include <vector>
 
 namespace dewpoint::simulation {
+
+/// Center of the `sample`-th of side x side equal parts of a pixel, row by row: right and down from
+/// the pixel's own center, in pixels.
+std::array<float, 2> subpixel(int sample, int side);
 
 /// One camera of a scene, with everything that does not change from frame to frame. All arrays are
 /// row by row, one entry per pixel.

@@ -143,7 +143,8 @@ Room::Room(bool clutter) {
   }
 }
 
-void Room::add(Shape shape, Vector3f center, Vector3f halfSize, Material material, float yaw) {
+void Room::add(Shape shape, const Vector3f& center, const Vector3f& halfSize,
+               const Material& material, float yaw) {
   solids_.push_back(solidOf(shape, center, halfSize, material, yaw));
 }
 
@@ -163,7 +164,8 @@ void Room::furnish() {
   add(Shape::Box, {2.29F, 1.15F, 0.45F}, {0.02F, 0.42F, 0.03F}, {Pattern::Wood, rgb(168, 120, 74)});
 }
 
-void Room::addBook(Vector3f center, Vector3f halfSize, Vector3f color, float yaw) {
+void Room::addBook(const Vector3f& center, const Vector3f& halfSize, const Vector3f& color,
+                   float yaw) {
   add(Shape::Box, center, halfSize, {Pattern::Plain, color}, yaw);
   // Its pages: a slightly smaller block that sticks out of the cover on one side.
   const Solid turn = solidOf(Shape::Box, center, halfSize, {}, yaw);
@@ -251,15 +253,15 @@ Sight Room::look(const Vector3f& origin, const Vector3f& direction, const Hit& h
   if (!(hit.distance < kInfinity)) {
     return {};
   }
-  constexpr int rays = 2;
+  constexpr int kRays = 2;
   const Vector3f point = origin + hit.distance * direction;
   const Vector3f start = point + 1e-3F * hit.normal;
   float lit = 0.0F;
-  for (std::uint32_t ray = 0; ray < rays; ++ray) {
-    const std::uint32_t word = hashed(jitter * rays + ray, 17, 0);
+  for (std::uint32_t ray = 0; ray < kRays; ++ray) {
+    const std::uint32_t word = hashed(jitter * kRays + ray, 17, 0);
     const Vector3f offset{static_cast<float>(word & 0x3FFU) / 511.5F - 1.0F,
                           static_cast<float>((word >> 10U) & 0x3FFU) / 511.5F - 1.0F, 0.0F};
-    lit += shadowed(start, kLampPosition + kLampRadius * offset) ? 0.0F : 1.0F / rays;
+    lit += shadowed(start, kLampPosition + kLampRadius * offset) ? 0.0F : 1.0F / kRays;
   }
   const bool isWall = hit.solid == &walls_;
   const Pattern pattern =

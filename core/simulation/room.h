@@ -69,8 +69,9 @@ public:
 private:
   void furnish();
   void clutterDesk();
-  void add(Shape shape, Vector3f center, Vector3f halfSize, Material material, float yaw = 0.0F);
-  void addBook(Vector3f center, Vector3f halfSize, Vector3f color, float yaw);
+  void add(Shape shape, const Vector3f& center, const Vector3f& halfSize, const Material& material,
+           float yaw = 0.0F);
+  void addBook(const Vector3f& center, const Vector3f& halfSize, const Vector3f& color, float yaw);
   bool shadowed(const Vector3f& point, const Vector3f& towards) const;
 
   std::vector<Solid> solids_;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/scene.h"
 
+#include "core/base/text_file.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 
 namespace dewpoint {
@@ -36,10 +36,10 @@ Eigen::Vector3d jumpOffset(double time, double period, double frameSeconds) {
 }
 
 Camera camera(const char* name, int width, int height, const Eigen::Vector3d& position) {
-  constexpr double focal = 350.0;
+  constexpr double kFocal = 350.0;
   Camera result;
   result.name = name;
-  result.intrinsics = {width, height, focal, focal, (width - 1) / 2.0, (height - 1) / 2.0};
+  result.intrinsics = {width, height, kFocal, kFocal, (width - 1) / 2.0, (height - 1) / 2.0};
   result.cameraFromWorld = lookAt(position, Eigen::Vector3d{0.5, 0.5, 0.15});
   return result;
 }
@@ -101,12 +101,8 @@ Result<Scene> sceneNamed(const std::string& nameOrTomlFile) {
                    "neither a scene file nor one of demo, still, smooth, fast, jump, look-alikes, "
                    "occluder");
   }
-  std::ifstream stream(name, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) {
-    return failure(ErrorCode::FileUnreadable, name, "", "");
-  }
-  return parseScene(text, name);
+  return readTextFile(name).and_then(
+      [&](const std::string& text) { return parseScene(text, name); });
 }
 
 Eigen::Vector3d ballPosition(const Scene& scene, int ball, double time) {
@@ -131,26 +127,26 @@ Eigen::Vector3d ballPosition(const Scene& scene, int ball, double time) {
 
 Eigen::Vector3d lookAlikePosition(const Scene& scene, int index) {
   // At rest on the desk, where at least one camera of the demo rig sees it beside the ball's path.
-  static constexpr std::array<std::array<double, 2>, kMaxLookAlikes> places{
+  static constexpr std::array<std::array<double, 2>, kMaxLookAlikes> kPlaces{
       {{0.66, 0.62}, {0.36, 0.70}, {0.80, 0.42}, {0.58, 0.78}}};
-  const auto& place = places.at(static_cast<std::size_t>(index));
+  const auto& place = kPlaces.at(static_cast<std::size_t>(index));
   return {place[0], place[1], scene.balls.empty() ? 0.035 : scene.balls.front().radius};
 }
 
 Eigen::Vector3d occluderPosition(const Scene& scene, double time) {
   // On the line from the first camera to the first ball, swinging across it: hidden at a quarter
   // and three quarters of the period.
-  constexpr double period = 8.0;
-  constexpr double swing = 0.3;
-  constexpr double alongLine = 0.55;
+  constexpr double kPeriod = 8.0;
+  constexpr double kSwing = 0.3;
+  constexpr double kAlongLine = 0.55;
   if (scene.cameras.empty() || scene.balls.empty()) {
     return Eigen::Vector3d::Zero();
   }
   const Camera& viewer = scene.cameras.front();
   const Eigen::Vector3d eye = viewer.center();
   const Eigen::Vector3d right = viewer.cameraFromWorld.linear().row(0).transpose();
-  return eye + alongLine * (ballPosition(scene, 0, time) - eye) +
-         swing * std::cos(2.0 * std::numbers::pi * time / period) * right;
+  return eye + kAlongLine * (ballPosition(scene, 0, time) - eye) +
+         kSwing * std::cos(2.0 * std::numbers::pi * time / kPeriod) * right;
 }
 
 double frameTime(const Scene& scene, std::int64_t frame) {

@@ -235,12 +235,9 @@ toml::table cameraTable(const Camera& camera) {
 } // namespace
 
 Result<Scene> parseScene(const std::string& text, const std::string& file) {
-  try {
-    return readScene(toml::parse(text), file);
-  } catch (const toml::parse_error& error) {
-    return failure(ErrorCode::NotParsed, file, fmt::format("line {}", error.source().begin.line),
-                   std::string{error.description()});
-  }
+  return parseToml(text, file).and_then([&](const toml::table& table) {
+    return readScene(table, file);
+  });
 }
 
 std::string sceneToml(const Scene& scene) {

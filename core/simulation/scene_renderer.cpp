@@ -209,13 +209,12 @@ void SceneRenderer::Parts::addInstant(const CameraView& view, const Body& body,
         share->coverage += whole.coverage;
         continue;
       }
-      constexpr float weight = 1.0F / (kEdgeSamples * kEdgeSamples);
+      constexpr float kWeight = 1.0F / (kEdgeSamples * kEdgeSamples);
       for (int i = 0; i < kEdgeSamples * kEdgeSamples; ++i) {
-        const float right = (static_cast<float>(i % kEdgeSamples) + 0.5F) / kEdgeSamples - 0.5F;
-        const float down = (static_cast<float>(i / kEdgeSamples) + 0.5F) / kEdgeSamples - 0.5F;
+        const auto [right, down] = simulation::subpixel(i, kEdgeSamples);
         const Share part = sample(view, body, view.direction(column, row, right, down), limit);
-        share->color += weight * part.color;
-        share->coverage += weight * part.coverage;
+        share->color += kWeight * part.color;
+        share->coverage += kWeight * part.coverage;
       }
     }
   }
@@ -319,7 +318,8 @@ cv::Mat SceneRenderer::Parts::develop(const cv::Mat& image, int camera, std::int
     for (std::size_t k = 0; k < end; ++k) {
       const std::uint32_t pick = (words[k / 2] >> (16U * (k % 2))) & 0xFFFFU;
       const float value = in[i + k] + sigma * normals[pick];
-      out[i + k] = static_cast<std::uint8_t>(std::clamp(value, 0.0F, 255.0F) + 0.5F);
+      // Rounds to the nearest: what is cut off begins at one half.
+      out[i + k] = static_cast<std::uint8_t>(std::clamp(value + 0.5F, 0.5F, 255.5F));
     }
   }
   return result;

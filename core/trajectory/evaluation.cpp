@@ -66,6 +66,7 @@ std::vector<Pair> pairByFrame(const Samples& estimate, const Samples& truth) {
     pairs[sample->frame] = makePair(sample, found == byFrame.end() ? nullptr : found->second);
   }
   std::vector<Pair> result;
+  result.reserve(pairs.size());
   for (const auto& [frame, pair] : pairs)
     result.push_back(pair);
   return result;

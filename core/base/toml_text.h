@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <string>
+
+namespace dewpoint {
+
+/// Parses TOML; NotParsed with the line and what was expected there. `file` is for the message.
+Result<toml::table> parseToml(const std::string& text, const std::string& file);
+
+/// Reads and parses a TOML file; what readTextFile() and parseToml() say.
+Result<toml::table> readTomlFile(const std::filesystem::path& file);
+
+/// A text as TOML writes it.
+std::string quoted(const std::string& text);
+
+} // namespace dewpoint
