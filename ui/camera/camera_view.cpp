@@ -78,8 +78,7 @@ HoldState CameraView::stateNow() const {
 const QImage& CameraView::scaledImage(const QSize& devicePixels) {
   const FramePtr frame = frameOf(snapshot_, camera_);
   const cv::Mat mask = maskShown_ ? maskOf(snapshot_, camera_) : cv::Mat();
-  if (scaled_.size() == devicePixels && scaledFrom_ == frame->image.data &&
-      scaledMaskFrom_ == mask.data) {
+  if (scaled_.size() == devicePixels && scaledFrom_ == frame && scaledMask_.data == mask.data) {
     return scaled_;
   }
   cv::Mat image = frame->image;
@@ -91,8 +90,8 @@ const QImage& CameraView::scaledImage(const QSize& devicePixels) {
   cv::resize(image, fitted, cv::Size(devicePixels.width(), devicePixels.height()), 0.0, 0.0,
              smaller ? cv::INTER_AREA : cv::INTER_LINEAR);
   scaled_ = toImage(fitted);
-  scaledFrom_ = frame->image.data;
-  scaledMaskFrom_ = mask.data;
+  scaledFrom_ = frame;
+  scaledMask_ = mask;
   return scaled_;
 }
 

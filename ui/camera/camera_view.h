@@ -5,11 +5,14 @@
 
 #include <QImage>
 #include <QWidget>
+#include <opencv2/core/mat.hpp>
 
 #include <memory>
 
 namespace dewpoint {
 
+struct Frame;
+using FramePtr = std::shared_ptr<const Frame>;
 struct TrackSnapshot;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
@@ -46,8 +49,9 @@ private:
   bool maskShown_ = false;
   HoldState state_ = HoldState::NoImages;
   QImage scaled_;
-  const void* scaledFrom_ = nullptr;     ///< pixels of the frame in scaled_
-  const void* scaledMaskFrom_ = nullptr; ///< pixels of the mask in scaled_
+  // Kept alive here: the address of a freed frame may come back as that of the next one.
+  FramePtr scaledFrom_; ///< the frame in scaled_
+  cv::Mat scaledMask_;  ///< the mask in scaled_
 };
 
 } // namespace dewpoint

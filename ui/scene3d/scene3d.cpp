@@ -28,6 +28,7 @@ Eigen::Vector3d toEigen(const double* values) {
 
 std::vector<Eigen::Vector3d> corners(const Eigen::AlignedBox3d& box) {
   std::vector<Eigen::Vector3d> result;
+  result.reserve(8);
   for (int i = 0; i < 8; ++i) {
     result.push_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
   }
