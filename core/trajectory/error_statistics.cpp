@@ -20,6 +20,21 @@ double rootMeanSquare(const std::vector<Eigen::Vector3d>& errors) {
   return std::sqrt(sum / static_cast<double>(errors.size()));
 }
 
+ErrorSummary summarize(const std::vector<Eigen::Vector3d>& errors) {
+  ErrorSummary summary;
+  std::vector<double> lengths;
+  for (const Eigen::Vector3d& error : errors) {
+    lengths.push_back(error.norm());
+    summary.bias += error / static_cast<double>(errors.size());
+  }
+  std::sort(lengths.begin(), lengths.end());
+  summary.rmse = rootMeanSquare(errors);
+  summary.median = quantile(lengths, 0.5);
+  summary.p95 = quantile(lengths, 0.95);
+  summary.max = lengths.back();
+  return summary;
+}
+
 CameraBias cameraBias(const TrajectoryCamera& camera, const std::vector<Eigen::Vector3d>& errors) {
   const Eigen::Vector3d axis = camera.opticalAxis.normalized();
   std::vector<Eigen::Vector3d> along;

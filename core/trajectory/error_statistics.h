@@ -19,6 +19,18 @@ struct CameraBias {
   double acrossRms = 0.0;
 };
 
+/// Errors as lengths, in metres, and their mean as a vector.
+struct ErrorSummary {
+  double rmse = 0.0;
+  double median = 0.0;
+  double p95 = 0.0; ///< linear between order statistics
+  double max = 0.0;
+  Eigen::Vector3d bias = Eigen::Vector3d::Zero(); ///< mean of estimate minus truth
+};
+
+/// Sums up errors (estimate minus truth, world, metres; at least one).
+ErrorSummary summarize(const std::vector<Eigen::Vector3d>& errors);
+
 /// Splits errors (estimate minus truth, world, metres; at least one) along and across the axis.
 CameraBias cameraBias(const TrajectoryCamera& camera, const std::vector<Eigen::Vector3d>& errors);
 

@@ -123,16 +123,12 @@ std::optional<std::size_t> convergedAt(const std::vector<Pair>& pairs, double ga
 
 void fillStatistics(Evaluation& evaluation, const std::vector<Eigen::Vector3d>& errors,
                     const std::vector<TrajectoryCamera>& cameras) {
-  std::vector<double> lengths;
-  for (const Eigen::Vector3d& error : errors) {
-    lengths.push_back(error.norm());
-    evaluation.bias += error / static_cast<double>(errors.size());
-  }
-  std::sort(lengths.begin(), lengths.end());
-  evaluation.rmse = rootMeanSquare(errors);
-  evaluation.median = quantile(lengths, 0.5);
-  evaluation.p95 = quantile(lengths, 0.95);
-  evaluation.max = lengths.back();
+  const ErrorSummary summary = summarize(errors);
+  evaluation.rmse = summary.rmse;
+  evaluation.median = summary.median;
+  evaluation.p95 = summary.p95;
+  evaluation.max = summary.max;
+  evaluation.bias = summary.bias;
   for (const TrajectoryCamera& camera : cameras)
     evaluation.cameras.push_back(cameraBias(camera, errors));
 }
