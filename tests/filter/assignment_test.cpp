@@ -105,6 +105,21 @@ TEST(Assignment, TiesAreDecidedTheSameWayEachTime) {
   EXPECT_EQ(assignMinimumCost(cost).columnOfRow, first.columnOfRow);
 }
 
+// Costs (i + 1)(j + 1): the sum is least with the largest factors against the smallest
+// (rearrangement inequality), row i with column 49 - i: the sum of i (51 - i) for i = 1 to 50 is
+// 51 * 1275 - 42925 = 22100. Thirty dearer columns change nothing.
+TEST(Assignment, FiftyRows) {
+  for (const Eigen::Index columns : {50, 80}) {
+    const Eigen::VectorXd rowFactor = Eigen::VectorXd::LinSpaced(50, 1.0, 50.0);
+    const Eigen::VectorXd columnFactor =
+        Eigen::VectorXd::LinSpaced(columns, 1.0, static_cast<double>(columns));
+    const Assignment result = assignMinimumCost(rowFactor * columnFactor.transpose());
+    EXPECT_DOUBLE_EQ(result.cost, 22100.0);
+    for (Eigen::Index row = 0; row < 50; ++row)
+      EXPECT_EQ(result.columnOfRow[static_cast<std::size_t>(row)], 49 - row);
+  }
+}
+
 // 2,000 random matrices of 0 to 5 rows and columns; costs are whole numbers from -20 to 20 (sums
 // are exact, ties frequent), each pair forbidden with a probability that also varies.
 TEST(Assignment, AgreesWithBruteForce) {
