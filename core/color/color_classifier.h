@@ -2,18 +2,23 @@
 #pragma once
 
 #include "core/color/color_range.h"
+#include "core/color/integer_line.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace dewpoint {
 
-/// Answers "does this pixel match the target color" without trigonometry per pixel, and with the
-/// same answer as matches(hsiFromBgr(b, g, r), range).
+/// Answers "does this pixel match the target color" without trigonometry, tables or divisions, and
+/// with the same answer as matches(hsiFromBgr(b, g, r), range).
 ///
 /// The hue is the direction of the vector (2R - G - B, sqrt(3) (G - B)), so each hue bound is a
-/// half-plane: a range up to 180 degrees wide is both half-planes, a wider one is either. The
-/// bounds of saturation and intensity become bounds on 3 min(R,G,B) and on R + G + B.
+/// half-plane: a range up to 180 degrees wide is both half-planes, a wider one is either. Written
+/// in differences of channels, a half-plane is an IntegerLine. The bounds of the saturation become
+/// bounds on min(R,G,B) against what the sum exceeds 3 min by, lines again, and the intensity is
+/// R + G + B.
 class ColorClassifier {
 public:
   /// `range` has passed checkColorRange().
@@ -26,38 +31,67 @@ public:
     if (sum < sumMin_ || sum > sumMax_) {
       return false;
     }
-    const double least = 3.0 * std::min({r, g, b});
-    if (least > leastPerSumMax_ * sum || least < leastPerSumMin_ * sum) {
-      return false;
-    }
-    return everyHue_ || hueMatches(2 * int(r) - g - b, int(g) - b);
+    const int least = std::min({r, g, b});
+    const std::array<int, 2> leastAndExcess{least, sum - 3 * least};
+    return leastBelow_.contains(leastAndExcess) && leastAbove_.contains(leastAndExcess) &&
+           hueMatches({b, g, r});
   }
 
+  /// The same for `count` pixels of three bytes (blue, green, red) side by side: 255 where the
+  /// color matches, 0 elsewhere. `out` must not overlap the pixels.
+  void matchRow(const std::uint8_t* bgr, std::int64_t count, std::uint8_t* out) const noexcept;
+
 private:
-  /// A hue bound as a line through the gray axis: positive on the side of the range.
-  struct HalfPlane {
-    double alongRed = 0.0;
-    double alongGreenBlue = 0.0;
-    bool contains(int red, int greenBlue) const noexcept {
-      return alongRed * red + alongGreenBlue * greenBlue >= 0.0;
+  friend struct MatchRowKernel;
+
+  /// How the two half-planes of the hue make a range.
+  enum class HueRange { Both, Either, Every };
+
+  /// A hue bound: the colors on its side have channel[yPlus] - channel[yMinus] above the line at
+  /// x = channel[xPlus] - channel[xMinus]. Gray is on no side.
+  struct HuePlane {
+    std::size_t yPlus = 0, yMinus = 0, xPlus = 0, xMinus = 0; ///< 0 blue, 1 green, 2 red
+    HueLine line;
+
+    /// Where alongRed (2R - G - B) + alongGreenBlue (G - B) > 0.
+    static HuePlane positive(double alongRed, double alongGreenBlue);
+    bool contains(const std::array<int, 3>& bgr) const noexcept {
+      return line.below(bgr[xPlus] - bgr[xMinus], bgr[yPlus] - bgr[yMinus]);
     }
   };
 
-  bool hueMatches(int red, int greenBlue) const noexcept {
-    const bool afterMin = fromMin_.contains(red, greenBlue);
-    const bool beforeMax = untilMax_.contains(red, greenBlue);
-    const bool inside = wide_ ? (afterMin || beforeMax) : (afterMin && beforeMax);
-    return inside && (red != 0 || greenBlue != 0); // gray has no hue
+  /// A saturation bound: a line between the least channel (0) and the excess (1).
+  struct RatioPlane {
+    std::size_t y = 0, x = 0;
+    RatioLine line{0, 0}; ///< every color is on the line y = 0, of scale 0
+    bool above = false;   ///< the side where y is greater; else where it is not
+
+    /// Where 3 min / sum is greater than `bound`, or where it is smaller.
+    static RatioPlane beyond(double bound, bool greater);
+    bool contains(const std::array<int, 2>& leastAndExcess) const noexcept {
+      return line.below(leastAndExcess[x], leastAndExcess[y]) == above;
+    }
+  };
+
+  bool hueMatches(const std::array<int, 3>& bgr) const noexcept {
+    switch (hueRange_) {
+    case HueRange::Both:
+      return fromMin_.contains(bgr) && untilMax_.contains(bgr);
+    case HueRange::Either:
+      return fromMin_.contains(bgr) || untilMax_.contains(bgr);
+    case HueRange::Every:
+      break;
+    }
+    return true;
   }
 
   int sumMin_ = 1; ///< at least 1: black never matches
   int sumMax_ = 0;
-  double leastPerSumMin_ = 0.0;
-  double leastPerSumMax_ = 0.0;
-  HalfPlane fromMin_;
-  HalfPlane untilMax_;
-  bool wide_ = false;
-  bool everyHue_ = false;
+  RatioPlane leastAbove_;
+  RatioPlane leastBelow_;
+  HuePlane fromMin_;
+  HuePlane untilMax_;
+  HueRange hueRange_ = HueRange::Both;
 };
 
 } // namespace dewpoint

@@ -5,18 +5,25 @@
 
 namespace dewpoint {
 
-cv::Mat matchImage(const cv::Mat& bgr, const ColorClassifier& classifier) {
+void matchImage(const cv::Mat& bgr, const ColorClassifier& classifier, cv::Mat& match) {
   if (bgr.empty() || bgr.type() != CV_8UC3) {
-    return {};
+    match.release();
+    return;
   }
-  cv::Mat match(bgr.rows, bgr.cols, CV_8UC1);
+  match.create(bgr.rows, bgr.cols, CV_8UC1);
+  if (bgr.isContinuous() && match.isContinuous()) {
+    classifier.matchRow(bgr.ptr<std::uint8_t>(), static_cast<std::int64_t>(bgr.total()),
+                        match.ptr<std::uint8_t>());
+    return;
+  }
   for (int row = 0; row < bgr.rows; ++row) {
-    const auto* pixel = bgr.ptr<std::uint8_t>(row);
-    auto* out = match.ptr<std::uint8_t>(row);
-    for (int column = 0; column < bgr.cols; ++column, pixel += 3) {
-      out[column] = classifier.matches(pixel[0], pixel[1], pixel[2]) ? 255 : 0;
-    }
+    classifier.matchRow(bgr.ptr<std::uint8_t>(row), bgr.cols, match.ptr<std::uint8_t>(row));
   }
+}
+
+cv::Mat matchImage(const cv::Mat& bgr, const ColorClassifier& classifier) {
+  cv::Mat match;
+  matchImage(bgr, classifier, match);
   return match;
 }
 

@@ -11,4 +11,7 @@ namespace dewpoint {
 /// `bgr` is CV_8UC3; anything else gives an empty image.
 cv::Mat matchImage(const cv::Mat& bgr, const ColorClassifier& classifier);
 
+/// The same into an image that is kept from frame to frame, so that no memory is allocated.
+void matchImage(const cv::Mat& bgr, const ColorClassifier& classifier, cv::Mat& match);
+
 } // namespace dewpoint

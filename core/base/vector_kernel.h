@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/instruction_set.h"
+
+/// Marks the body of a kernel, which must become part of every version compiled from it.
+#define DEWPOINT_KERNEL [[gnu::always_inline]] static inline
+
+#if defined(__x86_64__)
+#if defined(__clang__)
+#define DEWPOINT_AVX512 "avx512f,avx512bw,avx512dq,avx512vl,avx512vbmi"
+#else
+#define DEWPOINT_AVX512 "avx512f,avx512bw,avx512dq,avx512vl,avx512vbmi,prefer-vector-width=512"
+#endif
+#endif
+
+namespace dewpoint {
+
+#if defined(__x86_64__)
+template <class Kernel, class... Arguments>
+[[gnu::target("avx2"), gnu::noinline]] void runKernelAvx2(Arguments... arguments) {
+  Kernel::run(arguments...);
+}
+
+template <class Kernel, class... Arguments>
+[[gnu::target(DEWPOINT_AVX512), gnu::noinline]] void runKernelAvx512(Arguments... arguments) {
+  Kernel::run(arguments...);
+}
+#endif
+
+/// Runs `Kernel::run(arguments...)`, a plain loop without any intrinsic, in the version compiled
+/// for this processor: one source text, one meaning, several instruction sets, chosen at run time.
+/// Floating-point results are the same to the bit in all of them, because the compiler may neither
+/// reorder sums nor contract products (-ffp-contract=off), and a kernel calls nothing but the
+/// basic operations and the square root, which IEEE 754 rounds in one way only.
+template <class Kernel, class... Arguments> void runKernel(Arguments... arguments) {
+#if defined(__x86_64__)
+  switch (instructionSet()) {
+  case InstructionSet::Avx512:
+    return runKernelAvx512<Kernel>(arguments...);
+  case InstructionSet::Avx2:
+    return runKernelAvx2<Kernel>(arguments...);
+  case InstructionSet::Baseline:
+    break;
+  }
+#endif
+  Kernel::run(arguments...);
+}
+
+} // namespace dewpoint
