@@ -9,7 +9,6 @@
 namespace dewpoint {
 namespace {
 
-constexpr double kMinDepth = 1e-9;
 constexpr int kScanSteps = 8192;
 constexpr int kBisections = 100;
 
@@ -55,37 +54,35 @@ double foldBackRadiusSquared(const std::array<double, 8>& k) {
 } // namespace
 
 Projector::Projector(const Camera& camera)
-    : intrinsics_(camera.intrinsics), distortion_(camera.distortion),
-      rotation_(camera.cameraFromWorld.linear()),
-      translation_(camera.cameraFromWorld.translation()),
-      distorted_(
-          std::any_of(distortion_.begin(), distortion_.end(), [](double k) { return k != 0.0; })),
-      radiusSquaredLimit_(distorted_ ? foldBackRadiusSquared(distortion_)
-                                     : std::numeric_limits<double>::infinity()) {}
+    : intrinsics_(camera.intrinsics),
+      distorted_(std::any_of(camera.distortion.begin(), camera.distortion.end(),
+                             [](double k) { return k != 0.0; })) {
+  const Eigen::Isometry3d& pose = camera.cameraFromWorld;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      projection_.rotation[3 * i + j] = pose.linear()(Eigen::Index(i), Eigen::Index(j));
+    }
+    projection_.translation[i] = pose.translation()[Eigen::Index(i)];
+  }
+  projection_.focalX = intrinsics_.focalX;
+  projection_.focalY = intrinsics_.focalY;
+  projection_.centerX = intrinsics_.centerX;
+  projection_.centerY = intrinsics_.centerY;
+  projection_.distortion = camera.distortion;
+  projection_.radiusSquaredLimit = distorted_ ? foldBackRadiusSquared(camera.distortion)
+                                              : std::numeric_limits<double>::infinity();
+}
 
 std::optional<Eigen::Vector2d> Projector::project(const Eigen::Vector3d& pointWorld) const {
-  const Eigen::Vector3d p = rotation_ * pointWorld + translation_;
-  if (!(p.z() > kMinDepth)) {
-    return std::nullopt; // also refuses NaN
+  const double x = pointWorld.x();
+  const double y = pointWorld.y();
+  const double z = pointWorld.z();
+  const Projection::Pixel pixel =
+      distorted_ ? projection_.pixel<true>(x, y, z) : projection_.pixel<false>(x, y, z);
+  if (!pixel.visible) {
+    return std::nullopt;
   }
-  double x = p.x() / p.z();
-  double y = p.y() / p.z();
-  if (distorted_) {
-    const double s = x * x + y * y;
-    if (!(s <= radiusSquaredLimit_)) {
-      return std::nullopt;
-    }
-    const auto [n, d] = radialFactor(distortion_, s);
-    const double f = n / d;
-    const double p1 = distortion_[2];
-    const double p2 = distortion_[3];
-    const double dx = 2.0 * p1 * x * y + p2 * (s + 2.0 * x * x);
-    const double dy = p1 * (s + 2.0 * y * y) + 2.0 * p2 * x * y;
-    x = x * f + dx;
-    y = y * f + dy;
-  }
-  return Eigen::Vector2d(intrinsics_.focalX * x + intrinsics_.centerX,
-                         intrinsics_.focalY * y + intrinsics_.centerY);
+  return Eigen::Vector2d(pixel.column, pixel.row);
 }
 
 Eigen::Isometry3d lookAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target,

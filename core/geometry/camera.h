@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/projection.h"
+
 #include <Eigen/Geometry>
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,16 +49,17 @@ public:
   /// beyond the angle where the distortion polynomial folds back (there it would invent an image).
   std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& pointWorld) const;
 
+  /// The same for `count` points given as three columns, metres; the pixels go into two more, NaN
+  /// where project() returns nothing. Equal to project() to the bit. Columns must not overlap.
+  void projectBatch(std::int64_t count, const double* x, const double* y, const double* z,
+                    double* column, double* row) const;
+
   const Intrinsics& intrinsics() const { return intrinsics_; }
 
 private:
   Intrinsics intrinsics_;
-  std::array<double, 8> distortion_;
-  Eigen::Matrix3d rotation_;
-  Eigen::Vector3d translation_;
+  Projection projection_;
   bool distorted_ = false;
-  /// Largest squared normalized radius at which the radial distortion still grows.
-  double radiusSquaredLimit_ = 0.0;
 };
 
 /// The pose (camera from world) of a camera at `position` that looks at `target`, image up along

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/observation/color_window.h"
 
+#include "core/base/vector_kernel.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,25 +10,44 @@
 namespace dewpoint {
 namespace {
 
-constexpr int kWindowRadius = 2;
-constexpr int kWindowPixels = 25;
+constexpr int kBlock = kMostWindows;
+/// Counting a whole image takes as long as this many of its pixels have windows counted one by one:
+/// measured (bench/color_window_bench).
+constexpr std::int64_t kPixelsPerWindow = 60;
+
+using LogTable = std::array<double, WindowCounts::kPixels + 1>;
 
 /// log(max(m, 1) / 25) for m = 0..25.
-const std::array<double, kWindowPixels + 1>& logTable() {
+const LogTable& logTable() {
   static const auto table = [] {
-    std::array<double, kWindowPixels + 1> values{};
-    for (int m = 0; m <= kWindowPixels; ++m) {
-      values[static_cast<std::size_t>(m)] =
-          std::log(std::max(m, 1) / static_cast<double>(kWindowPixels));
+    LogTable values{};
+    for (std::size_t m = 0; m < values.size(); ++m) {
+      values[m] = std::log(double(std::max<std::size_t>(m, 1)) / double(WindowCounts::kPixels));
     }
     return values;
   }();
   return table;
 }
 
-bool matchesAt(const ColorClassifier& classifier, const std::uint8_t* pixel) {
-  return classifier.matches(pixel[0], pixel[1], pixel[2]);
-}
+/// Position in the image, row * columns + column, of the pixel that (column, row) lies in; rows *
+/// columns outside. Pixel centers lie at integers: pixel k covers [k - 0.5, k + 0.5).
+struct NearestPixelKernel {
+  DEWPOINT_KERNEL void run(std::int64_t count, const double* __restrict columns,
+                           const double* __restrict rows, int width, int height,
+                           std::int32_t* __restrict pixels) {
+    const double right = width;
+    const double bottom = height;
+    for (std::int64_t i = 0; i < count; ++i) {
+      const double column = columns[i] + 0.5;
+      const double row = rows[i] + 0.5;
+      const bool inside = // false for NaN
+          (column >= 0.0) & (column < right) & (row >= 0.0) & (row < bottom);
+      const auto x = static_cast<std::int32_t>(inside ? column : 0.0);
+      const auto y = static_cast<std::int32_t>(inside ? row : bottom);
+      pixels[i] = y * width + x;
+    }
+  }
+};
 
 } // namespace
 
@@ -41,101 +62,78 @@ ColorWindow::ColorWindow(const CameraRig& rig, const ColorClassifier& classifier
 void ColorWindow::setClassifier(const ColorClassifier& classifier) {
   classifier_ = classifier;
   for (View& view : views_) {
-    view.integral.clear();
+    view.counts.clear();
   }
 }
 
 void ColorWindow::setImage(std::size_t camera, const cv::Mat& image) {
   View& view = views_.at(camera);
   view.image = image.type() == CV_8UC3 ? image : cv::Mat();
-  view.integral.clear();
+  view.counts.clear();
 }
 
 void ColorWindow::prepare(std::int64_t particleCount) {
   for (View& view : views_) {
     const auto pixels = static_cast<std::int64_t>(view.image.total());
-    if (particleCount * kWindowPixels < pixels) {
-      view.integral.clear();
-    } else if (view.integral.empty() && pixels > 0) {
-      buildIntegral(view);
+    if (particleCount * kPixelsPerWindow < pixels) {
+      view.counts.clear();
+    } else if (view.counts.empty() && pixels > 0) {
+      view.counts.build(view.image, classifier_);
     }
   }
 }
 
+void ColorWindow::pixelsOf(const View& view, std::int64_t count, const double* x, const double* y,
+                           const double* z, std::int32_t* pixels) {
+  std::array<double, kBlock> columns;
+  std::array<double, kBlock> rows;
+  view.projector.projectBatch(count, x, y, z, columns.data(), rows.data());
+  runKernel<NearestPixelKernel>(count, columns.data(), rows.data(), view.image.cols,
+                                view.image.rows, pixels);
+}
+
 void ColorWindow::addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const {
-  const auto& logs = logTable();
-  for (const View& view : views_) {
-    if (view.image.empty()) {
-      continue;
-    }
-    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-      const auto count = matchCount(view, {rows(i, 0), rows(i, 1), rows(i, 2)});
-      // Outside is 1/25, which is what no match at all is raised to.
-      logLikelihood[i] += logs[static_cast<std::size_t>(count.value_or(0))];
+  const LogTable& logs = logTable();
+  const double* x = rows.col(0).data();
+  const double* y = rows.col(1).data();
+  const double* z = rows.col(2).data();
+  std::array<std::int32_t, kBlock> pixels;
+  std::array<std::uint8_t, kBlock> counts;
+  for (Eigen::Index begin = 0; begin < rows.rows(); begin += kBlock) {
+    const int count = static_cast<int>(std::min<Eigen::Index>(kBlock, rows.rows() - begin));
+    double* out = logLikelihood.data() + begin;
+    for (const View& view : views_) {
+      if (view.image.empty()) {
+        continue;
+      }
+      pixelsOf(view, count, x + begin, y + begin, z + begin, pixels.data());
+      if (view.counts.empty()) {
+        countWindows(view.image, classifier_, count, pixels.data(), counts.data());
+        for (int i = 0; i < count; ++i) {
+          out[i] += logs[counts[std::size_t(i)]];
+        }
+      } else {
+        const std::uint8_t* all = view.counts.data();
+        for (int i = 0; i < count; ++i) {
+          out[i] += logs[all[pixels[std::size_t(i)]]];
+        }
+      }
     }
   }
 }
 
 std::optional<int> ColorWindow::matchCount(std::size_t camera,
                                            const Eigen::Vector3d& pointWorld) const {
-  return matchCount(views_.at(camera), pointWorld);
-}
-
-std::optional<int> ColorWindow::matchCount(const View& view,
-                                           const Eigen::Vector3d& pointWorld) const {
-  const cv::Mat& image = view.image;
-  const auto pixel = view.projector.project(pointWorld);
-  if (image.empty() || !pixel) {
+  const View& view = views_.at(camera);
+  if (view.image.empty()) {
     return std::nullopt;
   }
-  // Pixel centers lie at integers: pixel k covers [k - 0.5, k + 0.5).
-  const double columnReal = std::floor(pixel->x() + 0.5);
-  const double rowReal = std::floor(pixel->y() + 0.5);
-  const bool inside = columnReal >= 0.0 && columnReal < image.cols && rowReal >= 0.0 &&
-                      rowReal < image.rows; // false for NaN
-  if (!inside) {
+  std::int32_t pixel = 0;
+  pixelsOf(view, 1, &pointWorld.x(), &pointWorld.y(), &pointWorld.z(), &pixel);
+  if (pixel >= static_cast<std::int64_t>(view.image.total())) {
     return std::nullopt;
   }
-  const int column = static_cast<int>(columnReal);
-  const int row = static_cast<int>(rowReal);
-  const int left = std::max(column - kWindowRadius, 0);
-  const int top = std::max(row - kWindowRadius, 0);
-  const int right = std::min(column + kWindowRadius + 1, image.cols);
-  const int bottom = std::min(row + kWindowRadius + 1, image.rows);
-  if (view.integral.empty()) {
-    return countPixels(image, left, top, right, bottom);
-  }
-  const std::size_t stride = static_cast<std::size_t>(image.cols) + 1;
-  const auto sum = [&](int x, int y) {
-    return view.integral[static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x)];
-  };
-  return sum(right, bottom) - sum(left, bottom) - sum(right, top) + sum(left, top);
-}
-
-int ColorWindow::countPixels(const cv::Mat& image, int left, int top, int right, int bottom) const {
-  int count = 0;
-  for (int row = top; row < bottom; ++row) {
-    const std::uint8_t* pixel = image.ptr<std::uint8_t>(row) + std::ptrdiff_t{3} * left;
-    for (int column = left; column < right; ++column, pixel += 3) {
-      count += matchesAt(classifier_, pixel) ? 1 : 0;
-    }
-  }
-  return count;
-}
-
-void ColorWindow::buildIntegral(View& view) const {
-  const std::size_t stride = static_cast<std::size_t>(view.image.cols) + 1;
-  view.integral.assign(stride * (static_cast<std::size_t>(view.image.rows) + 1), 0);
-  for (int row = 0; row < view.image.rows; ++row) {
-    const std::uint8_t* pixel = view.image.ptr<std::uint8_t>(row);
-    const std::int32_t* above = view.integral.data() + static_cast<std::size_t>(row) * stride;
-    std::int32_t* below = view.integral.data() + (static_cast<std::size_t>(row) + 1) * stride;
-    std::int32_t inRow = 0;
-    for (int column = 0; column < view.image.cols; ++column, pixel += 3) {
-      inRow += matchesAt(classifier_, pixel) ? 1 : 0;
-      below[column + 1] = above[column + 1] + inRow;
-    }
-  }
+  return countWindow(view.image, classifier_, pixel % view.image.cols, pixel / view.image.cols);
 }
 
 } // namespace dewpoint

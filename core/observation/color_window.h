@@ -4,6 +4,7 @@
 #include "core/color/color_classifier.h"
 #include "core/filter/particle_set.h"
 #include "core/geometry/camera.h"
+#include "core/observation/window_counts.h"
 
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
@@ -45,13 +46,11 @@ private:
   struct View {
     Projector projector;
     cv::Mat image;
-    /// (rows + 1) x (columns + 1): matching pixels above and left of here; empty when unused.
-    std::vector<std::int32_t> integral;
+    WindowCounts counts; ///< empty while windows are counted one by one
   };
 
-  std::optional<int> matchCount(const View& view, const Eigen::Vector3d& pointWorld) const;
-  int countPixels(const cv::Mat& image, int left, int top, int right, int bottom) const;
-  void buildIntegral(View& view) const;
+  static void pixelsOf(const View& view, std::int64_t count, const double* x, const double* y,
+                       const double* z, std::int32_t* pixels);
 
   std::vector<View> views_;
   ColorClassifier classifier_;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+namespace dewpoint {
+
+/// OpenCV's camera model (pinhole, rational radial and tangential distortion) in plain numbers, as
+/// the loops over many points need it. Made by Projector.
+struct Projection {
+  std::array<double, 9> rotation{}; ///< camera from world, row by row
+  std::array<double, 3> translation{};
+  double focalX = 0.0, focalY = 0.0, centerX = 0.0, centerY = 0.0; ///< pixels
+  std::array<double, 8> distortion{};                              ///< k1 k2 p1 p2 k3 k4 k5 k6
+  /// Largest squared normalized radius at which the radial distortion still grows.
+  double radiusSquaredLimit = 0.0;
+
+  /// Points nearer to the plane of the camera, in metres, are not projected.
+  static constexpr double kMinDepth = 1e-9;
+
+  struct Pixel {
+    double column;
+    double row;
+    bool visible; ///< in front, and not beyond the angle where the distortion folds back
+  };
+
+  /// The pixel of the world point (x, y, z). Without branches, so that a loop over it becomes
+  /// vector code; the numbers mean nothing where the point is not visible.
+  template <bool distorted> [[gnu::always_inline]] Pixel pixel(double x, double y, double z) const {
+    const auto& r = rotation;
+    const double xCamera = r[0] * x + r[1] * y + r[2] * z + translation[0];
+    const double yCamera = r[3] * x + r[4] * y + r[5] * z + translation[1];
+    const double zCamera = r[6] * x + r[7] * y + r[8] * z + translation[2];
+    bool visible = zCamera > kMinDepth; // false for NaN too
+    const double inverse = 1.0 / zCamera;
+    double u = xCamera * inverse;
+    double v = yCamera * inverse;
+    if constexpr (distorted) {
+      const auto& k = distortion;
+      const double s = u * u + v * v;
+      visible = visible & (s <= radiusSquaredLimit);
+      const double numerator = 1.0 + s * (k[0] + s * (k[1] + s * k[4]));
+      const double denominator = 1.0 + s * (k[5] + s * (k[6] + s * k[7]));
+      const double factor = numerator / denominator;
+      const double du = 2.0 * k[2] * u * v + k[3] * (s + 2.0 * u * u);
+      const double dv = k[2] * (s + 2.0 * v * v) + 2.0 * k[3] * u * v;
+      u = u * factor + du;
+      v = v * factor + dv;
+    }
+    return {focalX * u + centerX, focalY * v + centerY, visible};
+  }
+};
+
+} // namespace dewpoint
