@@ -13,7 +13,16 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
                                     std::array<std::uint32_t, 2> key);
 
 /// What random numbers are for: each purpose has a stream of its own.
-enum class RandomPurpose : std::uint32_t { Start, Motion, Resampling, Simulation, Noise, Resize };
+enum class RandomPurpose : std::uint32_t {
+  Start,
+  Motion,
+  Resampling,
+  Simulation,
+  Noise,
+  Resize,
+  Proposal,
+  Search
+};
 
 /// The random numbers of one filter iteration: element i of a stream is a pure function of
 /// (seed, frame, iteration, purpose, i).

@@ -3,10 +3,9 @@
 
 #include "core/filter/isotropic_motion.h"
 #include "core/filter/multinomial_resampling.h"
+#include "core/tracking/start_parameters.h"
 
 #include <algorithm>
-#include <array>
-#include <string>
 
 namespace dewpoint {
 
@@ -89,15 +88,14 @@ void BarreraTracker::particles(int limit, Eigen::ArrayXXd& positions,
 }
 
 Eigen::ArrayXXd BarreraTracker::drawStart() const {
-  const std::array<std::string, 3> axes{"x", "y", "z"};
+  const StartVolume volume = startVolume(parameters_);
   const RandomStream stream(key_.seed, 0, 0, RandomPurpose::Start);
   Eigen::ArrayXXd states(static_cast<Eigen::Index>(parameters_.at("particles")), 3);
-  for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-    const double center = parameters_.at("start_" + axes[axis]);
-    const double half = parameters_.at("start_half_" + axes[axis]);
-    for (Eigen::Index i = 0; i < states.rows(); ++i) {
-      const double unit = stream.uniform3(static_cast<std::uint32_t>(i))[axis];
-      states(i, static_cast<Eigen::Index>(axis)) = center + half * (2.0 * unit - 1.0);
+  for (Eigen::Index i = 0; i < states.rows(); ++i) {
+    const auto unit = stream.uniform3(static_cast<std::uint32_t>(i));
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      states(i, axis) = volume.center[axis] +
+                        volume.half[axis] * (2.0 * unit[static_cast<std::size_t>(axis)] - 1.0);
     }
   }
   return states;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/multi_tracker.h"
 
+#include "core/tracking/dewpoint_tracker.h"
 #include "core/tracking/independent_trackers.h"
 
 #include <utility>
@@ -11,6 +12,12 @@ Result<std::unique_ptr<MultiTracker>> makeMultiTracker(const std::string& method
                                                        const ParameterValues& parameters,
                                                        const CameraRig& rig,
                                                        const std::vector<Target>& targets) {
+  if (method == "dewpoint") {
+    if (const auto checked = checkParameters(method, parameters); !checked) {
+      return tl::make_unexpected(checked.error());
+    }
+    return std::make_unique<DewpointTracker>(parameters, rig, targets);
+  }
   std::vector<std::unique_ptr<Tracker>> trackers;
   for (const Target& target : targets) {
     auto tracker = makeTracker(method, parameters, rig, target);

@@ -2,6 +2,7 @@
 #include "core/tracking/parameters.h"
 
 #include "core/tracking/barrera_parameters.h"
+#include "core/tracking/dewpoint_parameters.h"
 
 #include <fmt/format.h>
 
@@ -80,12 +81,25 @@ Status ParameterValues::setText(std::string_view key, std::string_view text) {
 }
 
 std::vector<std::string> methodNames() {
-  return {"barrera"};
+  return {"dewpoint", "barrera"};
 }
 
 std::span<const ParameterDeclaration> methodParameters(std::string_view method) {
   if (method == "barrera") {
     return barreraParameters();
+  }
+  if (method == "dewpoint") {
+    return dewpointParameters();
+  }
+  return {};
+}
+
+Status checkParameters(std::string_view method, const ParameterValues& parameters) {
+  for (const auto& needed : methodParameters(method)) {
+    if (find(parameters.declarations(), needed.key) == nullptr) {
+      return failure(ErrorCode::MissingKey, "", needed.key,
+                     fmt::format("method {} needs it", method));
+    }
   }
   return {};
 }

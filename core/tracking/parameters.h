@@ -48,9 +48,11 @@ private:
   std::map<std::string, double, std::less<>> values_;
 };
 
-/// Names of the methods a project may choose: "barrera".
+/// Names of the methods a project may choose, the default first: "dewpoint", "barrera".
 std::vector<std::string> methodNames();
 /// Declarations of one method's parameters; empty for an unknown method. Lives for ever.
 std::span<const ParameterDeclaration> methodParameters(std::string_view method);
+/// MissingKey when the method has a parameter that `parameters` do not declare.
+Status checkParameters(std::string_view method, const ParameterValues& parameters);
 
 } // namespace dewpoint

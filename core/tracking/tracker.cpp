@@ -3,25 +3,9 @@
 
 #include "core/tracking/barrera_tracker.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace dewpoint {
-namespace {
-
-/// The method's first parameter that `parameters` does not have; empty if it has them all.
-std::string missingParameter(const std::string& method, const ParameterValues& parameters) {
-  const auto declared = parameters.declarations();
-  for (const auto& needed : methodParameters(method)) {
-    if (std::ranges::find(declared, needed.key, &ParameterDeclaration::key) == declared.end()) {
-      return needed.key;
-    }
-  }
-  return {};
-}
-
-} // namespace
-
 double TargetEstimate::spread() const {
   return std::sqrt(covariance.trace());
 }
@@ -36,9 +20,8 @@ Result<std::unique_ptr<Tracker>> makeTracker(const std::string& method,
     }
     return failure(ErrorCode::NotFound, "", "method", "\"" + method + "\"; known: " + known);
   }
-  const std::string missing = missingParameter(method, parameters);
-  if (!missing.empty()) {
-    return failure(ErrorCode::MissingKey, "", missing, "method " + method + " needs it");
+  if (const auto checked = checkParameters(method, parameters); !checked) {
+    return tl::make_unexpected(checked.error());
   }
   return std::make_unique<BarreraTracker>(parameters, rig, target);
 }

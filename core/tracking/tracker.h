@@ -33,6 +33,7 @@ struct TargetEstimate {
   int camerasSeeing = 0;   ///< cameras with target color at the projected mean
   bool valid = false;      ///< seen by two cameras (by the only one, if there is one)
   double existence = 0.0;  ///< probability that the target is where the estimate says
+  double radius = 0.0;     ///< metres, of the target as known or as estimated; 0 when neither
   bool degenerate = false; ///< no particle had a usable weight; all were kept as equal
   /// Root mean square distance of the particles to their mean, metres.
   double spread() const;

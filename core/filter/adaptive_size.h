@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace dewpoint {
+
+/// Particles needed so that, with 99 % confidence, the Kullback-Leibler distance between the
+/// sampled and the true distribution over `occupiedBins` bins stays below `error` (KLD-sampling:
+/// Fox 2003, equation 13, by the Wilson-Hilferty approximation). At least 1.
+Eigen::Index kldSampleSize(std::int64_t occupiedBins, double error);
+
+/// How many cubes of edge `binSize` (metres) the first three columns of `states` fall into.
+std::int64_t occupiedBins(const Eigen::ArrayXXd& states, double binSize);
+
+} // namespace dewpoint

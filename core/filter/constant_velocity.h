@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/random.h"
+#include "core/filter/gaussian.h"
+#include "core/filter/particle_set.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace dewpoint {
+
+/// Nearly constant velocity: states are x y z vx vy vz (metres, metres per second); a constant,
+/// random acceleration acts from one step to the next (Bar-Shalom, Li and Kirubarajan 2001, section
+/// 6.3.2: the discrete white noise acceleration model).
+struct ConstantVelocity {
+  double interval = 0.0;          ///< seconds from the last step to this one
+  double accelerationSigma = 8.0; ///< standard deviation along each axis, m/s²
+
+  void predict(StateRows rows, std::uint32_t firstIndex, const RandomStream& stream) const {
+    const double half = 0.5 * interval * interval;
+    for (Eigen::Index row = 0; row < rows.rows(); ++row) {
+      const auto normal = stream.normal4(firstIndex + static_cast<std::uint32_t>(row));
+      for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const double acceleration = accelerationSigma * normal[static_cast<std::size_t>(axis)];
+        rows(row, axis) += interval * rows(row, axis + 3) + half * acceleration;
+        rows(row, axis + 3) += interval * acceleration;
+      }
+    }
+  }
+
+  /// What predict() does to a Gaussian.
+  void predict(Gaussian6& belief) const {
+    using Matrix6 = Gaussian6::Matrix;
+    Matrix6 transition = Matrix6::Identity();
+    transition.topRightCorner<3, 3>().diagonal().setConstant(interval);
+    belief.mean = transition * belief.mean;
+    belief.covariance = transition * belief.covariance * transition.transpose();
+    const double variance = accelerationSigma * accelerationSigma;
+    const double t = interval;
+    for (int axis = 0; axis < 3; ++axis) {
+      belief.covariance(axis, axis) += 0.25 * t * t * t * t * variance;
+      belief.covariance(axis, axis + 3) += 0.5 * t * t * t * variance;
+      belief.covariance(axis + 3, axis) += 0.5 * t * t * t * variance;
+      belief.covariance(axis + 3, axis + 3) += t * t * variance;
+    }
+  }
+};
+
+} // namespace dewpoint

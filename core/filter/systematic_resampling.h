@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/random.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace dewpoint {
+
+/// Systematic resampling (Kitagawa 1996; Arulampalam et al. 2002, algorithm 2): one uniform draw
+/// and equal steps through the cumulative weights. Unbiased, and every particle is picked floor or
+/// ceil of its expected number of times. The weights need not sum to 1, but at least one must be
+/// positive.
+struct SystematicResampling {
+  void ancestors(const Eigen::ArrayXd& weights, Eigen::Index count, const RandomStream& stream,
+                 std::vector<Eigen::Index>& picked) const {
+    picked.resize(static_cast<std::size_t>(count));
+    Eigen::Index last = 0; // of positive weight, where rounding would carry a step past the end
+    for (Eigen::Index i = 0; i < weights.size(); ++i) {
+      last = weights[i] > 0.0 ? i : last;
+    }
+    const double step = weights.sum() / static_cast<double>(count);
+    const double first = stream.uniform(0) * step;
+    double cumulative = weights[0];
+    Eigen::Index ancestor = 0;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const double draw = first + static_cast<double>(i) * step;
+      while (draw >= cumulative && ancestor < last) {
+        cumulative += weights[++ancestor];
+      }
+      picked[static_cast<std::size_t>(i)] = ancestor;
+    }
+  }
+};
+
+} // namespace dewpoint

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/observation/sphere_evidence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint {
+namespace {
+
+constexpr int kSpokes = 12;
+constexpr double kInner = 0.45; ///< radii at which samples lie
+constexpr double kEdge = 0.80;
+constexpr double kRing = 1.25;
+
+// Log likelihood ratios "target here" against "not here" of what a sample shows. A matching sample
+// inside: 0.9 against 0.01 (stray pixels of the color). One that does not match although nothing
+// new is there: 0.01 against 0.97. In the ring, given a match inside: clean 0.96 against 0.3;
+// matching as well, a larger thing of the color, so unlikely beside a true outline that a few such
+// samples are outvoted but a whole ring is not.
+constexpr double kInsideMatch = 4.5;
+constexpr double kInsideMiss = -4.5;
+constexpr double kRingClean = 1.2;
+constexpr double kRingMatch = -9.0;
+/// Samples of one image are far from independent: their sum counts this much.
+constexpr double kTemper = 0.12;
+/// Outlines of fewer pixels count less.
+constexpr double kFullArea = 60.0;
+
+struct Spoke {
+  double x;
+  double y;
+};
+
+const std::array<Spoke, kSpokes>& spokes() {
+  static const auto table = [] {
+    std::array<Spoke, kSpokes> all{};
+    for (int k = 0; k < kSpokes; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / kSpokes;
+      all[static_cast<std::size_t>(k)] = {std::cos(angle), std::sin(angle)};
+    }
+    return all;
+  }();
+  return table;
+}
+
+double inside(PixelLabel label) {
+  switch (label) {
+  case PixelLabel::Target:
+    return kInsideMatch;
+  case PixelLabel::Background:
+  case PixelLabel::Unlearned:
+    return kInsideMiss;
+  case PixelLabel::Unknown:
+  case PixelLabel::Explained:
+    break;
+  }
+  return 0.0;
+}
+
+double ring(PixelLabel edge, PixelLabel outer) {
+  if (edge != PixelLabel::Target) {
+    return 0.0;
+  }
+  if (outer == PixelLabel::Target) {
+    return kRingMatch;
+  }
+  return outer == PixelLabel::Explained ? 0.0 : kRingClean;
+}
+
+/// Reads labels around a center; whether all of them are covered is found out once.
+class Sampler {
+public:
+  Sampler(const LabelImage& labels, const SphereImage& outline)
+      : labels_(labels), outline_(outline) {
+    const cv::Rect area = areaOf(outline, SphereEvidence::kReach);
+    inside_ = (area & labels.covered()) == area;
+  }
+
+  PixelLabel at(const Spoke& spoke, double radii) const {
+    const double reach = radii * outline_.radius;
+    const int column = nearest(outline_.center.x() + reach * spoke.x);
+    const int row = nearest(outline_.center.y() + reach * spoke.y);
+    if (inside_) {
+      return static_cast<PixelLabel>(labels_.labels().ptr<std::uint8_t>(row)[column]);
+    }
+    return labels_.at(column, row);
+  }
+
+private:
+  static int nearest(double value) { return static_cast<int>(std::floor(value + 0.5)); }
+
+  const LabelImage& labels_;
+  const SphereImage& outline_;
+  bool inside_;
+};
+
+} // namespace
+
+cv::Rect areaOf(const SphereImage& outline, double radii, double margin) {
+  const double reach = radii * outline.radius + margin;
+  // Kept within what integers hold: a sphere near the camera's plane projects far away.
+  const auto bounded = [](double value) { return static_cast<int>(std::clamp(value, -1e8, 1e8)); };
+  const int left = bounded(std::floor(outline.center.x() - reach));
+  const int top = bounded(std::floor(outline.center.y() - reach));
+  return {left, top, bounded(std::ceil(outline.center.x() + reach)) - left + 1,
+          bounded(std::ceil(outline.center.y() + reach)) - top + 1};
+}
+
+double SphereEvidence::best() {
+  return kTemper * (kInsideMatch * (2 * kSpokes + 1) + kRingClean * kSpokes);
+}
+
+double SphereEvidence::logRatio(const LabelImage& labels, const SphereImage& outline) {
+  const Sampler sampler(labels, outline);
+  double sum = inside(sampler.at({0.0, 0.0}, 0.0));
+  for (const Spoke& spoke : spokes()) {
+    const PixelLabel edge = sampler.at(spoke, kEdge);
+    sum += inside(sampler.at(spoke, kInner)) + inside(edge) + ring(edge, sampler.at(spoke, kRing));
+  }
+  const double area = std::numbers::pi * outline.radius * outline.radius;
+  return kTemper * std::min(1.0, area / kFullArea) * sum;
+}
+
+double SphereEvidence::matchShare(const LabelImage& labels, const SphereImage& outline) {
+  const Sampler sampler(labels, outline);
+  int matching = sampler.at({0.0, 0.0}, 0.0) == PixelLabel::Target ? 1 : 0;
+  for (const Spoke& spoke : spokes()) {
+    matching += sampler.at(spoke, kInner) == PixelLabel::Target ? 1 : 0;
+    matching += sampler.at(spoke, kEdge) == PixelLabel::Target ? 1 : 0;
+  }
+  return static_cast<double>(matching) / (2 * kSpokes + 1);
+}
+
+} // namespace dewpoint

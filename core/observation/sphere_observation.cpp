@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/observation/sphere_observation.h"
+
+#include "core/observation/sphere_evidence.h"
+
+#include <algorithm>
+
+namespace dewpoint {
+namespace {
+
+/// Outlines larger than this many pixels in radius mean a place right in front of the lens.
+constexpr double kLargestRadiusPx = 2000.0;
+constexpr double kSeenShare = 1.0 / 3.0;
+
+Eigen::Vector3d placeOf(ConstStateRows rows, Eigen::Index row, double timeOffset) {
+  Eigen::Vector3d place(rows(row, 0), rows(row, 1), rows(row, 2));
+  if (rows.cols() >= 6 && timeOffset != 0.0) {
+    place += timeOffset * Eigen::Vector3d(rows(row, 3), rows(row, 4), rows(row, 5));
+  }
+  return place;
+}
+
+bool insideImage(const SphereImage& outline, const cv::Size& size) {
+  return outline.center.x() >= 0.0 && outline.center.y() >= 0.0 &&
+         outline.center.x() <= size.width - 1 && outline.center.y() <= size.height - 1;
+}
+
+} // namespace
+
+SphereObservation::SphereObservation(const CameraRig& rig) {
+  views_.reserve(rig.size());
+  for (const Camera& camera : rig) {
+    views_.push_back(View{SphereProjector(camera), {}, 0.0});
+  }
+}
+
+void SphereObservation::setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
+                                 const BackgroundModel& background,
+                                 const ColorClassifier& classifier) {
+  View& view = views_.at(camera);
+  view.timeOffset = timeOffset;
+  if (image.type() != CV_8UC3 || image.empty()) {
+    view.labels.clear();
+  } else {
+    view.labels.begin(image, background, classifier);
+  }
+}
+
+void SphereObservation::cover(ConstStateRows rows) {
+  for (View& view : views_) {
+    if (view.labels.empty()) {
+      continue;
+    }
+    const cv::Rect whole(cv::Point(0, 0), view.labels.size());
+    cv::Rect all;
+    for (Eigen::Index i = 0; i < rows.rows() && all != whole; ++i) {
+      const auto outline = view.projector.project(placeOf(rows, i, view.timeOffset), radius_);
+      if (outline && outline->radius < kLargestRadiusPx) {
+        all |= areaOf(*outline, SphereEvidence::kReach) & whole;
+      }
+    }
+    view.labels.require(all);
+  }
+}
+
+void SphereObservation::addLogLikelihood(ConstStateRows rows,
+                                         LogWeightSegment logLikelihood) const {
+  for (const View& view : views_) {
+    if (view.labels.empty()) {
+      continue;
+    }
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+      const auto outline = view.projector.project(placeOf(rows, i, view.timeOffset), radius_);
+      if (outline && outline->radius < kLargestRadiusPx) {
+        logLikelihood[i] += SphereEvidence::logRatio(view.labels, *outline);
+      }
+    }
+  }
+}
+
+double SphereObservation::logRatio(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) {
+  double sum = 0.0;
+  for (View& view : views_) {
+    const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
+    if (!view.labels.empty() && outline && outline->radius < kLargestRadiusPx) {
+      view.labels.require(areaOf(*outline, SphereEvidence::kReach));
+      sum += SphereEvidence::logRatio(view.labels, *outline);
+    }
+  }
+  return sum;
+}
+
+double SphereObservation::bestLogRatio(const Eigen::Vector3d& center,
+                                       const Eigen::Vector3d& velocity) const {
+  double sum = 0.0;
+  for (const View& view : views_) {
+    const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
+    if (!view.labels.empty() && outline && insideImage(*outline, view.labels.size())) {
+      sum += SphereEvidence::best();
+    }
+  }
+  return sum;
+}
+
+int SphereObservation::camerasSeeing(const Eigen::Vector3d& center,
+                                     const Eigen::Vector3d& velocity) {
+  int seeing = 0;
+  for (View& view : views_) {
+    const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
+    if (!view.labels.empty() && outline && outline->radius < kLargestRadiusPx) {
+      view.labels.require(areaOf(*outline, SphereEvidence::kReach));
+      seeing += SphereEvidence::matchShare(view.labels, *outline) >= kSeenShare ? 1 : 0;
+    }
+  }
+  return seeing;
+}
+
+OutlineFit SphereObservation::fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity) {
+  std::vector<OutlineView> views;
+  views.reserve(views_.size());
+  for (View& view : views_) {
+    views.push_back({&view.projector, &view.labels, view.timeOffset * velocity});
+  }
+  return fitOutline(views, prior);
+}
+
+} // namespace dewpoint

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/filter/particle_set.h"
+#include "core/geometry/sphere_image.h"
+#include "core/observation/label_image.h"
+#include "core/observation/outline_fit.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace dewpoint {
+
+/// All cameras' evidence for one target, a sphere of one color: the observation model of method
+/// `dewpoint`. States: columns 0 to 2 are x, y, z (metres, world frame), 3 to 5 the velocity (m/s),
+/// by which a place is moved to the instant a camera looked.
+class SphereObservation {
+public:
+  explicit SphereObservation(const CameraRig& rig);
+
+  std::size_t cameraCount() const { return views_.size(); }
+  const SphereProjector& projector(std::size_t camera) const { return views_[camera].projector; }
+  LabelImage& labels(std::size_t camera) { return views_[camera].labels; }
+  const LabelImage& labels(std::size_t camera) const { return views_[camera].labels; }
+
+  /// The image a camera shows from now on, taken `timeOffset` seconds after the common instant.
+  /// Image, background and classifier must outlive their use. An empty image: the camera is left
+  /// out.
+  void setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
+                const BackgroundModel& background, const ColorClassifier& classifier);
+  /// Radius of the sphere in metres, from now on.
+  void setRadius(double radius) { radius_ = radius; }
+  double radius() const { return radius_; }
+
+  /// Makes the labels that addLogLikelihood() will read for these states. Not to be called while
+  /// other threads use the model.
+  void cover(ConstStateRows rows);
+  /// Adds each state's log likelihood ratio (SphereEvidence), summed over the cameras.
+  void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const;
+
+  /// The log likelihood ratio of one place, labels made as needed.
+  double logRatio(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
+  /// What it would be if every camera in whose image the place lies saw the target fully.
+  double bestLogRatio(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) const;
+  /// Cameras that see at least a third of the sphere's outline filled.
+  int camerasSeeing(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
+  /// Fits the outline (fitOutline) in all cameras that have an image.
+  OutlineFit fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity);
+
+private:
+  struct View {
+    SphereProjector projector;
+    LabelImage labels;
+    double timeOffset = 0.0;
+  };
+
+  std::vector<View> views_;
+  double radius_ = 0.0;
+};
+
+} // namespace dewpoint

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/dewpoint_tracker.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+namespace dewpoint {
+namespace {
+
+/// A gap longer than this is a new scene as far as motion is concerned.
+constexpr double kLongestGap = 1.0; // seconds
+constexpr double kDefaultGap = 1.0 / 30.0;
+/// Two spheres of radii a and b cannot be closer than a + b; estimates may err a little.
+constexpr double kTouching = 0.7;
+/// Around a target's outline nothing is learned: its shadow and reflection lie there.
+constexpr double kNotLearnedRadii = 1.4;
+constexpr double kOutlineMargin = 1.05;
+
+double depthIn(const SphereObservation& observation, std::size_t camera,
+               const Eigen::Vector3d& place) {
+  return observation.projector(camera).depth(place);
+}
+
+} // namespace
+
+DewpointTracker::DewpointTracker(const ParameterValues& parameters, const CameraRig& rig,
+                                 const std::vector<Target>& targets)
+    : parameters_(parameters), backgrounds_(rig.size()), search_(rig), estimates_(targets.size()) {
+  for (const Target& target : targets) {
+    tracked_.push_back(
+        {TargetBelief(target), SphereObservation(rig), ColorClassifier(target.color)});
+  }
+  restart(0);
+}
+
+BeliefSettings DewpointTracker::settings() const {
+  BeliefSettings settings;
+  settings.mostParticles = static_cast<Eigen::Index>(parameters_.at("particles"));
+  if (affordableParticles_ > 0.0) {
+    settings.mostParticles = std::clamp<Eigen::Index>(
+        static_cast<Eigen::Index>(affordableParticles_), 10, settings.mostParticles);
+  }
+  settings.fewestParticles = std::min(static_cast<Eigen::Index>(parameters_.at("fewest_particles")),
+                                      settings.mostParticles);
+  settings.kldError = parameters_.at("kld_error");
+  settings.accelerationSigma = parameters_.at("acceleration_sigma");
+  settings.survivalTime = parameters_.at("survival_time");
+  settings.searchSize = parameters_.at("search_size");
+  return settings;
+}
+
+void DewpointTracker::configure(const ParameterValues& parameters) {
+  parameters_ = parameters;
+  for (Tracked& tracked : tracked_) {
+    tracked.belief.configure(settings());
+  }
+  if (!lastTime_) {
+    restart(key_.seed);
+  }
+}
+
+void DewpointTracker::setTargets(const std::vector<Target>& targets) {
+  for (std::size_t k = 0; k < std::min(targets.size(), tracked_.size()); ++k) {
+    tracked_[k].belief.setTarget(targets[k]);
+    tracked_[k].classifier = ColorClassifier(targets[k].color);
+  }
+}
+
+void DewpointTracker::restart(std::uint64_t seed) {
+  key_ = {seed, 0, 0};
+  lastTime_.reset();
+  affordableParticles_ = 0.0;
+  for (BackgroundModel& background : backgrounds_) {
+    background.reset();
+  }
+  for (std::size_t k = 0; k < tracked_.size(); ++k) {
+    tracked_[k].belief.configure(settings());
+    tracked_[k].belief.restart(startVolume(parameters_), keyOf(k).seed);
+  }
+  estimates_.assign(tracked_.size(), TargetEstimate{});
+}
+
+int DewpointTracker::iterationsPerFrame() const {
+  return static_cast<int>(parameters_.at("iterations_per_frame"));
+}
+
+RandomKey DewpointTracker::keyOf(std::size_t index) const {
+  return {derivedSeed(key_.seed, static_cast<std::uint32_t>(index)), key_.frame, key_.iteration};
+}
+
+double DewpointTracker::secondsSinceLastFrame() const {
+  if (!lastTime_ || !frames_) {
+    return 0.0;
+  }
+  const double interval = seconds(frames_->time - *lastTime_);
+  // Backwards: the user went to an earlier frame.
+  return interval < 0.0 ? kDefaultGap : std::min(interval, kLongestGap);
+}
+
+void DewpointTracker::beginFrame(FrameSetPtr frames) {
+  frames_ = std::move(frames);
+  key_.iteration = 0;
+  key_.frame = frames_ ? static_cast<std::uint32_t>(frames_->index) : 0;
+}
+
+void DewpointTracker::showImages(Tracked& tracked) {
+  for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
+    const bool present =
+        frames_ && camera < frames_->frames.size() && frames_->frames[camera] != nullptr;
+    if (!present) {
+      tracked.observation.setImage(camera, cv::Mat(), 0.0, backgrounds_[camera],
+                                   tracked.classifier);
+      continue;
+    }
+    const Frame& frame = *frames_->frames[camera];
+    tracked.observation.setImage(camera, frame.image, seconds(frame.captureTime - frames_->time),
+                                 backgrounds_[camera], tracked.classifier);
+  }
+}
+
+std::vector<std::size_t> DewpointTracker::surestFirst() const {
+  std::vector<std::size_t> order(tracked_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto probability = [&](std::size_t k) {
+    const Hypothesis* best = tracked_[k].belief.best();
+    return best != nullptr ? best->probability : 0.0;
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return probability(a) > probability(b); });
+  return order;
+}
+
+std::vector<OccupiedSphere> DewpointTracker::occupiedByOthers(std::size_t index) const {
+  std::vector<OccupiedSphere> occupied;
+  for (std::size_t k = 0; k < tracked_.size(); ++k) {
+    const Hypothesis* other = k != index ? tracked_[k].belief.confident() : nullptr;
+    if (other != nullptr) {
+      occupied.push_back({other->place(), other->radius});
+    }
+  }
+  return occupied;
+}
+
+void DewpointTracker::explainOthers(std::size_t index) {
+  Tracked& own = tracked_[index];
+  const Hypothesis* mine = own.belief.confident();
+  for (std::size_t k = 0; k < tracked_.size(); ++k) {
+    const Hypothesis* other = k != index ? tracked_[k].belief.confident() : nullptr;
+    if (other == nullptr || tracked_[k].belief.target().color != own.belief.target().color) {
+      continue;
+    }
+    for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
+      LabelImage& labels = own.observation.labels(camera);
+      const auto outline = own.observation.projector(camera).project(other->place(), other->radius);
+      if (labels.empty() || !outline) {
+        continue;
+      }
+      // What lies in front of the other stays this target's own.
+      LabelImage::Circle kept;
+      const auto ownOutline =
+          mine != nullptr ? own.observation.projector(camera).project(mine->place(), mine->radius)
+                          : std::nullopt;
+      if (ownOutline && depthIn(own.observation, camera, mine->place()) <
+                            depthIn(own.observation, camera, other->place())) {
+        kept = {ownOutline->center, kOutlineMargin * ownOutline->radius};
+      }
+      labels.explain({outline->center, kOutlineMargin * outline->radius + 1.0}, kept);
+    }
+  }
+}
+
+void DewpointTracker::iterate(ThreadTeam& team) {
+  const auto begin = std::chrono::steady_clock::now();
+  for (std::size_t k = 0; k < tracked_.size(); ++k) {
+    tracked_[k].belief.configure(settings());
+    if (key_.iteration == 0) {
+      tracked_[k].belief.predict(secondsSinceLastFrame(), keyOf(k), team);
+    }
+  }
+  for (const std::size_t k : surestFirst()) {
+    showImages(tracked_[k]);
+    explainOthers(k);
+    tracked_[k].belief.update(tracked_[k].observation, search_, occupiedByOthers(k), keyOf(k),
+                              team);
+  }
+  resolveConflicts();
+  for (std::size_t k = 0; k < tracked_.size(); ++k) {
+    estimates_[k] = tracked_[k].belief.estimate(tracked_[k].observation);
+  }
+  if (key_.iteration == 0) {
+    learnBackgrounds();
+    lastTime_ = frames_ ? frames_->time : TimeStamp{};
+  }
+  ++key_.iteration;
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+  keepToBudget(took.count());
+}
+
+void DewpointTracker::resolveConflicts() {
+  for (std::size_t a = 0; a < tracked_.size(); ++a) {
+    for (std::size_t b = a + 1; b < tracked_.size(); ++b) {
+      const Hypothesis* first = tracked_[a].belief.confident();
+      const Hypothesis* second = tracked_[b].belief.confident();
+      if (first == nullptr || second == nullptr ||
+          (first->place() - second->place()).norm() >
+              kTouching * (first->radius + second->radius)) {
+        continue;
+      }
+      (first->logRatio >= second->logRatio ? tracked_[b] : tracked_[a]).belief.yield();
+    }
+  }
+}
+
+void DewpointTracker::learnBackgrounds() {
+  for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
+    if (!frames_ || camera >= frames_->frames.size() || frames_->frames[camera] == nullptr) {
+      continue;
+    }
+    std::vector<BackgroundModel::Hidden> hidden;
+    for (const Tracked& tracked : tracked_) {
+      const Hypothesis* best = tracked.belief.best();
+      if (best == nullptr) {
+        continue;
+      }
+      const auto outline =
+          tracked.observation.projector(camera).project(best->place(), best->radius);
+      if (outline) {
+        hidden.push_back({outline->center, kNotLearnedRadii * outline->radius + 2.0});
+      }
+    }
+    backgrounds_[camera].learn(frames_->frames[camera]->image, hidden);
+  }
+}
+
+void DewpointTracker::keepToBudget(double milliseconds) {
+  const double budget = parameters_.at("time_budget");
+  if (budget <= 0.0 || milliseconds <= 0.0) {
+    affordableParticles_ = 0.0;
+    return;
+  }
+  const double most = parameters_.at("particles");
+  const double now = affordableParticles_ > 0.0 ? affordableParticles_ : most;
+  // Down at once, up slowly: a budget is to be kept, not met on average.
+  const double factor = std::clamp(0.8 * budget / milliseconds, 0.25, 1.1);
+  affordableParticles_ = std::clamp(now * factor, 10.0, most);
+}
+
+void DewpointTracker::particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
+                                Eigen::ArrayXd& weights) const {
+  tracked_.at(target).belief.particles(limit, positions, weights);
+}
+
+} // namespace dewpoint

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/hypothesis.h"
+
+#include "core/filter/estimate.h"
+#include "core/filter/systematic_resampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace dewpoint {
+namespace {
+
+/// The proposal is a little wider than the belief, and every seventh particle much wider, so that
+/// no weight is huge where the belief's tails are too thin.
+constexpr double kWider = 1.2;
+constexpr Eigen::Index kWideEvery = 7;
+constexpr double kWideShareOfRadius = 0.25;
+/// An outline farther than this many standard deviations from the prediction is another thing's.
+constexpr double kGate = 5.0;
+/// A moving ball is smeared over an exposure of usually about 10 ms; its outline is off by a share
+/// of the way.
+constexpr double kBlurSeconds = 0.0007;
+/// The outline is known no better than this share of the radius: shading, color noise.
+constexpr double kShareOfRadius = 0.006;
+
+std::uint32_t firstIndex(const Hypothesis& hypothesis) {
+  return hypothesis.stream << 20U;
+}
+
+double logSumOfTwo(double a, double b) {
+  const double larger = std::max(a, b);
+  return larger + std::log(std::exp(a - larger) + std::exp(b - larger));
+}
+
+/// The evidence of every particle.
+Eigen::ArrayXd evidence(const Hypothesis& hypothesis, SphereObservation& observation,
+                        ThreadTeam& team) {
+  Eigen::ArrayXd logs = Eigen::ArrayXd::Zero(hypothesis.states.rows());
+  observation.setRadius(hypothesis.radius);
+  observation.cover(hypothesis.states);
+  team.forEachRange(logs.size(), [&](std::int64_t begin, std::int64_t end) {
+    observation.addLogLikelihood(hypothesis.states.middleRows(begin, end - begin),
+                                 logs.segment(begin, end - begin));
+  });
+  return logs;
+}
+
+void setBeliefFromParticles(Hypothesis& hypothesis) {
+  const StateEstimate moments = estimate(hypothesis.states, hypothesis.weights);
+  hypothesis.belief.mean = moments.mean;
+  hypothesis.belief.covariance = moments.covariance;
+  // Never so narrow that it cannot be inverted.
+  hypothesis.belief.covariance.diagonal().array() += 1e-10;
+}
+
+/// The look when no outline was found: the particles carry the belief alone.
+double weighPrediction(Hypothesis& hypothesis, SphereObservation& observation, const RandomKey& key,
+                       ThreadTeam& team) {
+  const Eigen::ArrayXd logs = evidence(hypothesis, observation, team);
+  const double largest = logs.maxCoeff();
+  const bool informative = largest - logs.minCoeff() > 1e-3;
+  const Eigen::ArrayXd scaled = hypothesis.weights * (logs - largest).exp();
+  const double sum = scaled.sum();
+  if (informative && sum > 0.0) {
+    hypothesis.weights = scaled / sum;
+    setBeliefFromParticles(hypothesis);
+    const double effective = 1.0 / hypothesis.weights.square().sum();
+    const Eigen::Index count = hypothesis.states.rows();
+    if (effective < 0.5 * static_cast<double>(count)) {
+      std::vector<Eigen::Index> ancestors;
+      SystematicResampling().ancestors(hypothesis.weights, count,
+                                       RandomStream(key.seed, key.frame,
+                                                    key.iteration + (hypothesis.stream << 8U),
+                                                    RandomPurpose::Resampling),
+                                       ancestors);
+      hypothesis.states = Eigen::ArrayXXd(hypothesis.states(ancestors, Eigen::all));
+      hypothesis.weights.setConstant(1.0 / static_cast<double>(count));
+    }
+  }
+  hypothesis.logRatio = observation.logRatio(hypothesis.place(), hypothesis.velocity());
+  return largest + std::log(std::max(sum, 1e-300));
+}
+
+} // namespace
+
+double evidenceVolume(double radius) {
+  const double edge = 0.3 * radius;
+  return edge * edge * edge;
+}
+
+void drawParticles(Hypothesis& hypothesis, SphereObservation& observation, Eigen::Index count,
+                   const RandomKey& key, ThreadTeam& team) {
+  const Gaussian6& belief = hypothesis.belief;
+  const Eigen::Matrix3d place = belief.covariance.topLeftCorner<3, 3>();
+  const double wide = kWideShareOfRadius * hypothesis.radius;
+  const PreparedGaussian3 posterior({belief.mean.head<3>(), place});
+  const PreparedGaussian3 narrow({belief.mean.head<3>(), kWider * kWider * place});
+  const PreparedGaussian3 broad(
+      {belief.mean.head<3>(), place + wide * wide * Eigen::Matrix3d::Identity()});
+  const Eigen::Matrix3d gain = belief.covariance.bottomLeftCorner<3, 3>() * place.inverse();
+  Eigen::Matrix3d remaining =
+      belief.covariance.bottomRightCorner<3, 3>() - gain * belief.covariance.topRightCorner<3, 3>();
+  remaining.diagonal().array() += 1e-12;
+  const PreparedGaussian3 velocity({Eigen::Vector3d::Zero(), remaining});
+  const double broadShare = 1.0 / static_cast<double>(kWideEvery);
+
+  hypothesis.states.resize(count, 6);
+  Eigen::ArrayXd logs(count);
+  const RandomStream stream = key.stream(RandomPurpose::Proposal);
+  const std::uint32_t first = firstIndex(hypothesis);
+  team.forEachRange(count, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t i = begin; i < end; ++i) {
+      const auto index = first + static_cast<std::uint32_t>(i);
+      const auto a = stream.normal4(index, 0);
+      const auto b = stream.normal4(index, 1);
+      const bool isBroad = i % kWideEvery == kWideEvery - 1;
+      const Eigen::Vector3d x = (isBroad ? broad : narrow).place({a[0], a[1], a[2]});
+      const Eigen::Vector3d v = belief.mean.tail<3>() + gain * (x - belief.mean.head<3>()) +
+                                velocity.place({b[0], b[1], b[2]});
+      hypothesis.states.row(i) << x.transpose().array(), v.transpose().array();
+      const double proposal = logSumOfTwo(std::log1p(-broadShare) + narrow.logDensity(x),
+                                          std::log(broadShare) + broad.logDensity(x));
+      logs[i] = posterior.logDensity(x) - proposal;
+    }
+  });
+  logs += evidence(hypothesis, observation, team);
+  normalize(logs, hypothesis.weights, team);
+}
+
+double look(Hypothesis& hypothesis, SphereObservation& observation, Eigen::Index count,
+            const RandomKey& key, ThreadTeam& team) {
+  observation.setRadius(hypothesis.radius);
+  const Gaussian3 predicted{hypothesis.place(), hypothesis.belief.covariance.topLeftCorner<3, 3>()};
+  OutlinePrior prior;
+  prior.center = predicted.mean;
+  prior.radius = hypothesis.radius;
+  prior.logRadiusVariance = hypothesis.logRadiusVariance;
+  prior.information = predicted.covariance.inverse();
+  const OutlineFit fit = observation.fit(prior, hypothesis.velocity());
+  const PreparedGaussian3 prediction(predicted);
+  hypothesis.measured = fit.found && prediction.squaredDistance(fit.center) < kGate * kGate;
+  if (hypothesis.measured) {
+    observation.setRadius(fit.radius);
+    const double fitted = observation.logRatio(fit.center, hypothesis.velocity());
+    observation.setRadius(hypothesis.radius);
+    // An outline that explains the images worse than the prediction is an accident.
+    hypothesis.measured =
+        fitted > 0.0 && fitted >= observation.logRatio(predicted.mean, hypothesis.velocity()) - 1.0;
+    hypothesis.logRatio = fitted;
+  }
+  if (!hypothesis.measured) {
+    const double factor = weighPrediction(hypothesis, observation, key, team);
+    hypothesis.bestLogRatio = observation.bestLogRatio(hypothesis.place(), hypothesis.velocity());
+    return factor;
+  }
+  hypothesis.radius = fit.radius;
+  if (hypothesis.logRadiusVariance > 0.0) {
+    hypothesis.logRadiusVariance = std::max(fit.logRadiusVariance, 1e-6);
+  }
+  Gaussian3 place{fit.center, fit.covariance};
+  const double blur = kBlurSeconds * hypothesis.velocity().norm();
+  const double shade = kShareOfRadius * hypothesis.radius;
+  place.covariance.diagonal().array() += blur * blur + shade * shade;
+  const double overlap =
+      prediction.logDensity(fit.center) + std::log(evidenceVolume(hypothesis.radius));
+  condition(hypothesis.belief, place);
+  hypothesis.bestLogRatio = observation.bestLogRatio(hypothesis.place(), hypothesis.velocity());
+  drawParticles(hypothesis, observation, count, key, team);
+  return hypothesis.logRatio + std::min(0.0, overlap);
+}
+
+} // namespace dewpoint

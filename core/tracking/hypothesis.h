@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/thread_team.h"
+#include "core/filter/gaussian.h"
+#include "core/filter/particle_filter.h"
+#include "core/observation/sphere_observation.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace dewpoint {
+
+/// One place where a target may be: a cloud of particles, a Gaussian that sums it up, and the
+/// probability that this is where the target is. A cloud never spans two places: a target that may
+/// be in several has several hypotheses (mixture tracking: Vermaak, Doucet and Pérez 2003).
+struct Hypothesis {
+  Eigen::ArrayXXd states;       ///< one row per particle: x y z vx vy vz
+  Eigen::ArrayXd weights;       ///< linear, sum 1
+  Gaussian6 belief;             ///< the same as a Gaussian
+  double radius = 0.0;          ///< metres
+  double logRadiusVariance = 0; ///< 0 when the radius is known
+  double probability = 0.0;     ///< that the target is here
+  double logRatio = 0.0;        ///< evidence of the last look, all cameras
+  double bestLogRatio = 0.0;    ///< what it would be if every camera there saw it fully
+  bool measured = false;        ///< the outline was found at the last look
+  std::uint32_t stream = 0;     ///< sets its random numbers apart from other hypotheses'
+
+  Eigen::Vector3d place() const { return belief.mean.head<3>(); }
+  Eigen::Vector3d velocity() const { return belief.mean.tail<3>(); }
+};
+
+/// Draws the particles of a hypothesis from its belief: the importance sampling of a wider
+/// proposal, weighted by the evidence at each particle. `count` particles.
+void drawParticles(Hypothesis& hypothesis, SphereObservation& observation, Eigen::Index count,
+                   const RandomKey& key, ThreadTeam& team);
+
+/// One look at the images: finds the outline near the predicted place and conditions the belief on
+/// it; where there is none, weighs the predicted particles as they are, and resamples them when
+/// their effective number falls below half. Returns the log of the factor by which the look changes
+/// the hypothesis's probability against "not there".
+double look(Hypothesis& hypothesis, SphereObservation& observation, Eigen::Index count,
+            const RandomKey& key, ThreadTeam& team);
+
+/// The volume, in m³, within which a sphere of this radius has about the same evidence.
+double evidenceVolume(double radius);
+
+} // namespace dewpoint

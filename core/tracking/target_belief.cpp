@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/target_belief.h"
+
+#include "core/filter/adaptive_size.h"
+#include "core/filter/constant_velocity.h"
+#include "core/filter/estimate.h"
+#include "core/filter/isotropic_motion.h"
+#include "core/filter/systematic_resampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint {
+namespace {
+
+constexpr std::size_t kMostHypotheses = 6;
+constexpr std::size_t kCandidates = 10;
+constexpr double kLeastProbability = 1e-8;
+/// Probability that a target that is not there appears within one frame.
+constexpr double kBirth = 0.2;
+/// Share of births near the place where the target is looked for first; the rest is anywhere.
+constexpr double kAnchorShare = 0.5;
+constexpr double kBirthSpeed = 1.5;    ///< m/s, standard deviation along each axis
+constexpr double kLostSpeed = 0.5;     ///< m/s at which the place to look for a lost target widens
+constexpr double kAnchorSigma = 0.1;   ///< metres, at least
+constexpr double kLeastLogRatio = 2.0; ///< evidence worth a hypothesis
+constexpr double kSearchSigma = 0.03;  ///< metres per iteration of the search cloud
+constexpr double kWellSeen = 0.55;     ///< share of the best evidence that leaves no doubt
+constexpr double kSure = 0.98;
+/// Relative standard deviation of a radius that is guessed from the images.
+constexpr double kRadiusSigma = 0.2;
+
+} // namespace
+
+TargetBelief::TargetBelief(const Target& target) : target_(target) {
+  restart({}, 0);
+}
+
+void TargetBelief::setTarget(const Target& target) {
+  const bool radiusChanged = target.radius != target_.radius;
+  target_ = target;
+  for (Hypothesis& hypothesis : hypotheses_) {
+    if (radiusChanged && target.radius > 0.0) {
+      hypothesis.radius = target.radius;
+    }
+    hypothesis.logRadiusVariance = target.radius > 0.0 ? 0.0 : kRadiusSigma * kRadiusSigma;
+  }
+  predicted_ = hypotheses_;
+}
+
+void TargetBelief::restart(const StartVolume& start, std::uint64_t seed) {
+  start_ = start;
+  seed_ = seed;
+  anchor_.mean = start.center;
+  // A uniform distribution of half size h has the standard deviation h / sqrt(3).
+  anchor_.covariance =
+      (start.half / std::sqrt(3.0)).array().max(kAnchorSigma).square().matrix().asDiagonal();
+  everSeen_ = false;
+  nextStream_ = 1;
+  hypotheses_.clear();
+  predicted_.clear();
+  drawSearchCloud({seed, 0, 0});
+}
+
+void TargetBelief::drawSearchCloud(const RandomKey& key) {
+  const RandomStream stream = key.stream(RandomPurpose::Start);
+  const PreparedGaussian3 anchor(anchor_);
+  cloud_.states.resize(settings_.mostParticles, 3);
+  for (Eigen::Index i = 0; i < cloud_.states.rows(); ++i) {
+    const auto index = static_cast<std::uint32_t>(i);
+    if (everSeen_) {
+      const auto normal = stream.normal4(index);
+      cloud_.states.row(i) = anchor.place({normal[0], normal[1], normal[2]}).transpose();
+      continue;
+    }
+    const auto unit = stream.uniform3(index);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      cloud_.states(i, axis) =
+          start_.center[axis] +
+          start_.half[axis] * (2.0 * unit[static_cast<std::size_t>(axis)] - 1.0);
+    }
+  }
+  cloud_.weights.setConstant(cloud_.states.rows(), 1.0 / static_cast<double>(cloud_.states.rows()));
+}
+
+double TargetBelief::absence() const {
+  double present = 0.0;
+  for (const Hypothesis& hypothesis : hypotheses_) {
+    present += hypothesis.probability;
+  }
+  return std::max(1e-9, 1.0 - present);
+}
+
+void TargetBelief::predict(double interval, const RandomKey& key, ThreadTeam& team) {
+  const ConstantVelocity motion{interval, settings_.accelerationSigma};
+  const double survival = std::exp(-interval / settings_.survivalTime);
+  const RandomStream stream = key.stream(RandomPurpose::Motion);
+  for (Hypothesis& hypothesis : hypotheses_) {
+    motion.predict(hypothesis.belief);
+    const std::uint32_t first = hypothesis.stream << 20U;
+    team.forEachRange(hypothesis.states.rows(), [&](std::int64_t begin, std::int64_t end) {
+      motion.predict(hypothesis.states.middleRows(begin, end - begin),
+                     first + static_cast<std::uint32_t>(begin), stream);
+    });
+    hypothesis.probability *= survival;
+  }
+  if (const Hypothesis* seen = confident()) {
+    anchor_ = {seen->place(), seen->belief.covariance.topLeftCorner<3, 3>()};
+    anchor_.covariance.diagonal().array() += kAnchorSigma * kAnchorSigma;
+    everSeen_ = true;
+  } else if (everSeen_) {
+    // A standard deviation that grows linearly with time.
+    const double sigma = std::sqrt(anchor_.covariance.trace() / 3.0);
+    const double wider = std::min(sigma + kLostSpeed * interval, settings_.searchSize);
+    anchor_.covariance *= (wider * wider) / (sigma * sigma);
+  }
+  predicted_ = hypotheses_;
+}
+
+Eigen::Index TargetBelief::particleCount(const Hypothesis& hypothesis) const {
+  if (settings_.kldError <= 0.0 || hypothesis.states.rows() == 0) {
+    return settings_.mostParticles;
+  }
+  const auto bins = occupiedBins(hypothesis.states, 0.25 * hypothesis.radius);
+  return std::clamp(kldSampleSize(bins, settings_.kldError),
+                    std::min(settings_.fewestParticles, settings_.mostParticles),
+                    settings_.mostParticles);
+}
+
+void TargetBelief::lookAtAll(SphereObservation& observation, const RandomKey& key, ThreadTeam& team,
+                             std::vector<double>& logMasses) {
+  for (Hypothesis& hypothesis : hypotheses_) {
+    const double factor = look(hypothesis, observation, particleCount(hypothesis), key, team);
+    logMasses.push_back(std::log(std::max(hypothesis.probability, 1e-300)) + factor);
+  }
+}
+
+bool TargetBelief::mustSearch(const std::vector<double>& logMasses) const {
+  const auto top = std::max_element(logMasses.begin(), logMasses.end());
+  if (top == logMasses.end()) {
+    return true;
+  }
+  double others = absence();
+  for (const double mass : logMasses) {
+    others += mass == *top ? 0.0 : std::exp(mass);
+  }
+  const double share = 1.0 / (1.0 + others * std::exp(-*top));
+  const Hypothesis& hypothesis = hypotheses_[static_cast<std::size_t>(top - logMasses.begin())];
+  return share < kSure || hypothesis.logRatio < kWellSeen * hypothesis.bestLogRatio ||
+         hypothesis.bestLogRatio <= 0.0;
+}
+
+double TargetBelief::birthDensity(const Eigen::Vector3d& place) const {
+  const double room = settings_.searchSize * settings_.searchSize * settings_.searchSize;
+  double near = 0.0;
+  if (everSeen_) {
+    near = std::exp(PreparedGaussian3(anchor_).logDensity(place));
+  } else {
+    // Flat within the start box, falling off around it.
+    const Eigen::Array3d half = start_.half.array().max(2.0 * kAnchorSigma);
+    const Eigen::Array3d beyond = ((place - start_.center).array().abs() - half).max(0.0);
+    near = std::exp(-0.5 * (beyond / kAnchorSigma).square().sum()) / (8.0 * half.prod());
+  }
+  return kAnchorShare * near + (1.0 - kAnchorShare) / room;
+}
+
+void TargetBelief::giveBirth(SphereObservation& observation, const CandidateSearch& search,
+                             const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
+                             ThreadTeam& team, std::vector<double>& logMasses) {
+  const bool radiusKnown = target_.radius > 0.0;
+  observation.setRadius(target_.radius);
+  const double birth = absence() * kBirth;
+  for (const Candidate& candidate : search.find(observation, radiusKnown, kCandidates)) {
+    OutlinePrior prior;
+    prior.center = candidate.center;
+    prior.radius = candidate.radius;
+    prior.logRadiusVariance = radiusKnown ? 0.0 : kRadiusSigma * kRadiusSigma;
+    prior.information = Eigen::Matrix3d::Identity() / (settings_.searchSize * settings_.searchSize);
+    const OutlineFit fit = observation.fit(prior, Eigen::Vector3d::Zero());
+    if (!fit.found) {
+      continue;
+    }
+    observation.setRadius(fit.radius);
+    const double logRatio = observation.logRatio(fit.center, Eigen::Vector3d::Zero());
+    const auto taken = [&](const Eigen::Vector3d& place, double radius) {
+      return (place - fit.center).norm() < radius;
+    };
+    const bool known = std::any_of(hypotheses_.begin(), hypotheses_.end(), [&](const auto& other) {
+      return taken(other.place(), fit.radius);
+    });
+    const bool excluded = std::any_of(occupied.begin(), occupied.end(), [&](const auto& other) {
+      return taken(other.center, 0.7 * (other.radius + fit.radius));
+    });
+    if (known || excluded || logRatio < kLeastLogRatio) {
+      continue;
+    }
+    Hypothesis born;
+    born.stream = nextStream_++ % 4096U;
+    born.radius = fit.radius;
+    born.logRadiusVariance = radiusKnown ? 0.0 : fit.logRadiusVariance;
+    born.belief.mean << fit.center, Eigen::Vector3d::Zero();
+    born.belief.covariance.setZero();
+    born.belief.covariance.topLeftCorner<3, 3>() = fit.covariance;
+    born.belief.covariance.diagonal().tail<3>().setConstant(kBirthSpeed * kBirthSpeed);
+    born.logRatio = logRatio;
+    born.bestLogRatio = observation.bestLogRatio(fit.center, Eigen::Vector3d::Zero());
+    born.measured = true;
+    drawParticles(born, observation, settings_.fewestParticles, key, team);
+    logMasses.push_back(std::log(birth * birthDensity(fit.center) * evidenceVolume(fit.radius)) +
+                        logRatio);
+    hypotheses_.push_back(std::move(born));
+  }
+}
+
+void TargetBelief::settle(const std::vector<double>& logMasses) {
+  double largest = std::log(absence());
+  for (const double mass : logMasses) {
+    largest = std::max(largest, mass);
+  }
+  double total = std::exp(std::log(absence()) - largest);
+  for (const double mass : logMasses) {
+    total += std::exp(mass - largest);
+  }
+  for (std::size_t k = 0; k < hypotheses_.size(); ++k) {
+    hypotheses_[k].probability = std::exp(logMasses[k] - largest) / total;
+  }
+}
+
+void TargetBelief::mergeAndPrune() {
+  std::stable_sort(hypotheses_.begin(), hypotheses_.end(),
+                   [](const auto& a, const auto& b) { return a.probability > b.probability; });
+  std::vector<Hypothesis> kept;
+  for (Hypothesis& hypothesis : hypotheses_) {
+    const auto same = std::find_if(kept.begin(), kept.end(), [&](const Hypothesis& other) {
+      return (other.place() - hypothesis.place()).norm() < 0.5 * other.radius;
+    });
+    if (same != kept.end()) {
+      same->probability += hypothesis.probability;
+    } else if (kept.size() < kMostHypotheses && hypothesis.probability > kLeastProbability) {
+      kept.push_back(std::move(hypothesis));
+    }
+  }
+  hypotheses_ = std::move(kept);
+}
+
+void TargetBelief::update(SphereObservation& observation, const CandidateSearch& search,
+                          const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
+                          ThreadTeam& team) {
+  hypotheses_ = predicted_;
+  std::vector<double> logMasses;
+  lookAtAll(observation, key, team, logMasses);
+  if (mustSearch(logMasses)) {
+    stepSearchCloud(observation, key, team);
+    giveBirth(observation, search, occupied, key, team, logMasses);
+  }
+  settle(logMasses);
+  mergeAndPrune();
+}
+
+void TargetBelief::stepSearchCloud(SphereObservation& observation, const RandomKey& key,
+                                   ThreadTeam& team) {
+  if (confident() != nullptr) {
+    return;
+  }
+  if (cloud_.states.rows() != settings_.mostParticles) {
+    drawSearchCloud(key);
+  }
+  const RandomStream stream = key.stream(RandomPurpose::Search);
+  std::vector<Eigen::Index> ancestors;
+  SystematicResampling().ancestors(cloud_.weights, cloud_.states.rows(),
+                                   key.stream(RandomPurpose::Resampling), ancestors);
+  cloud_.states = Eigen::ArrayXXd(cloud_.states(ancestors, Eigen::all));
+  observation.setRadius(target_.radius > 0.0 ? target_.radius : 0.03);
+  const IsotropicMotion motion{kSearchSigma};
+  team.forEachRange(cloud_.states.rows(), [&](std::int64_t begin, std::int64_t end) {
+    motion.predict(cloud_.states.middleRows(begin, end - begin), static_cast<std::uint32_t>(begin),
+                   stream);
+  });
+  Eigen::ArrayXd logs = Eigen::ArrayXd::Zero(cloud_.states.rows());
+  observation.cover(cloud_.states);
+  team.forEachRange(logs.size(), [&](std::int64_t begin, std::int64_t end) {
+    observation.addLogLikelihood(cloud_.states.middleRows(begin, end - begin),
+                                 logs.segment(begin, end - begin));
+  });
+  normalize(logs, cloud_.weights, team);
+}
+
+void TargetBelief::yield() {
+  if (!hypotheses_.empty()) {
+    hypotheses_.front().probability *= 1e-3;
+    mergeAndPrune();
+  }
+}
+
+const Hypothesis* TargetBelief::best() const {
+  return hypotheses_.empty() ? nullptr : &hypotheses_.front();
+}
+
+const Hypothesis* TargetBelief::confident() const {
+  const Hypothesis* likeliest = best();
+  return likeliest != nullptr && likeliest->probability > 0.5 ? likeliest : nullptr;
+}
+
+} // namespace dewpoint

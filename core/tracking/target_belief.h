@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/candidate_search.h"
+#include "core/tracking/hypothesis.h"
+#include "core/tracking/start_parameters.h"
+#include "core/tracking/tracker.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace dewpoint {
+
+/// How a belief behaves.
+struct BeliefSettings {
+  Eigen::Index mostParticles = 500;
+  Eigen::Index fewestParticles = 100;
+  double kldError = 0.05;         ///< 0: always the most
+  double accelerationSigma = 8.0; ///< m/s²
+  double survivalTime = 5.0;      ///< seconds
+  double searchSize = 4.0;        ///< metres
+};
+
+/// A sphere another target occupies: nothing else can be there.
+struct OccupiedSphere {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  double radius = 0.0;
+};
+
+/// What is believed about one target: whether it is there at all, and where it may be. A Bernoulli
+/// filter (Ristic, Vo, Vo and Farina 2013) over the hypotheses: each frame they survive, are looked
+/// at, and compete with each other, with new ones proposed from the images and with "not there".
+/// New ones come only from the probability that the target is not where it was, so that a target
+/// that is well seen is not captured by a look-alike.
+class TargetBelief {
+public:
+  explicit TargetBelief(const Target& target);
+
+  void configure(const BeliefSettings& settings) { settings_ = settings; }
+  void setTarget(const Target& target);
+  /// Forgets everything; the target is first looked for in this volume, then elsewhere.
+  void restart(const StartVolume& start, std::uint64_t seed);
+
+  /// Moves everything on by `interval` seconds.
+  void predict(double interval, const RandomKey& key, ThreadTeam& team);
+  /// One iteration on the images of the frame; a further one on the same frame does not count the
+  /// same evidence twice.
+  void update(SphereObservation& observation, const CandidateSearch& search,
+              const std::vector<OccupiedSphere>& occupied, const RandomKey& key, ThreadTeam& team);
+  /// Makes the likeliest place far less likely: another target was found to be there.
+  void yield();
+
+  const Target& target() const { return target_; }
+  /// The likeliest hypothesis; null when there is none.
+  const Hypothesis* best() const;
+  /// The best hypothesis if it is likelier than not.
+  const Hypothesis* confident() const;
+  TargetEstimate estimate(SphereObservation& observation) const;
+  void particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const;
+
+private:
+  /// Particles that look for the target where nothing is known about it.
+  struct SearchCloud {
+    Eigen::ArrayXXd states;
+    Eigen::ArrayXd weights;
+  };
+
+  void drawSearchCloud(const RandomKey& key);
+  void stepSearchCloud(SphereObservation& observation, const RandomKey& key, ThreadTeam& team);
+  void lookAtAll(SphereObservation& observation, const RandomKey& key, ThreadTeam& team,
+                 std::vector<double>& logMasses);
+  bool mustSearch(const std::vector<double>& logMasses) const;
+  void giveBirth(SphereObservation& observation, const CandidateSearch& search,
+                 const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
+                 ThreadTeam& team, std::vector<double>& logMasses);
+  double birthDensity(const Eigen::Vector3d& place) const;
+  void settle(const std::vector<double>& logMasses);
+  void mergeAndPrune();
+  Eigen::Index particleCount(const Hypothesis& hypothesis) const;
+  double absence() const;
+
+  Target target_;
+  BeliefSettings settings_;
+  StartVolume start_;
+  Gaussian3 anchor_; ///< where it is looked for first
+  bool everSeen_ = false;
+  std::vector<Hypothesis> hypotheses_; ///< after the last update
+  std::vector<Hypothesis> predicted_;  ///< before the updates of this frame
+  SearchCloud cloud_;
+  std::uint32_t nextStream_ = 1;
+  std::uint64_t seed_ = 0;
+};
+
+} // namespace dewpoint

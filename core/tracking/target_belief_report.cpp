@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a TargetBelief tells others: its estimate and its particles.
+#include "core/filter/estimate.h"
+#include "core/tracking/target_belief.h"
+
+#include <algorithm>
+
+namespace dewpoint {
+namespace {
+
+/// An estimate wider than this many radii, or this many metres, says nothing of use.
+constexpr double kUsefulRadii = 3.0;
+constexpr double kUsefulSigma = 0.1;
+
+bool isUseful(const Hypothesis& hypothesis) {
+  const double variance = hypothesis.belief.covariance.diagonal().head<3>().maxCoeff();
+  const double sigma = std::max(kUsefulSigma, kUsefulRadii * hypothesis.radius);
+  return variance < sigma * sigma;
+}
+
+} // namespace
+
+TargetEstimate TargetBelief::estimate(SphereObservation& observation) const {
+  TargetEstimate result;
+  const Hypothesis* likeliest = best();
+  const bool searching = likeliest == nullptr || likeliest->states.rows() == 0;
+  const StateEstimate moments = searching
+                                    ? dewpoint::estimate(cloud_.states, cloud_.weights)
+                                    : dewpoint::estimate(likeliest->states, likeliest->weights);
+  const auto& states = searching ? cloud_.states : likeliest->states;
+  result.mean = moments.mean.head<3>();
+  result.best = states.row(moments.bestIndex).head(3).transpose();
+  result.covariance = moments.covariance.topLeftCorner<3, 3>();
+  result.effectiveSampleSize = moments.effectiveSampleSize;
+  result.particleCount = static_cast<int>(states.rows());
+  result.degenerate = moments.degenerate;
+  if (searching) {
+    return result;
+  }
+  result.covariance = likeliest->belief.covariance.topLeftCorner<3, 3>();
+  result.existence = std::min(1.0, likeliest->probability);
+  result.radius = likeliest->radius;
+  observation.setRadius(likeliest->radius);
+  result.camerasSeeing = observation.camerasSeeing(result.mean, likeliest->velocity());
+  result.valid = likeliest->probability > 0.5 && isUseful(*likeliest);
+  return result;
+}
+
+void TargetBelief::particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const {
+  const Hypothesis* sure = confident();
+  const Eigen::ArrayXXd& states = sure != nullptr ? sure->states : cloud_.states;
+  const Eigen::ArrayXd& all = sure != nullptr ? sure->weights : cloud_.weights;
+  const Eigen::Index shown = std::clamp<Eigen::Index>(limit, 0, states.rows());
+  positions.resize(shown, 3);
+  weights.resize(shown);
+  for (Eigen::Index i = 0; i < shown; ++i) {
+    const Eigen::Index picked = i * states.rows() / shown;
+    positions.row(i) = states.row(picked).head(3);
+    weights[i] = all[picked];
+  }
+}
+
+} // namespace dewpoint
