@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/observation/background_model.h"
+#include "core/observation/label_image.h"
+#include "tests/observation/drawn_spheres.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace dewpoint {
+namespace {
+
+constexpr int kWidth = 80;
+constexpr int kHeight = 60;
+/// Far more frames than it takes to learn a pixel, or to replace it.
+constexpr int kMany = 400;
+
+cv::Mat plain(int blue, int green, int red) {
+  return {kHeight, kWidth, CV_8UC3, cv::Scalar(blue, green, red)};
+}
+
+void learn(BackgroundModel& model, const cv::Mat& image, int frames = kMany,
+           const std::vector<BackgroundModel::Hidden>& hidden = {}) {
+  for (int frame = 0; frame < frames; ++frame) {
+    model.learn(image, hidden);
+  }
+}
+
+/// The labels of a whole image.
+cv::Mat labelsOf(const BackgroundModel& model, const cv::Mat& image) {
+  cv::Mat labels(image.size(), CV_8UC1);
+  for (int row = 0; row < image.rows; ++row) {
+    model.labelRow(image, 0, row, image.cols, labels.ptr<std::uint8_t>(row));
+  }
+  return labels;
+}
+
+int count(const cv::Mat& labels, PixelLabel label) {
+  return cv::countNonZero(labels == static_cast<int>(label));
+}
+constexpr int kAll = kWidth * kHeight;
+
+TEST(BackgroundModel, KnowsNothingAtFirstAndAfterReset) {
+  BackgroundModel model;
+  const cv::Mat image = plain(90, 100, 110);
+  EXPECT_EQ(count(labelsOf(model, image), PixelLabel::Unlearned), kAll);
+  model.learn(image, {});
+  EXPECT_EQ(count(labelsOf(model, image), PixelLabel::Unlearned), kAll); // one look is not enough
+  learn(model, image);
+  EXPECT_EQ(count(labelsOf(model, image), PixelLabel::Background), kAll);
+  model.reset();
+  EXPECT_EQ(count(labelsOf(model, image), PixelLabel::Unlearned), kAll);
+  EXPECT_EQ(model.novelShare(), 0.0);
+}
+
+TEST(BackgroundModel, TellsTheUsualFromTheNew) {
+  BackgroundModel model;
+  cv::Mat image = plain(90, 100, 110);
+  learn(model, image);
+  const cv::Rect thing(20, 10, 30, 25);
+  image(thing) = cv::Scalar(20, 160, 40);
+  const cv::Mat labels = labelsOf(model, image);
+  EXPECT_EQ(count(labels, PixelLabel::Unknown), thing.area());
+  EXPECT_EQ(count(labels(thing), PixelLabel::Unknown), thing.area());
+  EXPECT_EQ(count(labels, PixelLabel::Background), kAll - thing.area());
+}
+
+TEST(BackgroundModel, LabelsAnyPartOfARow) {
+  BackgroundModel model;
+  cv::Mat image = plain(90, 100, 110);
+  learn(model, image);
+  image.at<cv::Vec3b>(7, 33) = cv::Vec3b(0, 0, 0);
+  std::vector<std::uint8_t> labels(5, 99);
+  model.labelRow(image, 31, 7, 4, labels.data());
+  const auto usual = static_cast<std::uint8_t>(PixelLabel::Background);
+  const auto odd = static_cast<std::uint8_t>(PixelLabel::Unknown);
+  EXPECT_EQ(labels, (std::vector<std::uint8_t>{usual, usual, odd, usual, 99}));
+}
+
+// Noise of 4 gray levels on three channels: five standard deviations stay within 20 levels. What
+// the model calls usual must take nearly all of it.
+TEST(BackgroundModel, ToleratesNoise) {
+  BackgroundModel model;
+  for (std::uint32_t frame = 0; frame < 200; ++frame) {
+    cv::Mat image = plain(90, 100, 110);
+    drawn::addNoise(image, 4.0, frame);
+    model.learn(image, {});
+  }
+  cv::Mat image = plain(90, 100, 110);
+  drawn::addNoise(image, 4.0, 1000);
+  EXPECT_GT(count(labelsOf(model, image), PixelLabel::Background), 0.99 * kAll);
+  EXPECT_LT(model.novelShare(), 0.01);
+}
+
+TEST(BackgroundModel, FollowsLightThatChangesSlowly) {
+  BackgroundModel model;
+  learn(model, plain(90, 100, 110));
+  for (int level = 0; level <= 60; ++level) {
+    learn(model, plain(90 + level, 100 + level, 110 + level), 32);
+    EXPECT_EQ(model.novelShare(), 0.0) << level;
+  }
+  EXPECT_EQ(count(labelsOf(model, plain(150, 160, 170)), PixelLabel::Background), kAll);
+}
+
+TEST(BackgroundModel, WhatStaysReplacesTheOldAndWhatPassesDoesNot) {
+  BackgroundModel model;
+  const cv::Mat usual = plain(90, 100, 110);
+  const cv::Mat other = plain(200, 30, 30);
+  learn(model, usual);
+  learn(model, other, 8); // two looks at every row
+  EXPECT_EQ(count(labelsOf(model, other), PixelLabel::Unknown), kAll);
+  EXPECT_EQ(count(labelsOf(model, usual), PixelLabel::Background), kAll);
+  learn(model, other);
+  EXPECT_EQ(count(labelsOf(model, other), PixelLabel::Background), kAll);
+  EXPECT_EQ(count(labelsOf(model, usual), PixelLabel::Unknown), kAll);
+}
+
+/// Distance of the pixel from the rim of the nearest circle, negative inside of one.
+double outsideOf(const std::vector<BackgroundModel::Hidden>& circles, int column, int row) {
+  double nearest = 1e9;
+  for (const auto& circle : circles) {
+    nearest =
+        std::min(nearest, (Eigen::Vector2d(column, row) - circle.center).norm() - circle.radius);
+  }
+  return nearest;
+}
+
+// Circles inside, overlapping, one within another, across every border and wholly outside.
+TEST(BackgroundModel, HiddenCirclesAreNotLearned) {
+  const std::vector<std::vector<BackgroundModel::Hidden>> cases{
+      {{{40.3, 30.7}, 9.0}},
+      {{{30.0, 30.0}, 12.0}, {{45.0, 32.0}, 12.0}, {{45.0, 32.0}, 4.0}},
+      {{{-2.0, 20.0}, 8.0}, {{79.5, 50.0}, 6.5}, {{20.0, -3.0}, 9.0}, {{60.0, 62.0}, 10.0}},
+      {{{60.0, 30.0}, 5.0}, {{20.0, 30.0}, 5.0}, {{40.0, 30.0}, 15.0}, {{200.0, 30.0}, 20.0}},
+      {{{40.0, 30.0}, 0.0}},
+  };
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    BackgroundModel model;
+    const cv::Mat image = plain(90, 100, 110);
+    learn(model, image, kMany, cases[k]);
+    const cv::Mat labels = labelsOf(model, image);
+    for (int row = 0; row < kHeight; ++row) {
+      for (int column = 0; column < kWidth; ++column) {
+        const double outside = outsideOf(cases[k], column, row);
+        const auto label = static_cast<PixelLabel>(labels.at<std::uint8_t>(row, column));
+        if (outside < -1e-9) {
+          EXPECT_EQ(label, PixelLabel::Unlearned) << k << ": " << column << ", " << row;
+        } else if (outside > 1.5) {
+          EXPECT_EQ(label, PixelLabel::Background) << k << ": " << column << ", " << row;
+        }
+      }
+    }
+  }
+}
+
+TEST(BackgroundModel, NovelShareIsNearOneOnABlackFrame) {
+  BackgroundModel model;
+  const cv::Mat usual = plain(90, 100, 110);
+  EXPECT_EQ(model.novelShare(), 0.0);
+  learn(model, usual);
+  EXPECT_EQ(model.novelShare(), 0.0);
+  model.learn(plain(0, 0, 0), {});
+  EXPECT_GT(model.novelShare(), 0.99);
+  model.learn(usual, {});
+  EXPECT_EQ(model.novelShare(), 0.0);
+}
+
+TEST(BackgroundModel, NovelShareIsTheShareOfThePicture) {
+  BackgroundModel model;
+  cv::Mat image = plain(90, 100, 110);
+  learn(model, image);
+  image(cv::Rect(0, 0, kWidth / 4, kHeight)) = cv::Scalar(0, 0, 0);
+  model.learn(image, {});
+  EXPECT_NEAR(model.novelShare(), 0.25, 1e-9);
+}
+
+TEST(BackgroundModel, ANewSizeStartsAnewAndNoImageChangesNothing) {
+  BackgroundModel model;
+  learn(model, plain(90, 100, 110));
+  model.learn(cv::Mat(), {});
+  EXPECT_EQ(count(labelsOf(model, plain(90, 100, 110)), PixelLabel::Background), kAll);
+  const cv::Mat small(10, 12, CV_8UC3, cv::Scalar(1, 2, 3));
+  EXPECT_EQ(count(labelsOf(model, small), PixelLabel::Unlearned), 120);
+  learn(model, small);
+  EXPECT_EQ(count(labelsOf(model, small), PixelLabel::Background), 120);
+  EXPECT_EQ(count(labelsOf(model, plain(90, 100, 110)), PixelLabel::Unlearned), kAll);
+}
+
+} // namespace
+} // namespace dewpoint
