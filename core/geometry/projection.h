@@ -26,7 +26,7 @@ struct Projection {
 
   /// The pixel of the world point (x, y, z). Without branches, so that a loop over it becomes
   /// vector code; the numbers mean nothing where the point is not visible.
-  template <bool distorted> [[gnu::always_inline]] Pixel pixel(double x, double y, double z) const {
+  template <bool Distorted> [[gnu::always_inline]] Pixel pixel(double x, double y, double z) const {
     const auto& r = rotation;
     const double xCamera = r[0] * x + r[1] * y + r[2] * z + translation[0];
     const double yCamera = r[3] * x + r[4] * y + r[5] * z + translation[1];
@@ -35,7 +35,7 @@ struct Projection {
     const double inverse = 1.0 / zCamera;
     double u = xCamera * inverse;
     double v = yCamera * inverse;
-    if constexpr (distorted) {
+    if constexpr (Distorted) {
       const auto& k = distortion;
       const double s = u * u + v * v;
       visible = visible & (s <= radiusSquaredLimit);
