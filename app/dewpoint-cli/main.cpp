@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
+#include "app/wiring/quiet_libraries.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <exception>
 
 namespace dewpoint {
@@ -46,8 +46,7 @@ int run(int argc, char** argv) {
 } // namespace dewpoint
 
 int main(int argc, char** argv) {
-  // FFmpeg's own words about a damaged file would stand beside our one sentence.
-  setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
+  dewpoint::quietLibraries();
   try {
     return dewpoint::run(argc, argv);
   } catch (const std::exception& error) {

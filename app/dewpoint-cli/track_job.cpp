@@ -3,6 +3,7 @@
 
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/progress.h"
+#include "core/base/text_file.h"
 #include "core/session/tracking_run.h"
 #include "core/trajectory/evaluation.h"
 #include "core/trajectory/trajectory_writer.h"
@@ -14,7 +15,6 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <fstream>
 
 namespace dewpoint {
 namespace {
@@ -39,26 +39,6 @@ struct RunFigures {
     return times[static_cast<std::size_t>(at)];
   }
 };
-
-Status writeText(const std::filesystem::path& path, const std::string& text) {
-  // Written beside and renamed: a reader never sees half of it.
-  auto beside = path;
-  beside += ".part";
-  {
-    std::ofstream stream(beside);
-    stream << text;
-    stream.flush();
-    if (!stream) {
-      return failure(ErrorCode::FileUnwritable, path.string(), "", "writing failed");
-    }
-  }
-  std::error_code problem;
-  std::filesystem::rename(beside, path, problem);
-  if (problem) {
-    return failure(ErrorCode::FileUnwritable, path.string(), "", problem.message());
-  }
-  return {};
-}
 
 std::string runJson(const Project& project, const FrameSetSource& source, int threads,
                     const RunFigures& figures) {
@@ -186,10 +166,16 @@ int TrackJob::run(SessionInputs inputs) const {
   std::signal(SIGINT, [](int) { interrupted = true; });
   std::signal(SIGTERM, [](int) { interrupted = true; });
 
+  // Before the run, so that one that is killed can be compared too.
+  if (!inputs.project.scene.empty()) {
+    if (const auto written = writeTrajectory(inputs.truth, folder / "truth.csv"); !written) {
+      return report(written.error());
+    }
+  }
   RunFigures figures;
   // Written now too: after a kill it says that the run did not finish.
   const auto began =
-      writeText(folder / "run.json", runJson(inputs.project, *inputs.source, threads, figures));
+      writeTextFile(folder / "run.json", runJson(inputs.project, *inputs.source, threads, figures));
   if (!began) {
     return report(began.error());
   }
@@ -202,13 +188,8 @@ int TrackJob::run(SessionInputs inputs) const {
     figures.notices.push_back(sentence(tracked.error()));
   }
   const auto ended =
-      writeText(folder / "run.json", runJson(inputs.project, *inputs.source, threads, figures));
+      writeTextFile(folder / "run.json", runJson(inputs.project, *inputs.source, threads, figures));
   printSummary(kept, inputs.truth, run->iterationsPerFrame(), figures);
-  if (!inputs.project.scene.empty()) {
-    if (const auto written = writeTrajectory(inputs.truth, folder / "truth.csv"); !written) {
-      return report(written.error());
-    }
-  }
   if (!tracked) {
     // Frames were tracked before the input broke: that is "ended early", whatever broke it.
     const int code = report(tracked.error());

@@ -8,6 +8,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -33,9 +34,7 @@ public:
     const auto read = node->value<double>();
     if (!node->is_number() || !read) {
       fail(ErrorCode::WrongType, key, "a number is expected");
-    } else if (!(*read >= low && *read <= high)) {
-      fail(ErrorCode::BadValue, key, fmt::format("{} is not within {} to {}", *read, low, high));
-    } else {
+    } else if (isWithin(key, *read, low, high)) {
       value = *read;
     }
   }
@@ -114,9 +113,7 @@ public:
     }
     for (std::size_t i = 0; i < count; ++i) {
       values[i] = *(*array)[i].value<double>();
-      if (!(values[i] >= low && values[i] <= high)) {
-        fail(ErrorCode::BadValue, key,
-             fmt::format("{} is not within {} to {}", values[i], low, high));
+      if (!isWithin(key, values[i], low, high)) {
         return false;
       }
     }
@@ -175,6 +172,18 @@ public:
   }
 
 private:
+  bool isWithin(const char* key, double value, double low, double high) {
+    if (!std::isfinite(value)) {
+      fail(ErrorCode::BadValue, key, fmt::format("{} is not a finite number", value));
+      return false;
+    }
+    if (value < low || value > high) {
+      fail(ErrorCode::BadValue, key, fmt::format("{} is not within {} to {}", value, low, high));
+      return false;
+    }
+    return true;
+  }
+
   const toml::node* find(const char* key) {
     known_.emplace_back(key);
     return table_.get(key);

@@ -33,7 +33,8 @@ Result<std::string> readTextFile(const std::filesystem::path& file) {
   std::ostringstream text;
   text << stream.rdbuf();
   if (!stream || std::filesystem::is_directory(file, problem)) {
-    return failure(ErrorCode::FileUnreadable, file.string(), "", "");
+    return failure(ErrorCode::FileUnreadable, file.string(), "",
+                   std::filesystem::is_directory(file, problem) ? "it is a folder" : "");
   }
   return text.str();
 }

@@ -5,14 +5,21 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace dewpoint {
 
 Result<toml::table> parseToml(const std::string& text, const std::string& file) {
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
+    std::string_view reason = error.description();
+    constexpr std::string_view kKnown = "Error while parsing "; // the phrase says it already
+    if (reason.starts_with(kKnown)) {
+      reason.remove_prefix(kKnown.size());
+    }
     return failure(ErrorCode::NotParsed, file, fmt::format("line {}", error.source().begin.line),
-                   std::string(error.description()));
+                   std::string(reason));
   }
 }
 

@@ -52,6 +52,7 @@ CameraThread::CameraThread(const LiveCamera& camera, LiveStreamFactory factory,
   shared_->factory = std::move(factory);
   shared_->bell = std::move(bell);
   shared_->zero = zero;
+  shared_->openingSince = Clock::now();
   thread_ = std::jthread([shared = shared_](const std::stop_token& stop) {
     run(stop, *shared);
     std::scoped_lock lock(shared->mutex);
@@ -92,11 +93,18 @@ bool CameraThread::delivers() const {
 
 std::optional<Error> CameraThread::problem() const {
   std::scoped_lock lock(shared_->mutex);
-  if (!shared_->problem && shared_->connected && Clock::now() - shared_->lastGrab >= kSilence) {
-    return Error{ErrorCode::ConnectionLost, shared_->camera.location,
-                 cameraField(shared_->camera.name), "connected, but no picture for two seconds"};
+  if (shared_->problem) {
+    return shared_->problem;
   }
-  return shared_->problem;
+  const auto silentSince = shared_->connected ? shared_->lastGrab : shared_->openingSince;
+  if (Clock::now() - silentSince < kSilence) {
+    return std::nullopt;
+  }
+  // A pipeline without a sender opens for as long as nothing comes.
+  return Error{shared_->connected ? ErrorCode::ConnectionLost : ErrorCode::DeviceUnavailable,
+               shared_->camera.location, cameraField(shared_->camera.name),
+               shared_->connected ? "connected, but no picture for two seconds"
+                                  : "no answer for two seconds; still waiting"};
 }
 
 void CameraThread::setProblem(Shared& shared, Error problem) {

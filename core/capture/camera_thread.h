@@ -74,6 +74,7 @@ private:
     bool connected = false;
     bool everDelivered = false;
     bool finished = false;
+    Clock::time_point openingSince{}; ///< of the attempt under way, while not connected
     Clock::time_point lastGrab{};
     std::optional<Error> problem;
   };

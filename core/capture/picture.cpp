@@ -39,7 +39,8 @@ cv::Mat turned(const cv::Mat& picture, int degrees) {
 } // namespace
 
 std::string cameraField(const std::string& name) {
-  return "camera '" + name + "'";
+  const bool saysSo = name.starts_with("camera") || name.starts_with("Camera");
+  return (saysSo ? "'" : "camera '") + name + "'";
 }
 
 Status checkShape(const PictureShape& shape, const std::string& file) {
@@ -66,9 +67,8 @@ Result<cv::Mat> shaped(const cv::Mat& picture, const PictureShape& shape, const 
                       (shape.height == 0 || result.rows == shape.height);
     if (!fits) {
       return failure(ErrorCode::Mismatch, file, cameraField(shape.camera),
-                     fmt::format("{} x {}, but the calibration of camera '{}' is for {} x {}",
-                                 result.cols, result.rows, shape.camera, shape.width,
-                                 shape.height));
+                     fmt::format("{} x {}, but its calibration is for {} x {}", result.cols,
+                                 result.rows, shape.width, shape.height));
     }
     return result;
   } catch (const std::exception& problem) {

@@ -17,7 +17,7 @@ struct PictureShape {
   int height = 0;        ///< after the rotation, pixels; 0: any
 };
 
-/// How errors name a camera: "camera left".
+/// How errors name a camera: "camera 'left'", but not "camera 'camera 1'".
 std::string cameraField(const std::string& name);
 
 /// Whether the rotation is one of 0, 90, 180 and 270 degrees and the size is not negative.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 namespace dewpoint {
@@ -122,8 +123,10 @@ Result<Camera> openCamera(const RecordedCamera& description) {
   return camera;
 }
 
+/// The file's name, without its folder, or the camera's.
 std::string nameOf(const Camera& camera) {
-  return camera.path.empty() ? cameraField(camera.shape.camera) : camera.path;
+  return camera.path.empty() ? cameraField(camera.shape.camera)
+                             : std::filesystem::path(camera.path).filename().string();
 }
 
 /// Says which cameras differ when they do; `what` lists each with its own number.
@@ -136,7 +139,7 @@ void noteDifferences(const std::vector<Camera>& cameras, std::vector<Error>& not
                           Recording::frames(camera));
     }
     notices.push_back(
-        {ErrorCode::Mismatch, "", "length",
+        {ErrorCode::Mismatch, shortest->path, cameraField(shortest->shape.camera),
          fmt::format("{}; only the first {} are used", list, Recording::frames(*shortest))});
   }
   const Camera* reference = nullptr;

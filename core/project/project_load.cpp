@@ -100,17 +100,18 @@ void readSource(TableReader& reader, const path& folder, ProjectCamera& camera) 
   }
 }
 
-ProjectCamera readCamera(const toml::table& table, const path& file, std::size_t index,
-                         const CameraRig& calibrated, std::optional<Error>& error) {
+ProjectCamera readCamera(const toml::table& table, const std::string& file, const path& folder,
+                         std::size_t index, const CameraRig& calibrated,
+                         std::optional<Error>& error) {
   const std::string prefix = fmt::format("camera {}.", index + 1);
-  TableReader reader(table, file.string(), prefix);
+  TableReader reader(table, file, prefix);
   ProjectCamera camera;
   std::string name;
   reader.require("name");
   reader.text("name", name);
-  readSource(reader, file.parent_path(), camera);
+  readSource(reader, folder, camera);
   if (const toml::table* calibration = reader.table("calibration")) {
-    auto read = cameraFromToml(*calibration, file.string(), prefix + "calibration.");
+    auto read = cameraFromToml(*calibration, file, prefix + "calibration.");
     if (read) {
       camera.camera = std::move(*read);
     } else {
@@ -198,21 +199,23 @@ CameraRig readCalibrationFile(TableReader& reader, const path& folder) {
   return std::move(*rig);
 }
 
-void readParts(TableReader& reader, const path& file, Project& project) {
-  const CameraRig calibrated = readCalibrationFile(reader, file.parent_path());
+void readParts(TableReader& reader, const std::string& file, Project& project) {
+  const path folder = project.file.parent_path();
+  const CameraRig calibrated = readCalibrationFile(reader, folder);
   project.parameters = ParameterValues(methodParameters(project.method));
   std::optional<Error> error;
   if (const toml::table* parameters = reader.table("parameters");
       parameters != nullptr && !reader.failed()) {
-    readParameters(*parameters, file.string(), project, error);
+    readParameters(*parameters, file, project, error);
     reader.adopt(error);
   }
   for (const toml::table* table : reader.tables("target")) {
-    project.targets.push_back(readTarget(*table, file.string(), project.targets.size(), error));
+    project.targets.push_back(readTarget(*table, file, project.targets.size(), error));
     reader.adopt(error);
   }
   for (const toml::table* table : reader.tables("camera")) {
-    project.cameras.push_back(readCamera(*table, file, project.cameras.size(), calibrated, error));
+    project.cameras.push_back(
+        readCamera(*table, file, folder, project.cameras.size(), calibrated, error));
     reader.adopt(error);
   }
 }
@@ -249,7 +252,7 @@ Result<Project> loadProject(const std::filesystem::path& file) {
   project.name = file.stem().string();
   TableReader reader(*table, file.string(), "");
   readHead(reader, project.file.parent_path(), project);
-  readParts(reader, project.file, project);
+  readParts(reader, file.string(), project);
   checkWhole(reader, project);
   if (auto error = reader.finish()) {
     return tl::make_unexpected(std::move(*error));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/trajectory_writer.h"
 
+#include "core/base/text_file.h"
+
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -50,6 +52,15 @@ std::string headerText(const TrajectoryHeader& header) {
   return text.append(kColumns);
 }
 
+std::string rowText(const TrajectorySample& sample) {
+  const auto& p = sample.position;
+  const auto& c = sample.covariance;
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", sample.time, sample.frame,
+                     cell(sample.target), p.x(), p.y(), p.z(), c(0, 0), c(0, 1), c(0, 2), c(1, 1),
+                     c(1, 2), c(2, 2), sample.effectiveSampleSize, sample.cameras,
+                     sample.valid ? 1 : 0);
+}
+
 } // namespace
 
 Result<TrajectoryWriter> TrajectoryWriter::create(const std::filesystem::path& path,
@@ -64,12 +75,7 @@ Result<TrajectoryWriter> TrajectoryWriter::create(const std::filesystem::path& p
 }
 
 Status TrajectoryWriter::write(const TrajectorySample& sample) {
-  const auto& p = sample.position;
-  const auto& c = sample.covariance;
-  return put(fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", sample.time,
-                         sample.frame, cell(sample.target), p.x(), p.y(), p.z(), c(0, 0), c(0, 1),
-                         c(0, 2), c(1, 1), c(1, 2), c(2, 2), sample.effectiveSampleSize,
-                         sample.cameras, sample.valid ? 1 : 0));
+  return put(rowText(sample));
 }
 
 Status TrajectoryWriter::flush() {
@@ -102,16 +108,11 @@ tl::unexpected<Error> TrajectoryWriter::unwritable(int reason) const {
 }
 
 Status writeTrajectory(const Trajectory& trajectory, const std::filesystem::path& path) {
-  auto writer = TrajectoryWriter::create(path, trajectory.header);
-  if (!writer) {
-    return tl::make_unexpected(writer.error());
-  }
+  std::string text = headerText(trajectory.header);
   for (const auto& sample : trajectory.samples) {
-    if (auto written = writer->write(sample); !written) {
-      return written;
-    }
+    text += rowText(sample);
   }
-  return writer->finish();
+  return writeTextFile(path, text);
 }
 
 } // namespace dewpoint

@@ -39,7 +39,7 @@ private:
   std::unique_ptr<std::FILE, Close> file_;
 };
 
-/// Writes a whole trajectory at once.
+/// Writes a whole trajectory at once; a file of that name is replaced, or stays as it was.
 Status writeTrajectory(const Trajectory& trajectory, const std::filesystem::path& path);
 
 } // namespace dewpoint

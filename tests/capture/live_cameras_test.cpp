@@ -238,8 +238,7 @@ TEST(LiveCameras, aWrongSizeIsNoticedAndNotPassedOn) {
     return !(*source)->notices().empty();
   }));
   EXPECT_EQ((*source)->notices()[0].code, ErrorCode::Mismatch);
-  EXPECT_EQ((*source)->notices()[0].detail,
-            "48 x 32, but the calibration of camera 'left' is for 48 x 64");
+  EXPECT_EQ((*source)->notices()[0].detail, "48 x 32, but its calibration is for 48 x 64");
   device->width = 64;
   const auto set = waitFor(**source, complete);
   ASSERT_TRUE(set);

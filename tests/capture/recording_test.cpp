@@ -198,6 +198,8 @@ TEST(Recording, differentLengthsAndRatesAreNoticed) {
   EXPECT_EQ(notices[0].code, ErrorCode::Mismatch);
   EXPECT_NE(notices[0].detail.find("a.mkv: 12"), std::string::npos) << notices[0].detail;
   EXPECT_NE(notices[0].detail.find("b.mkv: 9"), std::string::npos);
+  EXPECT_EQ(notices[0].file, home / "b.mkv"); // the shorter one is what limits
+  EXPECT_EQ(notices[0].field, "camera 'right'");
   EXPECT_EQ(notices[1].file, home / "b.mkv");
   for (int k = 0; k < 9; ++k) {
     expectFrame(**source, k);
@@ -214,7 +216,7 @@ TEST(Recording, aWrongSizeIsRefused) {
   const Error error = errorOf(camera);
   EXPECT_EQ(error.code, ErrorCode::Mismatch);
   EXPECT_EQ(error.file, home / "a.mkv");
-  EXPECT_EQ(error.detail, "48 x 32, but the calibration of camera 'left' is for 320 x 240");
+  EXPECT_EQ(error.detail, "48 x 32, but its calibration is for 320 x 240");
 }
 
 TEST(Recording, rotatesClockwise) {
@@ -246,6 +248,7 @@ TEST(Recording, missingAndUnreadableFilesAreNamed) {
   EXPECT_EQ(missing.code, ErrorCode::FileMissing);
   EXPECT_EQ(missing.file, home / "nowhere.mkv");
   EXPECT_EQ(missing.field, "camera 'left'");
+  EXPECT_EQ(errorOf(video(home / "nowhere.mkv", "camera 2")).field, "'camera 2'");
   for (const char* name : {"text.mkv", "empty.mp4", "folder"}) {
     const Error error = errorOf(video(home / name));
     EXPECT_EQ(error.code, ErrorCode::FileUnreadable) << name;

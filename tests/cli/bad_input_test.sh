@@ -27,10 +27,14 @@ broken range 's/^particles *=.*/particles = 3/' particles
 broken no_target '/^\[\[target/,/^$/d' target
 broken no_camera '/^\[\[camera/,$d' camera
 broken empty_color 's/^saturation *=.*/saturation = [0.8, 0.2]/' saturation
-broken nan '0,/^translation/s/^translation *=.*/translation = [nan, 0.0, 0.0]/' translation
+broken nan '0,/^translation/s/^translation *=.*/translation = [nan, 0.0, 0.0]/' translation finite
 broken zero_focal '0,/^matrix/s/^matrix *=.*/matrix = [[0.0, 0.0, 9.0], [0.0, 0.0, 9.0], [0.0, 0.0, 1.0]]/' matrix focal
 broken no_rotation '0,/^rotation/s/^rotation *=.*/rotation = [[2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]/' rotation
 broken size '0,/^size/s/^size *=.*/size = [64, 48]/'
+broken infinite '0,/^distortions/s/^distortions *=.*/distortions = [inf, 0.0, 0.0, 0.0, 0.0]/' distortions finite
+broken mirror '0,/^rotation/s/^rotation *=.*/rotation = [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]/' rotation mirrors
+broken unknown_in_camera '0,/^video/s/^video/vidoe/' good/unknown_in_camera.toml 'camera 1.vidoe'
+broken one_table 's/^\[\[target\]\]/[target]/' target
 broken no_video '0,/^video/s/^video *=.*/video = "nowhere.mkv"/' nowhere.mkv
 
 printf 'name = "x"\n' >none.toml
@@ -50,3 +54,20 @@ expectExit $kOutput track demo --out file/o
 expectSentence file/o
 expectExit $kOutput simulate demo --out file/o
 expectSentence file/o
+
+# A file where a folder is expected, and the other way round.
+expectExit $kBadInput track good --out o
+expectSentence good folder
+mkdir -p taken/trajectory.csv
+expectExit $kOutput track demo --out taken --frames 0:2
+expectSentence taken/trajectory.csv
+
+# Videos of another size, or of another length: the first is refused, the second is noted.
+sed 's/camera-2.mkv/camera-1.mkv/' good/project.toml >good/same.toml
+expectExit $kBadInput track good/same.toml --out o
+expectSentence camera-1.mkv "'camera 2'" '320 x 240' '240 x 320'
+expectExit 0 simulate still --frames 3 --out short
+sed 's|camera-2.mkv|../short/camera-2.mkv|' good/project.toml >good/lengths.toml
+expectExit 0 track good/lengths.toml --out lengths
+expectSentence short/camera-2.mkv 'first 3'
+[[ $(rowCount lengths/trajectory.csv) == 3 ]] || fail "$(rowCount lengths/trajectory.csv) rows, not 3"

@@ -26,6 +26,7 @@ expectExit() {
 # own about a broken file, as "[format @ address] ...".
 expectSentence() {
   [[ $(grep -v '^\[[a-z0-9,]* @ 0x' err.txt | grep -c .) == 1 ]] || fail "not one sentence: $(cat err.txt)"
+  ! grep -qE "\b([[:alpha:]]{3,})[ ':(]+\1\b" err.txt || fail "a word twice: $(cat err.txt)"
   local word
   for word in "$@"; do
     grep -qF -- "$word" err.txt || fail "'$word' is missing in: $(cat err.txt)"
