@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint/screenshot.h"
 #include "app/wiring/open_project.h"
+#include "app/wiring/quiet_libraries.h"
 #include "core/session/session.h"
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/settings/language.h"
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
@@ -11,9 +13,9 @@
 #include <QSettings>
 
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -24,7 +26,16 @@ struct Options {
   bool paused = false;
   std::string theme;
   std::string size;
+  std::string language;
 };
+
+std::vector<std::string> languageNames() {
+  std::vector<std::string> names;
+  for (const QString& language : dewpoint::languages()) {
+    names.push_back(language.toStdString());
+  }
+  return names;
+}
 
 bool isSize(const std::string& text, int& width, int& height) {
   return std::sscanf(text.c_str(), "%dx%d", &width, &height) == 2 && width >= 400 && height >= 300;
@@ -46,6 +57,9 @@ void describe(CLI::App& app, Options& options) {
         return isSize(text, width, height) ? std::string()
                                            : std::string("give it as WIDTHxHEIGHT, from 400x300");
       });
+  app.add_option("--language", options.language,
+                 "Language of the window; the system's when omitted")
+      ->check(CLI::IsMember(languageNames()));
   app.set_version_flag("--version", DEWPOINT_VERSION);
 }
 
@@ -62,6 +76,7 @@ int run(int argc, char** argv) {
   Options options;
   describe(app, options);
   CLI11_PARSE(app, argc, argv);
+  dewpoint::useLanguage(QString::fromStdString(options.language));
 
   const QString theme = options.theme.empty()
                             ? QSettings().value(QStringLiteral("theme")).toString()
@@ -85,8 +100,7 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
-  // FFmpeg's own words about a damaged file would stand beside our one sentence.
-  setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
+  dewpoint::quietLibraries();
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {

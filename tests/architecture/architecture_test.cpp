@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> sourceFiles() {
   std::vector<fs::path> files;
-  for (const char* folder : {"core", "ui", "app", "tests", "bench"}) {
+  for (const char* folder : {"core", "ui", "app", "translations", "tests", "bench"}) {
     const fs::path top = fs::path(DEWPOINT_SOURCE_DIR) / folder;
     if (!fs::exists(top)) {
       continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/birdseye/gl_context.h"
 
+#include <QCoreApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 
@@ -20,16 +21,18 @@ std::string GlContext::start() {
   QOpenGLContext& context = handles_->context;
   context.setFormat(QSurfaceFormat::defaultFormat());
   if (!context.create()) {
-    return "no OpenGL context can be made on this display";
+    return QCoreApplication::translate("GlContext", "no OpenGL context can be made on this display")
+        .toStdString();
   }
   handles_->surface.setFormat(context.format());
   handles_->surface.create();
   if (!handles_->surface.isValid() || !context.makeCurrent(&handles_->surface)) {
-    return "the OpenGL context cannot be used";
+    return QCoreApplication::translate("GlContext", "the OpenGL context cannot be used")
+        .toStdString();
   }
   if (context.isOpenGLES() || context.format().version() < qMakePair(3, 2)) {
     context.doneCurrent();
-    return "OpenGL 3.2 is needed";
+    return QCoreApplication::translate("GlContext", "OpenGL 3.2 is needed").toStdString();
   }
   return {};
 }

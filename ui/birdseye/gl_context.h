@@ -15,7 +15,7 @@ public:
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  /// Makes it, and current. Empty on success, otherwise why not, in English.
+  /// Makes it, and current. Empty on success, otherwise why not, for people.
   std::string start();
   bool isCurrent() const;
   /// Only if it is not current: doing it again would go behind VTK's state cache (empty pictures).

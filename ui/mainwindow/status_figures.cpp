@@ -57,14 +57,14 @@ StatusFigures::StatusFigures(QWidget* parent) : QWidget(parent) {
   position_ = figure("statusPosition", QStringLiteral("x −00.000  y −00.000  z −00.000 m"),
                      tr("Estimated position of the first target in the room"));
   layout->addStretch();
-  held_ = figure("statusHeld", QStringLiteral("○ searching"),
+  held_ = figure("statusHeld", holdText(HoldState::Searching),
                  tr("Held: two cameras see the target's color where the estimate is. "
                     "Lost: not so for 30 frames."));
   QFont bold = held_->font();
   bold.setWeight(QFont::DemiBold);
   held_->setFont(bold);
   held_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  held_->setMinimumWidth(QFontMetrics(bold).horizontalAdvance(QStringLiteral("○ searching")) + 8);
+  held_->setMinimumWidth(QFontMetrics(bold).horizontalAdvance(holdText(HoldState::Searching)) + 8);
   clear();
 }
 

@@ -28,6 +28,13 @@ QString plain(double value) {
   return QLocale().toString(value, 'g', 6);
 }
 
+/// The unit as it stands behind a number; empty where there is none.
+QString unitSuffix(const ParameterDeclaration& declaration) {
+  return declaration.unit.empty()
+             ? QString()
+             : QStringLiteral(" ") + QCoreApplication::translate("Unit", declaration.unit.c_str());
+}
+
 } // namespace
 
 ParameterRow::ParameterRow(const ParameterDeclaration& declaration, QWidget* parent)
@@ -50,9 +57,7 @@ ParameterRow::ParameterRow(const ParameterDeclaration& declaration, QWidget* par
   box_->setKeyboardTracking(false);
   box_->setAlignment(Qt::AlignRight);
   box_->setMinimumWidth(112);
-  if (!declaration.unit.empty()) {
-    box_->setSuffix(QStringLiteral(" ") + QString::fromStdString(declaration.unit));
-  }
+  box_->setSuffix(unitSuffix(declaration));
   setToolTip(tooltip());
 
   auto* grid = new QGridLayout(this);
@@ -106,12 +111,9 @@ int ParameterRow::toSlider(double value) const {
 }
 
 QString ParameterRow::tooltip() const {
-  const QString unit = declaration_.unit.empty()
-                           ? QString()
-                           : QStringLiteral(" ") + QString::fromStdString(declaration_.unit);
   return QCoreApplication::translate("ParameterRow", "%1\nFrom %2 to %3%4; default %5%4.")
       .arg(QCoreApplication::translate("Parameter", declaration_.sentence.c_str()),
-           plain(declaration_.minimum), plain(declaration_.maximum), unit,
+           plain(declaration_.minimum), plain(declaration_.maximum), unitSuffix(declaration_),
            plain(declaration_.defaultValue));
 }
 

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window in another language: a translator that marks every text it is asked for shows which
+// texts of the window never pass through a translation, and whether the catalogs know the rest.
+#include "app/wiring/open_project.h"
+#include "core/base/error.h"
+#include "core/session/snapshot.h"
+#include "ui/birdseye/birds_eye_view.h"
+#include "ui/bridge/error_sentence.h"
+#include "ui/document/document.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/settings/language.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QMenu>
+#include <QRegularExpression>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+#include <QTranslator>
+#include <QUndoStack>
+
+#include <set>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr int kPatienceMs = 20000; ///< software OpenGL and a loaded machine
+const QChar kMark(0x2020);         ///< a dagger: no text of ours has one
+
+/// Marks every text that is not Qt's own, and remembers what it was asked for.
+class MarkingTranslator : public QTranslator {
+public:
+  bool isEmpty() const override { return false; }
+  QString translate(const char* context, const char* text, const char*, int) const override {
+    if (QByteArrayView(context).startsWith('Q')) {
+      return {};
+    }
+    asked.insert({context, text});
+    return kMark + QString::fromUtf8(text);
+  }
+  mutable std::set<std::pair<QByteArray, QByteArray>> asked;
+};
+
+/// Whether a text has words, other than names of axes and units, but no mark.
+bool isUntranslated(const QString& text) {
+  static const QRegularExpression kWord(QStringLiteral("\\p{L}{3,}"));
+  return text.contains(kWord) && !text.contains(kMark);
+}
+
+/// All texts a person can see or hear of one widget.
+QStringList textsOf(const QWidget& widget) {
+  QStringList texts{widget.toolTip(), widget.accessibleName(), widget.accessibleDescription()};
+  if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
+    texts << label->text();
+  } else if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
+    texts << button->text();
+  } else if (const auto* box = qobject_cast<const QDoubleSpinBox*>(&widget)) {
+    texts << box->suffix() << box->prefix();
+  } else if (const auto* menu = qobject_cast<const QMenu*>(&widget)) {
+    texts << menu->title();
+  } else if (qobject_cast<const QDockWidget*>(&widget) != nullptr) {
+    texts << widget.windowTitle();
+  }
+  return texts;
+}
+
+/// A child of a QLineEdit, a color dialog and the like speaks Qt's language, not ours.
+bool isOurs(const QObject& object) {
+  return !object.objectName().startsWith(QStringLiteral("qt_"));
+}
+
+} // namespace
+
+class TranslationTest : public QObject {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void everyTextOfTheWindowIsTranslated();
+  void theLanguageIsUsed();
+  void anErrorIsTranslatedButNotItsFileAndField();
+};
+
+void TranslationTest::everyTextOfTheWindowIsTranslated() {
+  MarkingTranslator marking;
+  QVERIFY(QCoreApplication::installTranslator(&marking));
+  MainWindow window(&openProject);
+  window.show();
+  QVERIFY(QTest::qWaitForWindowExposed(&window));
+  QSignalSpy opened(&window, &MainWindow::projectOpened);
+  window.openProject({});
+  QVERIFY(opened.wait(kPatienceMs));
+  QVERIFY(
+      QTest::qWaitFor([&] { return window.shown() && window.shown()->frame > 5; }, kPatienceMs));
+  const auto& declarations = window.document().project().parameters.declarations();
+  QVERIFY(window.document().setParameter(declarations.front().key, declarations.front().maximum));
+
+  std::set<QString> names; // a camera's name is the user's
+  for (const auto& camera : window.document().project().cameras) {
+    names.insert(QString::fromStdString(camera.camera.name));
+  }
+  for (const QWidget* widget : window.findChildren<QWidget*>()) {
+    for (const QString& text : textsOf(*widget)) {
+      QVERIFY2(!isOurs(*widget) || names.contains(text) || !isUntranslated(text),
+               qPrintable(widget->objectName() + QStringLiteral(": ") + text));
+    }
+  }
+  for (const QAction* action : window.findChildren<QAction*>()) {
+    for (const QString& text : {action->text(), action->toolTip(), action->statusTip()}) {
+      QVERIFY2(!isOurs(*action) || names.contains(text) || !isUntranslated(text),
+               qPrintable(action->objectName() + QStringLiteral(": ") + text));
+    }
+  }
+  QCoreApplication::removeTranslator(&marking);
+
+  // What the window asked for, the catalogs have, under the same context.
+  for (const QString& language : languages()) {
+    QTranslator catalog;
+    QVERIFY(catalog.load(QStringLiteral(":/translations/dewpoint_") + language));
+    for (const auto& [context, text] : marking.asked) {
+      QVERIFY2(language == QStringLiteral("en") || !catalog.translate(context, text).isNull(),
+               qPrintable(language + QStringLiteral(", ") + context + QStringLiteral(": ") + text));
+    }
+  }
+}
+
+void TranslationTest::theLanguageIsUsed() {
+  QVERIFY(languages().contains(QStringLiteral("de")));
+  useLanguage(QStringLiteral("de"));
+  MainWindow window(&openProject);
+  // The German catalog's word for "Restart", and a decimal comma.
+  QCOMPARE(window.findChild<QAction*>("actionRestart")->text(), QStringLiteral("Neu beginnen"));
+  QCOMPARE(QLocale().toString(0.5, 'f', 1), QStringLiteral("0,5"));
+}
+
+void TranslationTest::anErrorIsTranslatedButNotItsFileAndField() {
+  useLanguage(QStringLiteral("es"));
+  // The Spanish catalog's phrase of UnknownKey.
+  QCOMPARE(errorSentence({ErrorCode::UnknownKey, "a.toml", "flavor", "line 3"}),
+           QStringLiteral("a.toml: flavor: clave desconocida (line 3)"));
+}
+
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
+  dewpoint::TranslationTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "translation_test.moc"

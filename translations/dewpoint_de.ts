@@ -1,0 +1,716 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en">
+<context>
+    <name>Error</name>
+    <message>
+        <source>cannot be written</source>
+        <translation>kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>does not fit the rest</source>
+        <translation>passt nicht zum Übrigen</translation>
+    </message>
+    <message>
+        <source>ended before its announced end</source>
+        <translation>endete vor dem angekündigten Ende</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>not a usable value</source>
+        <translation>kein brauchbarer Wert</translation>
+    </message>
+    <message>
+        <source>the camera cannot be opened</source>
+        <translation>die Kamera lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>the camera stopped delivering images</source>
+        <translation>die Kamera liefert keine Bilder mehr</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>die Datei kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the file does not exist</source>
+        <translation>die Datei existiert nicht</translation>
+    </message>
+    <message>
+        <source>the text cannot be understood</source>
+        <translation>der Text ist nicht verständlich</translation>
+    </message>
+    <message>
+        <source>there is nothing of this name</source>
+        <translation>es gibt nichts mit diesem Namen</translation>
+    </message>
+    <message>
+        <source>this key is missing</source>
+        <translation>dieser Schlüssel fehlt</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>unbekannter Schlüssel</translation>
+    </message>
+    <message>
+        <source>wrong type of value</source>
+        <translation>falsche Art von Wert</translation>
+    </message>
+</context>
+<context>
+    <name>GlContext</name>
+    <message>
+        <source>no OpenGL context can be made on this display</source>
+        <translation>auf dieser Anzeige lässt sich kein OpenGL-Kontext anlegen</translation>
+    </message>
+    <message>
+        <source>the OpenGL context cannot be used</source>
+        <translation>der OpenGL-Kontext ist nicht benutzbar</translation>
+    </message>
+    <message>
+        <source>OpenGL 3.2 is needed</source>
+        <translation>OpenGL 3.2 wird benötigt</translation>
+    </message>
+</context>
+<context>
+    <name>HoldState</name>
+    <message>
+        <source>● held</source>
+        <translation>● gehalten</translation>
+    </message>
+    <message>
+        <source>○ searching</source>
+        <translation>○ sucht</translation>
+    </message>
+    <message>
+        <source>▲ lost</source>
+        <translation>▲ verloren</translation>
+    </message>
+    <message>
+        <source>✕ missing</source>
+        <translation>✕ fehlt</translation>
+    </message>
+    <message>
+        <source>– no images</source>
+        <translation>– keine Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>Method</name>
+    <message>
+        <source>barrera</source>
+        <translation>Barrera u. a.</translation>
+    </message>
+    <message>
+        <source>dewpoint</source>
+        <translation>Dewpoint</translation>
+    </message>
+</context>
+<context>
+    <name>Parameter</name>
+    <message>
+        <source>Half the x size of the box around the start in which particles start evenly spread; 0 starts them all at the same x.</source>
+        <translation>Halbe x-Ausdehnung des Quaders um den Start, in dem die Partikel gleichmäßig verteilt beginnen; bei 0 beginnen alle beim selben x.</translation>
+    </message>
+    <message>
+        <source>Half the y size of the box around the start in which particles start evenly spread; 0 starts them all at the same y.</source>
+        <translation>Halbe y-Ausdehnung des Quaders um den Start, in dem die Partikel gleichmäßig verteilt beginnen; bei 0 beginnen alle beim selben y.</translation>
+    </message>
+    <message>
+        <source>Half the z size of the box around the start in which particles start evenly spread; 0 starts them all at the same z.</source>
+        <translation>Halbe z-Ausdehnung des Quaders um den Start, in dem die Partikel gleichmäßig verteilt beginnen; bei 0 beginnen alle beim selben z.</translation>
+    </message>
+    <message>
+        <source>How far particles move at random along each axis in one iteration: larger follows faster objects and spreads wider.</source>
+        <translation>Wie weit sich Partikel in einer Iteration zufällig entlang jeder Achse bewegen: Größere Werte folgen schnelleren Objekten und streuen weiter.</translation>
+    </message>
+    <message>
+        <source>How many filter iterations run on each frame.</source>
+        <translation>Wie viele Filteriterationen auf jedem Bild laufen.</translation>
+    </message>
+    <message>
+        <source>How many particles the filter uses: more follow more surely and cost more time.</source>
+        <translation>Wie viele Partikel der Filter benutzt: Mehr folgen sicherer und kosten mehr Zeit.</translation>
+    </message>
+    <message>
+        <source>Iterations per frame</source>
+        <translation>Iterationen je Bild</translation>
+    </message>
+    <message>
+        <source>Motion sigma</source>
+        <translation>Bewegungs-Sigma</translation>
+    </message>
+    <message>
+        <source>Particles</source>
+        <translation>Partikel</translation>
+    </message>
+    <message>
+        <source>Start half-size x</source>
+        <translation>Start: halbe Größe x</translation>
+    </message>
+    <message>
+        <source>Start half-size y</source>
+        <translation>Start: halbe Größe y</translation>
+    </message>
+    <message>
+        <source>Start half-size z</source>
+        <translation>Start: halbe Größe z</translation>
+    </message>
+    <message>
+        <source>Start x</source>
+        <translation>Start x</translation>
+    </message>
+    <message>
+        <source>Start y</source>
+        <translation>Start y</translation>
+    </message>
+    <message>
+        <source>Start z</source>
+        <translation>Start z</translation>
+    </message>
+    <message>
+        <source>World x of the place where all particles start.</source>
+        <translation>Weltkoordinate x des Ortes, an dem alle Partikel beginnen.</translation>
+    </message>
+    <message>
+        <source>World y of the place where all particles start.</source>
+        <translation>Weltkoordinate y des Ortes, an dem alle Partikel beginnen.</translation>
+    </message>
+    <message>
+        <source>World z of the place where all particles start.</source>
+        <translation>Weltkoordinate z des Ortes, an dem alle Partikel beginnen.</translation>
+    </message>
+    <message>
+        <source>Acceleration sigma</source>
+        <translation>Beschleunigungs-Sigma</translation>
+    </message>
+    <message>
+        <source>Edge of the room in which a target may appear: larger asks for more evidence before a target is believed.</source>
+        <translation>Kantenlänge des Raums, in dem ein Ziel auftauchen kann: Größere Werte verlangen mehr Belege, bevor an ein Ziel geglaubt wird.</translation>
+    </message>
+    <message>
+        <source>Fewest particles</source>
+        <translation>Mindestzahl der Partikel</translation>
+    </message>
+    <message>
+        <source>How far the particles may be from the distribution they stand for (Kullback-Leibler distance): smaller takes more particles where they disagree; 0 always takes all of them.</source>
+        <translation>Wie weit die Partikel von der Verteilung abweichen dürfen, für die sie stehen (Kullback-Leibler-Abstand): Kleinere Werte nehmen mehr Partikel, wo diese uneins sind; 0 nimmt immer alle.</translation>
+    </message>
+    <message>
+        <source>How long a target that no camera can judge is believed to be still there.</source>
+        <translation>Wie lange ein Ziel, das keine Kamera beurteilen kann, noch als vorhanden gilt.</translation>
+    </message>
+    <message>
+        <source>How long one iteration may take: fewer particles are used to keep to it. 0 sets no limit; with a limit a run depends on the speed of the machine and cannot be repeated bit by bit.</source>
+        <translation>Wie lange eine Iteration dauern darf: Um das einzuhalten, werden weniger Partikel benutzt. 0 setzt keine Grenze; mit einer Grenze hängt ein Lauf von der Geschwindigkeit des Rechners ab und lässt sich nicht Bit für Bit wiederholen.</translation>
+    </message>
+    <message>
+        <source>How many particles each target uses at least, when they all agree.</source>
+        <translation>Wie viele Partikel jedes Ziel mindestens benutzt, wenn alle einig sind.</translation>
+    </message>
+    <message>
+        <source>How many particles each target uses at most.</source>
+        <translation>Wie viele Partikel jedes Ziel höchstens benutzt.</translation>
+    </message>
+    <message>
+        <source>How strongly targets speed up, slow down and turn: larger follows abrupt motion, smaller bridges gaps better.</source>
+        <translation>Wie stark Ziele beschleunigen, bremsen und abbiegen: Größere Werte folgen abrupten Bewegungen, kleinere überbrücken Lücken besser.</translation>
+    </message>
+    <message>
+        <source>Sampling error</source>
+        <translation>Stichprobenfehler</translation>
+    </message>
+    <message>
+        <source>Search size</source>
+        <translation>Suchraumgröße</translation>
+    </message>
+    <message>
+        <source>Survival time</source>
+        <translation>Überlebenszeit</translation>
+    </message>
+    <message>
+        <source>Time budget</source>
+        <translation>Zeitbudget</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterRow</name>
+    <message>
+        <source>%1
+From %2 to %3%4; default %5%4.</source>
+        <translation>%1
+Von %2 bis %3%4; Vorgabe %5%4.</translation>
+    </message>
+</context>
+<context>
+    <name>SetParameterCommand</name>
+    <message>
+        <source>Change “%1”</source>
+        <translation>„%1“ ändern</translation>
+    </message>
+</context>
+<context>
+    <name>Unit</name>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>m/s²</source>
+        <translation>m/s²</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BirdsEyeView</name>
+    <message>
+        <source>Bird&apos;s-eye view</source>
+        <translation>Vogelperspektive</translation>
+    </message>
+    <message>
+        <source>The room in 3D: cameras, particles, estimates and their tracks</source>
+        <translation>Der Raum in 3D: Kameras, Partikel, Schätzungen und ihre Spuren</translation>
+    </message>
+    <message>
+        <source>Above</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>Blick von oben: X nach rechts, Y nach oben. Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
+    </message>
+    <message>
+        <source>Look from the front: X to the right, Z up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>Blick von vorn: X nach rechts, Z nach oben. Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
+    </message>
+    <message>
+        <source>Perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>Perspektive. Ziehen dreht, Umschalt und Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
+    </message>
+    <message>
+        <source>No 3D: %1</source>
+        <translation>Kein 3D: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::CameraView</name>
+    <message>
+        <source>This camera delivered no image for this frame.</source>
+        <translation>Diese Kamera lieferte zu diesem Zeitpunkt kein Bild.</translation>
+    </message>
+    <message>
+        <source>No images yet. Press play (Space), or open a project (Ctrl+O).</source>
+        <translation>Noch keine Bilder. Wiedergabe starten (Leertaste) oder ein Projekt öffnen (Strg+O).</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ConvergencePlot</name>
+    <message>
+        <source>spread</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>error against truth</source>
+        <translation>Fehler gegen die Wahrheit</translation>
+    </message>
+    <message>
+        <source>filter iteration</source>
+        <translation>Filteriteration</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::DockTitle</name>
+    <message>
+        <source>Float this view, or put it back (double click the title: whole window)</source>
+        <translation>Diese Ansicht lösen oder zurücksetzen (Doppelklick auf den Titel: ganzes Fenster)</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::MainWindow</name>
+    <message>
+        <source>Dewpoint</source>
+        <translation>Dewpoint</translation>
+    </message>
+    <message>
+        <source>%1[*] – Dewpoint</source>
+        <translation>%1[*] – Dewpoint</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Ein Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Dewpoint projects (*.toml);;All files (*)</source>
+        <translation>Dewpoint-Projekte (*.toml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Das Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Dewpoint projects (*.toml)</source>
+        <translation>Dewpoint-Projekte (*.toml)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save the trajectory</source>
+        <translation>Die Trajektorie speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %n samples to %1.</source>
+        <translation>
+            <numerusform>%n Messpunkt in %1 gespeichert.</numerusform>
+            <numerusform>%n Messpunkte in %1 gespeichert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Save the changes to this project?</source>
+        <translation>Die Änderungen an diesem Projekt speichern?</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view</source>
+        <translation>Vogelperspektive</translation>
+    </message>
+    <message>
+        <source>Convergence</source>
+        <translation>Konvergenz</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>Transport</source>
+        <translation>Ablaufsteuerung</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>&amp;Project</source>
+        <translation>&amp;Projekt</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Lauf</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Colors</source>
+        <translation>Farben</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::MessageBar</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ParameterPanel</name>
+    <message>
+        <source>The parameters appear here once a project is open.</source>
+        <translation>Die Parameter erscheinen hier, sobald ein Projekt geöffnet ist.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::StatusFigures</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>playing</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>am Ende</translation>
+    </message>
+    <message>
+        <source>Playing, paused, or at the end</source>
+        <translation>Läuft, angehalten oder am Ende</translation>
+    </message>
+    <message>
+        <source>frame 0000 / 0000</source>
+        <translation>Bild 0000 / 0000</translation>
+    </message>
+    <message>
+        <source>Frame shown, of all frames</source>
+        <translation>Gezeigtes Bild, von allen Bildern</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Frames tracked per second</source>
+        <translation>Verfolgte Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>%1 per iteration</source>
+        <translation>%1 je Iteration</translation>
+    </message>
+    <message>
+        <source>Median time of one filter iteration</source>
+        <translation>Mittlere Dauer (Median) einer Filteriteration</translation>
+    </message>
+    <message>
+        <source>ESS %1 / %2</source>
+        <translation>ESS %1 / %2</translation>
+    </message>
+    <message>
+        <source>Effective sample size, of all particles</source>
+        <translation>Effektive Stichprobengröße (ESS), von allen Partikeln</translation>
+    </message>
+    <message>
+        <source>spread %1</source>
+        <translation>Streuung %1</translation>
+    </message>
+    <message>
+        <source>Root mean square distance of the particles to their mean</source>
+        <translation>Mittlerer quadratischer Abstand (RMS) der Partikel von ihrem Mittel</translation>
+    </message>
+    <message>
+        <source>Estimated position of the first target in the room</source>
+        <translation>Geschätzte Position des ersten Ziels im Raum</translation>
+    </message>
+    <message>
+        <source>Held: two cameras see the target&apos;s color where the estimate is. Lost: not so for 30 frames.</source>
+        <translation>Gehalten: Zwei Kameras sehen die Zielfarbe dort, wo die Schätzung liegt. Verloren: seit 30 Bildern nicht mehr.</translation>
+    </message>
+    <message>
+        <source>frame %1 / %2</source>
+        <translation>Bild %1 / %2</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>x %1  y %2  z %3 m</source>
+        <translation>x %1  y %2  z %3 m</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TransportActions</name>
+    <message>
+        <source>Play</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Next frame</source>
+        <translation>Nächstes Bild</translation>
+    </message>
+    <message>
+        <source>Track one frame and pause</source>
+        <translation>Ein Bild verfolgen und anhalten</translation>
+    </message>
+    <message>
+        <source>One iteration</source>
+        <translation>Eine Iteration</translation>
+    </message>
+    <message>
+        <source>One filter iteration on the frame shown, and pause</source>
+        <translation>Eine Filteriteration auf dem gezeigten Bild, dann anhalten</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Start over with the same random numbers</source>
+        <translation>Von vorn beginnen, mit denselben Zufallszahlen</translation>
+    </message>
+    <message>
+        <source>Restart with a new seed</source>
+        <translation>Mit neuem Startwert beginnen</translation>
+    </message>
+    <message>
+        <source>Start over with other random numbers</source>
+        <translation>Von vorn beginnen, mit anderen Zufallszahlen</translation>
+    </message>
+    <message>
+        <source>Show mask</source>
+        <translation>Maske zeigen</translation>
+    </message>
+    <message>
+        <source>Show where the cameras see the target&apos;s color</source>
+        <translation>Zeigen, wo die Kameras die Zielfarbe sehen</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>Blick von oben</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from above: the XY plane</source>
+        <translation>Vogelperspektive von oben: die XY-Ebene</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>Blick von vorn</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from the front: the XZ plane</source>
+        <translation>Vogelperspektive von vorn: die XZ-Ebene</translation>
+    </message>
+    <message>
+        <source>Look freely</source>
+        <translation>Freier Blick</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from an oblique angle, free to orbit</source>
+        <translation>Vogelperspektive von schräg oben, frei drehbar</translation>
+    </message>
+    <message>
+        <source>Open project…</source>
+        <translation>Projekt öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Ein Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Open the demo</source>
+        <translation>Demo öffnen</translation>
+    </message>
+    <message>
+        <source>Open the simulated demo scene</source>
+        <translation>Die simulierte Demo-Szene öffnen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Das Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>Save the project under another name</source>
+        <translation>Das Projekt unter anderem Namen speichern</translation>
+    </message>
+    <message>
+        <source>Save trajectory as CSV…</source>
+        <translation>Trajektorie als CSV speichern…</translation>
+    </message>
+    <message>
+        <source>Save the trajectory so far as CSV</source>
+        <translation>Die bisherige Trajektorie als CSV speichern</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Colors of the system</source>
+        <translation>Farben des Systems</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Light colors</source>
+        <translation>Helle Farben</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Dark colors</source>
+        <translation>Dunkle Farben</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Quit Dewpoint</source>
+        <translation>Dewpoint beenden</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+</context>
+</TS>

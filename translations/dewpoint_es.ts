@@ -1,0 +1,716 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es_ES" sourcelanguage="en">
+<context>
+    <name>Error</name>
+    <message>
+        <source>cannot be written</source>
+        <translation>no se puede escribir</translation>
+    </message>
+    <message>
+        <source>does not fit the rest</source>
+        <translation>no concuerda con lo demás</translation>
+    </message>
+    <message>
+        <source>ended before its announced end</source>
+        <translation>terminó antes del final anunciado</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>ha fallado</translation>
+    </message>
+    <message>
+        <source>not a usable value</source>
+        <translation>valor no utilizable</translation>
+    </message>
+    <message>
+        <source>the camera cannot be opened</source>
+        <translation>no se puede abrir la cámara</translation>
+    </message>
+    <message>
+        <source>the camera stopped delivering images</source>
+        <translation>la cámara dejó de entregar imágenes</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>no se puede leer el archivo</translation>
+    </message>
+    <message>
+        <source>the file does not exist</source>
+        <translation>el archivo no existe</translation>
+    </message>
+    <message>
+        <source>the text cannot be understood</source>
+        <translation>no se entiende el texto</translation>
+    </message>
+    <message>
+        <source>there is nothing of this name</source>
+        <translation>no hay nada con este nombre</translation>
+    </message>
+    <message>
+        <source>this key is missing</source>
+        <translation>falta esta clave</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>clave desconocida</translation>
+    </message>
+    <message>
+        <source>wrong type of value</source>
+        <translation>tipo de valor incorrecto</translation>
+    </message>
+</context>
+<context>
+    <name>GlContext</name>
+    <message>
+        <source>no OpenGL context can be made on this display</source>
+        <translation>no se puede crear un contexto OpenGL en esta pantalla</translation>
+    </message>
+    <message>
+        <source>the OpenGL context cannot be used</source>
+        <translation>no se puede usar el contexto OpenGL</translation>
+    </message>
+    <message>
+        <source>OpenGL 3.2 is needed</source>
+        <translation>se necesita OpenGL 3.2</translation>
+    </message>
+</context>
+<context>
+    <name>HoldState</name>
+    <message>
+        <source>● held</source>
+        <translation>● seguido</translation>
+    </message>
+    <message>
+        <source>○ searching</source>
+        <translation>○ buscando</translation>
+    </message>
+    <message>
+        <source>▲ lost</source>
+        <translation>▲ perdido</translation>
+    </message>
+    <message>
+        <source>✕ missing</source>
+        <translation>✕ ausente</translation>
+    </message>
+    <message>
+        <source>– no images</source>
+        <translation>– sin imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>Method</name>
+    <message>
+        <source>barrera</source>
+        <translation>Barrera et al.</translation>
+    </message>
+    <message>
+        <source>dewpoint</source>
+        <translation>Dewpoint</translation>
+    </message>
+</context>
+<context>
+    <name>Parameter</name>
+    <message>
+        <source>Half the x size of the box around the start in which particles start evenly spread; 0 starts them all at the same x.</source>
+        <translation>Mitad del tamaño en x de la caja alrededor del inicio en la que las partículas empiezan repartidas por igual; con 0 todas empiezan en el mismo x.</translation>
+    </message>
+    <message>
+        <source>Half the y size of the box around the start in which particles start evenly spread; 0 starts them all at the same y.</source>
+        <translation>Mitad del tamaño en y de la caja alrededor del inicio en la que las partículas empiezan repartidas por igual; con 0 todas empiezan en el mismo y.</translation>
+    </message>
+    <message>
+        <source>Half the z size of the box around the start in which particles start evenly spread; 0 starts them all at the same z.</source>
+        <translation>Mitad del tamaño en z de la caja alrededor del inicio en la que las partículas empiezan repartidas por igual; con 0 todas empiezan en el mismo z.</translation>
+    </message>
+    <message>
+        <source>How far particles move at random along each axis in one iteration: larger follows faster objects and spreads wider.</source>
+        <translation>Cuánto se mueven al azar las partículas a lo largo de cada eje en una iteración: un valor mayor sigue objetos más rápidos y dispersa más.</translation>
+    </message>
+    <message>
+        <source>How many filter iterations run on each frame.</source>
+        <translation>Cuántas iteraciones del filtro se ejecutan en cada fotograma.</translation>
+    </message>
+    <message>
+        <source>How many particles the filter uses: more follow more surely and cost more time.</source>
+        <translation>Cuántas partículas usa el filtro: más siguen con mayor seguridad y cuestan más tiempo.</translation>
+    </message>
+    <message>
+        <source>Iterations per frame</source>
+        <translation>Iteraciones por fotograma</translation>
+    </message>
+    <message>
+        <source>Motion sigma</source>
+        <translation>Sigma del movimiento</translation>
+    </message>
+    <message>
+        <source>Particles</source>
+        <translation>Partículas</translation>
+    </message>
+    <message>
+        <source>Start half-size x</source>
+        <translation>Semitamaño inicial x</translation>
+    </message>
+    <message>
+        <source>Start half-size y</source>
+        <translation>Semitamaño inicial y</translation>
+    </message>
+    <message>
+        <source>Start half-size z</source>
+        <translation>Semitamaño inicial z</translation>
+    </message>
+    <message>
+        <source>Start x</source>
+        <translation>Inicio x</translation>
+    </message>
+    <message>
+        <source>Start y</source>
+        <translation>Inicio y</translation>
+    </message>
+    <message>
+        <source>Start z</source>
+        <translation>Inicio z</translation>
+    </message>
+    <message>
+        <source>World x of the place where all particles start.</source>
+        <translation>Coordenada x del mundo del lugar donde empiezan todas las partículas.</translation>
+    </message>
+    <message>
+        <source>World y of the place where all particles start.</source>
+        <translation>Coordenada y del mundo del lugar donde empiezan todas las partículas.</translation>
+    </message>
+    <message>
+        <source>World z of the place where all particles start.</source>
+        <translation>Coordenada z del mundo del lugar donde empiezan todas las partículas.</translation>
+    </message>
+    <message>
+        <source>Acceleration sigma</source>
+        <translation>Sigma de la aceleración</translation>
+    </message>
+    <message>
+        <source>Edge of the room in which a target may appear: larger asks for more evidence before a target is believed.</source>
+        <translation>Arista del espacio en el que puede aparecer un objetivo: un valor mayor exige más pruebas antes de dar por cierto un objetivo.</translation>
+    </message>
+    <message>
+        <source>Fewest particles</source>
+        <translation>Mínimo de partículas</translation>
+    </message>
+    <message>
+        <source>How far the particles may be from the distribution they stand for (Kullback-Leibler distance): smaller takes more particles where they disagree; 0 always takes all of them.</source>
+        <translation>Cuánto pueden apartarse las partículas de la distribución que representan (distancia de Kullback-Leibler): un valor menor usa más partículas donde discrepan; 0 las usa siempre todas.</translation>
+    </message>
+    <message>
+        <source>How long a target that no camera can judge is believed to be still there.</source>
+        <translation>Cuánto tiempo se da por presente un objetivo que ninguna cámara puede juzgar.</translation>
+    </message>
+    <message>
+        <source>How long one iteration may take: fewer particles are used to keep to it. 0 sets no limit; with a limit a run depends on the speed of the machine and cannot be repeated bit by bit.</source>
+        <translation>Cuánto puede durar una iteración: para cumplirlo se usan menos partículas. 0 no pone límite; con un límite, la ejecución depende de la velocidad de la máquina y no se puede repetir bit a bit.</translation>
+    </message>
+    <message>
+        <source>How many particles each target uses at least, when they all agree.</source>
+        <translation>Cuántas partículas usa como mínimo cada objetivo, cuando todas coinciden.</translation>
+    </message>
+    <message>
+        <source>How many particles each target uses at most.</source>
+        <translation>Cuántas partículas usa como máximo cada objetivo.</translation>
+    </message>
+    <message>
+        <source>How strongly targets speed up, slow down and turn: larger follows abrupt motion, smaller bridges gaps better.</source>
+        <translation>Con cuánta fuerza los objetivos aceleran, frenan y giran: un valor mayor sigue movimientos bruscos, uno menor salva mejor las interrupciones.</translation>
+    </message>
+    <message>
+        <source>Sampling error</source>
+        <translation>Error de muestreo</translation>
+    </message>
+    <message>
+        <source>Search size</source>
+        <translation>Tamaño de búsqueda</translation>
+    </message>
+    <message>
+        <source>Survival time</source>
+        <translation>Tiempo de permanencia</translation>
+    </message>
+    <message>
+        <source>Time budget</source>
+        <translation>Límite de tiempo</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterRow</name>
+    <message>
+        <source>%1
+From %2 to %3%4; default %5%4.</source>
+        <translation>%1
+De %2 a %3%4; por defecto %5%4.</translation>
+    </message>
+</context>
+<context>
+    <name>SetParameterCommand</name>
+    <message>
+        <source>Change “%1”</source>
+        <translation>Cambiar «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>Unit</name>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>m/s²</source>
+        <translation>m/s²</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BirdsEyeView</name>
+    <message>
+        <source>Bird&apos;s-eye view</source>
+        <translation>Vista de pájaro</translation>
+    </message>
+    <message>
+        <source>The room in 3D: cameras, particles, estimates and their tracks</source>
+        <translation>La sala en 3D: cámaras, partículas, estimaciones y sus trayectorias</translation>
+    </message>
+    <message>
+        <source>Above</source>
+        <translation>Arriba</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Frente</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Libre</translation>
+    </message>
+    <message>
+        <source>Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>Vista desde arriba: X a la derecha, Y hacia arriba. Arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
+    </message>
+    <message>
+        <source>Look from the front: X to the right, Z up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>Vista desde el frente: X a la derecha, Z hacia arriba. Arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
+    </message>
+    <message>
+        <source>Perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>Perspectiva. Arrastrar para girar, Mayús y arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
+    </message>
+    <message>
+        <source>No 3D: %1</source>
+        <translation>Sin 3D: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::CameraView</name>
+    <message>
+        <source>This camera delivered no image for this frame.</source>
+        <translation>Esta cámara no entregó imagen para este fotograma.</translation>
+    </message>
+    <message>
+        <source>No images yet. Press play (Space), or open a project (Ctrl+O).</source>
+        <translation>Aún no hay imágenes. Pulse reproducir (Espacio) o abra un proyecto (Ctrl+O).</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ConvergencePlot</name>
+    <message>
+        <source>spread</source>
+        <translation>dispersión</translation>
+    </message>
+    <message>
+        <source>error against truth</source>
+        <translation>error frente a la verdad</translation>
+    </message>
+    <message>
+        <source>filter iteration</source>
+        <translation>iteración del filtro</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::DockTitle</name>
+    <message>
+        <source>Float this view, or put it back (double click the title: whole window)</source>
+        <translation>Soltar esta vista o devolverla a su sitio (doble clic en el título: toda la ventana)</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::MainWindow</name>
+    <message>
+        <source>Dewpoint</source>
+        <translation>Dewpoint</translation>
+    </message>
+    <message>
+        <source>%1[*] – Dewpoint</source>
+        <translation>%1[*] – Dewpoint</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Abrir un proyecto</translation>
+    </message>
+    <message>
+        <source>Dewpoint projects (*.toml);;All files (*)</source>
+        <translation>Proyectos de Dewpoint (*.toml);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Guardar el proyecto</translation>
+    </message>
+    <message>
+        <source>Dewpoint projects (*.toml)</source>
+        <translation>Proyectos de Dewpoint (*.toml)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Se guardó %1.</translation>
+    </message>
+    <message>
+        <source>Save the trajectory</source>
+        <translation>Guardar la trayectoria</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %n samples to %1.</source>
+        <translation>
+            <numerusform>Se guardó %n muestra en %1.</numerusform>
+            <numerusform>Se guardaron %n muestras en %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>Save the changes to this project?</source>
+        <translation>¿Guardar los cambios de este proyecto?</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view</source>
+        <translation>Vista de pájaro</translation>
+    </message>
+    <message>
+        <source>Convergence</source>
+        <translation>Convergencia</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parámetros</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Cámara %1</translation>
+    </message>
+    <message>
+        <source>Transport</source>
+        <translation>Reproducción</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Mensaje</translation>
+    </message>
+    <message>
+        <source>&amp;Project</source>
+        <translation>&amp;Proyecto</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Editar</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>E&amp;jecución</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>Colors</source>
+        <translation>Colores</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::MessageBar</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Cerrar este mensaje</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ParameterPanel</name>
+    <message>
+        <source>The parameters appear here once a project is open.</source>
+        <translation>Los parámetros aparecen aquí en cuanto se abre un proyecto.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::StatusFigures</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>playing</source>
+        <translation>en marcha</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>en pausa</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>terminado</translation>
+    </message>
+    <message>
+        <source>Playing, paused, or at the end</source>
+        <translation>En marcha, en pausa o al final</translation>
+    </message>
+    <message>
+        <source>frame 0000 / 0000</source>
+        <translation>fotograma 0000 / 0000</translation>
+    </message>
+    <message>
+        <source>Frame shown, of all frames</source>
+        <translation>Fotograma mostrado, de todos</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Frames tracked per second</source>
+        <translation>Fotogramas seguidos por segundo</translation>
+    </message>
+    <message>
+        <source>%1 per iteration</source>
+        <translation>%1 por iteración</translation>
+    </message>
+    <message>
+        <source>Median time of one filter iteration</source>
+        <translation>Tiempo mediano de una iteración del filtro</translation>
+    </message>
+    <message>
+        <source>ESS %1 / %2</source>
+        <translation>ESS %1 / %2</translation>
+    </message>
+    <message>
+        <source>Effective sample size, of all particles</source>
+        <translation>Tamaño de muestra efectivo (ESS), de todas las partículas</translation>
+    </message>
+    <message>
+        <source>spread %1</source>
+        <translation>dispersión %1</translation>
+    </message>
+    <message>
+        <source>Root mean square distance of the particles to their mean</source>
+        <translation>Distancia cuadrática media de las partículas a su media</translation>
+    </message>
+    <message>
+        <source>Estimated position of the first target in the room</source>
+        <translation>Posición estimada del primer objetivo en la sala</translation>
+    </message>
+    <message>
+        <source>Held: two cameras see the target&apos;s color where the estimate is. Lost: not so for 30 frames.</source>
+        <translation>Seguido: dos cámaras ven el color del objetivo donde está la estimación. Perdido: no es así desde hace 30 fotogramas.</translation>
+    </message>
+    <message>
+        <source>frame %1 / %2</source>
+        <translation>fotograma %1 / %2</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>fotograma %1</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>x %1  y %2  z %3 m</source>
+        <translation>x %1  y %2  z %3 m</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TransportActions</name>
+    <message>
+        <source>Play</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>Next frame</source>
+        <translation>Fotograma siguiente</translation>
+    </message>
+    <message>
+        <source>Track one frame and pause</source>
+        <translation>Seguir un fotograma y pausar</translation>
+    </message>
+    <message>
+        <source>One iteration</source>
+        <translation>Una iteración</translation>
+    </message>
+    <message>
+        <source>One filter iteration on the frame shown, and pause</source>
+        <translation>Una iteración del filtro sobre el fotograma mostrado y pausar</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Reiniciar</translation>
+    </message>
+    <message>
+        <source>Start over with the same random numbers</source>
+        <translation>Empezar de nuevo con los mismos números aleatorios</translation>
+    </message>
+    <message>
+        <source>Restart with a new seed</source>
+        <translation>Reiniciar con otra semilla</translation>
+    </message>
+    <message>
+        <source>Start over with other random numbers</source>
+        <translation>Empezar de nuevo con otros números aleatorios</translation>
+    </message>
+    <message>
+        <source>Show mask</source>
+        <translation>Mostrar máscara</translation>
+    </message>
+    <message>
+        <source>Show where the cameras see the target&apos;s color</source>
+        <translation>Mostrar dónde ven las cámaras el color del objetivo</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>Ver desde arriba</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from above: the XY plane</source>
+        <translation>Vista de pájaro desde arriba: el plano XY</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>Ver desde el frente</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from the front: the XZ plane</source>
+        <translation>Vista de pájaro desde el frente: el plano XZ</translation>
+    </message>
+    <message>
+        <source>Look freely</source>
+        <translation>Vista libre</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from an oblique angle, free to orbit</source>
+        <translation>Vista de pájaro oblicua, con giro libre</translation>
+    </message>
+    <message>
+        <source>Open project…</source>
+        <translation>Abrir proyecto…</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Abrir un proyecto</translation>
+    </message>
+    <message>
+        <source>Open the demo</source>
+        <translation>Abrir la demostración</translation>
+    </message>
+    <message>
+        <source>Open the simulated demo scene</source>
+        <translation>Abrir la escena de demostración simulada</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Guardar el proyecto</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Guardar como…</translation>
+    </message>
+    <message>
+        <source>Save the project under another name</source>
+        <translation>Guardar el proyecto con otro nombre</translation>
+    </message>
+    <message>
+        <source>Save trajectory as CSV…</source>
+        <translation>Guardar la trayectoria como CSV…</translation>
+    </message>
+    <message>
+        <source>Save the trajectory so far as CSV</source>
+        <translation>Guardar como CSV la trayectoria hasta ahora</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>Como el sistema</translation>
+    </message>
+    <message>
+        <source>Colors of the system</source>
+        <translation>Colores del sistema</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claro</translation>
+    </message>
+    <message>
+        <source>Light colors</source>
+        <translation>Colores claros</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Oscuro</translation>
+    </message>
+    <message>
+        <source>Dark colors</source>
+        <translation>Colores oscuros</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Salir</translation>
+    </message>
+    <message>
+        <source>Quit Dewpoint</source>
+        <translation>Salir de Dewpoint</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+</context>
+</TS>

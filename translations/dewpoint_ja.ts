@@ -1,0 +1,715 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ja_JP" sourcelanguage="en">
+<context>
+    <name>Error</name>
+    <message>
+        <source>cannot be written</source>
+        <translation>書き込めません</translation>
+    </message>
+    <message>
+        <source>does not fit the rest</source>
+        <translation>ほかの内容と合いません</translation>
+    </message>
+    <message>
+        <source>ended before its announced end</source>
+        <translation>示された終わりより前に途切れました</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>失敗しました</translation>
+    </message>
+    <message>
+        <source>not a usable value</source>
+        <translation>使えない値です</translation>
+    </message>
+    <message>
+        <source>the camera cannot be opened</source>
+        <translation>カメラを開けません</translation>
+    </message>
+    <message>
+        <source>the camera stopped delivering images</source>
+        <translation>カメラから画像が届かなくなりました</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>ファイルを読み込めません</translation>
+    </message>
+    <message>
+        <source>the file does not exist</source>
+        <translation>ファイルがありません</translation>
+    </message>
+    <message>
+        <source>the text cannot be understood</source>
+        <translation>内容を解釈できません</translation>
+    </message>
+    <message>
+        <source>there is nothing of this name</source>
+        <translation>この名前のものはありません</translation>
+    </message>
+    <message>
+        <source>this key is missing</source>
+        <translation>このキーがありません</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>不明なキーです</translation>
+    </message>
+    <message>
+        <source>wrong type of value</source>
+        <translation>値の型が違います</translation>
+    </message>
+</context>
+<context>
+    <name>GlContext</name>
+    <message>
+        <source>no OpenGL context can be made on this display</source>
+        <translation>この画面では OpenGL コンテキストを作成できません</translation>
+    </message>
+    <message>
+        <source>the OpenGL context cannot be used</source>
+        <translation>OpenGL コンテキストを使用できません</translation>
+    </message>
+    <message>
+        <source>OpenGL 3.2 is needed</source>
+        <translation>OpenGL 3.2 が必要です</translation>
+    </message>
+</context>
+<context>
+    <name>HoldState</name>
+    <message>
+        <source>● held</source>
+        <translation>● 追跡中</translation>
+    </message>
+    <message>
+        <source>○ searching</source>
+        <translation>○ 探索中</translation>
+    </message>
+    <message>
+        <source>▲ lost</source>
+        <translation>▲ 見失い</translation>
+    </message>
+    <message>
+        <source>✕ missing</source>
+        <translation>✕ なし</translation>
+    </message>
+    <message>
+        <source>– no images</source>
+        <translation>– 画像なし</translation>
+    </message>
+</context>
+<context>
+    <name>Method</name>
+    <message>
+        <source>barrera</source>
+        <translation>Barrera ら</translation>
+    </message>
+    <message>
+        <source>dewpoint</source>
+        <translation>Dewpoint</translation>
+    </message>
+</context>
+<context>
+    <name>Parameter</name>
+    <message>
+        <source>Half the x size of the box around the start in which particles start evenly spread; 0 starts them all at the same x.</source>
+        <translation>開始点を囲む箱の x 方向の大きさの半分。粒子はこの箱の中に一様に散らばって始まります。0 ではすべて同じ x から始まります。</translation>
+    </message>
+    <message>
+        <source>Half the y size of the box around the start in which particles start evenly spread; 0 starts them all at the same y.</source>
+        <translation>開始点を囲む箱の y 方向の大きさの半分。粒子はこの箱の中に一様に散らばって始まります。0 ではすべて同じ y から始まります。</translation>
+    </message>
+    <message>
+        <source>Half the z size of the box around the start in which particles start evenly spread; 0 starts them all at the same z.</source>
+        <translation>開始点を囲む箱の z 方向の大きさの半分。粒子はこの箱の中に一様に散らばって始まります。0 ではすべて同じ z から始まります。</translation>
+    </message>
+    <message>
+        <source>How far particles move at random along each axis in one iteration: larger follows faster objects and spreads wider.</source>
+        <translation>1 回の反復で粒子が各軸方向にランダムに動く大きさ。大きいほど速い物体を追えますが、粒子は広く散らばります。</translation>
+    </message>
+    <message>
+        <source>How many filter iterations run on each frame.</source>
+        <translation>1 フレームごとに実行するフィルターの反復回数。</translation>
+    </message>
+    <message>
+        <source>How many particles the filter uses: more follow more surely and cost more time.</source>
+        <translation>フィルターが使う粒子の数。多いほど確実に追跡できますが、時間がかかります。</translation>
+    </message>
+    <message>
+        <source>Iterations per frame</source>
+        <translation>フレームごとの反復</translation>
+    </message>
+    <message>
+        <source>Motion sigma</source>
+        <translation>動きのシグマ</translation>
+    </message>
+    <message>
+        <source>Particles</source>
+        <translation>粒子数</translation>
+    </message>
+    <message>
+        <source>Start half-size x</source>
+        <translation>開始範囲の半分 x</translation>
+    </message>
+    <message>
+        <source>Start half-size y</source>
+        <translation>開始範囲の半分 y</translation>
+    </message>
+    <message>
+        <source>Start half-size z</source>
+        <translation>開始範囲の半分 z</translation>
+    </message>
+    <message>
+        <source>Start x</source>
+        <translation>開始位置 x</translation>
+    </message>
+    <message>
+        <source>Start y</source>
+        <translation>開始位置 y</translation>
+    </message>
+    <message>
+        <source>Start z</source>
+        <translation>開始位置 z</translation>
+    </message>
+    <message>
+        <source>World x of the place where all particles start.</source>
+        <translation>すべての粒子が始まる場所の世界座標 x。</translation>
+    </message>
+    <message>
+        <source>World y of the place where all particles start.</source>
+        <translation>すべての粒子が始まる場所の世界座標 y。</translation>
+    </message>
+    <message>
+        <source>World z of the place where all particles start.</source>
+        <translation>すべての粒子が始まる場所の世界座標 z。</translation>
+    </message>
+    <message>
+        <source>Acceleration sigma</source>
+        <translation>加速度のシグマ</translation>
+    </message>
+    <message>
+        <source>Edge of the room in which a target may appear: larger asks for more evidence before a target is believed.</source>
+        <translation>目標が現れうる空間の一辺の長さ。大きいほど、目標があると判断するまでに多くの証拠が必要になります。</translation>
+    </message>
+    <message>
+        <source>Fewest particles</source>
+        <translation>最小粒子数</translation>
+    </message>
+    <message>
+        <source>How far the particles may be from the distribution they stand for (Kullback-Leibler distance): smaller takes more particles where they disagree; 0 always takes all of them.</source>
+        <translation>粒子が、それらの表す分布からどれだけ離れてよいか（カルバック・ライブラー距離）。小さいほど、粒子がばらつく所で多くの粒子を使います。0 では常にすべてを使います。</translation>
+    </message>
+    <message>
+        <source>How long a target that no camera can judge is believed to be still there.</source>
+        <translation>どのカメラからも判断できない目標を、まだそこにあるとみなす時間。</translation>
+    </message>
+    <message>
+        <source>How long one iteration may take: fewer particles are used to keep to it. 0 sets no limit; with a limit a run depends on the speed of the machine and cannot be repeated bit by bit.</source>
+        <translation>1 回の反復にかけてよい時間。これを守るために粒子を減らします。0 では制限しません。制限すると、結果は計算機の速さに左右され、ビット単位では再現できなくなります。</translation>
+    </message>
+    <message>
+        <source>How many particles each target uses at least, when they all agree.</source>
+        <translation>すべての粒子がそろっているときに、各目標が使う粒子の最小数。</translation>
+    </message>
+    <message>
+        <source>How many particles each target uses at most.</source>
+        <translation>各目標が使う粒子の最大数。</translation>
+    </message>
+    <message>
+        <source>How strongly targets speed up, slow down and turn: larger follows abrupt motion, smaller bridges gaps better.</source>
+        <translation>目標がどれだけ強く加速、減速、方向転換するか。大きいほど急な動きを追え、小さいほど途切れをうまく補えます。</translation>
+    </message>
+    <message>
+        <source>Sampling error</source>
+        <translation>標本誤差</translation>
+    </message>
+    <message>
+        <source>Search size</source>
+        <translation>探索範囲の大きさ</translation>
+    </message>
+    <message>
+        <source>Survival time</source>
+        <translation>存続時間</translation>
+    </message>
+    <message>
+        <source>Time budget</source>
+        <translation>時間の上限</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterRow</name>
+    <message>
+        <source>%1
+From %2 to %3%4; default %5%4.</source>
+        <translation>%1
+%2 から %3%4 まで。既定値は %5%4。</translation>
+    </message>
+</context>
+<context>
+    <name>SetParameterCommand</name>
+    <message>
+        <source>Change “%1”</source>
+        <translation>「%1」の変更</translation>
+    </message>
+</context>
+<context>
+    <name>Unit</name>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>m/s²</source>
+        <translation>m/s²</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BirdsEyeView</name>
+    <message>
+        <source>Bird&apos;s-eye view</source>
+        <translation>鳥瞰図</translation>
+    </message>
+    <message>
+        <source>The room in 3D: cameras, particles, estimates and their tracks</source>
+        <translation>部屋の 3D 表示：カメラ、粒子、推定位置とその軌跡</translation>
+    </message>
+    <message>
+        <source>Above</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>自由</translation>
+    </message>
+    <message>
+        <source>Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>上から見る：X は右、Y は上。ドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
+    </message>
+    <message>
+        <source>Look from the front: X to the right, Z up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>正面から見る：X は右、Z は上。ドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
+    </message>
+    <message>
+        <source>Perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>透視図。ドラッグで回転、Shift を押しながらドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
+    </message>
+    <message>
+        <source>No 3D: %1</source>
+        <translation>3D 表示なし：%1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::CameraView</name>
+    <message>
+        <source>This camera delivered no image for this frame.</source>
+        <translation>このフレームではカメラから画像が届きませんでした。</translation>
+    </message>
+    <message>
+        <source>No images yet. Press play (Space), or open a project (Ctrl+O).</source>
+        <translation>まだ画像がありません。再生する（スペース）か、プロジェクトを開いてください（Ctrl+O）。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ConvergencePlot</name>
+    <message>
+        <source>spread</source>
+        <translation>広がり</translation>
+    </message>
+    <message>
+        <source>error against truth</source>
+        <translation>真値との誤差</translation>
+    </message>
+    <message>
+        <source>filter iteration</source>
+        <translation>フィルターの反復</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::DockTitle</name>
+    <message>
+        <source>Float this view, or put it back (double click the title: whole window)</source>
+        <translation>この表示を切り離す、または戻す（タイトルをダブルクリック：ウィンドウ全体）</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::MainWindow</name>
+    <message>
+        <source>Dewpoint</source>
+        <translation>Dewpoint</translation>
+    </message>
+    <message>
+        <source>%1[*] – Dewpoint</source>
+        <translation>%1[*] – Dewpoint</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>プロジェクトを開く</translation>
+    </message>
+    <message>
+        <source>Dewpoint projects (*.toml);;All files (*)</source>
+        <translation>Dewpoint プロジェクト (*.toml);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>プロジェクトを保存</translation>
+    </message>
+    <message>
+        <source>Dewpoint projects (*.toml)</source>
+        <translation>Dewpoint プロジェクト (*.toml)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>Save the trajectory</source>
+        <translation>軌跡を保存</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表 (*.csv)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %n samples to %1.</source>
+        <translation>
+            <numerusform>%n 個のサンプルを %1 に保存しました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>保存されていない変更</translation>
+    </message>
+    <message>
+        <source>Save the changes to this project?</source>
+        <translation>このプロジェクトの変更を保存しますか？</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view</source>
+        <translation>鳥瞰図</translation>
+    </message>
+    <message>
+        <source>Convergence</source>
+        <translation>収束</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>パラメーター</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>カメラ %1</translation>
+    </message>
+    <message>
+        <source>Transport</source>
+        <translation>再生の操作</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直す</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>メッセージ</translation>
+    </message>
+    <message>
+        <source>&amp;Project</source>
+        <translation>プロジェクト(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>編集(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>実行(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>表示(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Colors</source>
+        <translation>配色</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::MessageBar</name>
+    <message>
+        <source>Close this message</source>
+        <translation>このメッセージを閉じる</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ParameterPanel</name>
+    <message>
+        <source>The parameters appear here once a project is open.</source>
+        <translation>プロジェクトを開くと、ここにパラメーターが表示されます。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::StatusFigures</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>playing</source>
+        <translation>再生中</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>一時停止中</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>Playing, paused, or at the end</source>
+        <translation>再生中、一時停止中、または終わり</translation>
+    </message>
+    <message>
+        <source>frame 0000 / 0000</source>
+        <translation>フレーム 0000 / 0000</translation>
+    </message>
+    <message>
+        <source>Frame shown, of all frames</source>
+        <translation>表示中のフレーム / 全フレーム</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Frames tracked per second</source>
+        <translation>1 秒あたりに追跡したフレーム数</translation>
+    </message>
+    <message>
+        <source>%1 per iteration</source>
+        <translation>反復あたり %1</translation>
+    </message>
+    <message>
+        <source>Median time of one filter iteration</source>
+        <translation>フィルターの反復 1 回にかかる時間の中央値</translation>
+    </message>
+    <message>
+        <source>ESS %1 / %2</source>
+        <translation>ESS %1 / %2</translation>
+    </message>
+    <message>
+        <source>Effective sample size, of all particles</source>
+        <translation>有効サンプルサイズ（ESS）/ 全粒子数</translation>
+    </message>
+    <message>
+        <source>spread %1</source>
+        <translation>広がり %1</translation>
+    </message>
+    <message>
+        <source>Root mean square distance of the particles to their mean</source>
+        <translation>粒子とその平均との距離の二乗平均平方根</translation>
+    </message>
+    <message>
+        <source>Estimated position of the first target in the room</source>
+        <translation>部屋の中での最初の目標の推定位置</translation>
+    </message>
+    <message>
+        <source>Held: two cameras see the target&apos;s color where the estimate is. Lost: not so for 30 frames.</source>
+        <translation>追跡中：2 台のカメラが推定位置に目標の色を捉えています。見失い：その状態が 30 フレームありません。</translation>
+    </message>
+    <message>
+        <source>frame %1 / %2</source>
+        <translation>フレーム %1 / %2</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>フレーム %1</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>x %1  y %2  z %3 m</source>
+        <translation>x %1  y %2  z %3 m</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TransportActions</name>
+    <message>
+        <source>Play</source>
+        <translation>再生</translation>
+    </message>
+    <message>
+        <source>Next frame</source>
+        <translation>次のフレーム</translation>
+    </message>
+    <message>
+        <source>Track one frame and pause</source>
+        <translation>1 フレーム追跡して一時停止</translation>
+    </message>
+    <message>
+        <source>One iteration</source>
+        <translation>1 回反復</translation>
+    </message>
+    <message>
+        <source>One filter iteration on the frame shown, and pause</source>
+        <translation>表示中のフレームでフィルターを 1 回反復して一時停止</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>最初から</translation>
+    </message>
+    <message>
+        <source>Start over with the same random numbers</source>
+        <translation>同じ乱数で最初からやり直す</translation>
+    </message>
+    <message>
+        <source>Restart with a new seed</source>
+        <translation>新しいシードで最初から</translation>
+    </message>
+    <message>
+        <source>Start over with other random numbers</source>
+        <translation>別の乱数で最初からやり直す</translation>
+    </message>
+    <message>
+        <source>Show mask</source>
+        <translation>マスクを表示</translation>
+    </message>
+    <message>
+        <source>Show where the cameras see the target&apos;s color</source>
+        <translation>カメラが目標の色を捉えている場所を表示</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>上から見る</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from above: the XY plane</source>
+        <translation>上からの鳥瞰図：XY 平面</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>正面から見る</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from the front: the XZ plane</source>
+        <translation>正面からの鳥瞰図：XZ 平面</translation>
+    </message>
+    <message>
+        <source>Look freely</source>
+        <translation>自由に見る</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from an oblique angle, free to orbit</source>
+        <translation>斜めからの鳥瞰図、自由に回転</translation>
+    </message>
+    <message>
+        <source>Open project…</source>
+        <translation>プロジェクトを開く…</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>プロジェクトを開く</translation>
+    </message>
+    <message>
+        <source>Open the demo</source>
+        <translation>デモを開く</translation>
+    </message>
+    <message>
+        <source>Open the simulated demo scene</source>
+        <translation>シミュレーションのデモシーンを開く</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>プロジェクトを保存</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>名前を付けて保存…</translation>
+    </message>
+    <message>
+        <source>Save the project under another name</source>
+        <translation>プロジェクトを別の名前で保存</translation>
+    </message>
+    <message>
+        <source>Save trajectory as CSV…</source>
+        <translation>軌跡を CSV で保存…</translation>
+    </message>
+    <message>
+        <source>Save the trajectory so far as CSV</source>
+        <translation>これまでの軌跡を CSV で保存</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>システムに合わせる</translation>
+    </message>
+    <message>
+        <source>Colors of the system</source>
+        <translation>システムの配色</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>ライト</translation>
+    </message>
+    <message>
+        <source>Light colors</source>
+        <translation>ライトの配色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>ダーク</translation>
+    </message>
+    <message>
+        <source>Dark colors</source>
+        <translation>ダークの配色</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>Quit Dewpoint</source>
+        <translation>Dewpoint を終了</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+</context>
+</TS>

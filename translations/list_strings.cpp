@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Prints what core declares for people's eyes as source text for lupdate: core knows no Qt, so
+// nothing there is marked for translation. script/translate runs it; see docs/translations.md.
+#include "core/base/error.h"
+#include "core/tracking/parameters.h"
+
+#include <cstdio>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace {
+
+using Marked = std::set<std::pair<std::string, std::string>>; ///< context, text
+
+/// A text as C++ writes it.
+std::string literal(const std::string& text) {
+  std::string result = "\"";
+  for (const char letter : text) {
+    if (letter == '\n') {
+      result += "\\n";
+      continue;
+    }
+    if (letter == '"' || letter == '\\') {
+      result += '\\';
+    }
+    result += letter;
+  }
+  return result + "\"";
+}
+
+void addErrors(Marked& marked) {
+  // The codes count up from 0; the first number that is no code any more has the general phrase.
+  constexpr int kMoreThanEnough = 1000;
+  const std::string beyond = dewpoint::phrase(static_cast<dewpoint::ErrorCode>(kMoreThanEnough));
+  std::string phrase;
+  for (int code = 0; phrase != beyond; ++code) {
+    phrase = dewpoint::phrase(static_cast<dewpoint::ErrorCode>(code));
+    marked.emplace("Error", phrase);
+  }
+}
+
+void addMethods(Marked& marked) {
+  for (const auto& method : dewpoint::methodNames()) {
+    marked.emplace("Method", method);
+    for (const auto& declaration : dewpoint::methodParameters(method)) {
+      marked.emplace("Parameter", declaration.label);
+      marked.emplace("Parameter", declaration.sentence);
+      if (!declaration.unit.empty()) {
+        marked.emplace("Unit", declaration.unit);
+      }
+    }
+  }
+}
+
+} // namespace
+
+int main() {
+  Marked marked;
+  addErrors(marked);
+  addMethods(marked);
+  for (const auto& [context, text] : marked) {
+    std::printf("QT_TRANSLATE_NOOP(\"%s\", %s)\n", context.c_str(), literal(text).c_str());
+  }
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/settings/language.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+
+#include <memory>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr QLatin1String kFolder(":/translations");
+constexpr QLatin1String kPrefix("dewpoint_");
+
+QLocale localeOf(const QString& language) {
+  const QLocale system = QLocale::system();
+  const QLocale wanted(language);
+  // Someone in Austria who asks for German gets Austrian German.
+  return language.isEmpty() || wanted.language() == system.language() ? system : wanted;
+}
+
+/// Installs a catalog if there is one for the locale.
+bool install(const QLocale& locale, const QString& name, const QString& folder) {
+  auto translator = std::make_unique<QTranslator>(QCoreApplication::instance());
+  return translator->load(locale, name, QString(), folder) &&
+         QCoreApplication::installTranslator(translator.release());
+}
+
+} // namespace
+
+QStringList languages() {
+  QStringList names;
+  for (const QString& file : QDir(kFolder).entryList({kPrefix + QLatin1String("*.qm")})) {
+    names.append(file.sliced(kPrefix.size()).chopped(3));
+  }
+  return names;
+}
+
+void useLanguage(const QString& language) {
+  const QLocale locale = localeOf(language);
+  QLocale::setDefault(locale);
+  // Qt's own first: what is installed last is asked first.
+  install(locale, QStringLiteral("qtbase_"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+  if (!install(locale, kPrefix, kFolder)) {
+    install(QLocale(QLocale::English), kPrefix, kFolder);
+  }
+}
+
+} // namespace dewpoint
