@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/random.h"
 
-#include <cmath>
-#include <numbers>
+#include "core/base/box_muller.h"
+#include "core/base/philox.h"
 
 namespace dewpoint {
 namespace {
-
-// Multipliers and key increments of Philox4x32, table 2 of Salmon et al. 2011.
-constexpr std::uint32_t kMultiplier0 = 0xD2511F53;
-constexpr std::uint32_t kMultiplier1 = 0xCD9E8D57;
-constexpr std::uint32_t kWeyl0 = 0x9E3779B9;
-constexpr std::uint32_t kWeyl1 = 0xBB67AE85;
-constexpr int kRounds = 10;
 
 constexpr double kTwoPowMinus32 = 1.0 / 4294967296.0;
 
@@ -20,15 +13,8 @@ constexpr double kTwoPowMinus32 = 1.0 / 4294967296.0;
 
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
                                     std::array<std::uint32_t, 2> key) {
-  for (int round = 0; round < kRounds; ++round) {
-    const std::uint64_t product0 = std::uint64_t{kMultiplier0} * counter[0];
-    const std::uint64_t product1 = std::uint64_t{kMultiplier1} * counter[2];
-    counter = {static_cast<std::uint32_t>(product1 >> 32) ^ counter[1] ^ key[0],
-               static_cast<std::uint32_t>(product1),
-               static_cast<std::uint32_t>(product0 >> 32) ^ counter[3] ^ key[1],
-               static_cast<std::uint32_t>(product0)};
-    key = {key[0] + kWeyl0, key[1] + kWeyl1};
-  }
+  auto& [c0, c1, c2, c3] = counter;
+  Philox::mix(c0, c1, c2, c3, key[0], key[1]);
   return counter;
 }
 
@@ -54,15 +40,9 @@ std::array<double, 3> RandomStream::uniform3(std::uint32_t index, std::uint32_t 
 
 std::array<double, 4> RandomStream::normal4(std::uint32_t index, std::uint32_t block) const {
   const auto word = words(index, block);
-  std::array<double, 4> normals{};
-  for (std::size_t pair = 0; pair < 2; ++pair) {
-    // Half a step away from 0, where the logarithm is not finite.
-    const double radius = std::sqrt(-2.0 * std::log((word[2 * pair] + 0.5) * kTwoPowMinus32));
-    const double angle = 2.0 * std::numbers::pi * (word[2 * pair + 1] * kTwoPowMinus32);
-    normals[2 * pair] = radius * std::cos(angle);
-    normals[2 * pair + 1] = radius * std::sin(angle);
-  }
-  return normals;
+  const auto [first, second] = boxMuller(word[0], word[1]);
+  const auto [third, fourth] = boxMuller(word[2], word[3]);
+  return {first, second, third, fourth};
 }
 
 std::uint64_t derivedSeed(std::uint64_t seed, std::uint32_t index) {

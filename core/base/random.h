@@ -6,9 +6,7 @@
 
 namespace dewpoint {
 
-/// Philox4x32-10 (Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC 2011): four
-/// random words that depend on nothing but counter and key, so that a number can be drawn by any
-/// thread, in any order, and is always the same.
+/// Four random words, a pure function of counter and key: see Philox.
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
                                     std::array<std::uint32_t, 2> key);
 
@@ -37,10 +35,19 @@ public:
   double uniform(std::uint32_t index, std::uint32_t block = 0) const;
   /// Three uniforms in [0, 1), 32 bits each.
   std::array<double, 3> uniform3(std::uint32_t index, std::uint32_t block = 0) const;
-  /// Four independent standard normal numbers (Box-Muller).
+  /// Four independent standard normal numbers (Box-Muller, on the functions of elementary.h).
   std::array<double, 4> normal4(std::uint32_t index, std::uint32_t block = 0) const;
 
+  /// uniform(i) for the `count` elements from `firstIndex` on.
+  void uniforms(std::uint32_t firstIndex, std::int64_t count, double* out) const;
+  /// The first three numbers of normal4(i) for the `count` elements from `firstIndex` on, in three
+  /// columns that do not overlap.
+  void normals(std::uint32_t firstIndex, std::int64_t count,
+               const std::array<double*, 3>& columns) const;
+
 private:
+  friend struct RandomBatch;
+
   std::array<std::uint32_t, 2> key_;
   std::uint32_t frame_;
   std::uint32_t iteration_;

@@ -29,6 +29,27 @@ void ThreadTeam::forEachRange(std::int64_t count,
     }
     return;
   }
+  share(count, body);
+}
+
+void ThreadTeam::forEachBlock(std::int64_t count, std::int64_t blockSize,
+                              const std::function<void(std::int64_t, std::int64_t)>& body) {
+  const std::function<void(std::int64_t, std::int64_t)> blocks = [&](std::int64_t first,
+                                                                     std::int64_t last) {
+    for (std::int64_t block = first; block < last; ++block) {
+      body(block * blockSize, std::min(count, (block + 1) * blockSize));
+    }
+  };
+  const std::int64_t blockCount = (count + blockSize - 1) / blockSize;
+  if (workers_.empty() || count < kSmallestShared || blockCount < 2) {
+    blocks(0, blockCount);
+  } else {
+    share(blockCount, blocks);
+  }
+}
+
+void ThreadTeam::share(std::int64_t count,
+                       const std::function<void(std::int64_t, std::int64_t)>& body) {
   {
     const std::lock_guard lock(mutex_);
     count_ = count;

@@ -27,7 +27,13 @@ public:
   void forEachRange(std::int64_t count,
                     const std::function<void(std::int64_t, std::int64_t)>& body);
 
+  /// The same in pieces of `blockSize` elements (the last one may be shorter), which begin at
+  /// multiples of it for any number of threads: what is summed up within a block is the same sum.
+  void forEachBlock(std::int64_t count, std::int64_t blockSize,
+                    const std::function<void(std::int64_t, std::int64_t)>& body);
+
 private:
+  void share(std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body);
   void work(const std::stop_token& stop, int worker);
   void runPiece(int piece) const;
 

@@ -23,7 +23,10 @@ struct StateEstimate {
 bool normalize(const Eigen::ArrayXd& logWeights, Eigen::ArrayXd& weights, ThreadTeam& team);
 
 /// Mean, covariance, best particle and effective sample size for weights that sum to 1. The set
-/// must not be empty. Sums run in particle order, so that their bits depend on nothing else.
+/// must not be empty. Sums run over fixed blocks, put together in particle order, so that their
+/// bits depend neither on the number of threads nor on the processor.
+StateEstimate estimate(const Eigen::ArrayXXd& states, const Eigen::ArrayXd& weights,
+                       ThreadTeam& team);
 StateEstimate estimate(const Eigen::ArrayXXd& states, const Eigen::ArrayXd& weights);
 
 } // namespace dewpoint

@@ -4,6 +4,8 @@
 #include "core/base/random.h"
 #include "core/filter/particle_set.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -15,10 +17,18 @@ struct IsotropicMotion {
   double sigma = 0.03; ///< metres per iteration
 
   void predict(StateRows rows, std::uint32_t firstIndex, const RandomStream& stream) const {
-    for (Eigen::Index row = 0; row < rows.rows(); ++row) {
-      const auto normal = stream.normal4(firstIndex + static_cast<std::uint32_t>(row));
+    constexpr Eigen::Index kBlock = 256;
+    std::array<std::array<double, kBlock>, 3> normal;
+    for (Eigen::Index begin = 0; begin < rows.rows(); begin += kBlock) {
+      const Eigen::Index count = std::min(kBlock, rows.rows() - begin);
+      stream.normals(firstIndex + static_cast<std::uint32_t>(begin), count,
+                     {normal[0].data(), normal[1].data(), normal[2].data()});
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        rows(row, axis) += sigma * normal[static_cast<std::size_t>(axis)];
+        double* coordinate = rows.col(axis).data() + begin;
+        const double* step = normal[static_cast<std::size_t>(axis)].data();
+        for (Eigen::Index i = 0; i < count; ++i) {
+          coordinate[i] += sigma * step[i];
+        }
       }
     }
   }

@@ -37,7 +37,8 @@ concept ObservationModel = requires(const O& model, ConstStateRows rows,
 };
 
 /// Picks `count` particles, with repetition, so that particle i is expected count * weights[i]
-/// times (weights linear, summing to 1). `ancestors` is resized to `count`.
+/// times (weights linear, summing to 1). `ancestors` is resized to `count`. A resampler that takes
+/// a ThreadTeam before `ancestors` as well is given the filter's.
 template <class R>
 concept Resampler = requires(const R& resampler, const Eigen::ArrayXd& weights, Eigen::Index count,
                              const RandomStream& stream, std::vector<Eigen::Index>& ancestors) {

@@ -2,36 +2,32 @@
 #pragma once
 
 #include "core/base/random.h"
+#include "core/base/thread_team.h"
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 namespace dewpoint {
 
 /// Resampling of CONDENSATION (Isard & Blake 1998): for each new particle an independent uniform
-/// draw, looked up in the cumulative weights by binary search. Unbiased; a particle of weight zero
-/// is never picked. The weights need not sum to 1, but at least one must be positive.
-struct MultinomialResampling {
+/// draw, looked up in the cumulative weights. Unbiased; a particle of weight zero is never picked.
+/// The weights need not sum to 1, but at least one must be positive.
+///
+/// The ancestors are those of a binary search for each draw in CumulativeWeights, listed by blocks
+/// of kBlock particles and in the order of the draws within a block: new particles then take their
+/// states from memory that lies together. With up to kBlock particles that is the order of the
+/// draws.
+class MultinomialResampling {
+public:
+  static constexpr std::int64_t kBlock = 4096;
+
   void ancestors(const Eigen::ArrayXd& weights, Eigen::Index count, const RandomStream& stream,
-                 std::vector<Eigen::Index>& picked) const {
-    std::vector<double> cumulative(static_cast<std::size_t>(weights.size()));
-    double total = 0.0;
-    for (std::size_t i = 0; i < cumulative.size(); ++i) {
-      total += weights[static_cast<Eigen::Index>(i)];
-      cumulative[i] = total;
-    }
-    // Where rounding would carry a draw past the end, the last particle of positive weight is
-    // meant.
-    const auto last = std::lower_bound(cumulative.begin(), cumulative.end(), total);
-    picked.resize(static_cast<std::size_t>(count));
-    for (std::size_t i = 0; i < picked.size(); ++i) {
-      const double draw = stream.uniform(static_cast<std::uint32_t>(i)) * total;
-      picked[i] = std::upper_bound(cumulative.begin(), last, draw) - cumulative.begin();
-    }
-  }
+                 std::vector<Eigen::Index>& picked) const;
+  /// The same to the bit, shared by several threads.
+  void ancestors(const Eigen::ArrayXd& weights, Eigen::Index count, const RandomStream& stream,
+                 ThreadTeam& team, std::vector<Eigen::Index>& picked) const;
 };
 
 } // namespace dewpoint

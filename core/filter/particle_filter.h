@@ -41,10 +41,9 @@ public:
   template <Proposal P, ObservationModel O, Resampler R>
   StateEstimate iterate(const P& proposal, const O& observation, const R& resampler,
                         Eigen::Index nextCount, const RandomKey& key, ThreadTeam& team) {
-    predict(proposal, key.stream(RandomPurpose::Motion), team);
-    update(observation, team);
+    weigh(proposal, observation, key.stream(RandomPurpose::Motion), team);
     const bool usable = normalize(weighted_.logWeights, weights_, team);
-    StateEstimate result = estimate(weighted_.states, weights_);
+    StateEstimate result = estimate(weighted_.states, weights_, team);
     result.degenerate = !usable;
     resample(resampler, nextCount, key.stream(RandomPurpose::Resampling), team);
     return result;
@@ -64,21 +63,19 @@ public:
   const Eigen::ArrayXXd& next() const { return next_; }
 
 private:
-  template <Proposal P>
-  void predict(const P& proposal, const RandomStream& stream, ThreadTeam& team) {
+  /// Predicts and weighs block by block, while a block is in the cache.
+  template <Proposal P, ObservationModel O>
+  void weigh(const P& proposal, const O& observation, const RandomStream& stream,
+             ThreadTeam& team) {
+    constexpr std::int64_t kBlock = 1024;
     weighted_.states.swap(next_);
-    weighted_.logWeights.setZero(weighted_.states.rows());
-    team.forEachRange(weighted_.particleCount(), [&](std::int64_t begin, std::int64_t end) {
-      proposal.propose(weighted_.states.middleRows(begin, end - begin),
-                       weighted_.logWeights.segment(begin, end - begin),
+    weighted_.logWeights.resize(weighted_.states.rows());
+    team.forEachBlock(weighted_.particleCount(), kBlock, [&](std::int64_t begin, std::int64_t end) {
+      LogWeightSegment logWeights = weighted_.logWeights.segment(begin, end - begin);
+      logWeights.setZero();
+      proposal.propose(weighted_.states.middleRows(begin, end - begin), logWeights,
                        static_cast<std::uint32_t>(begin), stream);
-    });
-  }
-
-  template <ObservationModel O> void update(const O& observation, ThreadTeam& team) {
-    team.forEachRange(weighted_.particleCount(), [&](std::int64_t begin, std::int64_t end) {
-      observation.addLogLikelihood(weighted_.states.middleRows(begin, end - begin),
-                                   weighted_.logWeights.segment(begin, end - begin));
+      observation.addLogLikelihood(weighted_.states.middleRows(begin, end - begin), logWeights);
     });
   }
 
@@ -86,7 +83,11 @@ private:
   void resample(const R& resampler, Eigen::Index count, const RandomStream& stream,
                 ThreadTeam& team) {
     assert(count > 0);
-    resampler.ancestors(weights_, count, stream, ancestors_);
+    if constexpr (requires { resampler.ancestors(weights_, count, stream, team, ancestors_); }) {
+      resampler.ancestors(weights_, count, stream, team, ancestors_);
+    } else {
+      resampler.ancestors(weights_, count, stream, ancestors_);
+    }
     next_.resize(count, weighted_.states.cols());
     team.forEachRange(count, [&](std::int64_t begin, std::int64_t end) {
       for (Eigen::Index column = 0; column < next_.cols(); ++column) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <vector>
 
@@ -41,6 +42,25 @@ TEST(ThreadTeam, RunsManyLoopsInARow) {
     team.forEachRange(3000, [&](std::int64_t begin, std::int64_t end) { total += end - begin; });
   }
   EXPECT_EQ(total, 2000 * 3000);
+}
+
+TEST(ThreadTeam, BlocksBeginAtMultiplesOfTheirSize) {
+  for (const int threads : {1, 2, 3, 4}) {
+    ThreadTeam team(threads);
+    for (const std::int64_t count : {0, 1, 7, 999, 1000, 1001, 2048, 10001}) {
+      std::vector<int> visits(static_cast<std::size_t>(count), 0);
+      std::atomic<int> badBlocks = 0;
+      team.forEachBlock(count, 1000, [&](std::int64_t begin, std::int64_t end) {
+        badBlocks +=
+            begin % 1000 == 0 && end == std::min<std::int64_t>(count, begin + 1000) ? 0 : 1;
+        for (std::int64_t i = begin; i < end; ++i) {
+          ++visits[static_cast<std::size_t>(i)];
+        }
+      });
+      EXPECT_EQ(badBlocks, 0);
+      EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), count) << threads << " threads";
+    }
+  }
 }
 
 } // namespace

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+
+/// Elementary functions made of additions and multiplications in a fixed order, without branches:
+/// a loop over them becomes vector code, and every processor and library gives the same bits, which
+/// std::log, std::sin and std::exp do not promise. Errors are a few units in the last place.
+namespace dewpoint {
+
+/// c[0] + c[1] x + c[2] x^2 + ...
+template <std::size_t count>
+[[gnu::always_inline]] inline double polynomial(double x, const std::array<double, count>& c) {
+  double sum = c[count - 1];
+  for (std::size_t i = count - 1; i-- > 0;) {
+    sum = sum * x + c[i];
+  }
+  return sum;
+}
+
+/// The natural logarithm of a positive normal number. x = 2^k m with m between sqrt(1/2) and
+/// sqrt(2), and log m = 2 artanh((m - 1) / (m + 1)), whose series ends below 1e-17.
+[[gnu::always_inline]] inline double logarithm(double x) {
+  constexpr std::array<double, 11> kArtanh{1.0,        1.0 / 3.0,  1.0 / 5.0,  1.0 / 7.0,
+                                           1.0 / 9.0,  1.0 / 11.0, 1.0 / 13.0, 1.0 / 15.0,
+                                           1.0 / 17.0, 1.0 / 19.0, 1.0 / 21.0};
+  constexpr auto kRootHalf = std::bit_cast<std::uint64_t>(std::numbers::sqrt2 / 2.0);
+  constexpr std::uint64_t kBias = 1023;
+  constexpr std::uint64_t kTwoTo52 = 0x4330000000000000; // adds its low bits as an integer
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  // Biased, so that it is not negative: vector units shift no signed numbers of 64 bits.
+  const std::uint64_t exponent = (bits - kRootHalf + (kBias << 52U)) >> 52U;
+  const double k = std::bit_cast<double>(kTwoTo52 | exponent) - (0x1.0p52 + double(kBias));
+  const double m = std::bit_cast<double>(bits - ((exponent - kBias) << 52U));
+  const double s = (m - 1.0) / (m + 1.0);
+  return k * std::numbers::ln2 + 2.0 * s * polynomial(s * s, kArtanh);
+}
+
+/// The cosine and sine of an angle.
+struct CosineSine {
+  double cosine;
+  double sine;
+};
+
+/// Of turn / 2^32 of a full turn. The nearest quarter is taken off exactly, in integers; what is
+/// left is at most an eighth, where the Taylor series end below 1e-16.
+[[gnu::always_inline]] inline CosineSine cosineSine(std::uint32_t turn) {
+  constexpr std::array<double, 9> kSine{1.0,
+                                        -1.0 / 6.0,
+                                        1.0 / 120.0,
+                                        -1.0 / 5040.0,
+                                        1.0 / 362880.0,
+                                        -1.0 / 39916800.0,
+                                        1.0 / 6227020800.0,
+                                        -1.0 / 1307674368000.0,
+                                        1.0 / 355687428096000.0};
+  constexpr std::array<double, 9> kCosine{1.0,
+                                          -1.0 / 2.0,
+                                          1.0 / 24.0,
+                                          -1.0 / 720.0,
+                                          1.0 / 40320.0,
+                                          -1.0 / 3628800.0,
+                                          1.0 / 479001600.0,
+                                          -1.0 / 87178291200.0,
+                                          1.0 / 20922789888000.0};
+  const std::uint32_t quarter = (turn + (1U << 29U)) >> 30U; // 4 is 0
+  const auto rest = static_cast<std::int32_t>(turn - (quarter << 30U));
+  const double angle = rest * (0x1.0p-31 * std::numbers::pi);
+  const double square = angle * angle;
+  const double sine = angle * polynomial(square, kSine);
+  const double cosine = polynomial(square, kCosine);
+  const bool swapped = (quarter & 1U) != 0;
+  const double first = swapped ? sine : cosine;
+  const double second = swapped ? cosine : sine;
+  const double cosineSign = ((quarter + 1U) & 2U) != 0 ? -1.0 : 1.0;
+  const double sineSign = (quarter & 2U) != 0 ? -1.0 : 1.0;
+  return {cosineSign * first, sineSign * second};
+}
+
+/// e^x for x <= 0; zero below -700, minus infinity and NaN included.
+/// x = k ln 2 + r with |r| <= ln 2 / 2, where the Taylor series ends below 1e-17.
+[[gnu::always_inline]] inline double exponential(double x) {
+  constexpr std::array<double, 14> kExp{1.0,
+                                        1.0,
+                                        1.0 / 2.0,
+                                        1.0 / 6.0,
+                                        1.0 / 24.0,
+                                        1.0 / 120.0,
+                                        1.0 / 720.0,
+                                        1.0 / 5040.0,
+                                        1.0 / 40320.0,
+                                        1.0 / 362880.0,
+                                        1.0 / 3628800.0,
+                                        1.0 / 39916800.0,
+                                        1.0 / 479001600.0,
+                                        1.0 / 6227020800.0};
+  constexpr double kLn2High = 0x1.62e42fee00000p-1; // ends in zeros: its products with k are exact
+  constexpr double kLn2Low = 0x1.a39ef35793c76p-33;
+  constexpr double kRounding = 0x1.8p52; // numbers beside it are integers
+  const bool normal = x >= -700.0;
+  const double safe = normal ? x : 0.0;
+  const double shifted = safe * std::numbers::log2e + kRounding;
+  const double k = shifted - kRounding;
+  const double r = (safe - k * kLn2High) - k * kLn2Low;
+  const auto exponent = std::bit_cast<std::uint64_t>(shifted) + 1023U; // its low bits are k
+  const double power = std::bit_cast<double>(exponent << 52U);
+  return normal ? power * polynomial(r, kExp) : 0.0;
+}
+
+} // namespace dewpoint

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace dewpoint {
+
+/// Philox4x32-10 (Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC 2011): four
+/// random words that depend on nothing but counter and key, so that a number can be drawn by any
+/// thread, in any order, and is always the same.
+struct Philox {
+  using Counter = std::array<std::uint32_t, 4>;
+  using Key = std::array<std::uint32_t, 2>;
+  static constexpr int kRounds = 10;
+
+  template <int round = 0>
+  [[gnu::always_inline]] static inline void mix(std::uint32_t& c0, std::uint32_t& c1,
+                                                std::uint32_t& c2, std::uint32_t& c3,
+                                                std::uint32_t key0, std::uint32_t key1) {
+    if constexpr (round < kRounds) {
+      // Multipliers and key increments: table 2 of the paper.
+      const std::uint64_t product0 = std::uint64_t{c0} * std::uint64_t{0xD2511F53};
+      const std::uint64_t product1 = std::uint64_t{c2} * std::uint64_t{0xCD9E8D57};
+      c0 = static_cast<std::uint32_t>(product1 >> 32U) ^ c1 ^ key0;
+      c1 = static_cast<std::uint32_t>(product1);
+      c2 = static_cast<std::uint32_t>(product0 >> 32U) ^ c3 ^ key1;
+      c3 = static_cast<std::uint32_t>(product0);
+      mix<round + 1>(c0, c1, c2, c3, key0 + 0x9E3779B9U, key1 + 0xBB67AE85U);
+    }
+  }
+};
+
+} // namespace dewpoint
