@@ -111,6 +111,23 @@ TEST(TrajectoryFile, UnwritablePlacesAreErrors) {
   EXPECT_EQ(full.error().code, ErrorCode::FileUnwritable);
 }
 
+TEST(TrajectoryFile, AnOldFileStaysWholeWhenTheNewOneCannotBeWritten) {
+  const auto path = temporary("kept.csv");
+  ASSERT_TRUE(writeTrajectory({{}, {sample()}}, path));
+  const std::string before = contents(path);
+  const auto beside = path.string() + ".part";
+  std::filesystem::create_directory(beside); // what is written beside finds its place taken
+  const auto status = writeTrajectory({{}, {sample(), sample()}}, path);
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, ErrorCode::FileUnwritable);
+  EXPECT_EQ(status.error().file, path);
+  EXPECT_EQ(contents(path), before);
+  std::filesystem::remove(beside);
+  ASSERT_TRUE(writeTrajectory({{}, {sample(), sample()}}, path));
+  EXPECT_EQ(readTrajectory(path)->samples.size(), 2U);
+  std::filesystem::remove(path);
+}
+
 TEST(TrajectoryFile, ReadsTruthByColumnNames) {
   const auto truth = readText("z_m,frame,x_m,remark,y_m\r\n3,7,1,hello,2\r\n");
   ASSERT_TRUE(truth) << sentence(truth.error());
