@@ -102,18 +102,28 @@ inline cv::Mat draw(const Camera& camera, const std::vector<Ball>& balls) {
   return image;
 }
 
-/// Normal noise of `sigma` gray levels, a function of seed and frame.
+/// Normal noise of `sigma` gray levels, a function of seed and frame: one table of random numbers,
+/// read from another place every time.
 inline void addNoise(cv::Mat& image, double sigma, std::uint32_t frame, std::uint64_t seed = 99) {
-  const RandomStream stream(seed, frame, 0, RandomPurpose::Noise);
-  std::uint32_t index = 0;
-  for (int row = 0; row < image.rows; ++row) {
-    for (int column = 0; column < image.cols; ++column) {
-      const auto normal = stream.normal4(index++);
-      auto& pixel = image.at<cv::Vec3b>(row, column);
-      for (int channel = 0; channel < 3; ++channel) {
-        pixel[channel] = cv::saturate_cast<std::uint8_t>(
-            pixel[channel] + sigma * normal[static_cast<std::size_t>(channel)]);
+  static const std::vector<float> table = [] {
+    constexpr std::uint32_t kBlocks = 65521; // a prime, so that rows do not repeat
+    const RandomStream stream(1, 0, 0, RandomPurpose::Noise);
+    std::vector<float> normals;
+    for (std::uint32_t block = 0; block < kBlocks; ++block) {
+      for (const double normal : stream.normal4(block)) {
+        normals.push_back(static_cast<float>(normal));
       }
+    }
+    return normals;
+  }();
+  std::size_t at = static_cast<std::size_t>(
+      RandomStream(seed, frame, 0, RandomPurpose::Noise).uniform(0) * double(table.size()));
+  const auto strength = static_cast<float>(sigma);
+  for (int row = 0; row < image.rows; ++row) {
+    auto* bytes = image.ptr<std::uint8_t>(row);
+    for (int k = 0; k < 3 * image.cols; ++k) {
+      bytes[k] = cv::saturate_cast<std::uint8_t>(float(bytes[k]) + strength * table[at]);
+      at = at + 1 < table.size() ? at + 1 : 0;
     }
   }
 }

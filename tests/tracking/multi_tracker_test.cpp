@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/independent_trackers.h"
+#include "core/tracking/multi_tracker.h"
+#include "core/tracking/start_parameters.h"
+#include "tests/tracking/drawn_run.h"
+
+#include <gtest/gtest.h>
+
+namespace dewpoint {
+namespace {
+
+using drawn::Ball;
+using drawn::parametersOf;
+using drawn::redBall;
+
+TEST(MakeMultiTracker, KnowsEveryMethod) {
+  const CameraRig rig = drawn::rigAround(2);
+  for (const std::string& method : methodNames()) {
+    const auto tracker =
+        makeMultiTracker(method, parametersOf(method.c_str()), rig, {redBall(), redBall()});
+    ASSERT_TRUE(tracker) << method;
+    EXPECT_EQ((*tracker)->estimates().size(), 2U) << method;
+    EXPECT_FALSE((*tracker)->estimates()[0].valid) << method;
+  }
+}
+
+TEST(MakeMultiTracker, UnknownMethodOrParametersOfAnotherAreRefused) {
+  const auto unknown = makeMultiTracker("kalman", parametersOf("dewpoint"), {}, {redBall()});
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().code, ErrorCode::NotFound);
+  for (const std::string& method : methodNames()) {
+    const std::string other = method == "dewpoint" ? "barrera" : "dewpoint";
+    const auto missing = makeMultiTracker(method, parametersOf(other.c_str()), {}, {redBall()});
+    ASSERT_FALSE(missing) << method;
+    EXPECT_EQ(missing.error().code, ErrorCode::MissingKey) << method;
+  }
+}
+
+// Each is what a tracker of its own, started from derivedSeed(seed, k), would be: to the bit.
+TEST(IndependentTrackers, NoneKnowsOfTheOthers) {
+  const CameraRig rig = drawn::rigAround(2);
+  const auto values = parametersOf("barrera", {{"start_x", 0.5}, {"start_y", 0.5}});
+  auto together = makeMultiTracker("barrera", values, rig, {redBall(), redBall(), redBall()});
+  ASSERT_TRUE(together);
+  (*together)->restart(42);
+  ThreadTeam team;
+  std::vector<std::unique_ptr<Tracker>> alone;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    auto tracker = makeTracker("barrera", values, rig, redBall());
+    ASSERT_TRUE(tracker);
+    (*tracker)->restart(derivedSeed(42, k));
+    alone.push_back(std::move(*tracker));
+  }
+  for (int frame = 0; frame < 5; ++frame) {
+    const auto frames = drawn::framesOf(rig, {Ball{drawn::kMiddle}}, frame);
+    (*together)->beginFrame(frames);
+    (*together)->iterate(team);
+    for (std::size_t k = 0; k < 3; ++k) {
+      alone[k]->beginFrame(frames);
+      const TargetEstimate expected = alone[k]->iterate(team);
+      EXPECT_EQ((*together)->estimates()[k].mean, expected.mean);
+      EXPECT_EQ((*together)->estimates()[k].covariance, expected.covariance);
+    }
+  }
+  EXPECT_NE((*together)->estimates()[0].mean, (*together)->estimates()[1].mean);
+  Eigen::ArrayXXd ours;
+  Eigen::ArrayXXd theirs;
+  Eigen::ArrayXd weights;
+  (*together)->particles(2, 50, ours, weights);
+  alone[2]->particles(50, theirs, weights);
+  EXPECT_TRUE((ours == theirs).all());
+  (*together)->restart(42);
+  EXPECT_FALSE((*together)->estimates()[0].valid);
+}
+
+TEST(IndependentTrackers, TakeTargetsAndParametersOfAll) {
+  const CameraRig rig = drawn::rigAround(2);
+  auto tracker = makeMultiTracker("barrera", parametersOf("barrera"), rig, {redBall(), redBall()});
+  ASSERT_TRUE(tracker);
+  (*tracker)->configure(parametersOf("barrera", {{"iterations_per_frame", 9}, {"particles", 70}}));
+  EXPECT_EQ((*tracker)->iterationsPerFrame(), 9);
+  (*tracker)->setTargets({redBall()}); // fewer than there are: the others stay
+  ThreadTeam team;
+  (*tracker)->beginFrame(drawn::framesOf(rig, {}, 0));
+  (*tracker)->iterate(team);
+  EXPECT_EQ((*tracker)->estimates()[1].particleCount, 70);
+  EXPECT_EQ(IndependentTrackers({}).iterationsPerFrame(), 0);
+}
+
+TEST(StartParameters, DeclareAVolumeAndGiveItBack) {
+  const StartVolume defaults{{1.0, -2.0, 0.5}, {0.25, 0.0, 3.0}};
+  const auto declarations = startParameters(defaults);
+  ASSERT_EQ(declarations.size(), 6U);
+  ParameterValues values{std::span<const ParameterDeclaration>(declarations)};
+  EXPECT_EQ(startVolume(values).center, defaults.center);
+  EXPECT_EQ(startVolume(values).half, defaults.half);
+  EXPECT_TRUE(values.set("start_y", 7.0));
+  EXPECT_TRUE(values.set("start_half_x", 1.5));
+  EXPECT_EQ(startVolume(values).center, Eigen::Vector3d(1.0, 7.0, 0.5));
+  EXPECT_EQ(startVolume(values).half, Eigen::Vector3d(1.5, 0.0, 3.0));
+  EXPECT_FALSE(values.set("start_half_x", -0.1)); // a half size is not negative
+}
+
+} // namespace
+} // namespace dewpoint
