@@ -89,10 +89,13 @@ private:
       resampler.ancestors(weights_, count, stream, ancestors_);
     }
     next_.resize(count, weighted_.states.cols());
-    team.forEachRange(count, [&](std::int64_t begin, std::int64_t end) {
+    constexpr std::int64_t kBlock = 4096; // their ancestors stay in the cache for all columns
+    team.forEachBlock(count, kBlock, [&](std::int64_t begin, std::int64_t end) {
       for (Eigen::Index column = 0; column < next_.cols(); ++column) {
+        const double* from = weighted_.states.col(column).data();
+        double* to = next_.col(column).data();
         for (std::int64_t i = begin; i < end; ++i) {
-          next_(i, column) = weighted_.states(ancestors_[static_cast<std::size_t>(i)], column);
+          to[i] = from[ancestors_[static_cast<std::size_t>(i)]];
         }
       }
     });

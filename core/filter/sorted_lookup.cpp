@@ -4,6 +4,7 @@
 #include "core/base/vector_kernel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace dewpoint {
@@ -41,7 +42,7 @@ void SortedLookup::build(const double* sequence, std::int32_t count, double low,
                         cellOf_.data());
   // Backwards, so that the first element of a cell is the one that stays; cells without elements
   // then take that of the next. No step depends on a comparison: branches here cannot be foreseen.
-  first_.assign(static_cast<std::size_t>(cellCount), greatest_);
+  first_.assign(static_cast<std::size_t>(cellCount) + 1, greatest_);
   for (std::int32_t i = greatest_; i >= 0; --i) {
     first_[static_cast<std::size_t>(cellOf_[static_cast<std::size_t>(i)])] = i;
   }
@@ -55,14 +56,22 @@ void SortedLookup::build(const double* sequence, std::int32_t count, double low,
 
 void SortedLookup::find(const double* values, std::int64_t count, std::int32_t* found) const {
   runKernel<CellKernel>(values, count, low_, cellsPerValue_, lastCell_, found);
+  const double* sequence = sequence_;
+  const std::int32_t* first = first_.data();
+  const double high = sequence[greatest_];
+  const double belowHigh = std::nextafter(high, low_);
   for (std::int64_t i = 0; i < count; ++i) {
-    std::int32_t at = first_[static_cast<std::size_t>(found[i])];
-    // Two steps without a branch, then as many as it takes, mostly none. The greatest element ends
-    // the walk: past it there is nothing but its equals.
-    at += static_cast<std::int32_t>((at < greatest_) & (sequence_[at] <= values[i]));
-    at += static_cast<std::int32_t>((at < greatest_) & (sequence_[at] <= values[i]));
-    while (at < greatest_ && sequence_[at] <= values[i]) {
-      ++at;
+    const double value = values[i] < high ? values[i] : belowHigh;
+    // The elements of the cell are begin to end - 1; those of later cells are greater. Mostly the
+    // cell is empty or all of it lies on one side, and no branch is needed to see that.
+    const std::int32_t begin = first[found[i]];
+    const std::int32_t end = first[found[i] + 1];
+    std::int32_t at = sequence[begin] > value ? begin : end;
+    if (at > begin + 1 && sequence[end - 1] > value) [[unlikely]] {
+      at = begin + 1;
+      while (sequence[at] <= value) {
+        ++at;
+      }
     }
     found[i] = at;
   }
