@@ -13,10 +13,10 @@
 namespace dewpoint {
 
 /// c[0] + c[1] x + c[2] x^2 + ...
-template <std::size_t count>
-[[gnu::always_inline]] inline double polynomial(double x, const std::array<double, count>& c) {
-  double sum = c[count - 1];
-  for (std::size_t i = count - 1; i-- > 0;) {
+template <std::size_t Count>
+[[gnu::always_inline]] inline double polynomial(double x, const std::array<double, Count>& c) {
+  double sum = c[Count - 1];
+  for (std::size_t i = Count - 1; i-- > 0;) {
     sum = sum * x + c[i];
   }
   return sum;

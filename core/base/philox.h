@@ -14,11 +14,11 @@ struct Philox {
   using Key = std::array<std::uint32_t, 2>;
   static constexpr int kRounds = 10;
 
-  template <int round = 0>
+  template <int Round = 0>
   [[gnu::always_inline]] static inline void mix(std::uint32_t& c0, std::uint32_t& c1,
                                                 std::uint32_t& c2, std::uint32_t& c3,
                                                 std::uint32_t key0, std::uint32_t key1) {
-    if constexpr (round < kRounds) {
+    if constexpr (Round < kRounds) {
       // Multipliers and key increments: table 2 of the paper.
       const std::uint64_t product0 = std::uint64_t{c0} * std::uint64_t{0xD2511F53};
       const std::uint64_t product1 = std::uint64_t{c2} * std::uint64_t{0xCD9E8D57};
@@ -26,7 +26,7 @@ struct Philox {
       c1 = static_cast<std::uint32_t>(product1);
       c2 = static_cast<std::uint32_t>(product0 >> 32U) ^ c3 ^ key1;
       c3 = static_cast<std::uint32_t>(product0);
-      mix<round + 1>(c0, c1, c2, c3, key0 + 0x9E3779B9U, key1 + 0xBB67AE85U);
+      mix<Round + 1>(c0, c1, c2, c3, key0 + 0x9E3779B9U, key1 + 0xBB67AE85U);
     }
   }
 };

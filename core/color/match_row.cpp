@@ -23,7 +23,7 @@ struct MatchRowKernel {
   DEWPOINT_KERNEL std::int16_t allBits(bool yes) { return static_cast<std::int16_t>(yes ? -1 : 0); }
 
   DEWPOINT_KERNEL void split(const std::uint8_t* __restrict pixels, int count, Planes& planes) {
-    for (int i = 0; i < count; ++i) {
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
       planes.bgr[0][i] = pixels[3 * i];
       planes.bgr[1][i] = pixels[3 * i + 1];
       planes.bgr[2][i] = pixels[3 * i + 2];
@@ -91,7 +91,7 @@ struct MatchRowKernel {
     }
   };
 
-  template <Hue hue>
+  template <Hue Range>
   DEWPOINT_KERNEL void decide(const ColorClassifier& classifier, const Planes& planes, int count,
                               std::uint8_t* __restrict out) {
     const RatioTest above(classifier.leastAbove_, planes);
@@ -100,9 +100,9 @@ struct MatchRowKernel {
     const HueTest untilMax(classifier.untilMax_, planes);
     for (int i = 0; i < count; ++i) {
       int inside = above(i) & below(i) & planes.sumMatches[i];
-      if constexpr (hue == Hue::Both) {
+      if constexpr (Range == Hue::Both) {
         inside = inside & (fromMin(i) & untilMax(i));
-      } else if constexpr (hue == Hue::Either) {
+      } else if constexpr (Range == Hue::Either) {
         inside = inside & (fromMin(i) | untilMax(i));
       }
       out[i] = static_cast<std::uint8_t>(inside);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstring>
 
 namespace dewpoint {
@@ -36,7 +37,7 @@ void WindowCounts::build(const cv::Mat& bgr, const ColorClassifier& classifier) 
   const auto columns = static_cast<std::size_t>(bgr.cols);
   counts_.resize(bgr.total() + 1);
   counts_.back() = 0;
-  matches_.assign((kWindow + 1) * columns + columns + 2 * kRadius, 0);
+  matches_.assign((kWindow + 2) * columns + std::size_t{2} * kRadius, 0);
   const auto matchesOf = [&](int row) {
     const bool inside = row >= 0 && row < bgr.rows;
     return matches_.data() + static_cast<std::size_t>(inside ? row % kWindow : kWindow) * columns;
@@ -63,7 +64,7 @@ namespace {
 struct SumWindowsKernel {
   DEWPOINT_KERNEL void run(const std::uint8_t* matches, int windowCount, std::uint8_t* sums) {
     for (int i = 0; i < windowCount; ++i) {
-      const std::uint8_t* window = matches + WindowCounts::kPixels * i;
+      const std::uint8_t* window = matches + std::ptrdiff_t{WindowCounts::kPixels} * i;
       std::array<std::uint64_t, 3> words{};
       std::memcpy(words.data(), window, sizeof words);
       const int bits = __builtin_popcountll(words[0]) + __builtin_popcountll(words[1]) +
@@ -99,7 +100,8 @@ void countWindows(const cv::Mat& bgr, const ColorClassifier& classifier, int win
                       : std::uint8_t{0};
       continue;
     }
-    const std::uint8_t* source = bgr.ptr<std::uint8_t>(row - kRadius) + 3 * (column - kRadius);
+    const std::uint8_t* source =
+        bgr.ptr<std::uint8_t>(row - kRadius) + std::ptrdiff_t{3} * (column - kRadius);
     for (int y = 0; y < kWindow; ++y, source += bgr.step[0], next += kRowBytes) {
       std::memcpy(next, source, kRowBytes);
     }
@@ -119,7 +121,7 @@ int countWindow(const cv::Mat& bgr, const ColorClassifier& classifier, int colum
   const int right = std::min(column + kRadius, bgr.cols - 1);
   int count = 0;
   for (int y = std::max(row - kRadius, 0); y <= std::min(row + kRadius, bgr.rows - 1); ++y) {
-    const std::uint8_t* pixel = bgr.ptr<std::uint8_t>(y) + 3 * left;
+    const std::uint8_t* pixel = bgr.ptr<std::uint8_t>(y) + std::ptrdiff_t{3} * left;
     for (int x = left; x <= right; ++x, pixel += 3) {
       count += classifier.matches(pixel[0], pixel[1], pixel[2]) ? 1 : 0;
     }
