@@ -8,6 +8,7 @@
 #include "core/color/match_image.h"
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 #include <opencv2/core.hpp>
 #include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
@@ -96,8 +97,9 @@ int main(int argc, char** argv) {
     for (const std::string set : {"/0", "/1", "/2"}) {
       const char* name = set == "/0" ? "baseline" : set == "/1" ? "AVX2" : "AVX-512";
       const double bar = set == "/0" ? 0.0 : 8.0;
-      ratios.push_back({"color match against OpenCV HSV + inRange, " + size.substr(1) + ", " + name,
-                        "openCvHsvInRange" + size, "product" + size + set, bar});
+      ratios.push_back(
+          {fmt::format("color match against OpenCV HSV + inRange, {}, {}", size.substr(1), name),
+           fmt::format("openCvHsvInRange{}", size), fmt::format("product{}{}", size, set), bar});
     }
   }
   return runBenchmarks(argc, argv, {}, ratios);

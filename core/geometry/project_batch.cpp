@@ -7,7 +7,7 @@
 namespace dewpoint {
 namespace {
 
-template <bool distorted> struct ProjectKernel {
+template <bool Distorted> struct ProjectKernel {
   DEWPOINT_KERNEL void run(const Projection* projection, std::int64_t count,
                            const double* __restrict x, const double* __restrict y,
                            const double* __restrict z, double* __restrict column,
@@ -15,7 +15,7 @@ template <bool distorted> struct ProjectKernel {
     const Projection model = *projection;
     constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
     for (std::int64_t i = 0; i < count; ++i) {
-      const auto pixel = model.pixel<distorted>(x[i], y[i], z[i]);
+      const auto pixel = model.pixel<Distorted>(x[i], y[i], z[i]);
       column[i] = pixel.visible ? pixel.column : kNowhere;
       row[i] = pixel.visible ? pixel.row : kNowhere;
     }
