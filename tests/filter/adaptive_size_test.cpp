@@ -9,7 +9,7 @@
 namespace dewpoint {
 namespace {
 
-// Fox 2003, equation 7: n = chi²(k - 1; 0.99) / (2 error). The quantiles are those of printed
+// Fox 2003: n = chi²(k - 1; 0.99) / (2 error). The quantiles are those of printed
 // tables of the chi-square distribution; the Wilson-Hilferty approximation is within 1 % of them.
 TEST(KldSampleSize, IsTheChiSquareQuantileOverTwiceTheError) {
   struct Row {

@@ -12,7 +12,7 @@ namespace {
 static_assert(MotionModel<ConstantVelocity>);
 
 // From a known state, after 0.5 s with accelerations of 2 m/s²: the place by 0.5 v, and the
-// covariance (t^4/4, t^3/2, t^2) * 4 = (0.0625, 0.25, 1): Bar-Shalom et al. 2001, equation 6.3.2-4.
+// covariance (t^4/4, t^3/2, t^2) * 4 = (0.0625, 0.25, 1): Bar-Shalom et al. 2001, section 6.3.2.
 TEST(ConstantVelocity, GaussianByHand) {
   Gaussian6 belief;
   belief.mean << 1.0, 2.0, 3.0, 0.5, -1.0, 2.0;
