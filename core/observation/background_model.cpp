@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/observation/background_model.h"
 
+#include "core/base/vector_kernel.h"
 #include "core/observation/label_image.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <cstdint>
 
 namespace dewpoint {
 namespace {
@@ -14,26 +15,104 @@ constexpr int kRowPhases = 4;      ///< every frame learns every fourth row
 constexpr int kLearned = 3;        ///< agreeing observations that make a pixel known
 constexpr int kMostConfident = 16; ///< and that are remembered at most
 constexpr int kReplaceAfter = 24;  ///< observations of something new that replace the old
-/// A color is the usual one within this many gray levels (sensor noise) and a share of the mean
+/// A color is the usual one within this many gray levels (sensor noise) and an eighth of the mean
 /// (light that changes a little).
 constexpr int kTolerance = 14;
-constexpr int kToleranceDivisor = 10;
+constexpr int kToleranceShift = 3;
+/// One pixel in so many is counted for the share of news.
+constexpr std::int64_t kNewsStep = 8;
+/// The mean goes half the way to a new value while it is young, later an eighth.
+constexpr int kYoungShift = 1;
+constexpr int kOldShift = 3;
 
-bool agrees(const std::uint8_t* pixel, const std::uint8_t* mean) {
-  int worst = -255;
-  for (int channel = 0; channel < 3; ++channel) {
-    const int allowed = kTolerance + mean[channel] / kToleranceDivisor;
-    worst = std::max(worst, std::abs(int(pixel[channel]) - int(mean[channel])) - allowed);
+/// 1 where a channel is the usual one, else 0. In bytes throughout: 14 + 255 / 8 fits one.
+DEWPOINT_KERNEL std::uint8_t channelAgrees(std::uint8_t value, std::uint8_t mean) {
+  const std::uint8_t higher = value > mean ? value : mean;
+  const std::uint8_t lower = value > mean ? mean : value;
+  const auto size = static_cast<std::uint8_t>(higher - lower);
+  const auto allowed = static_cast<std::uint8_t>(kTolerance + (mean >> kToleranceShift));
+  return size <= allowed ? 1 : 0;
+}
+
+struct AgreeKernel {
+  /// agree[i] = 1 where pixel i (three bytes) shows what is usual there.
+  DEWPOINT_KERNEL void run(const std::uint8_t* pixel, const std::uint8_t* mean, std::int64_t count,
+                           std::uint8_t* agree) {
+    for (std::int64_t i = 0; i < count; ++i) {
+      agree[i] = static_cast<std::uint8_t>(channelAgrees(pixel[3 * i], mean[3 * i]) &
+                                           channelAgrees(pixel[3 * i + 1], mean[3 * i + 1]) &
+                                           channelAgrees(pixel[3 * i + 2], mean[3 * i + 2]));
+    }
   }
-  return worst <= 0;
+};
+
+/// All bits set where the condition holds: selections by masks stay within bytes, which keeps the
+/// loops as wide as the processor can.
+DEWPOINT_KERNEL std::uint8_t mask(bool condition) {
+  return condition ? std::uint8_t{0xFF} : std::uint8_t{0};
+}
+DEWPOINT_KERNEL std::uint8_t select(std::uint8_t mask, std::uint8_t yes, std::uint8_t no) {
+  return static_cast<std::uint8_t>((yes & mask) | (no & ~mask));
 }
 
-/// One step of the mean towards the new value: a share of the difference, at least one level.
-std::uint8_t approached(std::uint8_t mean, std::uint8_t value, int divisor) {
-  const int difference = int(value) - int(mean);
-  const int rounded = (2 * difference + (difference > 0 ? divisor : -divisor)) / (2 * divisor);
-  return static_cast<std::uint8_t>(mean + rounded);
-}
+struct LabelKernel {
+  /// Overwrites label[i], 1 where the pixel shows what is usual there, by its label.
+  DEWPOINT_KERNEL void run(const std::uint8_t* confidence, const std::uint8_t* matched,
+                           std::int64_t count, std::uint8_t* label) {
+    constexpr auto background = static_cast<std::uint8_t>(PixelLabel::Background);
+    constexpr auto unknown = static_cast<std::uint8_t>(PixelLabel::Unknown);
+    constexpr auto unlearned = static_cast<std::uint8_t>(PixelLabel::Unlearned);
+    constexpr auto target = static_cast<std::uint8_t>(PixelLabel::Target);
+    for (std::int64_t i = 0; i < count; ++i) {
+      const std::uint8_t known = select(mask(label[i] != 0), background, unknown);
+      const std::uint8_t rest = select(mask(confidence[i] >= kLearned), known, unlearned);
+      label[i] = select(mask(matched[i] != 0), target, rest);
+    }
+  }
+};
+
+/// What becomes of a pixel: keep its mean, move it a little or half the way, or replace it.
+enum Move : std::uint8_t { Keep, MoveOld, MoveYoung, Replace };
+
+struct CountKernel {
+  /// Updates confidence and novelty; move[i] (1 where the pixel shows what is usual) becomes what
+  /// is to be done with the mean. news[i]: 1 known and usual, 2 known and new, 0 not known.
+  DEWPOINT_KERNEL void run(std::int64_t count, std::uint8_t* move, std::uint8_t* confidence,
+                           std::uint8_t* novel, std::uint8_t* news) {
+    for (std::int64_t i = 0; i < count; ++i) {
+      const std::uint8_t usual = mask(move[i] != 0);
+      const std::uint8_t known = mask(confidence[i] >= kLearned);
+      const auto waited = static_cast<std::uint8_t>(novel[i] + 1);
+      const std::uint8_t late = mask(waited >= kReplaceAfter);
+      const auto replace = static_cast<std::uint8_t>(~usual & (~known | late));
+      const std::uint8_t young = mask(confidence[i] < kMostConfident);
+      const auto more = static_cast<std::uint8_t>(confidence[i] + (young & 1));
+      move[i] = select(usual, select(known, MoveOld, MoveYoung), select(replace, Replace, Keep));
+      news[i] = static_cast<std::uint8_t>(known & select(usual, 1, 2));
+      novel[i] = static_cast<std::uint8_t>(waited & ~usual & ~replace);
+      confidence[i] = select(usual, more, select(replace, 1, confidence[i]));
+    }
+  }
+};
+
+struct MoveKernel {
+  DEWPOINT_KERNEL void run(const std::uint8_t* pixel, const std::uint8_t* move, std::int64_t count,
+                           std::uint8_t* mean) {
+    for (std::int64_t i = 0; i < count; ++i) {
+      for (int channel = 0; channel < 3; ++channel) {
+        const std::int64_t at = 3 * i + channel;
+        const auto difference = static_cast<std::int16_t>(pixel[at] - mean[at]);
+        const auto old =
+            static_cast<std::int16_t>((difference + (1 << (kOldShift - 1))) >> kOldShift);
+        const auto young = static_cast<std::int16_t>((difference + 1) >> kYoungShift);
+        const std::int16_t step = move[i] == MoveOld ? old : young;
+        const auto stepped = static_cast<std::uint8_t>(mean[at] + step);
+        const std::uint8_t changed = move[i] == Replace ? pixel[at] : stepped;
+        mean[at] = move[i] == Keep ? mean[at] : changed;
+      }
+    }
+  }
+};
 
 } // namespace
 
@@ -44,94 +123,81 @@ void BackgroundModel::reset() {
 }
 
 void BackgroundModel::learn(const cv::Mat& image, const std::vector<Hidden>& hidden) {
-  if (image.empty()) {
+  if (image.empty() || image.type() != CV_8UC3) {
     return;
   }
   if (mean_.size() != image.size()) {
     mean_ = image.clone();
     confidence_ = cv::Mat::zeros(image.size(), CV_8UC1);
     novel_ = cv::Mat::zeros(image.size(), CV_8UC1);
+    moves_.resize(static_cast<std::size_t>(image.cols));
+    news_.resize(static_cast<std::size_t>(image.cols));
   }
-  seen_ = 0;
-  news_ = 0;
+  known_ = 0;
+  new_ = 0;
   for (int row = phase_; row < image.rows; row += kRowPhases) {
     learnRow(image, row, hidden);
   }
   phase_ = (phase_ + 1) % kRowPhases;
-  novelShare_ = seen_ > 0 ? static_cast<double>(news_) / static_cast<double>(seen_) : 0.0;
+  novelShare_ = known_ > 0 ? static_cast<double>(new_) / known_ : 0.0;
+}
+
+void BackgroundModel::learnPixels(const cv::Mat& image, int row, int begin, int end) {
+  const std::int64_t count = end - begin;
+  const std::uint8_t* pixel = image.ptr<std::uint8_t>(row) + 3 * begin;
+  std::uint8_t* mean = mean_.ptr<std::uint8_t>(row) + 3 * begin;
+  std::uint8_t* moves = moves_.data();
+  runKernel<AgreeKernel>(pixel, static_cast<const std::uint8_t*>(mean), count, moves);
+  runKernel<CountKernel>(count, moves, confidence_.ptr<std::uint8_t>(row) + begin,
+                         novel_.ptr<std::uint8_t>(row) + begin, news_.data());
+  runKernel<MoveKernel>(pixel, static_cast<const std::uint8_t*>(moves), count, mean);
+  for (std::int64_t i = 0; i < count; i += kNewsStep) {
+    known_ += news_[static_cast<std::size_t>(i)] != 0 ? 1 : 0;
+    new_ += news_[static_cast<std::size_t>(i)] == 2 ? 1 : 0;
+  }
 }
 
 void BackgroundModel::learnRow(const cv::Mat& image, int row, const std::vector<Hidden>& hidden) {
-  const std::uint8_t* pixel = image.ptr<std::uint8_t>(row);
-  std::uint8_t* mean = mean_.ptr<std::uint8_t>(row);
-  std::uint8_t* confidence = confidence_.ptr<std::uint8_t>(row);
-  std::uint8_t* novel = novel_.ptr<std::uint8_t>(row);
-  const auto learnPixels = [&](int begin, int end) {
-    for (int column = begin; column < end; ++column) {
-      const std::uint8_t* value = pixel + 3 * column;
-      std::uint8_t* old = mean + 3 * column;
-      const bool known = confidence[column] >= kLearned;
-      const bool usual = agrees(value, old);
-      if (usual) {
-        const int divisor = std::min<int>(confidence[column] + 1, 8);
-        for (int channel = 0; channel < 3; ++channel) {
-          old[channel] = approached(old[channel], value[channel], divisor);
-        }
-        confidence[column] =
-            static_cast<std::uint8_t>(std::min<int>(confidence[column] + 1, kMostConfident));
-        novel[column] = 0;
-      } else if (!known || ++novel[column] >= kReplaceAfter) {
-        std::copy_n(value, 3, old);
-        confidence[column] = 1;
-        novel[column] = 0;
-      }
-      seen_ += known ? 1 : 0;
-      news_ += known && !usual ? 1 : 0;
-    }
-  };
   int begin = 0;
   while (begin < image.cols) {
     // The next stretch of the row that no target hides.
     int end = image.cols;
     for (const Hidden& circle : hidden) {
       const double above = row - circle.center.y();
-      const double half2 = circle.radius * circle.radius - above * above;
-      if (half2 <= 0.0) {
+      const double halfSquared = circle.radius * circle.radius - above * above;
+      if (!(halfSquared > 0.0)) {
         continue;
       }
-      const double half = std::sqrt(half2);
-      const int left =
-          static_cast<int>(std::clamp(circle.center.x() - half, 0.0, 1.0 * image.cols));
-      const int right =
-          static_cast<int>(std::clamp(circle.center.x() + half + 1.0, 0.0, 1.0 * image.cols));
+      const double half = std::sqrt(halfSquared);
+      const double columns = image.cols;
+      const int left = static_cast<int>(std::clamp(circle.center.x() - half, 0.0, columns));
+      const int right = static_cast<int>(std::clamp(circle.center.x() + half + 1.0, 0.0, columns));
       if (begin >= left && begin < right) {
         begin = right;
+        end = std::max(end, begin);
       } else if (left > begin) {
         end = std::min(end, left);
       }
     }
     if (begin < end) {
-      learnPixels(begin, end);
+      learnPixels(image, row, begin, end);
     }
     begin = std::max(begin, end);
   }
 }
 
 void BackgroundModel::labelRow(const cv::Mat& image, int column, int row, int count,
-                               std::uint8_t* labels) const {
-  if (mean_.size() != image.size()) {
-    std::fill_n(labels, count, static_cast<std::uint8_t>(PixelLabel::Unlearned));
-    return;
+                               const std::uint8_t* matched, std::uint8_t* labels) const {
+  static const std::vector<std::uint8_t> nothingKnown(16384, 0);
+  const bool known = mean_.size() == image.size();
+  const std::uint8_t* confidence = nothingKnown.data();
+  if (known) {
+    confidence = confidence_.ptr<std::uint8_t>(row) + column;
+    runKernel<AgreeKernel>(image.ptr<std::uint8_t>(row) + 3 * column,
+                           mean_.ptr<std::uint8_t>(row) + 3 * column, std::int64_t{count}, labels);
   }
-  const std::uint8_t* pixel = image.ptr<std::uint8_t>(row) + 3 * column;
-  const std::uint8_t* mean = mean_.ptr<std::uint8_t>(row) + 3 * column;
-  const std::uint8_t* confidence = confidence_.ptr<std::uint8_t>(row) + column;
-  for (int k = 0; k < count; ++k) {
-    const auto usual =
-        agrees(pixel + 3 * k, mean + 3 * k) ? PixelLabel::Background : PixelLabel::Unknown;
-    labels[k] =
-        static_cast<std::uint8_t>(confidence[k] >= kLearned ? usual : PixelLabel::Unlearned);
-  }
+  const std::int64_t most = known ? count : std::min<std::int64_t>(count, std::ssize(nothingKnown));
+  runKernel<LabelKernel>(confidence, matched, most, labels);
 }
 
 } // namespace dewpoint

@@ -28,19 +28,23 @@ public:
   /// is covered, blind or moved.
   double novelShare() const { return novelShare_; }
 
-  /// Labels Unlearned, Background or Unknown (core/observation/label_image.h) of `count` pixels of
-  /// one row, from `column` on.
-  void labelRow(const cv::Mat& image, int column, int row, int count, std::uint8_t* labels) const;
+  /// Labels (core/observation/label_image.h) of `count` pixels of one row, from `column` on: Target
+  /// where `matched` is not 0, else Unlearned, Background or Unknown.
+  void labelRow(const cv::Mat& image, int column, int row, int count, const std::uint8_t* matched,
+                std::uint8_t* labels) const;
 
 private:
   void learnRow(const cv::Mat& image, int row, const std::vector<Hidden>& hidden);
+  void learnPixels(const cv::Mat& image, int row, int begin, int end);
 
   cv::Mat mean_;       ///< CV_8UC3
   cv::Mat confidence_; ///< CV_8UC1, observations that agreed, up to kMostConfident
   cv::Mat novel_;      ///< CV_8UC1, observations in a row that did not
   int phase_ = 0;
-  std::int64_t seen_ = 0;
-  std::int64_t news_ = 0;
+  std::int64_t known_ = 0;
+  std::int64_t new_ = 0;
+  std::vector<std::uint8_t> moves_; ///< scratch, one row
+  std::vector<std::uint8_t> news_;  ///< scratch, one row
   double novelShare_ = 0.0;
 };
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/observation/label_image.h"
 
-#include "core/color/match_image.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace dewpoint {
+namespace {
+
+constexpr int kBlock = 32; ///< columns
+
+} // namespace
 
 void LabelImage::begin(const cv::Mat& image, const BackgroundModel& background,
                        const ColorClassifier& classifier) {
@@ -28,11 +31,15 @@ void LabelImage::clear() {
 
 void LabelImage::require(const cv::Rect& area) {
   const cv::Rect whole(0, 0, image_.cols, image_.rows);
-  const cv::Rect wanted = area & whole;
+  cv::Rect wanted = area & whole;
   if (wanted.empty() || (wanted & covered_) == wanted) {
     return;
   }
-  covered_ = wanted | covered_; // of two empty ones: the other
+  wanted |= covered_;
+  // Whole blocks of columns: what is left over after them is classified one by one.
+  const int left = wanted.x / kBlock * kBlock;
+  const int right = (wanted.x + wanted.width + kBlock - 1) / kBlock * kBlock;
+  covered_ = cv::Rect(left, wanted.y, right - left, wanted.height) & whole;
   make(covered_);
   for (const Explanation& explanation : explained_) {
     mark(explanation.other, explanation.except);
@@ -40,15 +47,12 @@ void LabelImage::require(const cv::Rect& area) {
 }
 
 void LabelImage::make(const cv::Rect& area) {
-  const cv::Mat match = matchImage(image_(area), *classifier_);
-  for (int row = 0; row < area.height; ++row) {
-    const std::uint8_t* matched = match.ptr<std::uint8_t>(row);
-    std::uint8_t* out = labels_.ptr<std::uint8_t>(area.y + row) + area.x;
-    background_->labelRow(image_, area.x, area.y + row, area.width, out);
-    for (int column = 0; column < area.width; ++column) {
-      out[column] =
-          matched[column] != 0 ? static_cast<std::uint8_t>(PixelLabel::Target) : out[column];
-    }
+  matched_.resize(static_cast<std::size_t>(area.width));
+  for (int row = area.y; row < area.y + area.height; ++row) {
+    classifier_->matchRow(image_.ptr<std::uint8_t>(row) + std::ptrdiff_t{3} * area.x, area.width,
+                          matched_.data());
+    background_->labelRow(image_, area.x, row, area.width, matched_.data(),
+                          labels_.ptr<std::uint8_t>(row) + area.x);
   }
 }
 

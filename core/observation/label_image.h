@@ -77,6 +77,7 @@ private:
   cv::Rect covered_;
   cv::Mat labels_;
   std::vector<Explanation> explained_;
+  std::vector<std::uint8_t> matched_; ///< scratch, one row
 };
 
 } // namespace dewpoint

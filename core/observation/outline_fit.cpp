@@ -15,8 +15,7 @@
 namespace dewpoint {
 namespace {
 
-constexpr int kFewestSpokes = 12;
-constexpr int kMostSpokes = 32;
+constexpr std::size_t kMostSpokes = 32;
 constexpr double kSearchRadii = 1.7; ///< how far along a spoke edges are looked for
 constexpr double kStepPx = 0.5;      ///< along a spoke
 constexpr int kIterations = 5;
@@ -27,6 +26,7 @@ constexpr double kEdgeSigmaPx = 0.8;
 constexpr double kOffsetPx = 0.3;
 constexpr double kOffsetShare = 0.02;
 constexpr double kJacobianStep = 1e-4; ///< metres
+constexpr double kGoodEnough = 2e-5;   ///< metres: a fiftieth of a pixel of a usual camera
 
 using Matrix4 = Eigen::Matrix4d;
 using Vector4 = Eigen::Vector4d;
@@ -38,19 +38,39 @@ struct Edge {
   double weight;   ///< trust beforehand, 0 to 1
 };
 
-/// The distance at which the color ends along a spoke, nearest to the expected radius; nothing
-/// where it does not.
-std::optional<Edge> findEdge(const LabelImage& labels, const SphereImage& outline,
-                             const Eigen::Vector2d& direction, double reach) {
+/// Directions of the spokes, evenly around.
+const std::array<Eigen::Vector2d, kMostSpokes>& spokeDirections() {
+  static const auto table = [] {
+    std::array<Eigen::Vector2d, kMostSpokes> all;
+    for (std::size_t k = 0; k < kMostSpokes; ++k) {
+      const double angle = 2.0 * std::numbers::pi * static_cast<double>(k) / kMostSpokes;
+      all[k] = {std::cos(angle), std::sin(angle)};
+    }
+    return all;
+  }();
+  return table;
+}
+
+/// The distance at which the color ends along a spoke, nearest to the expected radius and between
+/// `from` and `until`; nothing where it does not.
+std::optional<Edge> findEdge(const LabelImage& labels, bool covered, const SphereImage& outline,
+                             const Eigen::Vector2d& direction, double from, double until) {
   std::optional<Edge> best;
   double lastMatch = -1.0;
   double firstMiss = -1.0;
   PixelLabel missed = PixelLabel::Unlearned;
   int misses = 2;
-  for (double s = 0.0; s <= reach; s += kStepPx) {
-    const Eigen::Vector2d at = outline.center + s * direction;
-    const PixelLabel label = labels.at(static_cast<int>(std::floor(at.x() + 0.5)),
-                                       static_cast<int>(std::floor(at.y() + 0.5)));
+  // Half a pixel more: truncation then rounds to the nearest.
+  double x = outline.center.x() + from * direction.x() + 0.5;
+  double y = outline.center.y() + from * direction.y() + 0.5;
+  const double stepX = kStepPx * direction.x();
+  const double stepY = kStepPx * direction.y();
+  const cv::Mat& map = labels.labels();
+  for (double s = from; s <= until; s += kStepPx, x += stepX, y += stepY) {
+    const PixelLabel label =
+        covered ? static_cast<PixelLabel>(
+                      map.ptr<std::uint8_t>(static_cast<int>(y))[static_cast<int>(x)])
+                : labels.at(static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)));
     if (label == PixelLabel::Target) {
       lastMatch = s;
       misses = 0;
@@ -64,24 +84,30 @@ std::optional<Edge> findEdge(const LabelImage& labels, const SphereImage& outlin
     if (misses == 3 && lastMatch >= 0.0 && missed != PixelLabel::Explained) {
       const double distance = 0.5 * (lastMatch + firstMiss);
       const double off = std::abs(distance - outline.radius);
-      if (!best || off < std::abs(best->distance - outline.radius)) {
-        // Where something new begins, it may be what hides the target that makes the edge.
-        best = Edge{direction, distance, missed == PixelLabel::Unknown ? 0.5 : 1.0};
+      if (best && off >= std::abs(best->distance - outline.radius)) {
+        break; // farther out it only gets worse
       }
+      // Where something new begins, it may be what hides the target that makes the edge.
+      best = Edge{direction, distance, missed == PixelLabel::Unknown ? 0.5 : 1.0};
     }
   }
   return best;
 }
 
-std::vector<Edge> findEdges(LabelImage& labels, const SphereImage& outline) {
-  const double reach = kSearchRadii * outline.radius + 3.0;
-  labels.require(areaOf(outline, kSearchRadii, 5.0));
-  const int spokes = std::clamp(static_cast<int>(2.0 * outline.radius), kFewestSpokes, kMostSpokes);
+/// Edges within `width` radii of the expected outline.
+std::vector<Edge> findEdges(LabelImage& labels, const SphereImage& outline, double width) {
+  const double margin = std::min(width, 1.0) * outline.radius + 3.0;
+  const double from = std::max(0.0, outline.radius - margin);
+  const double until = std::min(outline.radius + margin, kSearchRadii * outline.radius + 3.0);
+  const cv::Rect area = areaOf(outline, kSearchRadii, 5.0);
+  labels.require(area);
+  const bool covered = (area & labels.covered()) == area;
+  // A spoke for every three pixels of the outline.
+  const int every = outline.radius < 9.0 ? 2 : 1;
   std::vector<Edge> edges;
-  edges.reserve(static_cast<std::size_t>(spokes));
-  for (int k = 0; k < spokes; ++k) {
-    const double angle = 2.0 * std::numbers::pi * k / spokes;
-    if (const auto edge = findEdge(labels, outline, {std::cos(angle), std::sin(angle)}, reach)) {
+  edges.reserve(kMostSpokes);
+  for (std::size_t k = 0; k < kMostSpokes; k += static_cast<std::size_t>(every)) {
+    if (const auto edge = findEdge(labels, covered, outline, spokeDirections()[k], from, until)) {
       edges.push_back(*edge);
     }
   }
@@ -126,7 +152,7 @@ CameraEquations equationsOf(const OutlineView& view, const Eigen::Vector3d& cent
   if (!outline || outline->radius < 0.5 || outline->radius > 2000.0) {
     return result;
   }
-  const auto edges = findEdges(*view.labels, *outline);
+  const auto edges = findEdges(*view.labels, *outline, width);
   const auto j = jacobian(*view.projector, here, radius, *outline);
   const double offsetSigma = kOffsetPx + kOffsetShare * outline->radius;
   const double tukeyWidth = std::max(width * outline->radius, 2.5);
@@ -201,7 +227,8 @@ OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior&
     }
     fit.center += step.head<3>();
     fit.radius *= std::exp(std::clamp(step[3], -0.5, 0.5));
-    if (length < 1e-6) {
+    // Not before the weights are narrow enough to leave out what hides the target.
+    if (length < kGoodEnough && width < 0.5) {
       break;
     }
   }

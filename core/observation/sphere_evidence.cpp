@@ -76,24 +76,28 @@ public:
       : labels_(labels), outline_(outline) {
     const cv::Rect area = areaOf(outline, SphereEvidence::kReach);
     inside_ = (area & labels.covered()) == area;
+    data_ = labels.labels().ptr<std::uint8_t>();
+    stride_ = static_cast<std::ptrdiff_t>(labels.labels().step[0]);
   }
 
   PixelLabel at(const Spoke& spoke, double radii) const {
     const double reach = radii * outline_.radius;
-    const int column = nearest(outline_.center.x() + reach * spoke.x);
-    const int row = nearest(outline_.center.y() + reach * spoke.y);
-    if (inside_) {
-      return static_cast<PixelLabel>(labels_.labels().ptr<std::uint8_t>(row)[column]);
+    const double x = outline_.center.x() + reach * spoke.x + 0.5;
+    const double y = outline_.center.y() + reach * spoke.y + 0.5;
+    if (inside_) { // so both are positive, and truncation is the floor
+      const auto column = static_cast<std::ptrdiff_t>(x);
+      const auto row = static_cast<std::ptrdiff_t>(y);
+      return static_cast<PixelLabel>(data_[row * stride_ + column]);
     }
-    return labels_.at(column, row);
+    return labels_.at(static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)));
   }
 
 private:
-  static int nearest(double value) { return static_cast<int>(std::floor(value + 0.5)); }
-
   const LabelImage& labels_;
   const SphereImage& outline_;
-  bool inside_;
+  bool inside_ = false;
+  const std::uint8_t* data_ = nullptr;
+  std::ptrdiff_t stride_ = 0;
 };
 
 } // namespace

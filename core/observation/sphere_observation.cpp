@@ -30,7 +30,7 @@ bool insideImage(const SphereImage& outline, const cv::Size& size) {
 SphereObservation::SphereObservation(const CameraRig& rig) {
   views_.reserve(rig.size());
   for (const Camera& camera : rig) {
-    views_.push_back(View{SphereProjector(camera), {}, 0.0});
+    views_.push_back(View{SphereProjector(camera), {}, 0.0, {}});
   }
 }
 
@@ -46,36 +46,59 @@ void SphereObservation::setImage(std::size_t camera, const cv::Mat& image, doubl
   }
 }
 
+SphereImage SphereObservation::outlineOf(const View& view, ConstStateRows rows,
+                                         Eigen::Index row) const {
+  const auto outline = view.projector.project(placeOf(rows, row, view.timeOffset), radius_);
+  return outline && outline->radius < kLargestRadiusPx ? *outline : SphereImage{};
+}
+
 void SphereObservation::cover(ConstStateRows rows) {
-  for (View& view : views_) {
-    if (view.labels.empty()) {
-      continue;
-    }
-    const cv::Rect whole(cv::Point(0, 0), view.labels.size());
-    cv::Rect all;
-    for (Eigen::Index i = 0; i < rows.rows() && all != whole; ++i) {
-      const auto outline = view.projector.project(placeOf(rows, i, view.timeOffset), radius_);
-      if (outline && outline->radius < kLargestRadiusPx) {
-        all |= areaOf(*outline, SphereEvidence::kReach) & whole;
-      }
-    }
-    view.labels.require(all);
-  }
+  ThreadTeam alone;
+  logLikelihoods(rows, alone);
 }
 
 void SphereObservation::addLogLikelihood(ConstStateRows rows,
                                          LogWeightSegment logLikelihood) const {
   for (const View& view : views_) {
-    if (view.labels.empty()) {
-      continue;
-    }
-    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-      const auto outline = view.projector.project(placeOf(rows, i, view.timeOffset), radius_);
-      if (outline && outline->radius < kLargestRadiusPx) {
-        logLikelihood[i] += SphereEvidence::logRatio(view.labels, *outline);
+    for (Eigen::Index i = 0; !view.labels.empty() && i < rows.rows(); ++i) {
+      const SphereImage outline = outlineOf(view, rows, i);
+      if (outline.radius > 0.0) {
+        logLikelihood[i] += SphereEvidence::logRatio(view.labels, outline);
       }
     }
   }
+}
+
+Eigen::ArrayXd SphereObservation::logLikelihoods(ConstStateRows rows, ThreadTeam& team) {
+  Eigen::ArrayXd sums = Eigen::ArrayXd::Zero(rows.rows());
+  for (View& view : views_) {
+    if (view.labels.empty()) {
+      continue;
+    }
+    view.outlines.resize(static_cast<std::size_t>(rows.rows()));
+    team.forEachRange(rows.rows(), [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t i = begin; i < end; ++i) {
+        view.outlines[static_cast<std::size_t>(i)] = outlineOf(view, rows, i);
+      }
+    });
+    const cv::Rect whole(cv::Point(0, 0), view.labels.size());
+    cv::Rect all;
+    for (const SphereImage& outline : view.outlines) {
+      if (outline.radius > 0.0) {
+        all |= areaOf(outline, SphereEvidence::kReach) & whole;
+      }
+    }
+    view.labels.require(all);
+    team.forEachRange(rows.rows(), [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t i = begin; i < end; ++i) {
+        const SphereImage& outline = view.outlines[static_cast<std::size_t>(i)];
+        if (outline.radius > 0.0) {
+          sums[i] += SphereEvidence::logRatio(view.labels, outline);
+        }
+      }
+    });
+  }
+  return sums;
 }
 
 double SphereObservation::logRatio(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/thread_team.h"
 #include "core/filter/particle_set.h"
 #include "core/geometry/sphere_image.h"
 #include "core/observation/label_image.h"
@@ -39,6 +40,8 @@ public:
   void cover(ConstStateRows rows);
   /// Adds each state's log likelihood ratio (SphereEvidence), summed over the cameras.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const;
+  /// Both in one, with each state projected only once; the work is shared by the team.
+  Eigen::ArrayXd logLikelihoods(ConstStateRows rows, ThreadTeam& team);
 
   /// The log likelihood ratio of one place, labels made as needed.
   double logRatio(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
@@ -54,7 +57,11 @@ private:
     SphereProjector projector;
     LabelImage labels;
     double timeOffset = 0.0;
+    std::vector<SphereImage> outlines; ///< scratch; radius 0: not to be seen
   };
+
+  /// The outline of a state; radius 0 when this camera cannot judge it.
+  SphereImage outlineOf(const View& view, ConstStateRows rows, Eigen::Index row) const;
 
   std::vector<View> views_;
   double radius_ = 0.0;

@@ -176,7 +176,7 @@ void DewpointTracker::iterate(ThreadTeam& team) {
   for (std::size_t k = 0; k < tracked_.size(); ++k) {
     tracked_[k].belief.configure(settings());
     if (key_.iteration == 0) {
-      tracked_[k].belief.predict(secondsSinceLastFrame(), keyOf(k), team);
+      tracked_[k].belief.predict(secondsSinceLastFrame(), keyOf(k));
     }
   }
   for (const std::size_t k : surestFirst()) {

@@ -36,14 +36,19 @@ double logSumOfTwo(double a, double b) {
 /// The evidence of every particle.
 Eigen::ArrayXd evidence(const Hypothesis& hypothesis, SphereObservation& observation,
                         ThreadTeam& team) {
-  Eigen::ArrayXd logs = Eigen::ArrayXd::Zero(hypothesis.states.rows());
   observation.setRadius(hypothesis.radius);
-  observation.cover(hypothesis.states);
-  team.forEachRange(logs.size(), [&](std::int64_t begin, std::int64_t end) {
-    observation.addLogLikelihood(hypothesis.states.middleRows(begin, end - begin),
-                                 logs.segment(begin, end - begin));
-  });
-  return logs;
+  return observation.logLikelihoods(hypothesis.states, team);
+}
+
+/// Moves the particles on to where the belief already is; left until they are needed.
+void catchUp(Hypothesis& hypothesis, ThreadTeam& team) {
+  for (const auto& [motion, stream] : hypothesis.pending) {
+    team.forEachRange(hypothesis.states.rows(), [&](std::int64_t begin, std::int64_t end) {
+      motion.predict(hypothesis.states.middleRows(begin, end - begin),
+                     firstIndex(hypothesis) + static_cast<std::uint32_t>(begin), stream);
+    });
+  }
+  hypothesis.pending.clear();
 }
 
 void setBeliefFromParticles(Hypothesis& hypothesis) {
@@ -57,6 +62,7 @@ void setBeliefFromParticles(Hypothesis& hypothesis) {
 /// The look when no outline was found: the particles carry the belief alone.
 double weighPrediction(Hypothesis& hypothesis, SphereObservation& observation, const RandomKey& key,
                        ThreadTeam& team) {
+  catchUp(hypothesis, team);
   const Eigen::ArrayXd logs = evidence(hypothesis, observation, team);
   const double largest = logs.maxCoeff();
   const bool informative = largest - logs.minCoeff() > 1e-3;
@@ -89,6 +95,11 @@ double evidenceVolume(double radius) {
   return edge * edge * edge;
 }
 
+void predict(Hypothesis& hypothesis, const ConstantVelocity& motion, const RandomKey& key) {
+  motion.predict(hypothesis.belief);
+  hypothesis.pending.emplace_back(motion, key.stream(RandomPurpose::Motion));
+}
+
 void drawParticles(Hypothesis& hypothesis, SphereObservation& observation, Eigen::Index count,
                    const RandomKey& key, ThreadTeam& team) {
   const Gaussian6& belief = hypothesis.belief;
@@ -105,6 +116,7 @@ void drawParticles(Hypothesis& hypothesis, SphereObservation& observation, Eigen
   const PreparedGaussian3 velocity({Eigen::Vector3d::Zero(), remaining});
   const double broadShare = 1.0 / static_cast<double>(kWideEvery);
 
+  hypothesis.pending.clear();
   hypothesis.states.resize(count, 6);
   Eigen::ArrayXd logs(count);
   const RandomStream stream = key.stream(RandomPurpose::Proposal);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/thread_team.h"
+#include "core/filter/constant_velocity.h"
 #include "core/filter/gaussian.h"
 #include "core/filter/particle_filter.h"
 #include "core/observation/sphere_observation.h"
@@ -9,6 +10,8 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace dewpoint {
 
@@ -25,11 +28,17 @@ struct Hypothesis {
   double logRatio = 0.0;        ///< evidence of the last look, all cameras
   double bestLogRatio = 0.0;    ///< what it would be if every camera there saw it fully
   bool measured = false;        ///< the outline was found at the last look
-  std::uint32_t stream = 0;     ///< sets its random numbers apart from other hypotheses'
+  /// Steps of motion that the particles have yet to make: they are not needed while the outline is
+  /// found, because new ones are drawn then.
+  std::vector<std::pair<ConstantVelocity, RandomStream>> pending;
+  std::uint32_t stream = 0; ///< sets its random numbers apart from other hypotheses'
 
   Eigen::Vector3d place() const { return belief.mean.head<3>(); }
   Eigen::Vector3d velocity() const { return belief.mean.tail<3>(); }
 };
+
+/// Moves a hypothesis on by one step.
+void predict(Hypothesis& hypothesis, const ConstantVelocity& motion, const RandomKey& key);
 
 /// Draws the particles of a hypothesis from its belief: the importance sampling of a wider
 /// proposal, weighted by the evidence at each particle. `count` particles.

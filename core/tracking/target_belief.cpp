@@ -91,17 +91,11 @@ double TargetBelief::absence() const {
   return std::max(1e-9, 1.0 - present);
 }
 
-void TargetBelief::predict(double interval, const RandomKey& key, ThreadTeam& team) {
+void TargetBelief::predict(double interval, const RandomKey& key) {
   const ConstantVelocity motion{interval, settings_.accelerationSigma};
   const double survival = std::exp(-interval / settings_.survivalTime);
-  const RandomStream stream = key.stream(RandomPurpose::Motion);
   for (Hypothesis& hypothesis : hypotheses_) {
-    motion.predict(hypothesis.belief);
-    const std::uint32_t first = hypothesis.stream << 20U;
-    team.forEachRange(hypothesis.states.rows(), [&](std::int64_t begin, std::int64_t end) {
-      motion.predict(hypothesis.states.middleRows(begin, end - begin),
-                     first + static_cast<std::uint32_t>(begin), stream);
-    });
+    dewpoint::predict(hypothesis, motion, key);
     hypothesis.probability *= survival;
   }
   if (const Hypothesis* seen = confident()) {
@@ -276,12 +270,7 @@ void TargetBelief::stepSearchCloud(SphereObservation& observation, const RandomK
     motion.predict(cloud_.states.middleRows(begin, end - begin), static_cast<std::uint32_t>(begin),
                    stream);
   });
-  Eigen::ArrayXd logs = Eigen::ArrayXd::Zero(cloud_.states.rows());
-  observation.cover(cloud_.states);
-  team.forEachRange(logs.size(), [&](std::int64_t begin, std::int64_t end) {
-    observation.addLogLikelihood(cloud_.states.middleRows(begin, end - begin),
-                                 logs.segment(begin, end - begin));
-  });
+  const Eigen::ArrayXd logs = observation.logLikelihoods(cloud_.states, team);
   normalize(logs, cloud_.weights, team);
 }
 

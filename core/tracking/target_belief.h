@@ -44,7 +44,7 @@ public:
   void restart(const StartVolume& start, std::uint64_t seed);
 
   /// Moves everything on by `interval` seconds.
-  void predict(double interval, const RandomKey& key, ThreadTeam& team);
+  void predict(double interval, const RandomKey& key);
   /// One iteration on the images of the frame; a further one on the same frame does not count the
   /// same evidence twice.
   void update(SphereObservation& observation, const CandidateSearch& search,
