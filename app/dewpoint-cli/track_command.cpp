@@ -55,7 +55,7 @@ Status parseFrames(const std::string& text, TrackJob& job) {
 Status applySettings(const TrackOptions& options, Project& project) {
   if (options.method && *options.method != project.method) {
     project.method = *options.method;
-    project.parameters = ParameterValues(methodParameters(project.method));
+    project.parameters = carriedOver(project.parameters, project.method);
   }
   project.seed = options.seed.value_or(project.seed);
   if (options.particles) {

@@ -27,7 +27,7 @@ struct ProjectCamera {
 struct Project {
   std::filesystem::path file; ///< where it was loaded from; empty for the built-in demo
   std::string name;
-  std::string method = "barrera";
+  std::string method = "dewpoint";
   std::uint64_t seed = 1;
   double framesPerSecond = 0.0; ///< for image folders; 0: what the source says, or 30
   ParameterValues parameters;

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -27,6 +28,10 @@ struct Restart {
 struct Configure {
   ParameterValues parameters;
 };
+struct SetMethod {
+  std::string method;
+  ParameterValues parameters;
+};
 struct SetTargets {
   std::vector<Target> targets;
 };
@@ -35,9 +40,9 @@ struct ShowMasks {
 };
 } // namespace command
 
-using Command =
-    std::variant<command::Play, command::Pause, command::StepFrame, command::StepIteration,
-                 command::Restart, command::Configure, command::SetTargets, command::ShowMasks>;
+using Command = std::variant<command::Play, command::Pause, command::StepFrame,
+                             command::StepIteration, command::Restart, command::Configure,
+                             command::SetMethod, command::SetTargets, command::ShowMasks>;
 
 /// Commands on their way to the tracking thread, in order.
 class CommandQueue {

@@ -54,6 +54,9 @@ void Session::restart(std::optional<std::uint64_t> seed) {
 void Session::setParameters(const ParameterValues& parameters) {
   impl_->loop.commands().push(command::Configure{parameters});
 }
+void Session::setMethod(const std::string& method, const ParameterValues& parameters) {
+  impl_->loop.commands().push(command::SetMethod{method, parameters});
+}
 void Session::setTargets(const std::vector<Target>& targets) {
   impl_->loop.commands().push(command::SetTargets{targets});
 }

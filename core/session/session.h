@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace dewpoint {
@@ -51,6 +52,8 @@ public:
   void stepFrame();     ///< next frame with all its iterations, then pause
   void stepIteration(); ///< one filter iteration on the frame shown, then pause
   void restart(std::optional<std::uint64_t> seed = std::nullopt); ///< same seed unless given
+  /// Another method with its parameters, from the start and with the same seed.
+  void setMethod(const std::string& method, const ParameterValues& parameters);
   void setParameters(const ParameterValues& parameters);
   void setTargets(const std::vector<Target>& targets);
   void setMasksWanted(bool wanted);

@@ -95,12 +95,29 @@ void TrackingLoop::obey(const Command& command) {
   } else if (const auto* configure = std::get_if<command::Configure>(&command)) {
     project_.parameters = configure->parameters;
     run_->configure(configure->parameters);
+  } else if (const auto* method = std::get_if<command::SetMethod>(&command)) {
+    changeMethod(*method);
   } else if (const auto* targets = std::get_if<command::SetTargets>(&command)) {
     run_->setTargets(targets->targets);
   } else if (const auto* masks = std::get_if<command::ShowMasks>(&command)) {
     masksWanted_ = masks->wanted;
   }
   publish();
+}
+
+void TrackingLoop::changeMethod(const command::SetMethod& wish) {
+  Project changed = project_;
+  changed.method = wish.method;
+  changed.parameters = wish.parameters;
+  changed.targets = run_->targets();
+  auto run = TrackingRun::create(changed, kThreads);
+  if (!run) {
+    errors_.push_back(run.error());
+    return;
+  }
+  project_ = std::move(changed);
+  run_.emplace(std::move(*run));
+  restart(std::nullopt);
 }
 
 bool TrackingLoop::restart(std::optional<std::uint64_t> seed) {

@@ -26,6 +26,7 @@ private:
   using Clock = std::chrono::steady_clock;
 
   void obey(const Command& command);
+  void changeMethod(const command::SetMethod& wish);
   /// False if there is nothing to track.
   bool restart(std::optional<std::uint64_t> seed);
   /// Takes the next frame set; false at the end, on an error, or when nothing came (live).

@@ -94,6 +94,17 @@ std::span<const ParameterDeclaration> methodParameters(std::string_view method) 
   return {};
 }
 
+ParameterValues carriedOver(const ParameterValues& previous, std::string_view method) {
+  ParameterValues values(methodParameters(method));
+  for (const auto& declaration : previous.declarations()) {
+    const double value = previous.at(declaration.key);
+    if (value != declaration.defaultValue) {
+      (void)values.set(declaration.key, value); // or its own default stays
+    }
+  }
+  return values;
+}
+
 Status checkParameters(std::string_view method, const ParameterValues& parameters) {
   for (const auto& needed : methodParameters(method)) {
     if (find(parameters.declarations(), needed.key) == nullptr) {

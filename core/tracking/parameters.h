@@ -52,6 +52,9 @@ private:
 std::vector<std::string> methodNames();
 /// Declarations of one method's parameters; empty for an unknown method. Lives for ever.
 std::span<const ParameterDeclaration> methodParameters(std::string_view method);
+/// The defaults of a method, but with the values under the same keys that were changed from their
+/// defaults in `previous`, as far as they are allowed.
+ParameterValues carriedOver(const ParameterValues& previous, std::string_view method);
 /// MissingKey when the method has a parameter that `parameters` do not declare.
 Status checkParameters(std::string_view method, const ParameterValues& parameters);
 

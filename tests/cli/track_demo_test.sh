@@ -3,7 +3,7 @@
 
 expectExit 0 track demo --out run --frames 0:60 --seed 1
 [[ ! -s err.txt ]] || fail "not quiet when piped: $(cat err.txt)"
-expectText run/trajectory.csv method barrera seed version \
+expectText run/trajectory.csv method dewpoint seed version \
   'time_s,frame,target,x_m,y_m,z_m,' ',ess,cameras,valid'
 # 60 frames, one target.
 [[ $(rowCount run/trajectory.csv) == 60 ]] || fail "$(rowCount run/trajectory.csv) rows, not 60"
@@ -15,6 +15,6 @@ expectExit 0 evaluate run/trajectory.csv run/truth.csv --json
 expectText out.txt '"rmse' '"unit"'
 
 # A second run replaces the first; particles and parameters reach the filter and the header.
-expectExit 0 track demo --out run --frames 0:5 --particles 50 --set motion_sigma=0.02
+expectExit 0 track demo --method barrera --out run --frames 0:5 --particles 50 --set motion_sigma=0.02
 [[ $(rowCount run/trajectory.csv) == 5 ]] || fail "the second run did not replace the first"
 expectText run/trajectory.csv 50 0.02

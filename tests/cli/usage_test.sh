@@ -14,7 +14,7 @@ expectExit $kUsage track demo --out o --method magic
 expectText err.txt magic
 expectExit $kUsage track demo --out o --set colour=3
 expectSentence colour
-expectExit $kUsage track demo --out o --set motion_sigma=wide
+expectExit $kUsage track demo --out o --method barrera --set motion_sigma=wide
 expectSentence motion_sigma wide
 expectExit $kUsage track demo --out o --set motion_sigma
 expectSentence --set motion_sigma

@@ -2,6 +2,7 @@
 #include "ui/document/document.h"
 
 #include "core/project/project.h"
+#include "ui/document/set_method_command.h"
 #include "ui/document/set_parameter_command.h"
 
 #include <QUndoStack>
@@ -36,6 +37,19 @@ void Document::assignParameter(const std::string& key, double value) {
   if (project_->parameters.set(key, value)) {
     Q_EMIT parameterChanged(QString::fromStdString(key));
   }
+}
+
+void Document::setMethod(const std::string& method) {
+  if (method != project_->method && !methodParameters(method).empty()) {
+    undoStack_->push(
+        new SetMethodCommand(*this, method, carriedOver(project_->parameters, method)));
+  }
+}
+
+void Document::assignMethod(const std::string& method, const ParameterValues& parameters) {
+  project_->method = method;
+  project_->parameters = parameters;
+  Q_EMIT methodChanged();
 }
 
 Status Document::save() {

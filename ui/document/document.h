@@ -14,6 +14,7 @@ class QUndoStack;
 
 namespace dewpoint {
 
+class ParameterValues;
 struct Project;
 
 /// The project and its history: the only door through which the window changes it. Changes are
@@ -32,17 +33,23 @@ public:
   /// UnknownKey leave everything as it was.
   Status setParameter(const std::string& key, double value);
 
+  /// Chooses the method as an undoable step; parameters that it shares keep their values.
+  void setMethod(const std::string& method);
+
   Status save();
   Status saveAs(const std::filesystem::path& file);
 
 Q_SIGNALS:
   void replaced();
   void parameterChanged(const QString& key);
+  void methodChanged();
   void fileChanged();
 
 private:
+  friend class SetMethodCommand;
   friend class SetParameterCommand;
   void assignParameter(const std::string& key, double value);
+  void assignMethod(const std::string& method, const ParameterValues& parameters);
 
   std::unique_ptr<Project> project_;
   QUndoStack* undoStack_;

@@ -61,6 +61,11 @@ void MainWindow::connectRun() {
       bridge_->session().setParameters(document_->project().parameters);
     }
   });
+  connect(document_, &Document::methodChanged, this, [this] {
+    if (bridge_ != nullptr) {
+      bridge_->session().setMethod(document_->project().method, document_->project().parameters);
+    }
+  });
   connect(document_, &Document::replaced, this, &MainWindow::updateTitle);
   connect(document_, &Document::fileChanged, this, &MainWindow::updateTitle);
   connect(document_->undoStack(), &QUndoStack::cleanChanged, this,

@@ -5,6 +5,7 @@
 #include "ui/document/document.h"
 #include "ui/settings/parameter_row.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -16,6 +17,8 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   connect(&document_, &Document::replaced, this, &ParameterPanel::rebuild);
+  connect(&document_, &Document::methodChanged, this, &ParameterPanel::rebuild,
+          Qt::QueuedConnection); // its own choice may be what changed it
   connect(&document_, &Document::parameterChanged, this, &ParameterPanel::showValue);
   rebuild();
 }
@@ -33,6 +36,8 @@ void ParameterPanel::rebuild() {
     auto* empty = new QLabel(tr("The parameters appear here once a project is open."), form_);
     empty->setWordWrap(true);
     layout->addWidget(empty);
+  } else {
+    addMethodChoice();
   }
   for (const ParameterDeclaration& declaration : project.parameters.declarations()) {
     auto* row = new ParameterRow(declaration, form_);
@@ -47,6 +52,24 @@ void ParameterPanel::rebuild() {
   }
   layout->addStretch();
   this->layout()->addWidget(form_);
+}
+
+void ParameterPanel::addMethodChoice() {
+  auto* label = new QLabel(tr("&Method"), form_);
+  auto* choice = new QComboBox(form_);
+  choice->setObjectName(QStringLiteral("methodChoice"));
+  label->setBuddy(choice);
+  choice->setToolTip(tr("How the targets are tracked: “dewpoint” is the surest and most accurate, "
+                        "“barrera” the particle filter of Barrera et al. (2005). Tracking starts "
+                        "anew."));
+  for (const std::string& name : methodNames()) {
+    choice->addItem(QString::fromStdString(name));
+  }
+  choice->setCurrentText(QString::fromStdString(document_.project().method));
+  connect(choice, &QComboBox::textActivated, this,
+          [this](const QString& name) { document_.setMethod(name.toStdString()); });
+  form_->layout()->addWidget(label);
+  form_->layout()->addWidget(choice);
 }
 
 void ParameterPanel::showValue(const QString& key) {

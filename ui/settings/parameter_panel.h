@@ -19,6 +19,7 @@ public:
 
 private:
   void rebuild();
+  void addMethodChoice();
   void showValue(const QString& key);
 
   Document& document_;
