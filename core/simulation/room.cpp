@@ -121,11 +121,6 @@ Solid solidOf(Shape shape, const Vector3f& center, const Vector3f& halfSize,
   return {shape, center, halfSize, yaw, material, std::cos(yaw), std::sin(yaw), halfSize.norm()};
 }
 
-/// A color given as people write it.
-Vector3f rgb(float red, float green, float blue) {
-  return {blue, green, red};
-}
-
 } // namespace
 
 float shade(const Vector3f& point, const Vector3f& normal, float lit) {
@@ -134,11 +129,16 @@ float shade(const Vector3f& point, const Vector3f& normal, float lit) {
          kLampShare * lambert * lit;
 }
 
-Room::Room(bool clutter) {
-  walls_ = solidOf(Shape::Box, {0.4F, 0.4F, 0.65F}, {1.9F, 1.9F, 1.4F},
-                   {Pattern::Plaster, rgb(226, 219, 203)}, 0.0F);
+Room::Room(Furnishing furnishing) {
+  const Material plaster{Pattern::Plaster, rgb(226, 219, 203)};
+  if (furnishing == Furnishing::Hall) {
+    walls_ = solidOf(Shape::Box, {0.0F, 0.0F, 1.25F}, {2.25F, 2.25F, 1.25F}, plaster, 0.0F);
+    furnishHall();
+    return;
+  }
+  walls_ = solidOf(Shape::Box, {0.4F, 0.4F, 0.65F}, {1.9F, 1.9F, 1.4F}, plaster, 0.0F);
   furnish();
-  if (clutter) {
+  if (furnishing == Furnishing::ClutteredDesk) {
     clutterDesk();
   }
 }

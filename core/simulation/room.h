@@ -28,6 +28,11 @@ struct Material {
   Vector3f color{128.0F, 128.0F, 128.0F};
 };
 
+/// A color given as people write it.
+inline Vector3f rgb(float red, float green, float blue) {
+  return {blue, green, red};
+}
+
 enum class Shape { Box, Ellipsoid, Cylinder };
 
 /// A thing at rest: a box, an ellipsoid or an upright cylinder, turned about the vertical.
@@ -55,11 +60,18 @@ struct Sight {
   float lit = 0.0F;                 ///< share of the color that comes from the lamp directly
 };
 
-/// The furnished room of the simulation, at rest: desk, walls and, if wanted, clutter. Its textures
-/// are functions of the place in the world, so that all cameras see the same room.
+/// What stands in the room.
+enum class Furnishing {
+  Desk,          ///< a bare desk; its top is z = 0
+  ClutteredDesk, ///< the desk with books, boxes, wood- and skin-colored things
+  Hall,          ///< a living room of 4.5 x 4.5 x 2.5 m around the origin; its floor is z = 0
+};
+
+/// The furnished room of the simulation, at rest. Its textures are functions of the place in the
+/// world, so that all cameras see the same room.
 class Room {
 public:
-  explicit Room(bool clutter);
+  explicit Room(Furnishing furnishing);
 
   Hit cast(const Vector3f& origin, const Vector3f& direction) const;
   /// The color of a hit; `jitter` varies the place on the lamp that shadows are cast from.
@@ -69,6 +81,7 @@ public:
 private:
   void furnish();
   void clutterDesk();
+  void furnishHall();
   void add(Shape shape, const Vector3f& center, const Vector3f& halfSize, const Material& material,
            float yaw = 0.0F);
   void addBook(const Vector3f& center, const Vector3f& halfSize, const Vector3f& color, float yaw);

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/body_painter.h"
+
+#include "core/simulation/room.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace dewpoint::simulation {
+namespace {
+
+constexpr int kEdgeSamples = 4; ///< per side of a pixel on a silhouette
+constexpr int kMostInstants = 16;
+constexpr double kPixelsPerInstant = 1.5;
+
+/// What one instant contributes to one pixel: color times coverage, and coverage.
+struct Share {
+  Vector3f color{0.0F, 0.0F, 0.0F};
+  float coverage = 0.0F;
+};
+
+/// The color of a ball's surface at `normal`: matte, with a faint broad highlight.
+Vector3f ballColor(const Body& body, const Vector3f& point, const Vector3f& direction) {
+  const Vector3f normal = (point - body.center) / body.radius;
+  const Vector3f halfway = ((kLampPosition - point).normalized() - direction).normalized();
+  const float facing = std::max(0.0F, normal.dot(halfway));
+  const float facing4 = facing * facing * facing * facing;
+  const float gloss = 12.0F * facing4 * facing4 * facing4;
+  // A ball on a desk is dark below: it hides the room's light there from itself.
+  const float light = shade(point, normal, 1.0F);
+  return (light * body.color + Vector3f::Constant(gloss)).cwiseMin(255.0F);
+}
+
+/// Where a ray enters the sphere; nothing when it misses it or the sphere lies behind.
+std::optional<float> hitSphere(const Body& body, const Vector3f& origin,
+                               const Vector3f& direction) {
+  const Vector3f way = body.center - origin;
+  const float along = way.dot(direction);
+  const float root = along * along - way.squaredNorm() + body.radius * body.radius;
+  if (root < 0.0F || along < 0.0F) {
+    return std::nullopt;
+  }
+  return along - std::sqrt(root);
+}
+
+Share sample(const CameraView& view, const Body& body, const Vector3f& direction, float limit) {
+  if (!body.box) {
+    const auto distance = hitSphere(body, view.center, direction);
+    if (!distance || *distance >= limit) {
+      return {};
+    }
+    return {ballColor(body, view.center + *distance * direction, direction), 1.0F};
+  }
+  const Vector3f o = body.axes * (view.center - body.center);
+  const Vector3f d = body.axes * direction;
+  float enter = 0.0F;
+  float leave = limit;
+  int side = 2;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float slope = std::abs(d[axis]) < 1e-9F ? 1e-9F : d[axis];
+    const float reach = std::copysign(body.halfSize[axis], slope);
+    if ((-reach - o[axis]) / slope > enter) {
+      enter = (-reach - o[axis]) / slope;
+      side = axis;
+    }
+    leave = std::min(leave, (reach - o[axis]) / slope);
+  }
+  if (enter >= leave || enter <= 0.0F) {
+    return {};
+  }
+  Vector3f normal = body.axes.row(side).transpose();
+  if (d[side] > 0.0F) {
+    normal = -normal;
+  }
+  return {shade(view.center + enter * direction, normal, 1.0F) * body.color, 1.0F};
+}
+
+bool onEdge(const CameraView& view, const Body& body, int column, int row) {
+  if (body.box) {
+    return true;
+  }
+  const Vector3f way = body.center - view.center;
+  const Vector3f& here = view.directions[view.index(column, row)];
+  const float along = way.dot(here);
+  const float aside = std::sqrt(std::max(0.0F, way.squaredNorm() - along * along));
+  const float pixel = along * (view.direction(column, row, 0.5F, 0.5F) - here).norm();
+  return std::abs(aside - body.radius) < 1.2F * pixel;
+}
+
+void addInstant(const CameraView& view, const Body& body, const cv::Rect& area,
+                std::vector<Share>& shares) {
+  auto share = shares.begin();
+  for (int row = area.y; row < area.y + area.height; ++row) {
+    for (int column = area.x; column < area.x + area.width; ++column, ++share) {
+      const std::size_t pixel = view.index(column, row);
+      const Vector3f& here = view.directions[pixel];
+      if (here.isZero(0.0F)) {
+        continue;
+      }
+      const float limit = view.distances[pixel];
+      if (!onEdge(view, body, column, row)) {
+        const Share whole = sample(view, body, here, limit);
+        share->color += whole.color;
+        share->coverage += whole.coverage;
+        continue;
+      }
+      constexpr float weight = 1.0F / (kEdgeSamples * kEdgeSamples);
+      for (int i = 0; i < kEdgeSamples * kEdgeSamples; ++i) {
+        const float right = (static_cast<float>(i % kEdgeSamples) + 0.5F) / kEdgeSamples - 0.5F;
+        const float down = (static_cast<float>(i / kEdgeSamples) + 0.5F) / kEdgeSamples - 0.5F;
+        const Share part = sample(view, body, view.direction(column, row, right, down), limit);
+        share->color += weight * part.color;
+        share->coverage += weight * part.coverage;
+      }
+    }
+  }
+}
+
+void castShadow(const CameraView& view, const Body& body, cv::Mat& image) {
+  // Only the shadow on the desk (z = 0) is drawn; a sphere around it bounds its pixels.
+  const Vector3f lamp = kLampPosition;
+  if (body.box || body.center.z() + body.radius >= lamp.z() || body.center.z() < 0.0F) {
+    return;
+  }
+  const Vector3f spot = lamp + (body.center - lamp) * (lamp.z() / (lamp.z() - body.center.z()));
+  const float penumbra = kLampRadius * body.center.z() / lamp.z();
+  const cv::Rect area = view.boundsOfSphere(spot.cast<double>(), 1.6 * (body.radius + penumbra));
+  for (int row = area.y; row < area.y + area.height; ++row) {
+    for (int column = area.x; column < area.x + area.width; ++column) {
+      const std::size_t pixel = view.index(column, row);
+      const float distance = view.distances[pixel];
+      if (!(distance < 100.0F)) {
+        continue;
+      }
+      const Vector3f point = view.center + distance * view.directions[pixel];
+      const Vector3f way = lamp - point;
+      const float length = way.norm();
+      const float along = (body.center - point).dot(way) / length;
+      if (point.z() > 0.01F || along <= 0.0F) {
+        continue;
+      }
+      const float aside = ((body.center - point) - along / length * way).norm();
+      const float blur = std::max(0.002F, kLampRadius * along / length);
+      const float t = std::clamp((aside - body.radius + blur) / (2.0F * blur), 0.0F, 1.0F);
+      const float covered = 1.0F - t * t * (3.0F - 2.0F * t);
+      image.at<cv::Vec3f>(row, column) *= 1.0F - covered * view.lit[pixel];
+    }
+  }
+}
+
+} // namespace
+
+void paintBodies(const CameraView& view, const BodiesAt& bodiesAt, const Exposure& exposure,
+                 cv::Mat& image) {
+  const double time = exposure.time;
+  const double half = 0.5 * exposure.seconds;
+  const auto middle = bodiesAt(time);
+  const auto opening = bodiesAt(time - half);
+  const auto closing = bodiesAt(time + half);
+  std::vector<std::size_t> order(middle.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[i] = i;
+    if (middle[i].present) {
+      castShadow(view, middle[i], image);
+    }
+  }
+  // Far to near: what is nearer covers what is farther.
+  std::ranges::sort(order, std::greater<>{},
+                    [&](std::size_t i) { return (middle[i].center - view.center).squaredNorm(); });
+  std::vector<Share> shares;
+  for (const std::size_t i : order) {
+    const auto boundsAt = [&](const Body& body) {
+      return view.boundsOfSphere(body.center.cast<double>(), body.radius);
+    };
+    const cv::Rect first = boundsAt(opening[i]);
+    const cv::Rect last = boundsAt(closing[i]);
+    const cv::Rect area = first | boundsAt(middle[i]) | last;
+    if (area.empty() || !middle[i].present) {
+      continue;
+    }
+    const double travel = cv::norm((first.tl() + first.br() - last.tl() - last.br()) / 2);
+    const int instants =
+        std::clamp(static_cast<int>(std::ceil(travel / kPixelsPerInstant)), 1, kMostInstants);
+    shares.assign(static_cast<std::size_t>(area.area()), {});
+    for (int k = 0; k < instants; ++k) {
+      const double moment = time + half * ((2.0 * k + 1.0) / instants - 1.0);
+      addInstant(view, instants == 1 ? middle[i] : bodiesAt(moment)[i], area, shares);
+    }
+    auto share = shares.begin();
+    const float weight = 1.0F / static_cast<float>(instants);
+    for (int row = area.y; row < area.y + area.height; ++row) {
+      auto* pixels = image.ptr<cv::Vec3f>(row);
+      for (int column = area.x; column < area.x + area.width; ++column, ++share) {
+        const Vector3f color = weight * share->color;
+        pixels[column] = pixels[column] * (1.0F - weight * share->coverage) +
+                         cv::Vec3f{color.x(), color.y(), color.z()};
+      }
+    }
+  }
+}
+
+} // namespace dewpoint::simulation

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/camera_view.h"
+
+#include <opencv2/core.hpp>
+
+#include <functional>
+#include <vector>
+
+namespace dewpoint::simulation {
+
+/// A moving thing at one instant: a ball, or a box of any orientation. World frame, metres.
+struct Body {
+  bool box = false;
+  Vector3f center;
+  float radius = 0.0F;                                ///< of the ball, or around the box
+  Vector3f color;                                     ///< BGR in full light, [0, 255]
+  Vector3f halfSize{0.0F, 0.0F, 0.0F};                ///< of the box, along its own axes
+  Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< of the box; rows: its axes in the world
+  bool present = true;                                ///< false: not in the scene just now
+};
+
+/// All bodies at an instant, seconds; the same number in the same order at every instant.
+using BodiesAt = std::function<std::vector<Body>(double)>;
+
+/// When the shutter is open: centered on `time`, for `seconds`.
+struct Exposure {
+  double time = 0.0;
+  double seconds = 0.0;
+};
+
+/// Draws bodies, their soft shadows on z = 0 and their motion blur into `image` (CV_32FC3), which
+/// shows the room at rest as `view` sees it. Presence is that of the middle of the exposure.
+void paintBodies(const CameraView& view, const BodiesAt& bodiesAt, const Exposure& exposure,
+                 cv::Mat& image);
+
+} // namespace dewpoint::simulation

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/camera.h"
+
+namespace dewpoint {
+
+/// The demo's two cameras and a third, aside and above, that looks at the same place.
+CameraRig threeCameraDeskRig();
+
+/// The first `count` (2 to 8) of eight 320x240 cameras around the desk, 1.1 m from the middle of
+/// the volume (0.5, 0.5, 0.15), in an order in which neighbors are far apart.
+CameraRig deskRing(int count);
+
+/// The first `count` (2 to 4) of four 640x480 cameras in the corners of the hall, 1.9 m high,
+/// looking at its middle; focal lengths 400 px.
+CameraRig hallRig(int count);
+
+} // namespace dewpoint

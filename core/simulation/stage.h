@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/body_painter.h"
+#include "core/simulation/camera_view.h"
+
+#include <Eigen/Core>
+#include <opencv2/core.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dewpoint::simulation {
+
+/// Where something is at a time: seconds to metres, world frame.
+using Path = std::function<Eigen::Vector3d(double)>;
+
+/// A thing that moves on a stage: a ball, or a box (a flat one is a patch or an occluder).
+struct StageBody {
+  std::string name;
+  bool box = false;
+  double radius = 0.035;                              ///< of the ball, metres
+  Eigen::Vector3d halfSize = Eigen::Vector3d::Zero(); ///< of the box along its own axes, metres
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< of the box; rows: its axes in the world
+  Eigen::Vector3d color{145.0, 85.0, 245.0};          ///< BGR in full light, [0, 255]
+  Path path;
+  std::function<bool(double)> present; ///< at a time; none: always
+
+  /// Radius of a sphere around it, metres.
+  double bound() const { return box ? halfSize.norm() : radius; }
+  bool presentAt(double time) const { return !present || present(time); }
+};
+
+/// The light that one camera gets at one time.
+struct Light {
+  Eigen::Vector3d gain = Eigen::Vector3d::Ones(); ///< per channel, BGR; 1 is full light
+  bool dark = false;                              ///< no light at all: a blackout
+};
+
+/// A camera that stands elsewhere from some time on.
+struct MovedCamera {
+  std::size_t camera = 0;
+  double since = 0.0; ///< seconds
+  std::shared_ptr<const CameraView> view;
+};
+
+/// Everything that decides the images of a set-up with known truth: what stands and moves before
+/// the cameras, the light and the sensors.
+struct Stage {
+  std::uint64_t seed = 1; ///< of the sensor noise
+  std::vector<StageBody> bodies;
+  std::vector<std::shared_ptr<const CameraView>> views; ///< one per camera
+  std::vector<MovedCamera> moves;
+  std::function<Light(std::size_t camera, double time)> light; ///< none: full light
+  std::vector<cv::Mat> unevenness; ///< CV_32FC3 gain per pixel, one per camera; empty: even light
+  double noiseSigma = 3.0;         ///< standard deviation of the sensor noise, gray levels
+  double exposureSeconds = 0.01;
+  int jpegQuality = 0; ///< 1 to 100: images go through JPEG; 0: they do not
+};
+
+/// The image (CV_8UC3, BGR) of one camera with its exposure centered on `time` (seconds): a pure
+/// function of its arguments. `frame` is the camera's frame number and chooses the noise.
+cv::Mat renderStage(const Stage& stage, std::size_t camera, double time, std::int64_t frame);
+
+} // namespace dewpoint::simulation
