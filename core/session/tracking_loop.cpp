@@ -110,7 +110,7 @@ void TrackingLoop::changeMethod(const command::SetMethod& wish) {
   changed.method = wish.method;
   changed.parameters = wish.parameters;
   changed.targets = run_->targets();
-  auto run = TrackingRun::create(changed, kThreads);
+  auto run = TrackingRun::create(changed, 1);
   if (!run) {
     errors_.push_back(run.error());
     return;
