@@ -25,5 +25,6 @@ void addTrackCommand(CLI::App& app, int& exitCode);
 void addEvaluateCommand(CLI::App& app, int& exitCode);
 void addSimulateCommand(CLI::App& app, int& exitCode);
 void addExperimentCommand(CLI::App& app, int& exitCode);
+void addSuiteCommand(CLI::App& app, int& exitCode);
 
 } // namespace dewpoint

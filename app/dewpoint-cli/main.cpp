@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   addEvaluateCommand(app, exitCode);
   addSimulateCommand(app, exitCode);
   addExperimentCommand(app, exitCode);
+  addSuiteCommand(app, exitCode);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The accuracy suite: list, run, resume, threads, bad input.
+. "$(dirname "$0")/common.sh"
+
+expectExit 0 suite --help
+expectText out.txt --list --scenario --method --grade --seeds --first-seed --threads --out
+expectExit 0 suite --list
+expectText out.txt S0-slow triangulation-kalman camshift barrera
+
+readonly -a few=(--scenario S0-slow --grade ideal --first-seed 1 --method triangulation,camshift)
+# rows FILE: everything but the measured time, which is the last but one column.
+rows() { sed 's/,[^,]*,\([^,]*\)$/,\1/' "$1"; }
+
+expectExit 0 suite "${few[@]}" --seeds 2 --threads 2 --out both
+for file in report.html runs.csv summary.csv report.json traces.csv; do
+  [[ -s both/$file ]] || fail "$file is missing"
+done
+[[ $(wc -l <both/runs.csv) == 5 ]] || fail "a header and four rows expected: $(cat both/runs.csv)"
+expectText both/runs.csv scenario,grade,method,seed,rmse_mm S0-slow,ideal,triangulation,2,
+expectText both/report.html TUNING '<svg' S0-slow
+
+# In two parts, with a last row that was cut, one thread: the same.
+expectExit 0 suite "${few[@]}" --seeds 1 --out parts
+cp parts/runs.csv whole.csv
+head -c -4 whole.csv >parts/runs.csv
+expectExit 0 suite "${few[@]}" --seeds 2 --out parts
+cmp <(rows both/runs.csv) <(rows parts/runs.csv) || fail "resumed, it gives something else"
+cmp both/traces.csv parts/traces.csv || fail "resumed, its traces are others"
+before=$(md5sum parts/runs.csv)
+expectExit 0 suite "${few[@]}" --seeds 2 --out parts
+[[ $before == $(md5sum parts/runs.csv) ]] || fail "nothing was left to do, but the rows have changed"
+
+expectExit $kUsage suite --out o --scenario S99
+expectSentence S99 --list
+expectExit $kUsage suite --out o --method magic
+expectSentence magic camshift
+expectExit $kUsage suite --out o --grade bright
+expectExit $kUsage suite --out o --seeds 0
+expectExit $kUsage suite
+printf 'some,thing\n' >both/runs.csv
+expectExit $kBadInput suite "${few[@]}" --out both
+expectSentence runs.csv
+: >file
+expectExit $kOutput suite "${few[@]}" --out file/o
+expectSentence file/o
