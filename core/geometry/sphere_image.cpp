@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/sphere_image.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dewpoint {
+namespace {
+
+constexpr double kStep = 1e-4; ///< of the plane z = 1, for the lens's local magnification
+
+} // namespace
 
 SphereProjector::SphereProjector(const Camera& camera)
     : projector_(camera), cameraCenter_(camera.center()), axis_(camera.opticalAxis()),
+      right_(camera.cameraFromWorld.linear().row(0).transpose()),
+      down_(camera.cameraFromWorld.linear().row(1).transpose()),
+      distorted_(std::any_of(camera.distortion.begin(), camera.distortion.end(),
+                             [](double k) { return k != 0.0; })),
       focal_(std::sqrt(camera.intrinsics.focalX * camera.intrinsics.focalY)) {}
 
 std::optional<SphereImage> SphereProjector::project(const Eigen::Vector3d& centerWorld,
@@ -20,13 +30,27 @@ std::optional<SphereImage> SphereProjector::project(const Eigen::Vector3d& cente
   if (!(depth > radius)) {
     return std::nullopt; // also refuses NaN
   }
-  const auto center = projector_.project(centerWorld - (squares / depth) * axis_);
+  const Eigen::Vector3d middle = centerWorld - (squares / depth) * axis_;
+  const auto center = projector_.project(middle);
   if (!center) {
     return std::nullopt;
   }
   const double reduced = depth * depth - squares;
   const double area = std::sqrt(way.squaredNorm() - squares) / (reduced * std::sqrt(reduced));
-  return SphereImage{*center, focal_ * radius * std::sqrt(area)};
+  double magnification = focal_;
+  if (distorted_) {
+    // Pixels per unit of the plane z = 1 around the middle: the lens stretches and squeezes.
+    const double step = kStep * (depth - squares / depth);
+    const auto right = projector_.project(middle + step * right_);
+    const auto down = projector_.project(middle + step * down_);
+    if (!right || !down) {
+      return std::nullopt;
+    }
+    const Eigen::Vector2d a = (*right - *center) / kStep;
+    const Eigen::Vector2d b = (*down - *center) / kStep;
+    magnification = std::sqrt(std::abs(a.x() * b.y() - a.y() * b.x()));
+  }
+  return SphereImage{*center, magnification * radius * std::sqrt(area)};
 }
 
 } // namespace dewpoint

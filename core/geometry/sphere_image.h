@@ -38,6 +38,9 @@ private:
   Projector projector_;
   Eigen::Vector3d cameraCenter_;
   Eigen::Vector3d axis_;
+  Eigen::Vector3d right_;
+  Eigen::Vector3d down_;
+  bool distorted_ = false;
   double focal_ = 0.0; ///< geometric mean of both focal lengths, pixels
 };
 

@@ -51,11 +51,12 @@ public:
   /// `except`; holds for labels made later as well.
   void explain(const Circle& other, const Circle& except);
 
-  /// Label of a covered pixel; Unknown outside the covered part.
+  /// Label of a covered pixel; Explained, which is no evidence for anything, outside the covered
+  /// part.
   PixelLabel at(int column, int row) const noexcept {
     if (column < covered_.x || row < covered_.y || column >= covered_.x + covered_.width ||
         row >= covered_.y + covered_.height) {
-      return PixelLabel::Unknown;
+      return PixelLabel::Explained;
     }
     return static_cast<PixelLabel>(labels_.ptr<std::uint8_t>(row)[column]);
   }

@@ -18,7 +18,9 @@ namespace {
 constexpr std::size_t kMostSpokes = 32;
 constexpr double kSearchRadii = 1.7; ///< how far along a spoke edges are looked for
 constexpr double kStepPx = 0.5;      ///< along a spoke
-constexpr int kIterations = 5;
+/// How far edges may be off the expected outline, in radii, one iteration after the other.
+constexpr std::array<double, 5> kFarWidths{1.2, 0.8, 0.45, 0.3, 0.25};
+constexpr std::array<double, 5> kNearWidths{0.5, 0.35, 0.25, 0.25, 0.25};
 constexpr int kFewestEdges = 6; ///< of one camera that together make a fit
 /// Standard deviation of one edge, pixels: the pixel raster and a rough color boundary.
 constexpr double kEdgeSigmaPx = 0.8;
@@ -182,13 +184,13 @@ CameraEquations equationsOf(const OutlineView& view, const Eigen::Vector3d& cent
 
 } // namespace
 
-OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior& prior) {
+OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior& prior,
+                      OutlineReach reach) {
   OutlineFit fit;
   fit.center = prior.center;
   fit.radius = prior.radius;
   Matrix4 total = Matrix4::Zero();
-  constexpr std::array<double, kIterations> widths{1.2, 0.8, 0.45, 0.3, 0.25};
-  for (const double width : widths) {
+  for (const double width : reach == OutlineReach::Near ? kNearWidths : kFarWidths) {
     total.setZero();
     total.topLeftCorner<3, 3>() = prior.information;
     Vector4 vector = Vector4::Zero();
@@ -226,7 +228,9 @@ OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior&
       step *= longest / length;
     }
     fit.center += step.head<3>();
-    fit.radius *= std::exp(std::clamp(step[3], -0.5, 0.5));
+    if (prior.logRadiusVariance > 0.0) {
+      fit.radius *= std::exp(std::clamp(step[3], -0.5, 0.5));
+    }
     // Not before the weights are narrow enough to leave out what hides the target.
     if (length < kGoodEnough && width < 0.5) {
       break;

@@ -39,11 +39,18 @@ struct OutlinePrior {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 };
 
+/// How far from the expected outline edges may lie.
+enum class OutlineReach {
+  Near, ///< up to half a radius: for a good prediction, beside other things of the color
+  Far,  ///< more than a radius, then nearer and nearer: for a guess
+};
+
 /// Fits a sphere to the edges of the target's color along spokes from its expected middle, in all
 /// cameras together: Gauss-Newton over center (and radius) with Tukey's weights, so that a part
 /// that is hidden, or runs into something of the same color, is left out instead of pulling. How
 /// far the color reaches at an edge is uncertain by a common amount per camera (anti-aliasing,
 /// shading), which is estimated away; so the size in the image speaks of depth only weakly.
-OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior& prior);
+OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior& prior,
+                      OutlineReach reach = OutlineReach::Far);
 
 } // namespace dewpoint

@@ -22,7 +22,7 @@ constexpr double kRing = 1.25;
 constexpr double kInsideMatch = 4.5;
 constexpr double kInsideMiss = -4.5;
 constexpr double kRingClean = 1.2;
-constexpr double kRingMatch = -9.0;
+constexpr double kRingMatch = -10.0;
 /// Samples of one image are far from independent: their sum counts this much.
 constexpr double kTemper = 0.12;
 /// Outlines of fewer pixels count less.

@@ -138,13 +138,14 @@ int SphereObservation::camerasSeeing(const Eigen::Vector3d& center,
   return seeing;
 }
 
-OutlineFit SphereObservation::fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity) {
+OutlineFit SphereObservation::fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity,
+                                  OutlineReach reach) {
   std::vector<OutlineView> views;
   views.reserve(views_.size());
   for (View& view : views_) {
     views.push_back({&view.projector, &view.labels, view.timeOffset * velocity});
   }
-  return fitOutline(views, prior);
+  return fitOutline(views, prior, reach);
 }
 
 } // namespace dewpoint

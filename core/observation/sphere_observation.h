@@ -50,7 +50,8 @@ public:
   /// Cameras that see at least a third of the sphere's outline filled.
   int camerasSeeing(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
   /// Fits the outline (fitOutline) in all cameras that have an image.
-  OutlineFit fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity);
+  OutlineFit fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity,
+                 OutlineReach reach = OutlineReach::Far);
 
 private:
   struct View {

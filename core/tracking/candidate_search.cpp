@@ -34,8 +34,13 @@ std::vector<CandidateSearch::Spot> CandidateSearch::spotsOf(std::size_t camera,
                                                             const LabelImage& labels) const {
   // Local maxima of the distance to the nearest pixel of another color are the middles of the
   // largest circles that fit in: one per ball, also where two touch.
-  cv::Mat mask;
-  cv::compare(labels.labels(), static_cast<int>(PixelLabel::Target), mask, cv::CMP_EQ);
+  cv::Mat whole;
+  cv::compare(labels.labels(), static_cast<int>(PixelLabel::Target), whole, cv::CMP_EQ);
+  const cv::Rect area = cv::boundingRect(whole);
+  if (area.empty()) {
+    return {};
+  }
+  const cv::Mat mask = whole(area);
   cv::Mat closed;
   // Single odd pixels inside would split a disc.
   cv::medianBlur(mask, closed, 3);
@@ -56,7 +61,7 @@ std::vector<CandidateSearch::Spot> CandidateSearch::spotsOf(std::size_t camera,
     const auto* most = highest.ptr<float>(row);
     for (int column = 1; column < distance.cols - 1; ++column) {
       if (here[column] >= kSmallestSpotPx && here[column] >= most[column]) {
-        peaks.push_back({here[column], column - 1, row - 1});
+        peaks.push_back({here[column], area.x + column - 1, area.y + row - 1});
       }
     }
   }

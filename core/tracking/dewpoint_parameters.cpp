@@ -14,7 +14,7 @@ std::vector<ParameterDeclaration> declare() {
        "How many particles each target uses at most.", true},
       {"fewest_particles", ParameterKind::Integer, "Fewest particles", "", 10.0, 100000.0, 10.0,
        100.0, "How many particles each target uses at least, when they all agree.", true},
-      {"kld_error", ParameterKind::Real, "Sampling error", "", 0.0, 1.0, 0.01, 0.05,
+      {"kld_error", ParameterKind::Real, "Sampling error", "", 0.0, 1.0, 0.01, 0.1,
        "How far the particles may be from the distribution they stand for (Kullback-Leibler "
        "distance): smaller takes more particles where they disagree; 0 always takes all of them.",
        false},

@@ -17,17 +17,25 @@ constexpr double kTouching = 0.7;
 /// Around a target's outline nothing is learned: its shadow and reflection lie there.
 constexpr double kNotLearnedRadii = 1.4;
 constexpr double kOutlineMargin = 1.05;
-
-double depthIn(const SphereObservation& observation, std::size_t camera,
-               const Eigen::Vector3d& place) {
-  return observation.projector(camera).depth(place);
-}
+/// Look-alikes are looked for every so many frames, soon after the start for the first time.
+constexpr std::int64_t kLookAroundEvery = 4;
+constexpr std::int64_t kLookAroundPhase = 1;
+constexpr std::size_t kMostLookAlikes = 8;
+/// Evidence, as a share of the best, that makes a thing a look-alike.
+constexpr double kLookAlikeShare = 0.6;
+constexpr double kSureOfTarget = 0.9;
+constexpr double kWellSeen = 0.55; ///< share of the best evidence
+/// A look-alike that has less than this share of the best evidence, after some looks, is dropped:
+/// it was two things seen crosswise, or went behind another.
+constexpr double kFaint = 0.25;
+constexpr int kLooksOfGrace = 3;
 
 } // namespace
 
 DewpointTracker::DewpointTracker(const ParameterValues& parameters, const CameraRig& rig,
                                  const std::vector<Target>& targets)
-    : parameters_(parameters), backgrounds_(rig.size()), search_(rig), estimates_(targets.size()) {
+    : parameters_(parameters), rig_(rig), targetCount_(targets.size()), backgrounds_(rig.size()),
+      search_(rig), estimates_(targets.size()) {
   for (const Target& target : targets) {
     tracked_.push_back(
         {TargetBelief(target), SphereObservation(rig), ColorClassifier(target.color)});
@@ -62,7 +70,9 @@ void DewpointTracker::configure(const ParameterValues& parameters) {
 }
 
 void DewpointTracker::setTargets(const std::vector<Target>& targets) {
-  for (std::size_t k = 0; k < std::min(targets.size(), tracked_.size()); ++k) {
+  tracked_.erase(tracked_.begin() + static_cast<std::ptrdiff_t>(targetCount_), tracked_.end());
+  streams_.resize(targetCount_);
+  for (std::size_t k = 0; k < std::min(targets.size(), targetCount_); ++k) {
     tracked_[k].belief.setTarget(targets[k]);
     tracked_[k].classifier = ColorClassifier(targets[k].color);
   }
@@ -75,11 +85,16 @@ void DewpointTracker::restart(std::uint64_t seed) {
   for (BackgroundModel& background : backgrounds_) {
     background.reset();
   }
-  for (std::size_t k = 0; k < tracked_.size(); ++k) {
+  tracked_.erase(tracked_.begin() + static_cast<std::ptrdiff_t>(targetCount_), tracked_.end());
+  frameCount_ = 0;
+  nextLookAlike_ = static_cast<std::uint32_t>(targetCount_);
+  streams_.resize(targetCount_);
+  std::iota(streams_.begin(), streams_.end(), 0U);
+  for (std::size_t k = 0; k < targetCount_; ++k) {
     tracked_[k].belief.configure(settings());
     tracked_[k].belief.restart(startVolume(parameters_), keyOf(k).seed);
   }
-  estimates_.assign(tracked_.size(), TargetEstimate{});
+  estimates_.assign(targetCount_, TargetEstimate{});
 }
 
 int DewpointTracker::iterationsPerFrame() const {
@@ -87,7 +102,7 @@ int DewpointTracker::iterationsPerFrame() const {
 }
 
 RandomKey DewpointTracker::keyOf(std::size_t index) const {
-  return {derivedSeed(key_.seed, static_cast<std::uint32_t>(index)), key_.frame, key_.iteration};
+  return {derivedSeed(key_.seed, streams_[index]), key_.frame, key_.iteration};
 }
 
 double DewpointTracker::secondsSinceLastFrame() const {
@@ -143,27 +158,26 @@ std::vector<OccupiedSphere> DewpointTracker::occupiedByOthers(std::size_t index)
   return occupied;
 }
 
-void DewpointTracker::explainOthers(std::size_t index) {
-  Tracked& own = tracked_[index];
+void DewpointTracker::explainOthers(Tracked& own) {
   const Hypothesis* mine = own.belief.confident();
-  for (std::size_t k = 0; k < tracked_.size(); ++k) {
-    const Hypothesis* other = k != index ? tracked_[k].belief.confident() : nullptr;
-    if (other == nullptr || tracked_[k].belief.target().color != own.belief.target().color) {
-      continue;
-    }
-    for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
+  for (const Tracked& tracked : tracked_) {
+    const Hypothesis* other = &tracked != &own ? tracked.belief.confident() : nullptr;
+    // Only what is plainly there itself explains anything.
+    const bool plain = other != nullptr && other->measured &&
+                       other->logRatio > kWellSeen * other->bestLogRatio &&
+                       tracked.belief.target().color == own.belief.target().color;
+    for (std::size_t camera = 0; plain && camera < backgrounds_.size(); ++camera) {
       LabelImage& labels = own.observation.labels(camera);
-      const auto outline = own.observation.projector(camera).project(other->place(), other->radius);
+      const SphereProjector& projector = own.observation.projector(camera);
+      const auto outline = projector.project(other->place(), other->radius);
       if (labels.empty() || !outline) {
         continue;
       }
       // What lies in front of the other stays this target's own.
       LabelImage::Circle kept;
       const auto ownOutline =
-          mine != nullptr ? own.observation.projector(camera).project(mine->place(), mine->radius)
-                          : std::nullopt;
-      if (ownOutline && depthIn(own.observation, camera, mine->place()) <
-                            depthIn(own.observation, camera, other->place())) {
+          mine != nullptr ? projector.project(mine->place(), mine->radius) : std::nullopt;
+      if (ownOutline && projector.depth(mine->place()) < projector.depth(other->place())) {
         kept = {ownOutline->center, kOutlineMargin * ownOutline->radius};
       }
       labels.explain({outline->center, kOutlineMargin * outline->radius + 1.0}, kept);
@@ -181,12 +195,16 @@ void DewpointTracker::iterate(ThreadTeam& team) {
   }
   for (const std::size_t k : surestFirst()) {
     showImages(tracked_[k]);
-    explainOthers(k);
+    explainOthers(tracked_[k]);
     tracked_[k].belief.update(tracked_[k].observation, search_, occupiedByOthers(k), keyOf(k),
                               team);
   }
   resolveConflicts();
-  for (std::size_t k = 0; k < tracked_.size(); ++k) {
+  if (key_.iteration == 0) {
+    watchLookAlikes(team);
+    ++frameCount_;
+  }
+  for (std::size_t k = 0; k < targetCount_; ++k) {
     estimates_[k] = tracked_[k].belief.estimate(tracked_[k].observation);
   }
   if (key_.iteration == 0) {
@@ -210,6 +228,78 @@ void DewpointTracker::resolveConflicts() {
       }
       (first->logRatio >= second->logRatio ? tracked_[b] : tracked_[a]).belief.yield();
     }
+  }
+}
+
+bool DewpointTracker::allTargetsSure() const {
+  return std::all_of(tracked_.begin(), tracked_.begin() + static_cast<std::ptrdiff_t>(targetCount_),
+                     [](const Tracked& tracked) {
+                       const Hypothesis* best = tracked.belief.best();
+                       return best != nullptr && best->probability > kSureOfTarget &&
+                              best->logRatio > kWellSeen * best->bestLogRatio;
+                     });
+}
+
+void DewpointTracker::forgetLostLookAlikes() {
+  for (std::size_t k = tracked_.size(); k-- > targetCount_;) {
+    const Hypothesis* seen = tracked_[k].belief.confident();
+    const bool faint = seen != nullptr && seen->looks > kLooksOfGrace &&
+                       seen->logRatio < kFaint * seen->bestLogRatio;
+    if (seen == nullptr || faint) {
+      tracked_.erase(tracked_.begin() + static_cast<std::ptrdiff_t>(k));
+      streams_.erase(streams_.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+  }
+}
+
+void DewpointTracker::watchLookAlikes(ThreadTeam& team) {
+  forgetLostLookAlikes();
+  for (std::size_t k = 0; k < targetCount_; ++k) {
+    tracked_[k].belief.decide();
+  }
+  if (frameCount_ % kLookAroundEvery != kLookAroundPhase || targetCount_ == 0 ||
+      !allTargetsSure()) {
+    return;
+  }
+  for (std::size_t k = 0; k < targetCount_; ++k) {
+    const Target target = tracked_[k].belief.target(); // a copy: things are added
+    const bool again = std::any_of(
+        tracked_.begin(), tracked_.begin() + static_cast<std::ptrdiff_t>(k),
+        [&](const Tracked& other) { return other.belief.target().color == target.color; });
+    if (!again) {
+      findLookAlikes(target, team);
+    }
+  }
+}
+
+void DewpointTracker::findLookAlikes(const Target& looks, ThreadTeam& team) {
+  if (tracked_.size() >= targetCount_ + kMostLookAlikes) {
+    return;
+  }
+  Tracked probe{TargetBelief(looks), SphereObservation(rig_), ColorClassifier(looks.color)};
+  probe.belief.configure(settings());
+  probe.belief.setSearching(false);
+  showImages(probe);
+  explainOthers(probe); // else two things seen crosswise would make a third
+  probe.observation.setRadius(looks.radius);
+  const auto occupied = occupiedByOthers(tracked_.size());
+  for (const Candidate& candidate :
+       search_.find(probe.observation, looks.radius > 0.0, kMostLookAlikes)) {
+    probe.observation.setRadius(candidate.radius);
+    const double best = probe.observation.bestLogRatio(candidate.center, Eigen::Vector3d::Zero());
+    const bool taken = std::any_of(occupied.begin(), occupied.end(), [&](const auto& sphere) {
+      return (sphere.center - candidate.center).norm() < sphere.radius + candidate.radius;
+    });
+    if (taken || candidate.logRatio < kLookAlikeShare * best) {
+      continue;
+    }
+    streams_.push_back(nextLookAlike_++);
+    tracked_.push_back(std::move(probe));
+    Tracked& added = tracked_.back();
+    showImages(added); // its labels refer to the classifier, which has moved
+    added.belief.adopt(candidate.center, candidate.radius, added.observation,
+                       keyOf(tracked_.size() - 1), team);
+    return; // one at a time
   }
 }
 

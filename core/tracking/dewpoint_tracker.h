@@ -31,6 +31,7 @@ public:
                  Eigen::ArrayXd& weights) const override;
 
 private:
+  /// A target, or a thing that looks like one.
   struct Tracked {
     TargetBelief belief;
     SphereObservation observation;
@@ -40,16 +41,27 @@ private:
   BeliefSettings settings() const;
   double secondsSinceLastFrame() const;
   void showImages(Tracked& tracked);
-  void explainOthers(std::size_t index);
+  void explainOthers(Tracked& own);
   std::vector<OccupiedSphere> occupiedByOthers(std::size_t index) const;
   std::vector<std::size_t> surestFirst() const;
   void resolveConflicts();
+  /// Things of a target's looks that are none are tracked as well, while all targets are well seen:
+  /// then none of them can be taken for a target when one hides the other.
+  void watchLookAlikes(ThreadTeam& team);
+  void forgetLostLookAlikes();
+  bool allTargetsSure() const;
+  void findLookAlikes(const Target& looks, ThreadTeam& team);
   void learnBackgrounds();
   void keepToBudget(double milliseconds);
   RandomKey keyOf(std::size_t index) const;
 
   ParameterValues parameters_;
-  std::vector<Tracked> tracked_;
+  CameraRig rig_;
+  std::vector<Tracked> tracked_; ///< the targets first, then look-alikes
+  std::size_t targetCount_ = 0;
+  std::int64_t frameCount_ = 0;        ///< since the restart
+  std::uint32_t nextLookAlike_ = 0;    ///< sets their random numbers apart
+  std::vector<std::uint32_t> streams_; ///< one per tracked thing
   std::vector<BackgroundModel> backgrounds_;
   CandidateSearch search_;
   FrameSetPtr frames_;

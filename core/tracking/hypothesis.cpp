@@ -18,6 +18,10 @@ constexpr Eigen::Index kWideEvery = 7;
 constexpr double kWideShareOfRadius = 0.25;
 /// An outline farther than this many standard deviations from the prediction is another thing's.
 constexpr double kGate = 5.0;
+/// Evidence, as a share of the best, that leaves nothing to look for farther off.
+constexpr double kClear = 0.7;
+/// An outline farther off must have this much more evidence.
+constexpr double kWorthALeap = 3.0;
 /// A moving ball is smeared over an exposure of usually about 10 ms; its outline is off by a share
 /// of the way.
 constexpr double kBlurSeconds = 0.0007;
@@ -88,6 +92,32 @@ double weighPrediction(Hypothesis& hypothesis, SphereObservation& observation, c
   return largest + std::log(std::max(sum, 1e-300));
 }
 
+/// A fitted outline, and whether it may be believed.
+struct Measured {
+  OutlineFit fit;
+  double logRatio = 0.0;
+  bool accepted = false;
+};
+
+Measured measure(const Hypothesis& hypothesis, SphereObservation& observation,
+                 const OutlinePrior& prior, const PreparedGaussian3& prediction,
+                 OutlineReach reach) {
+  Measured result{observation.fit(prior, hypothesis.velocity(), reach)};
+  if (!result.fit.found || prediction.squaredDistance(result.fit.center) > kGate * kGate) {
+    return result;
+  }
+  observation.setRadius(result.fit.radius);
+  result.logRatio = observation.logRatio(result.fit.center, hypothesis.velocity());
+  observation.setRadius(hypothesis.radius);
+  // An outline that explains the images worse than the prediction is an accident; but what is well
+  // seen is well seen, a few samples more or less.
+  const double expected =
+      std::min(observation.logRatio(prior.center, hypothesis.velocity()),
+               kClear * observation.bestLogRatio(prior.center, hypothesis.velocity()));
+  result.accepted = result.logRatio > 0.0 && result.logRatio >= expected - 1.0;
+  return result;
+}
+
 } // namespace
 
 double evidenceVolume(double radius) {
@@ -142,6 +172,7 @@ void drawParticles(Hypothesis& hypothesis, SphereObservation& observation, Eigen
 
 double look(Hypothesis& hypothesis, SphereObservation& observation, Eigen::Index count,
             const RandomKey& key, ThreadTeam& team) {
+  ++hypothesis.looks;
   observation.setRadius(hypothesis.radius);
   const Gaussian3 predicted{hypothesis.place(), hypothesis.belief.covariance.topLeftCorner<3, 3>()};
   OutlinePrior prior;
@@ -149,18 +180,18 @@ double look(Hypothesis& hypothesis, SphereObservation& observation, Eigen::Index
   prior.radius = hypothesis.radius;
   prior.logRadiusVariance = hypothesis.logRadiusVariance;
   prior.information = predicted.covariance.inverse();
-  const OutlineFit fit = observation.fit(prior, hypothesis.velocity());
   const PreparedGaussian3 prediction(predicted);
-  hypothesis.measured = fit.found && prediction.squaredDistance(fit.center) < kGate * kGate;
-  if (hypothesis.measured) {
-    observation.setRadius(fit.radius);
-    const double fitted = observation.logRatio(fit.center, hypothesis.velocity());
-    observation.setRadius(hypothesis.radius);
-    // An outline that explains the images worse than the prediction is an accident.
-    hypothesis.measured =
-        fitted > 0.0 && fitted >= observation.logRatio(predicted.mean, hypothesis.velocity()) - 1.0;
-    hypothesis.logRatio = fitted;
+  Measured found = measure(hypothesis, observation, prior, prediction, OutlineReach::Near);
+  const double best = observation.bestLogRatio(predicted.mean, hypothesis.velocity());
+  if (!found.accepted || found.logRatio < kClear * best) {
+    const Measured farther = measure(hypothesis, observation, prior, prediction, OutlineReach::Far);
+    if (farther.accepted && (!found.accepted || farther.logRatio > found.logRatio + kWorthALeap)) {
+      found = farther;
+    }
   }
+  const OutlineFit& fit = found.fit;
+  hypothesis.measured = found.accepted;
+  hypothesis.logRatio = found.logRatio;
   if (!hypothesis.measured) {
     const double factor = weighPrediction(hypothesis, observation, key, team);
     hypothesis.bestLogRatio = observation.bestLogRatio(hypothesis.place(), hypothesis.velocity());
@@ -174,12 +205,13 @@ double look(Hypothesis& hypothesis, SphereObservation& observation, Eigen::Index
   const double blur = kBlurSeconds * hypothesis.velocity().norm();
   const double shade = kShareOfRadius * hypothesis.radius;
   place.covariance.diagonal().array() += blur * blur + shade * shade;
-  const double overlap =
-      prediction.logDensity(fit.center) + std::log(evidenceVolume(hypothesis.radius));
+  // Three standard deviations are as good as none: otherwise a thing at rest would slowly win
+  // against one that moves.
+  const double surprise = std::max(0.0, 0.5 * (prediction.squaredDistance(fit.center) - 9.0));
   condition(hypothesis.belief, place);
   hypothesis.bestLogRatio = observation.bestLogRatio(hypothesis.place(), hypothesis.velocity());
   drawParticles(hypothesis, observation, count, key, team);
-  return hypothesis.logRatio + std::min(0.0, overlap);
+  return hypothesis.logRatio - surprise;
 }
 
 } // namespace dewpoint

@@ -27,11 +27,20 @@ struct Hypothesis {
   double probability = 0.0;     ///< that the target is here
   double logRatio = 0.0;        ///< evidence of the last look, all cameras
   double bestLogRatio = 0.0;    ///< what it would be if every camera there saw it fully
+  int looks = 0;                ///< frames it has been looked at
   bool measured = false;        ///< the outline was found at the last look
   /// Steps of motion that the particles have yet to make: they are not needed while the outline is
   /// found, because new ones are drawn then.
   std::vector<std::pair<ConstantVelocity, RandomStream>> pending;
   std::uint32_t stream = 0; ///< sets its random numbers apart from other hypotheses'
+
+  /// Seen as well as can be asked for: how much better it looks than another says nothing.
+  bool wellSeen() const {
+    return measured && bestLogRatio > 0.0 && logRatio >= kSaturation * bestLogRatio;
+  }
+  /// Share of the best evidence above which it is all the same: how much better one well seen place
+  /// looks than another is a matter of light and pixels, and would add up from frame to frame.
+  static constexpr double kSaturation = 0.75;
 
   Eigen::Vector3d place() const { return belief.mean.head<3>(); }
   Eigen::Vector3d velocity() const { return belief.mean.tail<3>(); }

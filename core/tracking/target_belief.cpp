@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace dewpoint {
 namespace {
@@ -27,8 +28,16 @@ constexpr double kLeastLogRatio = 2.0; ///< evidence worth a hypothesis
 constexpr double kSearchSigma = 0.03;  ///< metres per iteration of the search cloud
 constexpr double kWellSeen = 0.55;     ///< share of the best evidence that leaves no doubt
 constexpr double kSure = 0.98;
+/// Frames after which one of several things that all look just like the target is taken for it.
+constexpr int kLooksToDecide = 5;
+constexpr double kBinRadii = 0.5; ///< edge of the bins that particles are counted in
 /// Relative standard deviation of a radius that is guessed from the images.
 constexpr double kRadiusSigma = 0.2;
+
+/// Evidence beyond the saturation.
+double excess(const Hypothesis& hypothesis) {
+  return std::max(0.0, hypothesis.logRatio - Hypothesis::kSaturation * hypothesis.bestLogRatio);
+}
 
 } // namespace
 
@@ -56,6 +65,7 @@ void TargetBelief::restart(const StartVolume& start, std::uint64_t seed) {
   anchor_.covariance =
       (start.half / std::sqrt(3.0)).array().max(kAnchorSigma).square().matrix().asDiagonal();
   everSeen_ = false;
+  doubt_ = 0.0;
   nextStream_ = 1;
   hypotheses_.clear();
   predicted_.clear();
@@ -115,7 +125,7 @@ Eigen::Index TargetBelief::particleCount(const Hypothesis& hypothesis) const {
   if (settings_.kldError <= 0.0 || hypothesis.states.rows() == 0) {
     return settings_.mostParticles;
   }
-  const auto bins = occupiedBins(hypothesis.states, 0.25 * hypothesis.radius);
+  const auto bins = occupiedBins(hypothesis.states, kBinRadii * hypothesis.radius);
   return std::clamp(kldSampleSize(bins, settings_.kldError),
                     std::min(settings_.fewestParticles, settings_.mostParticles),
                     settings_.mostParticles);
@@ -124,7 +134,8 @@ Eigen::Index TargetBelief::particleCount(const Hypothesis& hypothesis) const {
 void TargetBelief::lookAtAll(SphereObservation& observation, const RandomKey& key, ThreadTeam& team,
                              std::vector<double>& logMasses) {
   for (Hypothesis& hypothesis : hypotheses_) {
-    const double factor = look(hypothesis, observation, particleCount(hypothesis), key, team);
+    double factor = look(hypothesis, observation, particleCount(hypothesis), key, team);
+    factor -= excess(hypothesis);
     logMasses.push_back(std::log(std::max(hypothesis.probability, 1e-300)) + factor);
   }
 }
@@ -150,12 +161,43 @@ double TargetBelief::birthDensity(const Eigen::Vector3d& place) const {
   if (everSeen_) {
     near = std::exp(PreparedGaussian3(anchor_).logDensity(place));
   } else {
-    // Flat within the start box, falling off around it.
-    const Eigen::Array3d half = start_.half.array().max(2.0 * kAnchorSigma);
-    const Eigen::Array3d beyond = ((place - start_.center).array().abs() - half).max(0.0);
-    near = std::exp(-0.5 * (beyond / kAnchorSigma).square().sum()) / (8.0 * half.prod());
+    // Rather in the middle of the start box than near its walls: of two things that look the same,
+    // the one nearer to where the user said is meant.
+    const Eigen::Array3d sigma = (0.5 * start_.half.array()).max(0.5 * kAnchorSigma);
+    const Eigen::Array3d off = (place - start_.center).array() / sigma;
+    near = std::exp(-0.5 * off.square().sum()) /
+           (std::pow(2.0 * std::numbers::pi, 1.5) * sigma.prod());
   }
   return kAnchorShare * near + (1.0 - kAnchorShare) / room;
+}
+
+Hypothesis TargetBelief::born(const OutlineFit& fit, SphereObservation& observation,
+                              const RandomKey& key, ThreadTeam& team) {
+  Hypothesis hypothesis;
+  hypothesis.stream = nextStream_++ % 4096U;
+  hypothesis.radius = fit.radius;
+  hypothesis.logRadiusVariance = target_.radius > 0.0 ? 0.0 : fit.logRadiusVariance;
+  hypothesis.belief.mean << fit.center, Eigen::Vector3d::Zero();
+  hypothesis.belief.covariance.setZero();
+  hypothesis.belief.covariance.topLeftCorner<3, 3>() = fit.covariance;
+  hypothesis.belief.covariance.diagonal().tail<3>().setConstant(kBirthSpeed * kBirthSpeed);
+  observation.setRadius(fit.radius);
+  hypothesis.logRatio = observation.logRatio(fit.center, Eigen::Vector3d::Zero());
+  hypothesis.bestLogRatio = observation.bestLogRatio(fit.center, Eigen::Vector3d::Zero());
+  hypothesis.measured = true;
+  drawParticles(hypothesis, observation, settings_.fewestParticles, key, team);
+  return hypothesis;
+}
+
+void TargetBelief::adopt(const Eigen::Vector3d& place, double radius,
+                         SphereObservation& observation, const RandomKey& key, ThreadTeam& team) {
+  OutlineFit fit;
+  fit.center = place;
+  fit.radius = radius;
+  fit.covariance = Eigen::Matrix3d::Identity() * (0.1 * radius) * (0.1 * radius);
+  fit.logRadiusVariance = kRadiusSigma * kRadiusSigma;
+  hypotheses_.assign(1, born(fit, observation, key, team));
+  hypotheses_.front().probability = kSure;
 }
 
 void TargetBelief::giveBirth(SphereObservation& observation, const CandidateSearch& search,
@@ -188,21 +230,10 @@ void TargetBelief::giveBirth(SphereObservation& observation, const CandidateSear
     if (known || excluded || logRatio < kLeastLogRatio) {
       continue;
     }
-    Hypothesis born;
-    born.stream = nextStream_++ % 4096U;
-    born.radius = fit.radius;
-    born.logRadiusVariance = radiusKnown ? 0.0 : fit.logRadiusVariance;
-    born.belief.mean << fit.center, Eigen::Vector3d::Zero();
-    born.belief.covariance.setZero();
-    born.belief.covariance.topLeftCorner<3, 3>() = fit.covariance;
-    born.belief.covariance.diagonal().tail<3>().setConstant(kBirthSpeed * kBirthSpeed);
-    born.logRatio = logRatio;
-    born.bestLogRatio = observation.bestLogRatio(fit.center, Eigen::Vector3d::Zero());
-    born.measured = true;
-    drawParticles(born, observation, settings_.fewestParticles, key, team);
+    Hypothesis hypothesis = born(fit, observation, key, team);
     logMasses.push_back(std::log(birth * birthDensity(fit.center) * evidenceVolume(fit.radius)) +
-                        logRatio);
-    hypotheses_.push_back(std::move(born));
+                        logRatio - excess(hypothesis));
+    hypotheses_.push_back(std::move(hypothesis));
   }
 }
 
@@ -241,9 +272,12 @@ void TargetBelief::update(SphereObservation& observation, const CandidateSearch&
                           const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
                           ThreadTeam& team) {
   hypotheses_ = predicted_;
+  if (hypotheses_.empty()) {
+    doubt_ = 0.0; // whatever comes is a new beginning
+  }
   std::vector<double> logMasses;
   lookAtAll(observation, key, team, logMasses);
-  if (mustSearch(logMasses)) {
+  if (searching_ && mustSearch(logMasses)) {
     stepSearchCloud(observation, key, team);
     giveBirth(observation, search, occupied, key, team, logMasses);
   }
@@ -272,6 +306,31 @@ void TargetBelief::stepSearchCloud(SphereObservation& observation, const RandomK
   });
   const Eigen::ArrayXd logs = observation.logLikelihoods(cloud_.states, team);
   normalize(logs, cloud_.weights, team);
+}
+
+void TargetBelief::decide() {
+  if (hypotheses_.size() < 2 || hypotheses_.front().looks < kLooksToDecide ||
+      !hypotheses_.front().wellSeen()) {
+    return;
+  }
+  Hypothesis& chosen = hypotheses_.front();
+  double rivals = 0.0;
+  std::vector<Hypothesis> kept{chosen};
+  for (std::size_t k = 1; k < hypotheses_.size(); ++k) {
+    if (hypotheses_[k].wellSeen() && hypotheses_[k].looks >= kLooksToDecide) {
+      rivals += hypotheses_[k].probability;
+    } else {
+      kept.push_back(hypotheses_[k]);
+    }
+  }
+  doubt_ = std::max(doubt_, rivals / (rivals + chosen.probability));
+  kept.front().probability += rivals;
+  hypotheses_ = std::move(kept);
+  const auto dropped = [&](const Hypothesis& other) {
+    return std::none_of(hypotheses_.begin(), hypotheses_.end(),
+                        [&](const Hypothesis& left) { return left.stream == other.stream; });
+  };
+  std::erase_if(predicted_, dropped);
 }
 
 void TargetBelief::yield() {

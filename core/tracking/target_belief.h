@@ -17,7 +17,7 @@ namespace dewpoint {
 struct BeliefSettings {
   Eigen::Index mostParticles = 500;
   Eigen::Index fewestParticles = 100;
-  double kldError = 0.05;         ///< 0: always the most
+  double kldError = 0.1;          ///< 0: always the most
   double accelerationSigma = 8.0; ///< m/s²
   double survivalTime = 5.0;      ///< seconds
   double searchSize = 4.0;        ///< metres
@@ -39,6 +39,8 @@ public:
   explicit TargetBelief(const Target& target);
 
   void configure(const BeliefSettings& settings) { settings_ = settings; }
+  /// A belief that does not search is gone when its hypotheses are.
+  void setSearching(bool searching) { searching_ = searching; }
   void setTarget(const Target& target);
   /// Forgets everything; the target is first looked for in this volume, then elsewhere.
   void restart(const StartVolume& start, std::uint64_t seed);
@@ -49,6 +51,12 @@ public:
   /// same evidence twice.
   void update(SphereObservation& observation, const CandidateSearch& search,
               const std::vector<OccupiedSphere>& occupied, const RandomKey& key, ThreadTeam& team);
+  /// Believes in this place from now on.
+  void adopt(const Eigen::Vector3d& place, double radius, SphereObservation& observation,
+             const RandomKey& key, ThreadTeam& team);
+  /// Settles for the likeliest of several places that are all well seen for some frames: the images
+  /// will never tell which it is. The doubt stays, in the probability that estimate() gives.
+  void decide();
   /// Makes the likeliest place far less likely: another target was found to be there.
   void yield();
 
@@ -75,6 +83,8 @@ private:
   void giveBirth(SphereObservation& observation, const CandidateSearch& search,
                  const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
                  ThreadTeam& team, std::vector<double>& logMasses);
+  Hypothesis born(const OutlineFit& fit, SphereObservation& observation, const RandomKey& key,
+                  ThreadTeam& team);
   double birthDensity(const Eigen::Vector3d& place) const;
   void settle(const std::vector<double>& logMasses);
   void mergeAndPrune();
@@ -84,8 +94,10 @@ private:
   Target target_;
   BeliefSettings settings_;
   StartVolume start_;
-  Gaussian3 anchor_; ///< where it is looked for first
+  Gaussian3 anchor_;   ///< where it is looked for first
+  double doubt_ = 0.0; ///< probability that decide() chose wrongly
   bool everSeen_ = false;
+  bool searching_ = true;
   std::vector<Hypothesis> hypotheses_; ///< after the last update
   std::vector<Hypothesis> predicted_;  ///< before the updates of this frame
   SearchCloud cloud_;

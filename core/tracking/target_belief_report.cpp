@@ -38,7 +38,7 @@ TargetEstimate TargetBelief::estimate(SphereObservation& observation) const {
     return result;
   }
   result.covariance = likeliest->belief.covariance.topLeftCorner<3, 3>();
-  result.existence = std::min(1.0, likeliest->probability);
+  result.existence = std::min(1.0, likeliest->probability) * (1.0 - doubt_);
   result.radius = likeliest->radius;
   observation.setRadius(likeliest->radius);
   result.camerasSeeing = observation.camerasSeeing(result.mean, likeliest->velocity());

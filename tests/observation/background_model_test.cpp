@@ -31,8 +31,9 @@ void learn(BackgroundModel& model, const cv::Mat& image, int frames = kMany,
 /// The labels of a whole image.
 cv::Mat labelsOf(const BackgroundModel& model, const cv::Mat& image) {
   cv::Mat labels(image.size(), CV_8UC1);
+  const std::vector<std::uint8_t> none(static_cast<std::size_t>(image.cols), 0); // no match
   for (int row = 0; row < image.rows; ++row) {
-    model.labelRow(image, 0, row, image.cols, labels.ptr<std::uint8_t>(row));
+    model.labelRow(image, 0, row, image.cols, none.data(), labels.ptr<std::uint8_t>(row));
   }
   return labels;
 }
@@ -73,10 +74,12 @@ TEST(BackgroundModel, LabelsAnyPartOfARow) {
   learn(model, image);
   image.at<cv::Vec3b>(7, 33) = cv::Vec3b(0, 0, 0);
   std::vector<std::uint8_t> labels(5, 99);
-  model.labelRow(image, 31, 7, 4, labels.data());
+  const std::vector<std::uint8_t> matched{0, 0, 0, 255};
+  model.labelRow(image, 31, 7, 4, matched.data(), labels.data());
   const auto usual = static_cast<std::uint8_t>(PixelLabel::Background);
   const auto odd = static_cast<std::uint8_t>(PixelLabel::Unknown);
-  EXPECT_EQ(labels, (std::vector<std::uint8_t>{usual, usual, odd, usual, 99}));
+  const auto target = static_cast<std::uint8_t>(PixelLabel::Target);
+  EXPECT_EQ(labels, (std::vector<std::uint8_t>{usual, usual, odd, target, 99}));
 }
 
 // Noise of 4 gray levels on three channels: five standard deviations stay within 20 levels. What

@@ -111,8 +111,7 @@ TEST(DewpointRobustness, SurvivesImagesOfNothingButTheColor) {
   EXPECT_LT((run.estimate().mean - moving(29)).norm(), 5e-3);
 }
 
-// Known not to hold: at the image's border the color that runs out of it looks like a ball.
-TEST(DewpointRobustness, DISABLED_AnImageOfNothingButTheColorHoldsNothing) {
+TEST(DewpointRobustness, AnImageOfNothingButTheColorHoldsNothing) {
   DrawnRun run(rigAround(2), {redBall(), redBall(0.0)});
   for (int frame = 0; frame < 10; ++frame) {
     run.showSet(allRed(run.rig(), frame));
@@ -233,8 +232,7 @@ TEST(DewpointRobustness, ParticlesAdaptBetweenFewestAndMost) {
   EXPECT_EQ(particlesWhenSure({{"particles", 60}, {"fewest_particles", 800}}), 60);
 }
 
-// Known not to hold: the prediction and the wide share of the proposal occupy too many bins.
-TEST(DewpointRobustness, DISABLED_DefaultsUseFewerParticlesWhenSure) {
+TEST(DewpointRobustness, DefaultsUseFewerParticlesWhenSure) {
   EXPECT_LT(particlesWhenSure({}), 400); // of 500
 }
 
