@@ -246,6 +246,13 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>SetMethodCommand</name>
+    <message>
+        <source>Track by “%1”</source>
+        <translation>Verfolgen mit „%1“</translation>
+    </message>
+</context>
+<context>
     <name>SetParameterCommand</name>
     <message>
         <source>Change “%1”</source>
@@ -469,6 +476,14 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>The parameters appear here once a project is open.</source>
         <translation>Die Parameter erscheinen hier, sobald ein Projekt geöffnet ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Method</source>
+        <translation>&amp;Verfahren</translation>
+    </message>
+    <message>
+        <source>How the targets are tracked: “dewpoint” is the surest and most accurate, “barrera” the particle filter of Barrera et al. (2005). Tracking starts anew.</source>
+        <translation>Wie die Ziele verfolgt werden: „dewpoint“ ist am sichersten und genauesten, „barrera“ ist der Partikelfilter von Barrera et al. (2005). Die Verfolgung beginnt neu.</translation>
     </message>
 </context>
 <context>

@@ -246,6 +246,13 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>SetMethodCommand</name>
+    <message>
+        <source>Track by “%1”</source>
+        <translation>Seguir con «%1»</translation>
+    </message>
+</context>
+<context>
     <name>SetParameterCommand</name>
     <message>
         <source>Change “%1”</source>
@@ -469,6 +476,14 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>The parameters appear here once a project is open.</source>
         <translation>Los parámetros aparecen aquí en cuanto se abre un proyecto.</translation>
+    </message>
+    <message>
+        <source>&amp;Method</source>
+        <translation>&amp;Método</translation>
+    </message>
+    <message>
+        <source>How the targets are tracked: “dewpoint” is the surest and most accurate, “barrera” the particle filter of Barrera et al. (2005). Tracking starts anew.</source>
+        <translation>Cómo se siguen los objetivos: «dewpoint» es el más seguro y exacto, «barrera» el filtro de partículas de Barrera et al. (2005). El seguimiento empieza de nuevo.</translation>
     </message>
 </context>
 <context>

@@ -246,6 +246,13 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
+    <name>SetMethodCommand</name>
+    <message>
+        <source>Track by “%1”</source>
+        <translation>「%1」で追跡</translation>
+    </message>
+</context>
+<context>
     <name>SetParameterCommand</name>
     <message>
         <source>Change “%1”</source>
@@ -468,6 +475,14 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>The parameters appear here once a project is open.</source>
         <translation>プロジェクトを開くと、ここにパラメーターが表示されます。</translation>
+    </message>
+    <message>
+        <source>&amp;Method</source>
+        <translation>手法(&amp;M)</translation>
+    </message>
+    <message>
+        <source>How the targets are tracked: “dewpoint” is the surest and most accurate, “barrera” the particle filter of Barrera et al. (2005). Tracking starts anew.</source>
+        <translation>ターゲットの追跡方法:「dewpoint」は最も確実で正確な手法、「barrera」は Barrera ら (2005) のパーティクルフィルタです。追跡は最初からやり直します。</translation>
     </message>
 </context>
 <context>

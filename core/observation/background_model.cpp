@@ -19,8 +19,7 @@ constexpr int kReplaceAfter = 24;  ///< observations of something new that repla
 /// (light that changes a little).
 constexpr int kTolerance = 14;
 constexpr int kToleranceShift = 3;
-/// One pixel in so many is counted for the share of news.
-constexpr std::int64_t kNewsStep = 8;
+
 /// The mean goes half the way to a new value while it is young, later an eighth.
 constexpr int kYoungShift = 1;
 constexpr int kOldShift = 3;
@@ -95,6 +94,20 @@ struct CountKernel {
   }
 };
 
+struct TallyKernel {
+  DEWPOINT_KERNEL void run(const std::uint8_t* news, std::int64_t count, std::int64_t* known,
+                           std::int64_t* fresh) {
+    std::int32_t knownHere = 0;
+    std::int32_t freshHere = 0;
+    for (std::int64_t i = 0; i < count; ++i) {
+      knownHere += news[i] != 0 ? 1 : 0;
+      freshHere += news[i] >> 1;
+    }
+    *known += knownHere;
+    *fresh += freshHere;
+  }
+};
+
 struct MoveKernel {
   DEWPOINT_KERNEL void run(const std::uint8_t* pixel, const std::uint8_t* move, std::int64_t count,
                            std::uint8_t* mean) {
@@ -151,10 +164,7 @@ void BackgroundModel::learnPixels(const cv::Mat& image, int row, int begin, int 
   runKernel<CountKernel>(count, moves, confidence_.ptr<std::uint8_t>(row) + begin,
                          novel_.ptr<std::uint8_t>(row) + begin, news_.data());
   runKernel<MoveKernel>(pixel, static_cast<const std::uint8_t*>(moves), count, mean);
-  for (std::int64_t i = 0; i < count; i += kNewsStep) {
-    known_ += news_[static_cast<std::size_t>(i)] != 0 ? 1 : 0;
-    new_ += news_[static_cast<std::size_t>(i)] == 2 ? 1 : 0;
-  }
+  runKernel<TallyKernel>(static_cast<const std::uint8_t*>(news_.data()), count, &known_, &new_);
 }
 
 void BackgroundModel::learnRow(const cv::Mat& image, int row, const std::vector<Hidden>& hidden) {

@@ -17,12 +17,12 @@ constexpr double kRing = 1.25;
 // Log likelihood ratios "target here" against "not here" of what a sample shows. A matching sample
 // inside: 0.9 against 0.01 (stray pixels of the color). One that does not match although nothing
 // new is there: 0.01 against 0.97. In the ring, given a match inside: clean 0.96 against 0.3;
-// matching as well, a larger thing of the color, so unlikely beside a true outline that a few such
-// samples are outvoted but a whole ring is not.
+// matching as well, a larger thing of the color: as bad as a miss, so that a few such samples are
+// outvoted, while a whole ring takes away all that the inside says.
 constexpr double kInsideMatch = 4.5;
 constexpr double kInsideMiss = -4.5;
 constexpr double kRingClean = 1.2;
-constexpr double kRingMatch = -10.0;
+constexpr double kRingMatch = -9.0;
 /// Samples of one image are far from independent: their sum counts this much.
 constexpr double kTemper = 0.12;
 /// Outlines of fewer pixels count less.

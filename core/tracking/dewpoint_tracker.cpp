@@ -255,6 +255,7 @@ void DewpointTracker::forgetLostLookAlikes() {
 void DewpointTracker::watchLookAlikes(ThreadTeam& team) {
   forgetLostLookAlikes();
   for (std::size_t k = 0; k < targetCount_; ++k) {
+    tracked_[k].belief.forgo(occupiedByOthers(k));
     tracked_[k].belief.decide();
   }
   if (frameCount_ % kLookAroundEvery != kLookAroundPhase || targetCount_ == 0 ||

@@ -30,6 +30,8 @@ constexpr double kWellSeen = 0.55;     ///< share of the best evidence that leav
 constexpr double kSure = 0.98;
 /// Frames after which one of several things that all look just like the target is taken for it.
 constexpr int kLooksToDecide = 5;
+/// Two spheres of radii a and b cannot be closer than a + b; estimates may err a little.
+constexpr double kTouching = 0.7;
 constexpr double kBinRadii = 0.5; ///< edge of the bins that particles are counted in
 /// Relative standard deviation of a radius that is guessed from the images.
 constexpr double kRadiusSigma = 0.2;
@@ -225,7 +227,7 @@ void TargetBelief::giveBirth(SphereObservation& observation, const CandidateSear
       return taken(other.place(), fit.radius);
     });
     const bool excluded = std::any_of(occupied.begin(), occupied.end(), [&](const auto& other) {
-      return taken(other.center, 0.7 * (other.radius + fit.radius));
+      return taken(other.center, kTouching * (other.radius + fit.radius));
     });
     if (known || excluded || logRatio < kLeastLogRatio) {
       continue;
@@ -272,6 +274,7 @@ void TargetBelief::update(SphereObservation& observation, const CandidateSearch&
                           const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
                           ThreadTeam& team) {
   hypotheses_ = predicted_;
+  forgo(occupied);
   if (hypotheses_.empty()) {
     doubt_ = 0.0; // whatever comes is a new beginning
   }
@@ -306,6 +309,20 @@ void TargetBelief::stepSearchCloud(SphereObservation& observation, const RandomK
   });
   const Eigen::ArrayXd logs = observation.logLikelihoods(cloud_.states, team);
   normalize(logs, cloud_.weights, team);
+}
+
+void TargetBelief::forgo(const std::vector<OccupiedSphere>& occupied) {
+  if (confident() != nullptr) {
+    return;
+  }
+  const auto isOccupied = [&](const Hypothesis& hypothesis) {
+    return std::any_of(occupied.begin(), occupied.end(), [&](const OccupiedSphere& other) {
+      return (other.center - hypothesis.place()).norm() <
+             kTouching * (other.radius + hypothesis.radius);
+    });
+  };
+  std::erase_if(hypotheses_, isOccupied);
+  std::erase_if(predicted_, isOccupied);
 }
 
 void TargetBelief::decide() {

@@ -54,6 +54,8 @@ public:
   /// Believes in this place from now on.
   void adopt(const Eigen::Vector3d& place, double radius, SphereObservation& observation,
              const RandomKey& key, ThreadTeam& team);
+  /// Gives up every place that others occupy, unless it is likelier than not.
+  void forgo(const std::vector<OccupiedSphere>& occupied);
   /// Settles for the likeliest of several places that are all well seen for some frames: the images
   /// will never tell which it is. The doubt stays, in the probability that estimate() gives.
   void decide();

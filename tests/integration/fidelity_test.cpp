@@ -82,6 +82,8 @@ TEST(Fidelity, AStartBeyondTheBallConvergesWhereBothCamerasSeeIt) {
 TEST(Fidelity, OnItsWayTheCloudIsLongestAlongCamera1sAxis) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     auto inputs = openProject("still").value(); // starts at the paper's (0.4, 0.1, 0.2)
+    inputs.project.method = "barrera";
+    inputs.project.parameters = ParameterValues(methodParameters("barrera"));
     const Eigen::Vector3d axis = rigOf(inputs.project)[0].opticalAxis();
     auto run = TrackingRun::create(inputs.project, 1).value();
     run.restart(seed);

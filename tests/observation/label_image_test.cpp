@@ -64,14 +64,14 @@ TEST_F(LabelImageTest, WithoutABackgroundWhatDoesNotMatchIsUnlearned) {
   EXPECT_EQ(labels_.at(0, 0), PixelLabel::Unlearned);
 }
 
-TEST_F(LabelImageTest, OutsideWhatIsCoveredEverythingIsUnknown) {
-  EXPECT_EQ(labels_.at(12, 10), PixelLabel::Unknown);
+TEST_F(LabelImageTest, OutsideWhatIsCoveredNothingIsEvidence) {
+  EXPECT_EQ(labels_.at(12, 10), PixelLabel::Explained);
   labels_.require({10, 8, 4, 4});
   EXPECT_EQ(labels_.at(12, 10), PixelLabel::Target);
   labels_.requireAll();
   for (const cv::Point& at : {cv::Point(-1, 10), cv::Point(10, -1), cv::Point(kWidth, 10),
                               cv::Point(10, kHeight), cv::Point(-1000000, 1000000)}) {
-    EXPECT_EQ(labels_.at(at.x, at.y), PixelLabel::Unknown);
+    EXPECT_EQ(labels_.at(at.x, at.y), PixelLabel::Explained);
   }
 }
 
@@ -174,14 +174,14 @@ TEST_F(LabelImageTest, ClearLeavesNoImage) {
   labels_.requireAll();
   labels_.require({0, 0, 10, 10});
   labels_.explain({{5.0, 5.0}, 10.0}, {});
-  EXPECT_EQ(labels_.at(12, 10), PixelLabel::Unknown);
+  EXPECT_EQ(labels_.at(12, 10), PixelLabel::Explained);
 }
 
 TEST(LabelImage, HasNoImageAtFirst) {
   LabelImage labels;
   EXPECT_TRUE(labels.empty());
   labels.requireAll();
-  EXPECT_EQ(labels.at(0, 0), PixelLabel::Unknown);
+  EXPECT_EQ(labels.at(0, 0), PixelLabel::Explained);
 }
 
 } // namespace

@@ -12,6 +12,7 @@ namespace {
 constexpr const char* kGood = R"(format = 1
 name = "two cameras"
 seed = 7
+method = "barrera"
 frames_per_second = 25
 truth = "truth.csv"
 

@@ -36,6 +36,7 @@ inline CameraRig twoCameras() {
 inline Project twoCameraProject() {
   Project project;
   project.name = "two cameras";
+  project.method = "barrera"; // whose iterations are what these tests count
   project.parameters = ParameterValues(methodParameters(project.method));
   for (const auto& [key, value] : {std::pair("start_x", 0.02), std::pair("start_y", -0.02),
                                    std::pair("start_z", 0.1), std::pair("particles", 100.0)}) {

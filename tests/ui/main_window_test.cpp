@@ -10,6 +10,7 @@
 #include "ui/plots/convergence_plot.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
@@ -179,6 +180,13 @@ void MainWindowTest::oneIterationByMouse() {
 
 void MainWindowTest::sliderActsAndUndoReturns() {
   open(false);
+  // Method barrera uses all its particles always.
+  auto* choice = find<QComboBox>("methodChoice");
+  QCOMPARE(choice->currentData().toString(), QStringLiteral("dewpoint"));
+  choice->setFocus();
+  QTest::keyClick(choice, Qt::Key_Down);
+  QCOMPARE(window_->document().project().method, std::string("barrera"));
+  QVERIFY(waitFor([&] { return window_->findChild<QSlider*>("slider_motion_sigma") != nullptr; }));
   const auto declarations = window_->document().project().parameters.declarations();
   QVERIFY(!declarations.empty());
   const std::string key = "particles";
@@ -196,6 +204,10 @@ void MainWindowTest::sliderActsAndUndoReturns() {
   click("actionUndoButton");
   QCOMPARE(window_->document().project().parameters.at(key), before);
   QCOMPARE(find<QDoubleSpinBox>("box_particles")->value(), before);
+  click("actionUndoButton");
+  QCOMPARE(window_->document().project().method, std::string("dewpoint"));
+  QVERIFY(waitFor([&] { return window_->findChild<QSlider*>("slider_motion_sigma") == nullptr; }));
+  QCOMPARE(find<QComboBox>("methodChoice")->currentData().toString(), QStringLiteral("dewpoint"));
   QVERIFY(!window_->isWindowModified());
 }
 

@@ -15,7 +15,7 @@ SetMethodCommand::SetMethodCommand(Document& document, std::string method,
     : document_(document), otherMethod_(std::move(method)),
       otherParameters_(std::move(parameters)) {
   setText(QCoreApplication::translate("SetMethodCommand", "Track by “%1”")
-              .arg(QString::fromStdString(otherMethod_)));
+              .arg(QCoreApplication::translate("Method", otherMethod_.c_str())));
 }
 
 void SetMethodCommand::swap() {

@@ -6,6 +6,7 @@
 #include "ui/settings/parameter_row.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -63,11 +64,13 @@ void ParameterPanel::addMethodChoice() {
                         "“barrera” the particle filter of Barrera et al. (2005). Tracking starts "
                         "anew."));
   for (const std::string& name : methodNames()) {
-    choice->addItem(QString::fromStdString(name));
+    choice->addItem(QCoreApplication::translate("Method", name.c_str()),
+                    QString::fromStdString(name));
   }
-  choice->setCurrentText(QString::fromStdString(document_.project().method));
-  connect(choice, &QComboBox::textActivated, this,
-          [this](const QString& name) { document_.setMethod(name.toStdString()); });
+  choice->setCurrentIndex(choice->findData(QString::fromStdString(document_.project().method)));
+  connect(choice, &QComboBox::activated, this, [this, choice](int index) {
+    document_.setMethod(choice->itemData(index).toString().toStdString());
+  });
   form_->layout()->addWidget(label);
   form_->layout()->addWidget(choice);
 }
