@@ -9,7 +9,8 @@ const std::vector<ScenarioDeclaration>& scenarioCatalog() {
     std::vector<ScenarioDeclaration> all;
     for (const auto& family : {scenarios::cleanScenarios(), scenarios::lookAlikeScenarios(),
                                scenarios::occlusionScenarios(), scenarios::blackoutScenarios(),
-                               scenarios::startScenarios()}) {
+                               scenarios::startScenarios(), scenarios::crossingScenarios(),
+                               scenarios::cameraScenarios()}) {
       for (const auto& recipe : family) {
         all.push_back(scenarios::declared(recipe, cache));
       }

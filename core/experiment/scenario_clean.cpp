@@ -16,14 +16,7 @@ constexpr double kRadius = 0.035;
 constexpr double kTwinDistance = 3.0 * kRadius; // least distance of a look-alike to the target
 
 bool cleanDesk(ScenarioDraft& draft, bool fast) {
-  draft.frameCount = 180;
-  const auto path = drawDeskPath(draft, fast);
-  if (!path) {
-    return false;
-  }
-  addTarget(draft, *path);
-  startNearTruth(draft);
-  return true;
+  return addDeskBall(draft, 180, fast);
 }
 
 /// What hides the target is S2's matter: a twin before the target leaves its middle free.

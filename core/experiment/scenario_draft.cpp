@@ -4,6 +4,7 @@
 #include "core/simulation/scene.h"
 #include "core/simulation/sensor.h"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -231,6 +232,16 @@ void startNearTruth(ScenarioDraft& draft) {
       draft.draws.inBox(Eigen::Vector3d::Constant(-kOff), Eigen::Vector3d::Constant(kOff));
   draft.startCenter = draft.stage.bodies[draft.targets.front()].path(0.0) + off;
   draft.startHalf = Eigen::Vector3d::Constant(kHalf);
+}
+
+void startAroundAll(ScenarioDraft& draft) {
+  constexpr double kAround = 0.05;
+  Eigen::AlignedBox3d box;
+  for (const std::size_t target : draft.targets) {
+    box.extend(draft.stage.bodies[target].path(0.0));
+  }
+  draft.startCenter = box.center();
+  draft.startHalf = 0.5 * box.sizes() + Eigen::Vector3d::Constant(kAround);
 }
 
 } // namespace dewpoint::scenarios

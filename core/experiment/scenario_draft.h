@@ -82,11 +82,17 @@ void addTarget(ScenarioDraft& draft, simulation::Path path, double radius = 0.03
 /// center is up to 0.05 m off along each axis.
 void startNearTruth(ScenarioDraft& draft);
 
+/// Lets the search start in a box that holds the first places of all targets with 0.05 m around
+/// each.
+void startAroundAll(ScenarioDraft& draft);
+
 // The recipes, one function per family.
 std::vector<ScenarioRecipe> cleanScenarios();     ///< S0
 std::vector<ScenarioRecipe> lookAlikeScenarios(); ///< S1
 std::vector<ScenarioRecipe> occlusionScenarios(); ///< S2
 std::vector<ScenarioRecipe> blackoutScenarios();  ///< S3
 std::vector<ScenarioRecipe> startScenarios();     ///< S4
+std::vector<ScenarioRecipe> crossingScenarios();  ///< S5
+std::vector<ScenarioRecipe> cameraScenarios();    ///< S6
 
 } // namespace dewpoint::scenarios

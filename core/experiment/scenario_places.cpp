@@ -93,4 +93,15 @@ std::optional<RoundPath> drawDeskPath(ScenarioDraft& draft, bool fast, double ra
   return std::nullopt;
 }
 
+bool addDeskBall(ScenarioDraft& draft, std::int64_t frames, bool fast) {
+  draft.frameCount = frames;
+  const auto path = drawDeskPath(draft, fast);
+  if (!path) {
+    return false;
+  }
+  addTarget(draft, *path);
+  startNearTruth(draft);
+  return true;
+}
+
 } // namespace dewpoint::scenarios

@@ -32,4 +32,8 @@ bool apart(const simulation::CameraView& view, const Eigen::Vector3d& one, doubl
 /// A path on the desk that stays in all images; `fast`: a round in 1.2 s instead of 6.
 std::optional<RoundPath> drawDeskPath(ScenarioDraft& draft, bool fast, double radius = 0.035);
 
+/// One ball to be tracked on a desk path for `frames` frames, and a search that starts near it;
+/// false when no path was found.
+bool addDeskBall(ScenarioDraft& draft, std::int64_t frames, bool fast = false);
+
 } // namespace dewpoint::scenarios

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/color/match_image.h"
+#include "core/experiment/scenario.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <ranges>
+#include <string>
+#include <vector>
+
+namespace dewpoint {
+namespace {
+
+ScenarioRun runOf(const std::string& name, std::uint64_t seed = 1) {
+  const auto& catalog = scenarioCatalog();
+  const auto found = std::ranges::find(catalog, name, &ScenarioDeclaration::name);
+  if (found == catalog.end()) {
+    ADD_FAILURE() << "no scenario " << name;
+    return {};
+  }
+  auto run = found->make(seed, Grade::Ideal);
+  if (!run) {
+    ADD_FAILURE() << name << ": no run";
+    return {};
+  }
+  return *std::move(run);
+}
+
+/// The targets' true places at a frame, in the order of the targets.
+std::vector<Eigen::Vector3d> truthAt(const ScenarioRun& run, std::int64_t frame) {
+  std::vector<Eigen::Vector3d> places;
+  const auto first = static_cast<std::size_t>(frame) * run.targets.size();
+  for (std::size_t k = first; k < first + run.targets.size(); ++k) {
+    EXPECT_EQ(run.truth.samples.at(k).frame, frame);
+    EXPECT_TRUE(run.truth.samples.at(k).valid);
+    places.push_back(run.truth.samples.at(k).position);
+  }
+  return places;
+}
+
+/// A ball as a camera has it: where its middle is and how many pixels its radius measures.
+struct Disc {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  double radius = 0.0;
+};
+
+Disc discOf(const Camera& camera, const Eigen::Vector3d& place, double radius) {
+  const auto center = Projector(camera).project(place);
+  const double depth = (camera.cameraFromWorld * place).z();
+  EXPECT_TRUE(center.has_value());
+  return {center.value_or(Eigen::Vector2d::Zero()), camera.intrinsics.focalX * radius / depth};
+}
+
+/// The matching pixels within 1.3 radii of a disc's middle: how many per pixel of the disc, and
+/// how far their center of mass is from its middle.
+struct Match {
+  double share = 0.0;
+  double offPx = 0.0;
+};
+
+Match matchOf(const cv::Mat& image, const Target& target, const Disc& disc) {
+  const cv::Mat mask = matchImage(image, ColorClassifier(target.color));
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  int count = 0;
+  for (int row = 0; row < mask.rows; ++row) {
+    for (int column = 0; column < mask.cols; ++column) {
+      const Eigen::Vector2d pixel(column, row);
+      if (mask.at<std::uint8_t>(row, column) != 0 &&
+          (pixel - disc.center).norm() < 1.3 * disc.radius) {
+        sum += pixel;
+        ++count;
+      }
+    }
+  }
+  const double all = 3.14159 * disc.radius * disc.radius;
+  return {count / all, count > 0 ? (sum / count - disc.center).norm() : HUGE_VAL};
+}
+
+/// True if no other target's disc touches that of `target`.
+bool standsAlone(const std::vector<Disc>& discs, std::size_t target) {
+  for (std::size_t other = 0; other < discs.size(); ++other) {
+    if (other != target && (discs[other].center - discs[target].center).norm() <
+                               1.4 * (discs[other].radius + discs[target].radius)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Each ball that stands alone in an image is where its truth re-projects to: most of its disc
+/// matches (the ball's shaded side may not), and what matches is centered within a fifth of the
+/// radius or so (a shaded rim moves the center of mass).
+void expectTruthInImages(const ScenarioRun& run, std::int64_t frame) {
+  const FrameSetPtr set = run.frames(frame);
+  const auto places = truthAt(run, frame);
+  int seen = 0;
+  for (std::size_t camera = 0; camera < run.trueRig.size(); ++camera) {
+    std::vector<Disc> discs;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      discs.push_back(discOf(run.trueRig[camera], places[k], run.targets[k].radius));
+    }
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (set->frames[camera] == nullptr || !standsAlone(discs, k)) {
+        continue;
+      }
+      ++seen;
+      const Match match = matchOf(set->frames[camera]->image, run.targets[k], discs[k]);
+      EXPECT_GT(match.share, 0.7) << run.scenario << " camera " << camera << " frame " << frame;
+      EXPECT_LT(match.offPx, 0.25 * discs[k].radius)
+          << run.scenario << " camera " << camera << " frame " << frame;
+    }
+  }
+  EXPECT_GT(seen, 0) << run.scenario;
+}
+
+void expectSameBits(const std::string& name, std::int64_t frame) {
+  const FrameSetPtr one = runOf(name).frames(frame);
+  const FrameSetPtr same = runOf(name).frames(frame);
+  const FrameSetPtr other = runOf(name, 2).frames(frame);
+  for (std::size_t camera = 0; camera < one->frames.size(); ++camera) {
+    ASSERT_EQ(one->frames[camera] == nullptr, same->frames[camera] == nullptr);
+    if (one->frames[camera] == nullptr) {
+      continue;
+    }
+    const cv::Mat& image = one->frames[camera]->image;
+    EXPECT_EQ(cv::norm(image, same->frames[camera]->image, cv::NORM_INF), 0.0) << name;
+    EXPECT_EQ(one->frames[camera]->captureTime, same->frames[camera]->captureTime);
+    if (other->frames[camera] != nullptr) {
+      EXPECT_GT(cv::norm(image, other->frames[camera]->image, cv::NORM_INF), 0.0) << name;
+    }
+  }
+}
+
+std::vector<ScenarioEvent> eventsOf(const ScenarioRun& run, ScenarioEvent::Kind kind) {
+  std::vector<ScenarioEvent> events;
+  std::ranges::copy_if(run.events, std::back_inserter(events),
+                       [&](const ScenarioEvent& event) { return event.kind == kind; });
+  return events;
+}
+
+TEST(Scenarios, TruthIsWhatTheImagesShow) {
+  for (const std::string name : {"S0-slow", "S5-two", "S5-four", "S6-2", "S6-4", "S6-dropouts"}) {
+    const ScenarioRun run = runOf(name);
+    expectTruthInImages(run, 0);
+    expectTruthInImages(run, run.frameCount / 2);
+  }
+}
+
+TEST(Scenarios, SameSeedSameBits) {
+  for (const std::string name : {"S5-two", "S6-3", "S6-dropouts"}) {
+    expectSameBits(name, 50);
+  }
+}
+
+TEST(ScenarioCrossing, BallsNeverTouchButPassBeforeEachOther) {
+  const std::map<std::string, std::pair<std::size_t, std::int64_t>> expected{
+      {"S5-two", {2, 600}}, {"S5-four", {4, 600}}, {"S5-eight", {8, 3600}}};
+  for (const auto& [name, size] : expected) {
+    const ScenarioRun run = runOf(name);
+    ASSERT_EQ(run.targets.size(), size.first);
+    EXPECT_EQ(run.frameCount, size.second);
+    EXPECT_EQ(run.framesPerSecond, 30.0);
+    EXPECT_EQ(run.rig.size(), 4U);
+    double nearest = HUGE_VAL;
+    int covered = 0;
+    for (std::int64_t frame = 0; frame < run.frameCount; ++frame) {
+      const auto places = truthAt(run, frame);
+      for (std::size_t k = 1; k < places.size(); ++k) {
+        for (std::size_t other = 0; other < k; ++other) {
+          nearest = std::min(nearest, (places[k] - places[other]).norm());
+          for (const Camera& camera : run.trueRig) {
+            const Disc one = discOf(camera, places[k], run.targets[k].radius);
+            const Disc two = discOf(camera, places[other], run.targets[other].radius);
+            covered += (one.center - two.center).norm() < one.radius ? 1 : 0;
+          }
+        }
+      }
+    }
+    EXPECT_GE(nearest, 2.5 * run.targets[0].radius) << name;
+    EXPECT_GT(covered, 0) << name << ": one ball before the other in some image";
+    // The search's box holds all of them.
+    for (const Eigen::Vector3d& place : truthAt(run, 0)) {
+      EXPECT_TRUE(((place - run.startCenter).array().abs() <= run.startHalf.array()).all()) << name;
+    }
+  }
+}
+
+TEST(ScenarioCameras, OnePerName) {
+  for (const int count : {2, 3, 4, 6, 8}) {
+    const ScenarioRun run = runOf("S6-" + std::to_string(count));
+    EXPECT_EQ(run.rig.size(), static_cast<std::size_t>(count));
+    EXPECT_EQ(run.frames(3)->frames.size(), static_cast<std::size_t>(count));
+  }
+}
+
+TEST(ScenarioCameras, DropOutOneAfterAnother) {
+  const ScenarioRun run = runOf("S6-dropouts");
+  const auto gone = eventsOf(run, ScenarioEvent::Kind::CameraLost);
+  const auto back = eventsOf(run, ScenarioEvent::Kind::CameraBack);
+  ASSERT_EQ(gone.size(), 4U);
+  ASSERT_EQ(back.size(), 4U);
+  std::vector<bool> had(4, false);
+  for (std::size_t k = 0; k < gone.size(); ++k) {
+    ASSERT_EQ(gone[k].camera, back[k].camera);
+    had.at(static_cast<std::size_t>(gone[k].camera)) = true;
+    for (const std::int64_t frame :
+         {gone[k].frame - 1, gone[k].frame, back[k].frame - 1, back[k].frame}) {
+      const FrameSetPtr set = run.frames(frame);
+      for (int camera = 0; camera < 4; ++camera) {
+        const bool away =
+            camera == gone[k].camera && frame >= gone[k].frame && frame < back[k].frame;
+        EXPECT_EQ(set->frames[static_cast<std::size_t>(camera)] == nullptr, away)
+            << "camera " << camera << " frame " << frame;
+      }
+    }
+  }
+  EXPECT_TRUE(std::ranges::all_of(had, std::identity{})) << "each camera has its turn";
+}
+
+} // namespace
+} // namespace dewpoint
