@@ -43,7 +43,7 @@ struct ScenarioRun {
   Grade grade = Grade::Ideal;
   std::uint64_t seed = 0;
   CameraRig rig;     ///< as the method believes it
-  CameraRig trueRig; ///< as the images were rendered
+  CameraRig trueRig; ///< as the images were rendered, until a bump
   std::vector<Target> targets;
   Eigen::Vector3d startCenter = Eigen::Vector3d::Zero(); ///< where the search starts, metres
   Eigen::Vector3d startHalf = Eigen::Vector3d::Zero();   ///< half size of the box around it

@@ -7,10 +7,11 @@ const std::vector<ScenarioDeclaration>& scenarioCatalog() {
   static const std::vector<ScenarioDeclaration> catalog = [] {
     const auto cache = std::make_shared<simulation::ViewCache>();
     std::vector<ScenarioDeclaration> all;
-    for (const auto& family : {scenarios::cleanScenarios(), scenarios::lookAlikeScenarios(),
-                               scenarios::occlusionScenarios(), scenarios::blackoutScenarios(),
-                               scenarios::startScenarios(), scenarios::crossingScenarios(),
-                               scenarios::cameraScenarios()}) {
+    for (const auto& family :
+         {scenarios::cleanScenarios(), scenarios::lookAlikeScenarios(),
+          scenarios::occlusionScenarios(), scenarios::blackoutScenarios(),
+          scenarios::startScenarios(), scenarios::crossingScenarios(), scenarios::cameraScenarios(),
+          scenarios::clockScenarios(), scenarios::lightScenarios(), scenarios::bumpScenarios()}) {
       for (const auto& recipe : family) {
         all.push_back(scenarios::declared(recipe, cache));
       }

@@ -94,5 +94,8 @@ std::vector<ScenarioRecipe> blackoutScenarios();  ///< S3
 std::vector<ScenarioRecipe> startScenarios();     ///< S4
 std::vector<ScenarioRecipe> crossingScenarios();  ///< S5
 std::vector<ScenarioRecipe> cameraScenarios();    ///< S6
+std::vector<ScenarioRecipe> clockScenarios();     ///< S7
+std::vector<ScenarioRecipe> lightScenarios();     ///< S8
+std::vector<ScenarioRecipe> bumpScenarios();      ///< S9
 
 } // namespace dewpoint::scenarios

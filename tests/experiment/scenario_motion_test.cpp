@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/time.h"
 #include "core/color/match_image.h"
+#include "core/experiment/baseline_blobs.h"
 #include "core/experiment/scenario.h"
 
 #include <gtest/gtest.h>
@@ -7,9 +9,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <ranges>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dewpoint {
@@ -151,8 +157,9 @@ TEST(Scenarios, TruthIsWhatTheImagesShow) {
 }
 
 TEST(Scenarios, SameSeedSameBits) {
-  for (const std::string name : {"S5-two", "S6-3", "S6-dropouts"}) {
-    expectSameBits(name, 50);
+  for (const std::string name : {"S5-two", "S6-3", "S6-dropouts", "S7-offsets", "S7-rates",
+                                 "S8-ramp", "S8-temperature", "S9-bump"}) {
+    expectSameBits(name, 100);
   }
 }
 
@@ -219,6 +226,116 @@ TEST(ScenarioCameras, DropOutOneAfterAnother) {
     }
   }
   EXPECT_TRUE(std::ranges::all_of(had, std::identity{})) << "each camera has its turn";
+}
+
+/// Seconds from the set's time to each camera's exposure; NaN where there is no frame.
+std::vector<double> delaysOf(const FrameSet& set) {
+  std::vector<double> delays;
+  for (const FramePtr& frame : set.frames) {
+    delays.push_back(frame ? seconds(frame->captureTime - set.time)
+                           : std::numeric_limits<double>::quiet_NaN());
+  }
+  return delays;
+}
+
+/// The set's time is its truth's: sets come regularly.
+void expectRegularSets(const ScenarioRun& run) {
+  for (const std::int64_t frame : {0, 1, 29, 100}) {
+    EXPECT_EQ(run.frames(frame)->time, timeStamp(static_cast<double>(frame) / 30.0));
+  }
+}
+
+TEST(ScenarioClocks, OffsetsStayAndDiffer) {
+  const ScenarioRun run = runOf("S7-offsets");
+  expectRegularSets(run);
+  const std::vector<double> first = delaysOf(*run.frames(0));
+  ASSERT_EQ(first.size(), 3U);
+  // One is in time, one early by half of 1/30 s, the third between them.
+  EXPECT_NEAR(std::ranges::max(first), 0.0, 1e-6);
+  EXPECT_NEAR(std::ranges::min(first), -0.5 / 30.0, 1e-6);
+  for (const std::int64_t frame : {1, 77}) {
+    const std::vector<double> later = delaysOf(*run.frames(frame));
+    for (std::size_t camera = 0; camera < first.size(); ++camera) {
+      EXPECT_NEAR(later[camera], first[camera], 1e-6);
+    }
+  }
+}
+
+TEST(ScenarioClocks, RatesGiveSomeSetsFewerFrames) {
+  const ScenarioRun run = runOf("S7-rates");
+  expectRegularSets(run);
+  std::vector<int> counts(3, 0);
+  for (std::int64_t frame = 0; frame < 30; ++frame) {
+    const std::vector<double> delays = delaysOf(*run.frames(frame));
+    for (std::size_t camera = 0; camera < counts.size(); ++camera) {
+      if (!std::isnan(delays[camera])) {
+        ++counts[camera];
+        EXPECT_LE(delays[camera], 1e-6) << "a set holds nothing from later";
+        EXPECT_GT(delays[camera], -1.0 / 30.0) << "nor what belongs to the set before";
+      }
+    }
+  }
+  std::ranges::sort(counts);
+  EXPECT_EQ(counts, (std::vector<int>{15, 25, 30})) << "frames of the first second";
+}
+
+struct Range {
+  double low = HUGE_VAL;
+  double high = 0.0;
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+TEST(ScenarioLight, RampsByFour) {
+  const ScenarioRun run = runOf("S8-ramp");
+  Range brightness;
+  for (std::int64_t frame = 0; frame < run.frameCount; frame += 3) {
+    const cv::Scalar mean = cv::mean(run.frames(frame)->frames[0]->image);
+    brightness.add(mean[0] + mean[1] + mean[2]);
+  }
+  // From 0.35 to 1.4; what is brightest then saturates, hence the 20 %.
+  EXPECT_NEAR(brightness.high / brightness.low, 4.0, 0.8);
+}
+
+TEST(ScenarioLight, ChangesItsColor) {
+  const ScenarioRun run = runOf("S8-temperature");
+  Range blueByRed;
+  for (std::int64_t frame = 0; frame < run.frameCount; frame += 5) {
+    const cv::Scalar mean = cv::mean(run.frames(frame)->frames[1]->image);
+    blueByRed.add(mean[0] / mean[2]);
+  }
+  // Planck's law at 460 and 620 nm (exponents 31278 K and 23206 K over the temperature): blue to
+  // red is 1.242 times that of 5500 K at 6500 K and 0.726 times at 4500 K.
+  EXPECT_NEAR(blueByRed.high / blueByRed.low, 1.242 / 0.726, 0.1);
+}
+
+/// How far the largest blob is from where the truth re-projects with the rig that is believed.
+double blobOffPx(const ScenarioRun& run, std::size_t camera, std::int64_t frame) {
+  const cv::Mat image = run.frames(frame)->frames[camera]->image;
+  const auto blobs = findBlobs(matchImage(image, ColorClassifier(run.targets[0].color)));
+  const auto pixel = Projector(run.rig[camera]).project(truthAt(run, frame)[0]);
+  return blobs.empty() || !pixel ? HUGE_VAL : (blobs[0].center - *pixel).norm();
+}
+
+TEST(ScenarioBump, TheCameraNoLongerStandsWhereItIsBelieved) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const ScenarioRun run = runOf("S9-bump", seed);
+    const auto bumps = eventsOf(run, ScenarioEvent::Kind::Bump);
+    ASSERT_EQ(bumps.size(), 1U);
+    for (std::size_t camera = 0; camera < run.rig.size(); ++camera) {
+      EXPECT_LT(blobOffPx(run, camera, bumps[0].frame - 1), 2.5);
+      const double after = blobOffPx(run, camera, bumps[0].frame);
+      // 1.5 degrees are 9.2 pixels at 350; 1 cm is at most 6 at the ball's distance.
+      if (static_cast<int>(camera) == bumps[0].camera) {
+        EXPECT_GT(after, 3.0);
+        EXPECT_LT(after, 18.0);
+      } else {
+        EXPECT_LT(after, 2.5);
+      }
+    }
+  }
 }
 
 } // namespace
