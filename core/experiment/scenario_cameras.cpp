@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S6: two to eight cameras, and cameras that drop out and return. S9: a camera that is bumped.
 #include "core/experiment/scenario_places.h"
+#include "core/simulation/camera_view.h"
 #include "core/simulation/rigs.h"
+#include "core/simulation/room.h"
 
 #include <fmt/format.h>
 

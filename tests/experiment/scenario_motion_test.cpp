@@ -163,6 +163,50 @@ TEST(Scenarios, SameSeedSameBits) {
   }
 }
 
+TEST(ScenarioOcclusion, HalfOfTheDiscIsHiddenInOneCamera) {
+  for (const std::string name : {"S2-still", "S2-moving", "S2-three-cameras"}) {
+    const ScenarioRun run = runOf(name);
+    // The moving plate is in its place from 1.3 s, frame 39, on.
+    for (const std::int64_t frame : {40, 90, 140, 179}) {
+      std::vector<double> shares;
+      for (std::size_t camera = 0; camera < run.trueRig.size(); ++camera) {
+        const Disc disc =
+            discOf(run.trueRig[camera], truthAt(run, frame)[0], run.targets[0].radius);
+        const cv::Mat image = run.frames(frame)->frames[camera]->image;
+        shares.push_back(matchOf(image, run.targets[0], disc).share);
+      }
+      std::ranges::sort(shares);
+      EXPECT_GT(shares[1], 0.7) << name << " frame " << frame << ": all others see the ball";
+      EXPECT_GT(shares[0] / shares[1], 0.35) << name << " frame " << frame;
+      EXPECT_LT(shares[0] / shares[1], 0.65) << name << " frame " << frame;
+    }
+  }
+}
+
+TEST(ScenarioBlackout, OnlyTheBlindCamerasAreDark) {
+  for (const std::string name : {"S3-one-blind", "S3-one-blind-three-cameras", "S3-all-blind"}) {
+    const ScenarioRun run = runOf(name);
+    const auto begins = eventsOf(run, ScenarioEvent::Kind::BlackoutBegin);
+    const auto ends = eventsOf(run, ScenarioEvent::Kind::BlackoutEnd);
+    ASSERT_EQ(begins.size(), 2U);
+    ASSERT_EQ(ends.size(), 2U);
+    for (std::size_t k = 0; k < begins.size(); ++k) {
+      EXPECT_EQ(ends[k].frame - begins[k].frame, 15) << "0.5 s";
+      for (const std::int64_t frame :
+           {begins[k].frame - 1, begins[k].frame, ends[k].frame - 1, ends[k].frame}) {
+        const FrameSetPtr set = run.frames(frame);
+        for (std::size_t camera = 0; camera < run.rig.size(); ++camera) {
+          const bool blind = frame >= begins[k].frame && frame < ends[k].frame &&
+                             (begins[k].camera < 0 || begins[k].camera == static_cast<int>(camera));
+          // Without light there is the positive half of the noise of 3 gray levels: 1.2 on average.
+          EXPECT_EQ(cv::mean(set->frames[camera]->image)[0] < 3.0, blind)
+              << name << " camera " << camera << " frame " << frame;
+        }
+      }
+    }
+  }
+}
+
 TEST(ScenarioCrossing, BallsNeverTouchButPassBeforeEachOther) {
   const std::map<std::string, std::pair<std::size_t, std::int64_t>> expected{
       {"S5-two", {2, 600}}, {"S5-four", {4, 600}}, {"S5-eight", {8, 3600}}};
