@@ -23,7 +23,7 @@ constexpr std::array<double, 5> kFarWidths{1.2, 0.8, 0.45, 0.3, 0.25};
 constexpr std::array<double, 5> kNearWidths{0.5, 0.35, 0.25, 0.25, 0.25};
 constexpr int kFewestEdges = 6; ///< of one camera that together make a fit
 /// Standard deviation of one edge, pixels: the pixel raster and a rough color boundary.
-constexpr double kEdgeSigmaPx = 0.8;
+constexpr double kEdgeSigmaPx = 0.45;
 /// Common offset of all edges of a camera, standard deviation: pixels and share of the radius.
 constexpr double kOffsetPx = 0.3;
 constexpr double kOffsetShare = 0.02;

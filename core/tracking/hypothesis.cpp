@@ -24,9 +24,9 @@ constexpr double kClear = 0.7;
 constexpr double kWorthALeap = 3.0;
 /// A moving ball is smeared over an exposure of usually about 10 ms; its outline is off by a share
 /// of the way.
-constexpr double kBlurSeconds = 0.0007;
+constexpr double kBlurSeconds = 0.0005;
 /// The outline is known no better than this share of the radius: shading, color noise.
-constexpr double kShareOfRadius = 0.006;
+constexpr double kShareOfRadius = 0.003;
 
 std::uint32_t firstIndex(const Hypothesis& hypothesis) {
   return hypothesis.stream << 20U;
