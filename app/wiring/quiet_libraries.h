@@ -3,8 +3,9 @@
 
 namespace dewpoint {
 
-/// Silences the warnings of FFmpeg, GStreamer and OpenCV about an input: they would stand beside our
-/// one sentence. The variables of these libraries, where set, still decide. Call it first in main.
+/// Silences the warnings of FFmpeg, GStreamer and OpenCV about an input: they would stand beside
+/// our one sentence. The variables of these libraries, where set, still decide. Call it first in
+/// main.
 void quietLibraries();
 
 } // namespace dewpoint
