@@ -5,6 +5,7 @@
 #include "app/dewpoint-cli/progress.h"
 #include "core/base/text_file.h"
 #include "core/session/tracking_run.h"
+#include "core/trajectory/error_statistics.h"
 #include "core/trajectory/evaluation.h"
 #include "core/trajectory/trajectory_writer.h"
 
@@ -22,22 +23,21 @@ namespace {
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
 
+/// Quantile of times in any order; 0 when there are none.
+double quantileOf(std::vector<double> times, double fraction) {
+  std::sort(times.begin(), times.end());
+  return times.empty() ? 0.0 : quantile(times, fraction);
+}
+
 struct RunFigures {
   std::int64_t frames = 0;
   double seconds = 0.0;
   std::vector<double> iterationTimes; ///< microseconds
+  std::vector<double> frameTimes;     ///< milliseconds from a frame's arrival to its estimate
   bool finished = false;
   std::vector<std::string> notices;
 
-  double quantile(double q) const {
-    if (iterationTimes.empty()) {
-      return 0.0;
-    }
-    auto times = iterationTimes;
-    const auto at = static_cast<std::ptrdiff_t>(q * static_cast<double>(times.size() - 1));
-    std::nth_element(times.begin(), times.begin() + at, times.end());
-    return times[static_cast<std::size_t>(at)];
-  }
+  double quantile(double fraction) const { return quantileOf(iterationTimes, fraction); }
 };
 
 std::string runJson(const Project& project, const FrameSetSource& source, int threads,
@@ -56,6 +56,10 @@ std::string runJson(const Project& project, const FrameSetSource& source, int th
   json["iterations"] = figures.iterationTimes.size();
   json["microseconds_per_iteration"] = {{"p50", figures.quantile(0.5)},
                                         {"p99", figures.quantile(0.99)}};
+  json["milliseconds_per_frame"] = {{"p50", quantileOf(figures.frameTimes, 0.5)},
+                                    {"p99", quantileOf(figures.frameTimes, 0.99)},
+                                    {"p99.9", quantileOf(figures.frameTimes, 0.999)},
+                                    {"max", quantileOf(figures.frameTimes, 1.0)}};
   json["dropped_frames"] = source.droppedFrames();
   for (const auto& declaration : project.parameters.declarations()) {
     json["parameters"][declaration.key] = project.parameters.at(declaration.key);
@@ -102,10 +106,14 @@ Status trackFrames(const TrackJob& job, FrameSetSource& source, TrackingRun& run
     if (std::none_of((*frames)->frames.begin(), (*frames)->frames.end(), present)) {
       continue; // live, and nothing came
     }
+    const auto arrived = std::chrono::steady_clock::now();
     run.beginFrame(*frames);
     for (int k = 0; k < run.iterationsPerFrame(); ++k) {
       figures.iterationTimes.push_back(run.iterate());
     }
+    const std::chrono::duration<double, std::milli> took =
+        std::chrono::steady_clock::now() - arrived;
+    figures.frameTimes.push_back(took.count());
     for (const auto& sample : run.samples()) {
       if (const auto written = writer.write(sample); !written) {
         progress.finish();
