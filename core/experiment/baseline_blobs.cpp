@@ -97,6 +97,7 @@ std::vector<Blob> findBlobs(const cv::Mat& mask) {
 
 std::optional<TriangulatedPoint> triangulate(std::vector<Bearing> bearings) {
   std::vector<Ray> rays;
+  rays.reserve(bearings.size());
   for (const Bearing& bearing : bearings) {
     rays.push_back(bearing.ray);
   }

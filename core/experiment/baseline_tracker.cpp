@@ -160,6 +160,7 @@ void BaselineTracker::findMany(const std::vector<std::size_t>& members,
   }
   const auto found = triangulateMany(bearings, members.size(), setup_.residualPx);
   std::vector<std::optional<Eigen::Vector3d>> last;
+  last.reserve(members.size());
   for (const std::size_t k : members) {
     last.push_back(tracked_[k].last);
   }

@@ -252,11 +252,22 @@ void DewpointTracker::forgetLostLookAlikes() {
   }
 }
 
+bool DewpointTracker::hasTwins(std::size_t target) const {
+  const Target& own = tracked_[target].belief.target();
+  for (std::size_t k = 0; k < targetCount_; ++k) {
+    const Target& other = tracked_[k].belief.target();
+    if (k != target && other.color == own.color && other.radius == own.radius) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void DewpointTracker::watchLookAlikes(ThreadTeam& team) {
   forgetLostLookAlikes();
   for (std::size_t k = 0; k < targetCount_; ++k) {
     tracked_[k].belief.forgo(occupiedByOthers(k));
-    tracked_[k].belief.decide();
+    tracked_[k].belief.decide(hasTwins(k));
   }
   if (frameCount_ % kLookAroundEvery != kLookAroundPhase || targetCount_ == 0 ||
       !allTargetsSure()) {

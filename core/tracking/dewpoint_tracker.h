@@ -50,6 +50,8 @@ private:
   void watchLookAlikes(ThreadTeam& team);
   void forgetLostLookAlikes();
   bool allTargetsSure() const;
+  /// Whether another target has the same looks.
+  bool hasTwins(std::size_t target) const;
   void findLookAlikes(const Target& looks, ThreadTeam& team);
   void learnBackgrounds();
   void keepToBudget(double milliseconds);

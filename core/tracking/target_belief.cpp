@@ -325,7 +325,7 @@ void TargetBelief::forgo(const std::vector<OccupiedSphere>& occupied) {
   std::erase_if(predicted_, isOccupied);
 }
 
-void TargetBelief::decide() {
+void TargetBelief::decide(bool twins) {
   if (hypotheses_.size() < 2 || hypotheses_.front().looks < kLooksToDecide ||
       !hypotheses_.front().wellSeen()) {
     return;
@@ -340,7 +340,9 @@ void TargetBelief::decide() {
       kept.push_back(hypotheses_[k]);
     }
   }
-  doubt_ = std::max(doubt_, rivals / (rivals + chosen.probability));
+  if (!twins) {
+    doubt_ = std::max(doubt_, rivals / (rivals + chosen.probability));
+  }
   kept.front().probability += rivals;
   hypotheses_ = std::move(kept);
   const auto dropped = [&](const Hypothesis& other) {

@@ -57,8 +57,9 @@ public:
   /// Gives up every place that others occupy, unless it is likelier than not.
   void forgo(const std::vector<OccupiedSphere>& occupied);
   /// Settles for the likeliest of several places that are all well seen for some frames: the images
-  /// will never tell which it is. The doubt stays, in the probability that estimate() gives.
-  void decide();
+  /// will never tell which it is. The doubt stays, in the probability that estimate() gives, unless
+  /// the target has `twins`: other targets that look the same, so that any of the places is right.
+  void decide(bool twins);
   /// Makes the likeliest place far less likely: another target was found to be there.
   void yield();
 
