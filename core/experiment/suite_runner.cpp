@@ -119,7 +119,8 @@ Result<std::vector<std::string>> selectMethods(const std::vector<std::string>& n
       for (const std::string& method : all) {
         known += fmt::format("{}{}", known.empty() ? "" : ", ", method);
       }
-      return failure(ErrorCode::NotFound, "", "--method", name + "; known are " + known);
+      return failure(ErrorCode::NotFound, "", "--method",
+                     fmt::format("{}; known are {}", name, known));
     }
   }
   std::vector<std::string> selected;

@@ -12,10 +12,10 @@ Eigen::Index kldSampleSize(std::int64_t occupiedBins, double error) {
   if (occupiedBins < 2 || !(error > 0.0)) {
     return 1;
   }
-  constexpr double upperQuantile = 2.3263478740; // of the standard normal distribution, 1 - 0.01
+  constexpr double kUpperQuantile = 2.3263478740; // of the standard normal distribution, 1 - 0.01
   const auto degrees = static_cast<double>(occupiedBins - 1);
   const double ratio = 2.0 / (9.0 * degrees);
-  const double root = 1.0 - ratio + std::sqrt(ratio) * upperQuantile;
+  const double root = 1.0 - ratio + std::sqrt(ratio) * kUpperQuantile;
   return static_cast<Eigen::Index>(std::ceil(degrees / (2.0 * error) * root * root * root));
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace dewpoint {
@@ -58,14 +59,14 @@ struct LabelKernel {
   /// Overwrites label[i], 1 where the pixel shows what is usual there, by its label.
   DEWPOINT_KERNEL void run(const std::uint8_t* confidence, const std::uint8_t* matched,
                            std::int64_t count, std::uint8_t* label) {
-    constexpr auto background = static_cast<std::uint8_t>(PixelLabel::Background);
-    constexpr auto unknown = static_cast<std::uint8_t>(PixelLabel::Unknown);
-    constexpr auto unlearned = static_cast<std::uint8_t>(PixelLabel::Unlearned);
-    constexpr auto target = static_cast<std::uint8_t>(PixelLabel::Target);
+    constexpr auto kBackground = static_cast<std::uint8_t>(PixelLabel::Background);
+    constexpr auto kUnknown = static_cast<std::uint8_t>(PixelLabel::Unknown);
+    constexpr auto kUnlearned = static_cast<std::uint8_t>(PixelLabel::Unlearned);
+    constexpr auto kTarget = static_cast<std::uint8_t>(PixelLabel::Target);
     for (std::int64_t i = 0; i < count; ++i) {
-      const std::uint8_t known = select(mask(label[i] != 0), background, unknown);
-      const std::uint8_t rest = select(mask(confidence[i] >= kLearned), known, unlearned);
-      label[i] = select(mask(matched[i] != 0), target, rest);
+      const std::uint8_t known = select(mask(label[i] != 0), kBackground, kUnknown);
+      const std::uint8_t rest = select(mask(confidence[i] >= kLearned), known, kUnlearned);
+      label[i] = select(mask(matched[i] != 0), kTarget, rest);
     }
   }
 };
@@ -157,8 +158,8 @@ void BackgroundModel::learn(const cv::Mat& image, const std::vector<Hidden>& hid
 
 void BackgroundModel::learnPixels(const cv::Mat& image, int row, int begin, int end) {
   const std::int64_t count = end - begin;
-  const std::uint8_t* pixel = image.ptr<std::uint8_t>(row) + 3 * begin;
-  std::uint8_t* mean = mean_.ptr<std::uint8_t>(row) + 3 * begin;
+  const std::uint8_t* pixel = image.ptr<std::uint8_t>(row) + std::ptrdiff_t{3} * begin;
+  std::uint8_t* mean = mean_.ptr<std::uint8_t>(row) + std::ptrdiff_t{3} * begin;
   std::uint8_t* moves = moves_.data();
   runKernel<AgreeKernel>(pixel, static_cast<const std::uint8_t*>(mean), count, moves);
   runKernel<CountKernel>(count, moves, confidence_.ptr<std::uint8_t>(row) + begin,
@@ -203,8 +204,9 @@ void BackgroundModel::labelRow(const cv::Mat& image, int column, int row, int co
   const std::uint8_t* confidence = nothingKnown.data();
   if (known) {
     confidence = confidence_.ptr<std::uint8_t>(row) + column;
-    runKernel<AgreeKernel>(image.ptr<std::uint8_t>(row) + 3 * column,
-                           mean_.ptr<std::uint8_t>(row) + 3 * column, std::int64_t{count}, labels);
+    runKernel<AgreeKernel>(image.ptr<std::uint8_t>(row) + std::ptrdiff_t{3} * column,
+                           mean_.ptr<std::uint8_t>(row) + std::ptrdiff_t{3} * column,
+                           std::int64_t{count}, labels);
   }
   const std::int64_t most = known ? count : std::min<std::int64_t>(count, std::ssize(nothingKnown));
   runKernel<LabelKernel>(confidence, matched, most, labels);
