@@ -106,13 +106,12 @@ void addInstant(const CameraView& view, const Body& body, const cv::Rect& area,
         share->coverage += whole.coverage;
         continue;
       }
-      constexpr float weight = 1.0F / (kEdgeSamples * kEdgeSamples);
+      constexpr float kWeight = 1.0F / (kEdgeSamples * kEdgeSamples);
       for (int i = 0; i < kEdgeSamples * kEdgeSamples; ++i) {
-        const float right = (static_cast<float>(i % kEdgeSamples) + 0.5F) / kEdgeSamples - 0.5F;
-        const float down = (static_cast<float>(i / kEdgeSamples) + 0.5F) / kEdgeSamples - 0.5F;
+        const auto [right, down] = subpixel(i, kEdgeSamples);
         const Share part = sample(view, body, view.direction(column, row, right, down), limit);
-        share->color += weight * part.color;
-        share->coverage += weight * part.coverage;
+        share->color += kWeight * part.color;
+        share->coverage += kWeight * part.coverage;
       }
     }
   }

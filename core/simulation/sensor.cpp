@@ -48,7 +48,8 @@ cv::Mat develop(const cv::Mat& image, double noiseSigma, const RandomStream& str
     for (std::size_t k = 0; k < end; ++k) {
       const std::uint32_t pick = (words[k / 2] >> (16U * (k % 2))) & 0xFFFFU;
       const float value = in[i + k] + sigma * normals[pick];
-      out[i + k] = static_cast<std::uint8_t>(std::clamp(value, 0.0F, 255.0F) + 0.5F);
+      const float rounded = std::clamp(value, 0.0F, 255.0F) + 0.5F; // truncated next
+      out[i + k] = static_cast<std::uint8_t>(rounded);
     }
   }
   return result;

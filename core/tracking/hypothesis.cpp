@@ -46,7 +46,9 @@ Eigen::ArrayXd evidence(const Hypothesis& hypothesis, SphereObservation& observa
 
 /// Moves the particles on to where the belief already is; left until they are needed.
 void catchUp(Hypothesis& hypothesis, ThreadTeam& team) {
-  for (const auto& [motion, stream] : hypothesis.pending) {
+  for (const auto& step : hypothesis.pending) {
+    const ConstantVelocity& motion = step.first;
+    const RandomStream& stream = step.second;
     team.forEachRange(hypothesis.states.rows(), [&](std::int64_t begin, std::int64_t end) {
       motion.predict(hypothesis.states.middleRows(begin, end - begin),
                      firstIndex(hypothesis) + static_cast<std::uint32_t>(begin), stream);
