@@ -12,14 +12,10 @@
 namespace dewpoint {
 namespace {
 
-constexpr int kRowPhases = 4;      ///< every frame learns every fourth row
-constexpr int kLearned = 3;        ///< agreeing observations that make a pixel known
+constexpr int kRowPhases = 4; ///< every frame learns every fourth row
+constexpr int kLearned = BackgroundModel::kLearned;
 constexpr int kMostConfident = 16; ///< and that are remembered at most
 constexpr int kReplaceAfter = 24;  ///< observations of something new that replace the old
-/// A color is the usual one within this many gray levels (sensor noise) and an eighth of the mean
-/// (light that changes a little).
-constexpr int kTolerance = 14;
-constexpr int kToleranceShift = 3;
 
 /// The mean goes half the way to a new value while it is young, later an eighth.
 constexpr int kYoungShift = 1;
@@ -30,7 +26,8 @@ DEWPOINT_KERNEL std::uint8_t channelAgrees(std::uint8_t value, std::uint8_t mean
   const std::uint8_t higher = value > mean ? value : mean;
   const std::uint8_t lower = value > mean ? mean : value;
   const auto size = static_cast<std::uint8_t>(higher - lower);
-  const auto allowed = static_cast<std::uint8_t>(kTolerance + (mean >> kToleranceShift));
+  const auto allowed = static_cast<std::uint8_t>(BackgroundModel::kTolerance +
+                                                 (mean >> BackgroundModel::kToleranceShift));
   return size <= allowed ? 1 : 0;
 }
 
@@ -66,7 +63,8 @@ struct LabelKernel {
     for (std::int64_t i = 0; i < count; ++i) {
       const std::uint8_t known = select(mask(label[i] != 0), kBackground, kUnknown);
       const std::uint8_t rest = select(mask(confidence[i] >= kLearned), known, kUnlearned);
-      label[i] = select(mask(matched[i] != 0), kTarget, rest);
+      const std::uint8_t relit = mask((matched[i] != 0) & (rest != kBackground));
+      label[i] = select(mask(matched[i] == 0xFF) | relit, kTarget, rest);
     }
   }
 };
@@ -132,6 +130,7 @@ struct MoveKernel {
 
 void BackgroundModel::reset() {
   mean_ = cv::Mat();
+  light_.setOnes();
   novelShare_ = 0.0;
   phase_ = 0;
 }
@@ -142,6 +141,7 @@ void BackgroundModel::learn(const cv::Mat& image, const std::vector<Hidden>& hid
   }
   if (mean_.size() != image.size()) {
     mean_ = image.clone();
+    light_.setOnes();
     confidence_ = cv::Mat::zeros(image.size(), CV_8UC1);
     novel_ = cv::Mat::zeros(image.size(), CV_8UC1);
     moves_.resize(static_cast<std::size_t>(image.cols));

@@ -20,20 +20,41 @@ public:
     double radius = 0.0;
   };
 
+  /// Agreeing observations that make a pixel known.
+  static constexpr int kLearned = 3;
+  /// A color is the usual one within this many gray levels (sensor noise) and an eighth of the mean
+  /// (light that changes a little).
+  static constexpr int kTolerance = 14;
+  static constexpr int kToleranceShift = 3;
+
   /// Forgets everything.
   void reset();
+  /// Before the labels of a new image are made: where the whole image has become brighter, darker
+  /// or of another tint at once, what is usually there is what it was in this light. Does nothing
+  /// when no such change explains most of the image (something covers it, it is black, it moved).
+  void followLight(const cv::Mat& image);
   /// Learns from an image (CV_8UC3), a quarter of its rows at a time. A new size starts anew.
   void learn(const cv::Mat& image, const std::vector<Hidden>& hidden);
   /// Share of the rows last learned from that showed something new, 0 to 1: near 1 when the camera
   /// is covered, blind or moved.
   double novelShare() const { return novelShare_; }
 
+  /// The light of now per channel (BGR), where 1 is that of the first image or of the last call of
+  /// takeLightAsUsual().
+  const Eigen::Array3d& light() const { return light_; }
+  void takeLightAsUsual() { light_.setOnes(); }
+
+  /// What labelRow() is told of a pixel that has the target's color only when the light of now is
+  /// taken into account: it is the target's unless it shows what is usually there.
+  static constexpr std::uint8_t kInUsualLight = 1;
   /// Labels (core/observation/label_image.h) of `count` pixels of one row, from `column` on: Target
-  /// where `matched` is not 0, else Unlearned, Background or Unknown.
+  /// where `matched` is 255, else Unlearned, Background or Unknown.
   void labelRow(const cv::Mat& image, int column, int row, int count, const std::uint8_t* matched,
                 std::uint8_t* labels) const;
 
 private:
+  struct LightSample;
+  std::vector<LightSample> lightSamples(const cv::Mat& image) const;
   void learnRow(const cv::Mat& image, int row, const std::vector<Hidden>& hidden);
   void learnPixels(const cv::Mat& image, int row, int begin, int end);
 
@@ -46,6 +67,7 @@ private:
   std::vector<std::uint8_t> moves_; ///< scratch, one row
   std::vector<std::uint8_t> news_;  ///< scratch, one row
   double novelShare_ = 0.0;
+  Eigen::Array3d light_ = Eigen::Array3d::Ones(); ///< of now, where 1 is that of the first image
 };
 
 } // namespace dewpoint

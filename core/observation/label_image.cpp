@@ -1,13 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/observation/label_image.h"
 
+#include "core/base/vector_kernel.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace dewpoint {
 namespace {
 
 constexpr int kBlock = 32; ///< columns
+/// Less light, more light or a tint by less than this leaves a color within its range.
+constexpr double kOtherLight = 0.1;
+constexpr int kGainBits = 8;
+
+struct RelightKernel {
+  /// relit = pixel x gain (blue, green, red; in 1/256), cut at 255.
+  DEWPOINT_KERNEL void run(const std::uint8_t* pixel, std::int64_t count, std::int32_t blue,
+                           std::int32_t green, std::int32_t red, std::uint8_t* relit) {
+    const auto scaled = [](std::uint8_t value, std::int32_t gain) {
+      const std::int32_t product = (value * gain + (1 << (kGainBits - 1))) >> kGainBits;
+      return static_cast<std::uint8_t>(product < 255 ? product : 255);
+    };
+    for (std::int64_t i = 0; i < count; ++i) {
+      relit[3 * i] = scaled(pixel[3 * i], blue);
+      relit[3 * i + 1] = scaled(pixel[3 * i + 1], green);
+      relit[3 * i + 2] = scaled(pixel[3 * i + 2], red);
+    }
+  }
+};
+
+struct EitherKernel {
+  DEWPOINT_KERNEL void run(const std::uint8_t* again, std::int64_t count, std::uint8_t* matched) {
+    for (std::int64_t i = 0; i < count; ++i) {
+      matched[i] |= static_cast<std::uint8_t>(again[i] & BackgroundModel::kInUsualLight);
+    }
+  }
+};
 
 } // namespace
 
@@ -46,11 +76,28 @@ void LabelImage::require(const cv::Rect& area) {
   }
 }
 
+void LabelImage::matchInUsualLight(const std::uint8_t* row, int count) {
+  const auto width = static_cast<std::size_t>(count);
+  relit_.resize(3 * width);
+  again_.resize(width);
+  const auto gain = [&](Eigen::Index channel) {
+    return static_cast<std::int32_t>(std::lround((1 << kGainBits) / background_->light()[channel]));
+  };
+  runKernel<RelightKernel>(row, std::int64_t{count}, gain(0), gain(1), gain(2), relit_.data());
+  classifier_->matchRow(relit_.data(), count, again_.data());
+  runKernel<EitherKernel>(static_cast<const std::uint8_t*>(again_.data()), std::int64_t{count},
+                          matched_.data());
+}
+
 void LabelImage::make(const cv::Rect& area) {
   matched_.resize(static_cast<std::size_t>(area.width));
+  const bool otherLight = (background_->light() - 1.0).abs().maxCoeff() > kOtherLight;
   for (int row = area.y; row < area.y + area.height; ++row) {
-    classifier_->matchRow(image_.ptr<std::uint8_t>(row) + std::ptrdiff_t{3} * area.x, area.width,
-                          matched_.data());
+    const std::uint8_t* pixels = image_.ptr<std::uint8_t>(row) + std::ptrdiff_t{3} * area.x;
+    classifier_->matchRow(pixels, area.width, matched_.data());
+    if (otherLight) {
+      matchInUsualLight(pixels, area.width);
+    }
     background_->labelRow(image_, area.x, row, area.width, matched_.data(),
                           labels_.ptr<std::uint8_t>(row) + area.x);
   }

@@ -78,7 +78,12 @@ private:
   cv::Rect covered_;
   cv::Mat labels_;
   std::vector<Explanation> explained_;
+  /// Marks what matches in `row` as it would look in the usual light, where matched_ is 0.
+  void matchInUsualLight(const std::uint8_t* row, int count);
+
   std::vector<std::uint8_t> matched_; ///< scratch, one row
+  std::vector<std::uint8_t> relit_;   ///< scratch, one row of three bytes per pixel
+  std::vector<std::uint8_t> again_;   ///< scratch, one row
 };
 
 } // namespace dewpoint

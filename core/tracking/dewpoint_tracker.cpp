@@ -73,6 +73,12 @@ void DewpointTracker::setTargets(const std::vector<Target>& targets) {
   tracked_.erase(tracked_.begin() + static_cast<std::ptrdiff_t>(targetCount_), tracked_.end());
   streams_.resize(targetCount_);
   for (std::size_t k = 0; k < std::min(targets.size(), targetCount_); ++k) {
+    if (!(targets[k].color == tracked_[k].belief.target().color)) {
+      // The color was picked in the light of now.
+      for (BackgroundModel& background : backgrounds_) {
+        background.takeLightAsUsual();
+      }
+    }
     tracked_[k].belief.setTarget(targets[k]);
     tracked_[k].classifier = ColorClassifier(targets[k].color);
   }
@@ -193,6 +199,9 @@ void DewpointTracker::iterate(ThreadTeam& team) {
       tracked_[k].belief.predict(secondsSinceLastFrame(), keyOf(k));
     }
   }
+  if (key_.iteration == 0) {
+    followLight();
+  }
   for (const std::size_t k : surestFirst()) {
     showImages(tracked_[k]);
     explainOthers(tracked_[k]);
@@ -312,6 +321,14 @@ void DewpointTracker::findLookAlikes(const Target& looks, ThreadTeam& team) {
     added.belief.adopt(candidate.center, candidate.radius, added.observation,
                        keyOf(tracked_.size() - 1), team);
     return; // one at a time
+  }
+}
+
+void DewpointTracker::followLight() {
+  for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
+    if (frames_ && camera < frames_->frames.size() && frames_->frames[camera] != nullptr) {
+      backgrounds_[camera].followLight(frames_->frames[camera]->image);
+    }
   }
 }
 

@@ -53,6 +53,8 @@ private:
   /// Whether another target has the same looks.
   bool hasTwins(std::size_t target) const;
   void findLookAlikes(const Target& looks, ThreadTeam& team);
+  /// Before the labels of a frame: the backgrounds in the light of now.
+  void followLight();
   void learnBackgrounds();
   void keepToBudget(double milliseconds);
   RandomKey keyOf(std::size_t index) const;

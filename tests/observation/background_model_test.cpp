@@ -191,5 +191,83 @@ TEST(BackgroundModel, ANewSizeStartsAnewAndNoImageChangesNothing) {
   EXPECT_EQ(count(labelsOf(model, plain(90, 100, 110)), PixelLabel::Unlearned), kAll);
 }
 
+/// A wall with a pattern, so that light and things can be told apart.
+cv::Mat checkered() {
+  cv::Mat image(kHeight, kWidth, CV_8UC3);
+  for (int row = 0; row < kHeight; ++row) {
+    for (int column = 0; column < kWidth; ++column) {
+      const int shade = 60 + 20 * ((row / 10 + column / 10) % 5);
+      image.at<cv::Vec3b>(row, column) =
+          cv::Vec3b(static_cast<std::uint8_t>(shade - 10), static_cast<std::uint8_t>(shade),
+                    static_cast<std::uint8_t>(shade + 10));
+    }
+  }
+  return image;
+}
+
+cv::Mat lit(const cv::Mat& image, const cv::Scalar& gain) {
+  cv::Mat result;
+  cv::multiply(image, gain, result);
+  return result;
+}
+
+TEST(BackgroundModel, FollowsLightThatFades) {
+  BackgroundModel model;
+  learn(model, checkered());
+  double gain = 1.0;
+  for (int frame = 0; frame < 60; ++frame) {
+    gain *= 0.98; // 0.98^60 = 0.30
+    const cv::Mat now = lit(checkered(), cv::Scalar::all(gain));
+    model.followLight(now);
+    EXPECT_EQ(count(labelsOf(model, now), PixelLabel::Background), kAll) << frame;
+    model.learn(now, {});
+  }
+  EXPECT_NEAR(model.light().minCoeff(), gain, 0.03); // noticed from a fortieth on
+  EXPECT_NEAR(model.light().maxCoeff(), gain, 0.03);
+}
+
+TEST(BackgroundModel, FollowsALampAndATint) {
+  BackgroundModel model;
+  learn(model, checkered());
+  const cv::Mat now = lit(checkered(), cv::Scalar(0.5, 0.6, 0.8)); // blue, green, red
+  EXPECT_LT(count(labelsOf(model, now), PixelLabel::Background), kAll / 2);
+  model.followLight(now);
+  EXPECT_EQ(count(labelsOf(model, now), PixelLabel::Background), kAll);
+  EXPECT_NEAR(model.light()[0], 0.5, 0.02);
+  EXPECT_NEAR(model.light()[1], 0.6, 0.02);
+  EXPECT_NEAR(model.light()[2], 0.8, 0.02);
+  model.takeLightAsUsual();
+  EXPECT_EQ(model.light().maxCoeff(), 1.0);
+  EXPECT_EQ(count(labelsOf(model, now), PixelLabel::Background), kAll);
+}
+
+TEST(BackgroundModel, IsNotMisledByWhatIsNoLight) {
+  BackgroundModel model;
+  learn(model, checkered());
+  cv::Mat hand = checkered(); // a hand before half of the image
+  hand(cv::Rect(0, 0, kWidth, kHeight / 2 + 5)) = cv::Scalar(120, 150, 200);
+  cv::Mat moved; // a camera that was turned
+  cv::flip(checkered(), moved, 1);
+  moved = lit(moved, cv::Scalar(1.3, 0.8, 0.6));
+  for (const cv::Mat& now : {plain(0, 0, 0), plain(3, 2, 4), plain(255, 255, 255), hand, moved,
+                             cv::Mat(), cv::Mat(10, 12, CV_8UC3, cv::Scalar(1, 2, 3))}) {
+    model.followLight(now);
+    EXPECT_EQ(model.light().maxCoeff(), 1.0);
+    EXPECT_EQ(model.light().minCoeff(), 1.0);
+    EXPECT_EQ(count(labelsOf(model, checkered()), PixelLabel::Background), kAll);
+  }
+}
+
+TEST(BackgroundModel, LightFadesToBlackAndReturns) {
+  BackgroundModel model;
+  learn(model, checkered());
+  for (int frame = 0; frame < 100; ++frame) {
+    const cv::Mat now = lit(checkered(), cv::Scalar::all(std::pow(0.93, frame)));
+    model.followLight(now);
+    model.learn(now, {});
+  }
+  EXPECT_GE(model.light().minCoeff(), 1.0 / 8.0); // what is darker says nothing any more
+}
+
 } // namespace
 } // namespace dewpoint

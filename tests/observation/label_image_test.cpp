@@ -165,6 +165,35 @@ TEST_F(LabelImageTest, ANewImageForgetsExplanationsAndLabels) {
   EXPECT_EQ(labels_.at(12, 10), PixelLabel::Target);
 }
 
+TEST_F(LabelImageTest, KnowsTheColorInOtherLight) {
+  // In a fifth of the light the red (0, 0, 230) becomes (0, 0, 46): an intensity of 46 / 765 =
+  // 0.06, below the range, which begins at 0.1. The wall is gray, 80 / 5 = 16.
+  cv::Mat dark;
+  cv::multiply(image_, cv::Scalar::all(0.2), dark);
+  cv::Mat wall;
+  cv::multiply(grayImage(), cv::Scalar::all(0.2), wall);
+  labels_.begin(dark, background_, classifier_);
+  labels_.requireAll();
+  EXPECT_EQ(labels_.at(12, 10), PixelLabel::Unknown);
+  // Not at once: what is darker than a quarter could be a covered lens.
+  for (const double gain : {0.45, 0.2}) {
+    cv::Mat now;
+    cv::multiply(image_, cv::Scalar::all(gain), now);
+    background_.followLight(now);
+  }
+  labels_.begin(dark, background_, classifier_);
+  labels_.requireAll();
+  for (int row = 0; row < kHeight; ++row) {
+    for (int column = 0; column < kWidth; ++column) {
+      const cv::Point at(column, row);
+      EXPECT_EQ(labels_.at(column, row), red_.contains(at)    ? PixelLabel::Target
+                                         : blue_.contains(at) ? PixelLabel::Unknown
+                                                              : PixelLabel::Background)
+          << column << ", " << row;
+    }
+  }
+}
+
 TEST_F(LabelImageTest, ClearLeavesNoImage) {
   EXPECT_FALSE(labels_.empty());
   EXPECT_EQ(labels_.size(), cv::Size(kWidth, kHeight));

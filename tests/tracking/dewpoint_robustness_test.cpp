@@ -75,6 +75,26 @@ TEST(DewpointRobustness, SurvivesFramesOfNoUse) {
   }
 }
 
+TEST(DewpointRobustness, FollowsTheTargetThroughFadingLight) {
+  DrawnRun run(rigAround(2), {redBall()});
+  for (int frame = 0; frame < 90; ++frame) {
+    // Full light until the background is known, then down to 0.15 within 60 frames.
+    const double gain = std::pow(0.15, std::max(0, frame - 30) / 59.0);
+    const Eigen::Vector3d place =
+        drawn::kMiddle + Eigen::Vector3d(-0.15 + 0.003 * frame, 0.05, 0.02);
+    auto set = drawn::framesOf(run.rig(), {Ball{place}}, frame, {}, 0.0);
+    for (std::size_t camera = 0; camera < set->frames.size(); ++camera) {
+      auto dimmed = std::make_shared<Frame>(*set->frames[camera]);
+      cv::multiply(set->frames[camera]->image, cv::Scalar::all(gain), dimmed->image);
+      drawn::addNoise(dimmed->image, 2.0, static_cast<std::uint32_t>(frame), 99 + camera);
+      set->frames[camera] = dimmed;
+    }
+    const TargetEstimate& estimate = run.showSet(set);
+    EXPECT_TRUE(estimate.valid) << frame;
+    EXPECT_LT((estimate.mean - place).norm(), 3e-3) << frame; // a twelfth of the radius
+  }
+}
+
 TEST(DewpointRobustness, NothingButFramesOfNoUse) {
   for (std::size_t kind = 0; kind < spoiledFrames().size(); ++kind) {
     DrawnRun run(rigAround(2), {redBall(), redBall(0.0)});
