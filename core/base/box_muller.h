@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/elementary.h"
+#include "core/base/elementary_single.h"
 
 #include <cmath>
 #include <cstdint>
@@ -20,6 +21,24 @@ struct NormalPair {
   const double radius = std::sqrt(-2.0 * logarithm((radiusWord + 0.5) * 0x1.0p-32));
   const auto [cosine, sine] = cosineSine(angleWord);
   return {radius * cosine, radius * sine};
+}
+
+struct NormalPairSingle {
+  float first;
+  float second;
+};
+
+/// The same in single precision.
+[[gnu::always_inline]] inline NormalPairSingle boxMullerSingle(std::uint32_t radiusWord,
+                                                               std::uint32_t angleWord) {
+  const float radius = std::sqrt(-2.0F * logarithm(unitInterval(radiusWord)));
+  const auto [cosine, sine] = cosineSineSingle(angleWord);
+  return {radius * cosine, radius * sine};
+}
+
+/// An exponential number of mean 1 from a random word, by the inverse of its distribution.
+[[gnu::always_inline]] inline float exponentialVariate(std::uint32_t word) {
+  return 0.0F - logarithm(unitInterval(word)); // never minus zero
 }
 
 } // namespace dewpoint

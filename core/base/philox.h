@@ -14,19 +14,22 @@ struct Philox {
   using Key = std::array<std::uint32_t, 2>;
   static constexpr int kRounds = 10;
 
-  template <int Round = 0>
-  [[gnu::always_inline]] static inline void mix(std::uint32_t& c0, std::uint32_t& c1,
-                                                std::uint32_t& c2, std::uint32_t& c3,
+  /// A word may be kept in 64 bits, its upper half zero: then the products need no lanes of twice
+  /// the size, which suits vector units that multiply 64 bits at once. On return only the lower
+  /// halves count.
+  template <class Word, int Round = 0>
+  [[gnu::always_inline]] static inline void mix(Word& c0, Word& c1, Word& c2, Word& c3,
                                                 std::uint32_t key0, std::uint32_t key1) {
     if constexpr (Round < kRounds) {
       // Multipliers and key increments: table 2 of the paper.
       const std::uint64_t product0 = std::uint64_t{c0} * std::uint64_t{0xD2511F53};
       const std::uint64_t product1 = std::uint64_t{c2} * std::uint64_t{0xCD9E8D57};
-      c0 = static_cast<std::uint32_t>(product1 >> 32U) ^ c1 ^ key0;
-      c1 = static_cast<std::uint32_t>(product1);
-      c2 = static_cast<std::uint32_t>(product0 >> 32U) ^ c3 ^ key1;
-      c3 = static_cast<std::uint32_t>(product0);
-      mix<Round + 1>(c0, c1, c2, c3, key0 + 0x9E3779B9U, key1 + 0xBB67AE85U);
+      constexpr std::uint64_t kLower = 0xFFFFFFFF;
+      c0 = static_cast<Word>(((product1 >> 32U) ^ c1 ^ key0) & kLower);
+      c1 = static_cast<Word>(product1);
+      c2 = static_cast<Word>(((product0 >> 32U) ^ c3 ^ key1) & kLower);
+      c3 = static_cast<Word>(product0);
+      mix<Word, Round + 1>(c0, c1, c2, c3, key0 + 0x9E3779B9U, key1 + 0xBB67AE85U);
     }
   }
 };

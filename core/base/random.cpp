@@ -45,6 +45,18 @@ std::array<double, 4> RandomStream::normal4(std::uint32_t index, std::uint32_t b
   return {first, second, third, fourth};
 }
 
+std::array<float, 3> RandomStream::normal3(std::uint32_t index) const {
+  const auto word = words(index);
+  const auto [first, second] = boxMullerSingle(word[0], word[1]);
+  return {first, second, boxMullerSingle(word[2], word[3]).first};
+}
+
+std::array<float, 4> RandomStream::exponential4(std::uint32_t index) const {
+  const auto word = words(index);
+  return {exponentialVariate(word[0]), exponentialVariate(word[1]), exponentialVariate(word[2]),
+          exponentialVariate(word[3])};
+}
+
 std::uint64_t derivedSeed(std::uint64_t seed, std::uint32_t index) {
   if (index == 0) {
     return seed;

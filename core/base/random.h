@@ -38,12 +38,19 @@ public:
   /// Four independent standard normal numbers (Box-Muller, on the functions of elementary.h).
   std::array<double, 4> normal4(std::uint32_t index, std::uint32_t block = 0) const;
 
-  /// uniform(i) for the `count` elements from `firstIndex` on.
-  void uniforms(std::uint32_t firstIndex, std::int64_t count, double* out) const;
-  /// The first three numbers of normal4(i) for the `count` elements from `firstIndex` on, in three
-  /// columns that do not overlap.
+  /// The first three of normal4(), computed in single precision.
+  std::array<float, 3> normal3(std::uint32_t index) const;
+
+  /// Four independent exponential numbers of mean 1, in single precision.
+  std::array<float, 4> exponential4(std::uint32_t index) const;
+
+  /// normal3(i) for the `count` elements from `firstIndex` on, in three columns that do not
+  /// overlap.
   void normals(std::uint32_t firstIndex, std::int64_t count,
                const std::array<double*, 3>& columns) const;
+  /// exponential4(i) likewise, in four columns.
+  void exponentials(std::uint32_t firstIndex, std::int64_t count,
+                    const std::array<float*, 4>& columns) const;
 
 private:
   friend struct RandomBatch;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/elementary.h"
+#include "core/base/elementary_single.h"
 #include "core/base/instruction_set.h"
 #include "core/base/random.h"
 
@@ -55,19 +56,74 @@ TEST(RandomColumns, AreTheSameBitsAsOneByOne) {
        {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512}) {
     const InstructionSetLimit limited(limit);
     for (const std::size_t count : {0U, 1U, 7U, 256U, 1000U}) {
-      std::vector<double> uniform(count);
-      std::vector<std::vector<double>> normal(3, uniform);
-      stream.uniforms(kFirst, static_cast<std::int64_t>(count), uniform.data());
+      std::vector<std::vector<double>> normal(3, std::vector<double>(count));
+      std::vector<std::vector<float>> exponential(4, std::vector<float>(count));
       stream.normals(kFirst, static_cast<std::int64_t>(count),
                      {normal[0].data(), normal[1].data(), normal[2].data()});
+      stream.exponentials(kFirst, static_cast<std::int64_t>(count),
+                          {exponential[0].data(), exponential[1].data(), exponential[2].data(),
+                           exponential[3].data()});
       for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t index = kFirst + static_cast<std::uint32_t>(i);
-        ASSERT_EQ(uniform[i], stream.uniform(index)) << i;
-        const auto expected = stream.normal4(index);
+        for (std::size_t part = 0; part < 4; ++part) {
+          ASSERT_EQ(exponential[part][i], stream.exponential4(index)[part]) << i;
+        }
+        const auto expected = stream.normal3(index);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          ASSERT_EQ(normal[axis][i], expected[axis]) << i;
+          ASSERT_EQ(normal[axis][i], double{expected[axis]}) << i;
         }
       }
+    }
+  }
+}
+
+// Single precision rounds at 6e-8: three or four times that for what is made of a few operations.
+TEST(ElementarySingle, LogarithmIsThatOfTheLibrary) {
+  for (float x = 1e-10F; x < 1e10F; x *= 1.0037F) {
+    const double expected = std::log(double{x});
+    EXPECT_NEAR(double{logarithm(x)}, expected, 2e-7 * std::max(1.0, std::abs(expected))) << x;
+  }
+  for (float step = 1e-7F; step < 0.4F; step *= 1.1F) { // near 1 the relative error counts
+    const float x = 1.0F - step;
+    EXPECT_NEAR(double{logarithm(x)} / std::log(double{x}), 1.0, 2.5e-7) << step;
+  }
+  EXPECT_EQ(logarithm(1.0F), 0.0F);
+}
+
+TEST(ElementarySingle, CosineAndSineAreThoseInDoublePrecision) {
+  for (std::uint64_t turn = 0; turn < (std::uint64_t{1} << 32U); turn += 99991) {
+    const auto expected = cosineSine(static_cast<std::uint32_t>(turn));
+    const auto [cosine, sine] = cosineSineSingle(static_cast<std::uint32_t>(turn));
+    ASSERT_NEAR(double{cosine}, expected.cosine, 1.5e-7) << turn;
+    ASSERT_NEAR(double{sine}, expected.sine, 1.5e-7) << turn;
+  }
+  for (std::uint32_t quarter = 0; quarter < 4; ++quarter) { // exact where they are whole numbers
+    const auto [cosine, sine] = cosineSineSingle(quarter << 30U);
+    EXPECT_EQ(cosine, quarter == 0 ? 1.0F : quarter == 2 ? -1.0F : 0.0F);
+    EXPECT_EQ(sine, quarter == 1 ? 1.0F : quarter == 3 ? -1.0F : 0.0F);
+  }
+}
+
+TEST(ElementarySingle, UnitIntervalIsRoundedToItsNeighbor) {
+  for (const std::uint32_t word : {0U, 1U, 2U, 65535U, 65536U, 0x7FFFFFFFU, 0x80000000U, ~0U}) {
+    const double exact = (word + 0.5) * 0x1.0p-32;
+    EXPECT_NEAR(double{unitInterval(word)} / exact, 1.0, 0x1.0p-24) << word;
+  }
+  EXPECT_GT(unitInterval(0U), 0.0F); // its logarithm is finite
+  EXPECT_LE(unitInterval(~0U), 1.0F);
+}
+
+// r² is twice a logarithm of relative error 3e-7, of a number rounded at 6e-8: r is off by at most
+// half of 6e-7 r² + 1.2e-7, divided by r, and direction adds 1.5e-7 r.
+TEST(RandomStream, NormalsInSinglePrecisionAreThoseInDouble) {
+  const RandomStream stream(5, 0, 2, RandomPurpose::Motion);
+  for (std::uint32_t i = 0; i < 200000; ++i) {
+    const auto expected = stream.normal4(i);
+    const auto found = stream.normal3(i);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double radius =
+          a < 2 ? std::hypot(expected[0], expected[1]) : std::hypot(expected[2], expected[3]);
+      ASSERT_NEAR(double{found[a]}, expected[a], 4.5e-7 * radius + 6e-8 / radius) << i;
     }
   }
 }

@@ -84,6 +84,32 @@ TEST(RandomStream, NormalsHaveTheirMomentsAndAreIndependent) {
   }
 }
 
+TEST(RandomStream, ExponentialsHaveTheirMoments) {
+  const RandomStream stream(6, 0, 1, RandomPurpose::Noise);
+  constexpr int kCount = 100000;
+  std::array<double, 4> sum{};
+  std::array<std::array<double, 4>, 4> products{};
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    const auto value = stream.exponential4(i);
+    for (std::size_t a = 0; a < 4; ++a) {
+      ASSERT_GE(value[a], 0.0F);
+      ASSERT_FALSE(std::signbit(value[a]));
+      sum[a] += double{value[a]};
+      for (std::size_t b = 0; b < 4; ++b) {
+        products[a][b] += (double{value[a]} - 1.0) * (double{value[b]} - 1.0);
+      }
+    }
+  }
+  // Mean 1, variance 1, fourth central moment 9: standard errors 1/sqrt(n) and sqrt(8/n); five.
+  const double unit = 5.0 / std::sqrt(double(kCount));
+  for (std::size_t a = 0; a < 4; ++a) {
+    EXPECT_NEAR(sum[a] / kCount, 1.0, unit);
+    for (std::size_t b = 0; b < 4; ++b) {
+      EXPECT_NEAR(products[a][b] / kCount, a == b ? 1.0 : 0.0, unit * std::sqrt(8.0));
+    }
+  }
+}
+
 TEST(DerivedSeed, PartZeroKeepsTheSeedAndOthersDiffer) {
   EXPECT_EQ(derivedSeed(99, 0), 99U);
   const std::set<std::uint64_t> seeds{derivedSeed(99, 0), derivedSeed(99, 1), derivedSeed(99, 2),
