@@ -2,35 +2,34 @@
 #pragma once
 
 #include "core/base/thread_team.h"
+#include "core/filter/prefix_sums.h"
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace dewpoint {
 
-/// Cumulative weights, defined so that threads and processors of any number give the same bits:
-/// summed up in order within each stretch of kStretch particles, then moved by the sum of the
-/// stretches before. They never fall. With up to kStretch particles they are the plain sums.
+/// Cumulative weights, in the stretches of prefix_sums.h. They never fall. With up to kStretch
+/// particles they are the plain sums.
 class CumulativeWeights {
 public:
-  static constexpr std::int64_t kStretch = 1024;
-
   /// Sums up each stretch; the weights must stay where they are.
   void build(const Eigen::ArrayXd& weights, ThreadTeam& team);
 
+  std::int64_t count() const { return count_; }
   double total() const { return before_.back(); }
-  /// The sum of all weights before a particle at the beginning of a stretch (or behind the end).
-  double before(std::int64_t particle) const {
-    return before_[static_cast<std::size_t>((particle + kStretch - 1) / kStretch)];
-  }
-  /// Writes the cumulative weights of particles begin to end - 1; `begin` begins a stretch.
-  void write(std::int64_t begin, std::int64_t end, double* cumulative) const;
+  /// The block of kPrefixBlock particles that a draw below total() falls into.
+  std::int64_t blockOf(double draw) const;
+  /// Writes the cumulative weights of a block and returns how many there are.
+  std::int64_t write(std::int64_t block, double* cumulative) const;
 
 private:
   const double* weights_ = nullptr;
-  std::vector<double> before_; ///< of every stretch, and of all
+  std::int64_t count_ = 0;
+  std::vector<double> before_; ///< the weights before every stretch, kAbreast per block, and of all
 };
 
 } // namespace dewpoint

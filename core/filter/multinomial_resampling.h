@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <cstdint>
 #include <vector>
 
 namespace dewpoint {
@@ -15,14 +14,11 @@ namespace dewpoint {
 /// draw, looked up in the cumulative weights. Unbiased; a particle of weight zero is never picked.
 /// The weights need not sum to 1, but at least one must be positive.
 ///
-/// The ancestors are those of a binary search for each draw in CumulativeWeights, listed by blocks
-/// of kBlock particles and in the order of the draws within a block: new particles then take their
-/// states from memory that lies together. With up to kBlock particles that is the order of the
-/// draws.
+/// The draws are made in rising order (SortedDraws), so that ancestors rise too and memory is read
+/// from one end to the other. The ancestors are those of a binary search for each draw in
+/// CumulativeWeights.
 class MultinomialResampling {
 public:
-  static constexpr std::int64_t kBlock = 4096;
-
   void ancestors(const Eigen::ArrayXd& weights, Eigen::Index count, const RandomStream& stream,
                  std::vector<Eigen::Index>& picked) const;
   /// The same to the bit, shared by several threads.

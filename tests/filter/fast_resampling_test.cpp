@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/instruction_set.h"
+#include "core/filter/ancestor_search.h"
 #include "core/filter/cumulative.h"
 #include "core/filter/multinomial_resampling.h"
-#include "core/filter/sorted_lookup.h"
+#include "core/filter/sorted_draws.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +16,6 @@
 
 namespace dewpoint {
 namespace {
-
-constexpr std::int64_t kBlock = MultinomialResampling::kBlock;
 
 /// Weights of many kinds: equal, a few heavy ones among light ones, rising over 200 decades, mostly
 /// zero with zeros at both ends, far from summing to 1.
@@ -45,8 +44,8 @@ std::vector<Eigen::ArrayXd> weightsOfManyKinds(Eigen::Index count) {
 std::vector<double> cumulativeByDefinition(const Eigen::ArrayXd& weights) {
   std::vector<double> result;
   double before = 0.0;
-  for (Eigen::Index begin = 0; begin < weights.size(); begin += CumulativeWeights::kStretch) {
-    const Eigen::Index end = std::min(weights.size(), begin + CumulativeWeights::kStretch);
+  for (Eigen::Index begin = 0; begin < weights.size(); begin += kStretch) {
+    const Eigen::Index end = std::min(weights.size(), begin + kStretch);
     double sum = 0.0;
     for (Eigen::Index i = begin; i < end; ++i) {
       sum += weights[i];
@@ -57,19 +56,29 @@ std::vector<double> cumulativeByDefinition(const Eigen::ArrayXd& weights) {
   return result;
 }
 
-/// The slow way: a binary search in all cumulative weights for each draw, then listed by blocks.
+/// Draws by their definition, one after the other.
+std::vector<double> drawsByDefinition(Eigen::Index count, double total,
+                                      const RandomStream& stream) {
+  SortedDraws draws;
+  draws.build(stream, count, total);
+  std::vector<double> result;
+  std::vector<double> block(std::size_t{SortedDraws::kBlock});
+  for (std::int64_t b = 0; b < draws.blockCount(); ++b) {
+    const std::int64_t length = draws.write(b, block.data());
+    result.insert(result.end(), block.begin(), block.begin() + length);
+  }
+  return result;
+}
+
+/// The slow way: a binary search in all cumulative weights for each draw.
 std::vector<Eigen::Index> ancestorsByDefinition(const Eigen::ArrayXd& weights, Eigen::Index count,
                                                 const RandomStream& stream) {
   const std::vector<double> cumulative = cumulativeByDefinition(weights);
-  const double total = cumulative.back();
-  const auto last = std::lower_bound(cumulative.begin(), cumulative.end(), total);
   std::vector<Eigen::Index> picked;
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const double draw = stream.uniform(static_cast<std::uint32_t>(i)) * total;
-    picked.push_back(std::upper_bound(cumulative.begin(), last, draw) - cumulative.begin());
+  for (const double draw : drawsByDefinition(count, cumulative.back(), stream)) {
+    picked.push_back(std::upper_bound(cumulative.begin(), cumulative.end(), draw) -
+                     cumulative.begin());
   }
-  std::stable_sort(picked.begin(), picked.end(),
-                   [](Eigen::Index a, Eigen::Index b) { return a / kBlock < b / kBlock; });
   return picked;
 }
 
@@ -81,49 +90,92 @@ TEST(CumulativeWeights, AreThoseOfTheDefinition) {
         ThreadTeam team(threads);
         CumulativeWeights cumulative;
         cumulative.build(weights, team);
-        std::vector<double> written(expected.size());
-        cumulative.write(0, count, written.data());
+        std::vector<double> written;
+        std::vector<double> block(std::size_t{kPrefixBlock});
+        for (std::int64_t begin = 0; begin < count; begin += kPrefixBlock) {
+          const std::int64_t length = cumulative.write(begin / kPrefixBlock, block.data());
+          written.insert(written.end(), block.begin(), block.begin() + length);
+        }
         EXPECT_EQ(written, expected) << count;
         EXPECT_EQ(cumulative.total(), expected.back());
         EXPECT_TRUE(std::is_sorted(written.begin(), written.end()));
-        for (std::int64_t begin = 1024; begin < count; begin += 1024) {
-          ASSERT_EQ(cumulative.before(begin), expected[std::size_t(begin - 1)]);
+        for (const double share : {0.0, 0.1, 0.5, 0.999999}) {
+          const double draw = share * expected.back();
+          const auto found = std::upper_bound(expected.begin(), expected.end(), draw);
+          if (expected.back() > 0.0) {
+            EXPECT_EQ(cumulative.blockOf(draw), (found - expected.begin()) / kPrefixBlock);
+          }
         }
       }
     }
   }
 }
 
-TEST(SortedLookup, IsABinarySearch) {
-  const RandomStream stream(3, 0, 0, RandomPurpose::Noise);
-  for (const Eigen::Index count : {1, 2, 200, 4096}) {
-    for (const Eigen::ArrayXd& weights : weightsOfManyKinds(count)) {
-      const std::vector<double> sequence = cumulativeByDefinition(weights);
-      if (!(sequence.back() > 0.0)) {
-        continue;
-      }
-      std::vector<double> values{0.0};
-      for (std::uint32_t i = 0; i < 3000; ++i) {
-        values.push_back(stream.uniform(i) * sequence.back());
-      }
-      for (const double element : sequence) { // the hard cases: right on an element, and beside it
-        values.insert(values.end(),
-                      {element, std::nextafter(element, 0.0), std::nextafter(element, 1e9)});
-      }
-      const auto greatest = std::lower_bound(sequence.begin(), sequence.end(), sequence.back());
-      for (const std::int32_t cellsPerElement : {1, 2, 16}) {
-        SortedLookup lookup;
-        lookup.build(sequence.data(), static_cast<std::int32_t>(count), 0.0, cellsPerElement);
-        std::vector<std::int32_t> found(values.size());
-        lookup.find(values.data(), static_cast<std::int64_t>(values.size()), found.data());
-        for (std::size_t i = 0; i < values.size(); ++i) {
-          ASSERT_EQ(found[i],
-                    std::upper_bound(sequence.begin(), greatest, values[i]) - sequence.begin())
-              << values[i] << " of " << sequence.back();
-        }
-      }
+// One block, straight from the definition: partial sums of the spacings over their sum.
+TEST(SortedDraws, ArePartialSumsOfSpacings) {
+  const RandomStream stream(17, 4, 2, RandomPurpose::Resampling);
+  for (const Eigen::Index count : {1, 200, 700, 1023}) {
+    const auto spacing = [&](Eigen::Index i) {
+      return double{stream.exponential4(std::uint32_t(i % kStretch))[std::size_t(i / kStretch)]};
+    };
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i <= count; ++i) {
+      sum += spacing(i);
+    }
+    const std::vector<double> draws = drawsByDefinition(count, 5.0, stream);
+    double partial = 0.0;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      partial += spacing(i);
+      ASSERT_NEAR(draws[std::size_t(i)], 5.0 * partial / sum, 1e-13) << i << " of " << count;
     }
   }
+}
+
+TEST(SortedDraws, RiseAndStayBelowTheTotal) {
+  for (const Eigen::Index count : {1, 255, 256, 1023, 1024, 1025, 2047, 2048, 50000}) {
+    for (const double total : {1.0, 1e-300, 3e200}) {
+      const auto draws =
+          drawsByDefinition(count, total, RandomStream(2, 0, 0, RandomPurpose::Resampling));
+      ASSERT_EQ(Eigen::Index(draws.size()), count);
+      EXPECT_TRUE(std::is_sorted(draws.begin(), draws.end()));
+      EXPECT_GE(draws.front(), 0.0);
+      EXPECT_LT(draws.back(), total);
+    }
+  }
+}
+
+// Of n uniform draws, n p fall below p, with standard deviation sqrt(n p (1 - p)); those of two
+// separate parts have covariance - n p q. Five blocks, so the sums of blocks matter.
+TEST(SortedDraws, FallIntoPartsLikeIndependentUniformDraws) {
+  constexpr Eigen::Index kCount = 4200;
+  constexpr int kTrials = 4000;
+  const std::vector<double> ends{0.001, 0.2, 0.25, 0.7};
+  std::vector<double> sum(ends.size());
+  std::vector<double> squares(ends.size());
+  double product = 0.0; // of what is below 0.2 and above 0.7
+  for (std::uint32_t trial = 0; trial < kTrials; ++trial) {
+    const auto draws =
+        drawsByDefinition(kCount, 1.0, RandomStream(8, trial, 0, RandomPurpose::Resampling));
+    std::vector<double> surplus;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const auto end = std::lower_bound(draws.begin(), draws.end(), ends[i]);
+      surplus.push_back(double(end - draws.begin()) - kCount * ends[i]);
+      sum[i] += surplus[i];
+      squares[i] += surplus[i] * surplus[i];
+    }
+    product -= surplus[1] * surplus[3];
+  }
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const double variance = kCount * ends[i] * (1.0 - ends[i]);
+    EXPECT_NEAR(sum[i] / kTrials, 0.0, 5.0 * std::sqrt(variance / kTrials)) << ends[i];
+    // The fourth moment of a binomial: 3 v² + v at most; of the square then 2 v² + v.
+    EXPECT_NEAR(squares[i] / kTrials, variance,
+                5.0 * std::sqrt((2.0 * variance * variance + variance) / kTrials))
+        << ends[i];
+  }
+  const double covariance = -kCount * 0.2 * 0.3;
+  EXPECT_NEAR(product / kTrials, covariance,
+              5.0 * std::sqrt((covariance * covariance + kCount * 0.16 * kCount * 0.21) / kTrials));
 }
 
 TEST(MultinomialResampling, IsABinarySearchAncestorByAncestor) {
@@ -149,14 +201,15 @@ TEST(MultinomialResampling, IsABinarySearchAncestorByAncestor) {
   }
 }
 
-// What the paper's filter has always been: up to a block, ancestors come in the order of the draws.
-TEST(MultinomialResampling, KeepsTheOrderOfTheDrawsWithinABlock) {
+// All weights 1: the draw itself, rounded down, is the index.
+TEST(MultinomialResampling, LooksUpTheSortedDraws) {
   const RandomStream stream(1, 0, 0, RandomPurpose::Resampling);
   const Eigen::ArrayXd weights = Eigen::ArrayXd::Constant(200, 1.0);
   std::vector<Eigen::Index> picked;
-  MultinomialResampling{}.ancestors(weights, 200, stream, picked);
-  for (std::uint32_t i = 0; i < 200; ++i) { // all weights 1: the draw itself is the index
-    EXPECT_EQ(picked[i], static_cast<Eigen::Index>(stream.uniform(i) * 200.0));
+  MultinomialResampling{}.ancestors(weights, 300, stream, picked);
+  const std::vector<double> draws = drawsByDefinition(300, 200.0, stream);
+  for (std::size_t i = 0; i < picked.size(); ++i) {
+    EXPECT_EQ(picked[i], static_cast<Eigen::Index>(draws[i]));
   }
 }
 
