@@ -18,6 +18,16 @@ constexpr Eigen::Index kWideEvery = 7;
 constexpr double kWideShareOfRadius = 0.25;
 /// An outline farther than this many standard deviations from the prediction is another thing's.
 constexpr double kGate = 5.0;
+/// Evidence alone, without an outline, tells places apart no better than this share of the radius:
+/// the distance from its samples near the edge to the edge is twice that.
+constexpr double kBluntShareOfRadius = 0.1;
+/// A prediction wider than this share of the radius is looked for where its particles fit best.
+constexpr double kWideOfRadius = 0.3;
+/// Standard deviations from where it was expected after its motion of late that show that this
+/// motion is over.
+constexpr double kAbrupt = 4.0;
+/// Evidence, as a share of the best, that shows that the target is at least partly seen.
+constexpr double kPartlySeen = 0.25;
 /// Evidence, as a share of the best, that leaves nothing to look for farther off.
 constexpr double kClear = 0.7;
 /// An outline farther off must have this much more evidence.
@@ -61,6 +71,8 @@ void setBeliefFromParticles(Hypothesis& hypothesis) {
   const StateEstimate moments = estimate(hypothesis.states, hypothesis.weights);
   hypothesis.belief.mean = moments.mean;
   hypothesis.belief.covariance = moments.covariance;
+  const double blunt = kBluntShareOfRadius * hypothesis.radius;
+  hypothesis.belief.covariance.diagonal().head<3>().array() += blunt * blunt;
   // Never so narrow that it cannot be inverted.
   hypothesis.belief.covariance.diagonal().array() += 1e-10;
 }
@@ -97,15 +109,31 @@ double weighPrediction(Hypothesis& hypothesis, SphereObservation& observation, c
 /// A fitted outline, and whether it may be believed.
 struct Measured {
   OutlineFit fit;
+  Gaussian3 before; ///< what the fit took for known
   double logRatio = 0.0;
   bool accepted = false;
 };
 
+/// What is predicted, if the target moved as much as it may.
+struct Prediction {
+  Gaussian6::Matrix covariance; ///< of place and velocity
+  Gaussian3 place;
+  PreparedGaussian3 prepared;
+
+  explicit Prediction(const Hypothesis& hypothesis)
+      : covariance(hypothesis.belief.covariance + hypothesis.agility.margin()),
+        place{hypothesis.place(), covariance.topLeftCorner<3, 3>()}, prepared(place) {}
+};
+
 Measured measure(const Hypothesis& hypothesis, SphereObservation& observation,
-                 const OutlinePrior& prior, const PreparedGaussian3& prediction,
-                 OutlineReach reach) {
-  Measured result{observation.fit(prior, hypothesis.velocity(), reach)};
-  if (!result.fit.found || prediction.squaredDistance(result.fit.center) > kGate * kGate) {
+                 const Gaussian3& before, const Prediction& prediction, OutlineReach reach) {
+  OutlinePrior prior;
+  prior.center = before.mean;
+  prior.radius = hypothesis.radius;
+  prior.logRadiusVariance = hypothesis.logRadiusVariance;
+  prior.information = before.covariance.inverse();
+  Measured result{observation.fit(prior, hypothesis.velocity(), reach), before};
+  if (!result.fit.found || prediction.prepared.squaredDistance(result.fit.center) > kGate * kGate) {
     return result;
   }
   observation.setRadius(result.fit.radius);
@@ -120,6 +148,61 @@ Measured measure(const Hypothesis& hypothesis, SphereObservation& observation,
   return result;
 }
 
+/// Where a particle has the most evidence: a start for a fit when the prediction is wider than its
+/// reach.
+Gaussian3 likeliestStart(Hypothesis& hypothesis, SphereObservation& observation, ThreadTeam& team) {
+  catchUp(hypothesis, team);
+  Eigen::Index top = 0;
+  evidence(hypothesis, observation, team).maxCoeff(&top);
+  const double radius = hypothesis.radius;
+  return {hypothesis.states.row(top).head<3>().transpose(),
+          radius * radius * Eigen::Matrix3d::Identity()};
+}
+
+/// Looks for the outline near the prediction, farther off if need be, and where a wide prediction's
+/// particles see the target.
+Measured findOutline(Hypothesis& hypothesis, SphereObservation& observation,
+                     const Prediction& prediction, ThreadTeam& team) {
+  Measured found =
+      measure(hypothesis, observation, prediction.place, prediction, OutlineReach::Near);
+  const double best = observation.bestLogRatio(prediction.place.mean, hypothesis.velocity());
+  const auto lookFrom = [&](const Gaussian3& before) {
+    const Measured farther =
+        measure(hypothesis, observation, before, prediction, OutlineReach::Far);
+    if (farther.accepted && (!found.accepted || farther.logRatio > found.logRatio + kWorthALeap)) {
+      found = farther;
+    }
+  };
+  if (!found.accepted || found.logRatio < kClear * best) {
+    lookFrom(prediction.place);
+  }
+  const double wide = kWideOfRadius * hypothesis.radius;
+  if (!found.accepted && hypothesis.states.rows() > 0 &&
+      hypothesis.belief.covariance.topLeftCorner<3, 3>().trace() > 3.0 * wide * wide) {
+    lookFrom(likeliestStart(hypothesis, observation, team));
+  }
+  return found;
+}
+
+/// Conditions the belief on a fitted outline.
+void conditionOn(Hypothesis& hypothesis, const Prediction& prediction, const Measured& found) {
+  const double blur = kBlurSeconds * hypothesis.velocity().norm();
+  const double shade = kShareOfRadius * hypothesis.radius;
+  const PlaceEvidence evidence =
+      PlaceEvidence::between(found.before, {found.fit.center, found.fit.covariance},
+                             blur * blur + shade * shade)
+          .seenFrom(hypothesis.place() - found.before.mean);
+  const double off = evidence.squaredDistance(hypothesis.belief.covariance.topLeftCorner<3, 3>());
+  if (off > kAbrupt * kAbrupt) {
+    hypothesis.belief.covariance = prediction.covariance; // it moved as it had not before
+  }
+  condition(
+      hypothesis.belief,
+      evidence.after({hypothesis.place(), hypothesis.belief.covariance.topLeftCorner<3, 3>()}));
+  hypothesis.agility.learn(off, hypothesis.velocity());
+  hypothesis.agility.seen();
+}
+
 } // namespace
 
 double evidenceVolume(double radius) {
@@ -127,7 +210,8 @@ double evidenceVolume(double radius) {
   return edge * edge * edge;
 }
 
-void predict(Hypothesis& hypothesis, const ConstantVelocity& motion, const RandomKey& key) {
+void predict(Hypothesis& hypothesis, const ConstantVelocity& allowed, const RandomKey& key) {
+  const ConstantVelocity motion = hypothesis.agility.next(allowed);
   motion.predict(hypothesis.belief);
   hypothesis.pending.emplace_back(motion, key.stream(RandomPurpose::Motion));
 }
@@ -176,41 +260,31 @@ double look(Hypothesis& hypothesis, SphereObservation& observation, Eigen::Index
             const RandomKey& key, ThreadTeam& team) {
   ++hypothesis.looks;
   observation.setRadius(hypothesis.radius);
-  const Gaussian3 predicted{hypothesis.place(), hypothesis.belief.covariance.topLeftCorner<3, 3>()};
-  OutlinePrior prior;
-  prior.center = predicted.mean;
-  prior.radius = hypothesis.radius;
-  prior.logRadiusVariance = hypothesis.logRadiusVariance;
-  prior.information = predicted.covariance.inverse();
-  const PreparedGaussian3 prediction(predicted);
-  Measured found = measure(hypothesis, observation, prior, prediction, OutlineReach::Near);
-  const double best = observation.bestLogRatio(predicted.mean, hypothesis.velocity());
-  if (!found.accepted || found.logRatio < kClear * best) {
-    const Measured farther = measure(hypothesis, observation, prior, prediction, OutlineReach::Far);
-    if (farther.accepted && (!found.accepted || farther.logRatio > found.logRatio + kWorthALeap)) {
-      found = farther;
-    }
-  }
+  const Prediction prediction(hypothesis);
+  const Measured found = findOutline(hypothesis, observation, prediction, team);
   const OutlineFit& fit = found.fit;
   hypothesis.measured = found.accepted;
   hypothesis.logRatio = found.logRatio;
   if (!hypothesis.measured) {
     const double factor = weighPrediction(hypothesis, observation, key, team);
     hypothesis.bestLogRatio = observation.bestLogRatio(hypothesis.place(), hypothesis.velocity());
+    if (hypothesis.bestLogRatio > 0.0 &&
+        hypothesis.logRatio > kPartlySeen * hypothesis.bestLogRatio) {
+      hypothesis.agility.seen();
+    } else {
+      hypothesis.agility.notSeen();
+    }
     return factor;
   }
   hypothesis.radius = fit.radius;
   if (hypothesis.logRadiusVariance > 0.0) {
     hypothesis.logRadiusVariance = std::max(fit.logRadiusVariance, 1e-6);
   }
-  Gaussian3 place{fit.center, fit.covariance};
-  const double blur = kBlurSeconds * hypothesis.velocity().norm();
-  const double shade = kShareOfRadius * hypothesis.radius;
-  place.covariance.diagonal().array() += blur * blur + shade * shade;
   // Three standard deviations are as good as none: otherwise a thing at rest would slowly win
   // against one that moves.
-  const double surprise = std::max(0.0, 0.5 * (prediction.squaredDistance(fit.center) - 9.0));
-  condition(hypothesis.belief, place);
+  const double surprise =
+      std::max(0.0, 0.5 * (prediction.prepared.squaredDistance(fit.center) - 9.0));
+  conditionOn(hypothesis, prediction, found);
   hypothesis.bestLogRatio = observation.bestLogRatio(hypothesis.place(), hypothesis.velocity());
   drawParticles(hypothesis, observation, count, key, team);
   return hypothesis.logRatio - surprise;

@@ -6,6 +6,7 @@
 #include "core/filter/gaussian.h"
 #include "core/filter/particle_filter.h"
 #include "core/observation/sphere_observation.h"
+#include "core/tracking/agility.h"
 
 #include <Eigen/Core>
 
@@ -29,6 +30,7 @@ struct Hypothesis {
   double bestLogRatio = 0.0;    ///< what it would be if every camera there saw it fully
   int looks = 0;                ///< frames it has been looked at
   bool measured = false;        ///< the outline was found at the last look
+  Agility agility;              ///< how it has moved of late
   /// Steps of motion that the particles have yet to make: they are not needed while the outline is
   /// found, because new ones are drawn then.
   std::vector<std::pair<ConstantVelocity, RandomStream>> pending;
@@ -46,8 +48,8 @@ struct Hypothesis {
   Eigen::Vector3d velocity() const { return belief.mean.tail<3>(); }
 };
 
-/// Moves a hypothesis on by one step.
-void predict(Hypothesis& hypothesis, const ConstantVelocity& motion, const RandomKey& key);
+/// Moves a hypothesis on by one step, with at most the acceleration `allowed`.
+void predict(Hypothesis& hypothesis, const ConstantVelocity& allowed, const RandomKey& key);
 
 /// Draws the particles of a hypothesis from its belief: the importance sampling of a wider
 /// proposal, weighted by the evidence at each particle. `count` particles.

@@ -4,6 +4,8 @@
 #include "core/tracking/target_belief.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace dewpoint {
 namespace {
@@ -11,6 +13,29 @@ namespace {
 /// An estimate wider than this many radii, or this many metres, says nothing of use.
 constexpr double kUsefulRadii = 3.0;
 constexpr double kUsefulSigma = 0.1;
+
+/// A target that is not seen is declared while it is likelier than not within its radius, at least
+/// this many meters, of the estimate.
+constexpr double kNearby = 0.03;
+
+/// Probability that a normal vector of mean zero is shorter than `radius`: its squared length is
+/// taken for a scaled chi-square variable of the same mean and variance (Satterthwaite 1946), whose
+/// cube root is nearly normal (Wilson and Hilferty 1931).
+double probabilityWithin(const Eigen::Matrix3d& covariance, double radius) {
+  const double trace = covariance.trace();
+  const double freedoms = trace * trace / covariance.squaredNorm();
+  const double variance = 2.0 / (9.0 * freedoms);
+  const double off = (std::cbrt(radius * radius / trace) - (1.0 - variance)) / std::sqrt(variance);
+  return 0.5 * std::erfc(-off / std::numbers::sqrt2);
+}
+
+/// Probability that the place of a hypothesis still holds, if the target is there at all.
+double stillNear(const Hypothesis& hypothesis) {
+  return hypothesis.agility.unseen() == 0
+             ? 1.0
+             : probabilityWithin(hypothesis.belief.covariance.topLeftCorner<3, 3>(),
+                                 std::max(kNearby, hypothesis.radius));
+}
 
 bool isUseful(const Hypothesis& hypothesis) {
   const double variance = hypothesis.belief.covariance.diagonal().head<3>().maxCoeff();
@@ -38,11 +63,12 @@ TargetEstimate TargetBelief::estimate(SphereObservation& observation) const {
     return result;
   }
   result.covariance = likeliest->belief.covariance.topLeftCorner<3, 3>();
-  result.existence = std::min(1.0, likeliest->probability) * (1.0 - doubt_);
+  const double near = stillNear(*likeliest);
+  result.existence = std::min(1.0, likeliest->probability) * (1.0 - doubt_) * near;
   result.radius = likeliest->radius;
   observation.setRadius(likeliest->radius);
   result.camerasSeeing = observation.camerasSeeing(result.mean, likeliest->velocity());
-  result.valid = likeliest->probability > 0.5 && isUseful(*likeliest);
+  result.valid = likeliest->probability * near > 0.5 && isUseful(*likeliest);
   return result;
 }
 

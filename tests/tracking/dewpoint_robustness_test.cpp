@@ -95,6 +95,37 @@ TEST(DewpointRobustness, FollowsTheTargetThroughFadingLight) {
   }
 }
 
+// All cameras black for a second: declared while it can be right, withdrawn before it is far off,
+// and there at once when sight returns.
+TEST(DewpointRobustness, WithoutSightATargetIsDeclaredWhileItCanBeRight) {
+  DrawnRun run(rigAround(2), {redBall()});
+  double existence = 1.0;
+  for (int frame = 0; frame < 100; ++frame) {
+    const double angle = 2.0 * frame / 30.0; // 0.2 m/s and 0.4 m/s² on a circle of 0.1 m
+    const Eigen::Vector3d place =
+        drawn::kMiddle + 0.1 * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
+    auto set = drawn::framesOf(run.rig(), {Ball{place}}, frame);
+    const bool black = frame >= 60 && frame < 90;
+    for (std::size_t camera = 0; black && camera < set->frames.size(); ++camera) {
+      auto covered = std::make_shared<Frame>(*set->frames[camera]);
+      covered->image = cv::Mat::zeros(covered->image.size(), CV_8UC3);
+      set->frames[camera] = covered;
+    }
+    const TargetEstimate& estimate = run.showSet(set);
+    const double error = (estimate.mean - place).norm();
+    if (!black) {
+      EXPECT_TRUE(estimate.valid) << frame;
+      EXPECT_LT(error, 2e-3) << frame;
+      continue;
+    }
+    EXPECT_LE(estimate.existence, frame == 60 ? 1.0 : existence) << frame;
+    existence = estimate.existence;
+    EXPECT_TRUE(frame > 63 || estimate.valid) << frame; // a tenth of a second is bridged
+    EXPECT_TRUE(!estimate.valid || error < 0.05) << frame << ": " << error;
+  }
+  EXPECT_LT(existence, 0.2);
+}
+
 TEST(DewpointRobustness, NothingButFramesOfNoUse) {
   for (std::size_t kind = 0; kind < spoiledFrames().size(); ++kind) {
     DrawnRun run(rigAround(2), {redBall(), redBall(0.0)});
