@@ -541,10 +541,6 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <translation>ESS %1 / %2</translation>
     </message>
     <message>
-        <source>Effective sample size, of all particles</source>
-        <translation>Effektive Stichprobengröße (ESS), von allen Partikeln</translation>
-    </message>
-    <message>
         <source>spread %1</source>
         <translation>Streuung %1</translation>
     </message>
@@ -555,10 +551,6 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>Estimated position of the first target in the room</source>
         <translation>Geschätzte Position des ersten Ziels im Raum</translation>
-    </message>
-    <message>
-        <source>Held: two cameras see the target&apos;s color where the estimate is. Lost: not so for 30 frames.</source>
-        <translation>Gehalten: Zwei Kameras sehen die Zielfarbe dort, wo die Schätzung liegt. Verloren: seit 30 Bildern nicht mehr.</translation>
     </message>
     <message>
         <source>frame %1 / %2</source>
@@ -579,6 +571,18 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>x %1  y %2  z %3 m</source>
         <translation>x %1  y %2  z %3 m</translation>
+    </message>
+    <message>
+        <source>From a frame to its estimate: median %1, 99 of 100 within %2, longest %3</source>
+        <translation>Vom Bild bis zur Schätzung: Median %1, 99 von 100 in %2, längstens %3</translation>
+    </message>
+    <message>
+        <source>Effective sample size, of all particles. Method “dewpoint” uses as many particles as it needs and as the time budget allows.</source>
+        <translation>Effektive Stichprobengröße, von allen Partikeln. Das Verfahren „dewpoint“ nimmt so viele Partikel, wie es braucht und das Zeitbudget erlaubt.</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate. Lost: not so for 30 frames.</source>
+        <translation>Gehalten: Die Kameras bestätigen die Schätzung. Verloren: seit 30 Bildern nicht mehr.</translation>
     </message>
 </context>
 <context>

@@ -541,10 +541,6 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>ESS %1 / %2</translation>
     </message>
     <message>
-        <source>Effective sample size, of all particles</source>
-        <translation>Tamaño de muestra efectivo (ESS), de todas las partículas</translation>
-    </message>
-    <message>
         <source>spread %1</source>
         <translation>dispersión %1</translation>
     </message>
@@ -555,10 +551,6 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>Estimated position of the first target in the room</source>
         <translation>Posición estimada del primer objetivo en la sala</translation>
-    </message>
-    <message>
-        <source>Held: two cameras see the target&apos;s color where the estimate is. Lost: not so for 30 frames.</source>
-        <translation>Seguido: dos cámaras ven el color del objetivo donde está la estimación. Perdido: no es así desde hace 30 fotogramas.</translation>
     </message>
     <message>
         <source>frame %1 / %2</source>
@@ -579,6 +571,18 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>x %1  y %2  z %3 m</source>
         <translation>x %1  y %2  z %3 m</translation>
+    </message>
+    <message>
+        <source>From a frame to its estimate: median %1, 99 of 100 within %2, longest %3</source>
+        <translation>De la imagen a la estimación: mediana %1, 99 de cada 100 en %2, máximo %3</translation>
+    </message>
+    <message>
+        <source>Effective sample size, of all particles. Method “dewpoint” uses as many particles as it needs and as the time budget allows.</source>
+        <translation>Tamaño efectivo de la muestra, del total de partículas. El método «dewpoint» usa tantas partículas como necesita y permite el tiempo disponible.</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate. Lost: not so for 30 frames.</source>
+        <translation>Seguido: las cámaras confirman la estimación. Perdido: no desde hace 30 imágenes.</translation>
     </message>
 </context>
 <context>

@@ -540,10 +540,6 @@ From %2 to %3%4; default %5%4.</source>
         <translation>ESS %1 / %2</translation>
     </message>
     <message>
-        <source>Effective sample size, of all particles</source>
-        <translation>有効サンプルサイズ（ESS）/ 全粒子数</translation>
-    </message>
-    <message>
         <source>spread %1</source>
         <translation>広がり %1</translation>
     </message>
@@ -554,10 +550,6 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>Estimated position of the first target in the room</source>
         <translation>部屋の中での最初の目標の推定位置</translation>
-    </message>
-    <message>
-        <source>Held: two cameras see the target&apos;s color where the estimate is. Lost: not so for 30 frames.</source>
-        <translation>追跡中：2 台のカメラが推定位置に目標の色を捉えています。見失い：その状態が 30 フレームありません。</translation>
     </message>
     <message>
         <source>frame %1 / %2</source>
@@ -578,6 +570,18 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>x %1  y %2  z %3 m</source>
         <translation>x %1  y %2  z %3 m</translation>
+    </message>
+    <message>
+        <source>From a frame to its estimate: median %1, 99 of 100 within %2, longest %3</source>
+        <translation>画像から推定まで：中央値 %1、100回中99回は %2 以内、最長 %3</translation>
+    </message>
+    <message>
+        <source>Effective sample size, of all particles. Method “dewpoint” uses as many particles as it needs and as the time budget allows.</source>
+        <translation>全粒子に対する有効サンプル数。手法「dewpoint」は、必要なだけ、時間予算の許す範囲で粒子を使います。</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate. Lost: not so for 30 frames.</source>
+        <translation>追跡中：カメラが推定を裏づけています。喪失：30フレーム続けて裏づけがありません。</translation>
     </message>
 </context>
 <context>

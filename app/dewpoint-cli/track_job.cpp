@@ -4,13 +4,12 @@
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/progress.h"
 #include "core/base/text_file.h"
+#include "core/session/run_report.h"
 #include "core/session/tracking_run.h"
-#include "core/trajectory/error_statistics.h"
 #include "core/trajectory/evaluation.h"
 #include "core/trajectory/trajectory_writer.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -22,51 +21,6 @@ namespace {
 
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
-
-/// Quantile of times in any order; 0 when there are none.
-double quantileOf(std::vector<double> times, double fraction) {
-  std::sort(times.begin(), times.end());
-  return times.empty() ? 0.0 : quantile(times, fraction);
-}
-
-struct RunFigures {
-  std::int64_t frames = 0;
-  double seconds = 0.0;
-  std::vector<double> iterationTimes; ///< microseconds
-  std::vector<double> frameTimes;     ///< milliseconds from a frame's arrival to its estimate
-  bool finished = false;
-  std::vector<std::string> notices;
-
-  double quantile(double fraction) const { return quantileOf(iterationTimes, fraction); }
-};
-
-std::string runJson(const Project& project, const FrameSetSource& source, int threads,
-                    const RunFigures& figures) {
-  nlohmann::ordered_json json;
-  json["version"] = DEWPOINT_VERSION;
-  json["project"] = project.name;
-  json["method"] = project.method;
-  json["seed"] = project.seed;
-  json["threads"] = threads;
-  json["finished"] = figures.finished;
-  json["frames"] = figures.frames;
-  json["seconds"] = figures.seconds;
-  json["frames_per_second"] =
-      figures.seconds > 0.0 ? static_cast<double>(figures.frames) / figures.seconds : 0.0;
-  json["iterations"] = figures.iterationTimes.size();
-  json["microseconds_per_iteration"] = {{"p50", figures.quantile(0.5)},
-                                        {"p99", figures.quantile(0.99)}};
-  json["milliseconds_per_frame"] = {{"p50", quantileOf(figures.frameTimes, 0.5)},
-                                    {"p99", quantileOf(figures.frameTimes, 0.99)},
-                                    {"p99.9", quantileOf(figures.frameTimes, 0.999)},
-                                    {"max", quantileOf(figures.frameTimes, 1.0)}};
-  json["dropped_frames"] = source.droppedFrames();
-  for (const auto& declaration : project.parameters.declarations()) {
-    json["parameters"][declaration.key] = project.parameters.at(declaration.key);
-  }
-  json["notices"] = figures.notices;
-  return json.dump(2) + "\n";
-}
 
 /// Says each new notice of the source once.
 void sayNotices(const FrameSetSource& source, RunFigures& figures) {
@@ -109,11 +63,10 @@ Status trackFrames(const TrackJob& job, FrameSetSource& source, TrackingRun& run
     const auto arrived = std::chrono::steady_clock::now();
     run.beginFrame(*frames);
     for (int k = 0; k < run.iterationsPerFrame(); ++k) {
-      figures.iterationTimes.push_back(run.iterate());
+      figures.iterations.add(1e-6 * run.iterate());
     }
-    const std::chrono::duration<double, std::milli> took =
-        std::chrono::steady_clock::now() - arrived;
-    figures.frameTimes.push_back(took.count());
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - arrived;
+    figures.latency.add(took.count());
     for (const auto& sample : run.samples()) {
       if (const auto written = writer.write(sample); !written) {
         progress.finish();
@@ -132,8 +85,8 @@ void printSummary(const Trajectory& estimate, const Trajectory& truth, int itera
   fmt::print("frames                  {:>10}\n", figures.frames);
   fmt::print("frames per second       {:>10.1f}\n",
              static_cast<double>(figures.frames) / std::max(1e-9, figures.seconds));
-  fmt::print("us per iteration p50    {:>10.1f}\n", figures.quantile(0.5));
-  fmt::print("us per iteration p99    {:>10.1f}\n", figures.quantile(0.99));
+  fmt::print("us per iteration p50    {:>10.1f}\n", 1e6 * figures.iterations.quantile(0.5));
+  fmt::print("us per iteration p99    {:>10.1f}\n", 1e6 * figures.iterations.quantile(0.99));
   if (truth.samples.empty()) {
     return;
   }
@@ -182,8 +135,8 @@ int TrackJob::run(SessionInputs inputs) const {
   }
   RunFigures figures;
   // Written now too: after a kill it says that the run did not finish.
-  const auto began =
-      writeTextFile(folder / "run.json", runJson(inputs.project, *inputs.source, threads, figures));
+  figures.threads = threads;
+  const auto began = writeTextFile(folder / "run.json", runReport(inputs.project, figures));
   if (!began) {
     return report(began.error());
   }
@@ -195,8 +148,8 @@ int TrackJob::run(SessionInputs inputs) const {
   if (!tracked) {
     figures.notices.push_back(sentence(tracked.error()));
   }
-  const auto ended =
-      writeTextFile(folder / "run.json", runJson(inputs.project, *inputs.source, threads, figures));
+  figures.droppedFrames = inputs.source->droppedFrames();
+  const auto ended = writeTextFile(folder / "run.json", runReport(inputs.project, figures));
   printSummary(kept, inputs.truth, run->iterationsPerFrame(), figures);
   if (!tracked) {
     // Frames were tracked before the input broke: that is "ended early", whatever broke it.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint/run_output.h"
 #include "app/dewpoint/screenshot.h"
 #include "app/wiring/open_project.h"
 #include "app/wiring/quiet_libraries.h"
@@ -21,6 +22,7 @@ namespace {
 
 struct Options {
   std::string project;
+  std::string out;
   std::string screenshot;
   int frames = 60;
   bool paused = false;
@@ -43,6 +45,8 @@ bool isSize(const std::string& text, int& width, int& height) {
 
 void describe(CLI::App& app, Options& options) {
   app.add_option("project", options.project, "Project file; the simulated demo when omitted");
+  app.add_option("--out", options.out,
+                 "Folder for trajectory.csv and run.json, written at the end and on quitting");
   app.add_option("--screenshot", options.screenshot, "Save the window as PNG, then quit");
   app.add_option("--frames", options.frames, "Frames to track before the screenshot")
       ->check(CLI::PositiveNumber)
@@ -91,6 +95,9 @@ int run(int argc, char** argv) {
   window.setPlayOnOpen(!options.paused || !options.screenshot.empty());
   if (!options.screenshot.empty()) {
     dewpoint::takeScreenshot(window, QString::fromStdString(options.screenshot), options.frames);
+  }
+  if (!options.out.empty()) {
+    dewpoint::writeRunTo(window, options.out);
   }
   window.show();
   window.openProject(options.project);

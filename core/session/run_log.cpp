@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/run_log.h"
 
+#include "core/session/tracking_run.h"
+
 #include <algorithm>
 
 namespace dewpoint {
@@ -8,12 +10,36 @@ namespace {
 constexpr std::size_t kMostRecords = 200000;
 }
 
-void RunLog::restart(TrajectoryHeader header) {
+void RunLog::restart(const Project& project) {
   const std::lock_guard lock(mutex_);
   ++generation_;
   dropped_ = 0;
   records_.clear();
-  trajectory_ = Trajectory{std::move(header), {}};
+  trajectory_ = Trajectory{trajectoryHeader(project), {}};
+  project_ = project;
+  figures_ = RunFigures{};
+}
+
+void RunLog::change(const Project& project) {
+  const std::lock_guard lock(mutex_);
+  project_ = project;
+}
+
+void RunLog::countIteration(double seconds) {
+  const std::lock_guard lock(mutex_);
+  figures_.iterations.add(seconds);
+}
+
+void RunLog::countFrame(double sinceArrival, double sinceFirst) {
+  const std::lock_guard lock(mutex_);
+  ++figures_.frames;
+  figures_.latency.add(sinceArrival);
+  figures_.seconds = sinceFirst;
+}
+
+void RunLog::setFinished(bool finished) {
+  const std::lock_guard lock(mutex_);
+  figures_.finished = finished;
 }
 
 void RunLog::append(const std::vector<IterationRecord>& records) {
@@ -54,6 +80,17 @@ RunLog::Piece RunLog::since(std::uint64_t& generation, std::size_t& position) co
 Trajectory RunLog::trajectory() const {
   const std::lock_guard lock(mutex_);
   return trajectory_;
+}
+
+Latency RunLog::latency() const {
+  const std::lock_guard lock(mutex_);
+  const DurationHistogram& taken = figures_.latency;
+  return {taken.quantile(0.5), taken.quantile(0.99), taken.longest()};
+}
+
+std::pair<Project, RunFigures> RunLog::run() const {
+  const std::lock_guard lock(mutex_);
+  return {project_, figures_};
 }
 
 void SnapshotPublisher::onSnapshot(std::function<void()> wake) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/run_report.h"
 #include "core/session/snapshot.h"
 #include "core/trajectory/trajectory.h"
 
 #include <functional>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace dewpoint {
@@ -17,14 +19,26 @@ public:
     std::vector<IterationRecord> records;
     bool restarted = false;
   };
-  void restart(TrajectoryHeader header);
+  /// Forgets the run; what follows belongs to this project, as it is now.
+  void restart(const Project& project);
+  /// The project has other parameters from now on.
+  void change(const Project& project);
   void append(const std::vector<IterationRecord>& records);
   /// Samples of one frame; they replace those of the same frame, if it was the last one.
   void append(const std::vector<TrajectorySample>& samples);
+  /// One more filter iteration, in seconds per target.
+  void countIteration(double seconds);
+  /// One more frame is done: seconds since it arrived, and since the run's first one did.
+  void countFrame(double sinceArrival, double sinceFirst);
+  /// The input's end was reached, or is ahead again.
+  void setFinished(bool finished);
   /// Records from `position` on; both arguments move along. Old records are dropped in bulk when
   /// there are more than about 200,000.
   Piece since(std::uint64_t& generation, std::size_t& position) const;
   Trajectory trajectory() const;
+  Latency latency() const;
+  /// What run.json tells of this run.
+  std::pair<Project, RunFigures> run() const;
 
 private:
   mutable std::mutex mutex_;
@@ -32,6 +46,8 @@ private:
   std::size_t dropped_ = 0;
   std::vector<IterationRecord> records_;
   Trajectory trajectory_;
+  Project project_;
+  RunFigures figures_;
 };
 
 /// The newest snapshot, and whom to wake when there is one.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/session.h"
 
+#include "core/base/text_file.h"
 #include "core/session/tracking_loop.h"
 #include "core/trajectory/trajectory_writer.h"
 
@@ -34,6 +35,24 @@ Trajectory Session::trajectory() const {
 Result<std::size_t> Session::saveTrajectory(const std::filesystem::path& file) const {
   const Trajectory found = trajectory();
   return writeTrajectory(found, file).map([&] { return found.samples.size(); });
+}
+
+Status Session::saveRun(const std::filesystem::path& folder) const {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) {
+    return failure(ErrorCode::FileUnwritable, folder.string(), "", problem.message());
+  }
+  auto [project, figures] = impl_->loop.log().run();
+  const TrackSnapshotPtr last = newest();
+  figures.droppedFrames = last->droppedFrames;
+  for (const Error& notice : last->notices) {
+    figures.notices.push_back(sentence(notice));
+  }
+  if (const auto saved = saveTrajectory(folder / "trajectory.csv"); !saved) {
+    return tl::make_unexpected(saved.error());
+  }
+  return writeTextFile(folder / "run.json", runReport(project, figures));
 }
 
 void Session::play() {

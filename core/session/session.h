@@ -46,6 +46,8 @@ public:
   Trajectory trajectory() const;
   /// Writes it as CSV; how many samples it held.
   Result<std::size_t> saveTrajectory(const std::filesystem::path& file) const;
+  /// Writes trajectory.csv and run.json into a folder, which is made when it does not exist.
+  Status saveRun(const std::filesystem::path& folder) const;
 
   void play();
   void pause();

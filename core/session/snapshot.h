@@ -27,6 +27,13 @@ struct TargetSnapshot {
 
 enum class PlayState { Paused, Playing, Ended };
 
+/// Seconds from the arrival of a frame set to its estimate, over the run so far; 0 before that.
+struct Latency {
+  double median = 0.0;
+  double p99 = 0.0;
+  double longest = 0.0;
+};
+
 /// Everything a view may show of one moment. Immutable once published.
 struct TrackSnapshot {
   std::shared_ptr<const CameraRig> rig;
@@ -38,6 +45,7 @@ struct TrackSnapshot {
   std::int64_t iterations = 0;           ///< filter iterations since the (re)start
   double framesPerSecond = 0.0;          ///< achieved
   double microsecondsPerIteration = 0.0; ///< running median
+  Latency latency;
   std::int64_t droppedFrames = 0;
   std::uint64_t seed = 0;
   PlayState state = PlayState::Paused;

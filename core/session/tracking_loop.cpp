@@ -40,7 +40,7 @@ TrackingLoop::TrackingLoop(SessionInputs inputs)
     errors_.push_back(run.error());
   }
   tails_.resize(project_.targets.size());
-  log_.restart(trajectoryHeader(project_));
+  log_.restart(project_);
 }
 
 void TrackingLoop::run(const std::stop_token& stop) {
@@ -95,6 +95,7 @@ void TrackingLoop::obey(const Command& command) {
   } else if (const auto* configure = std::get_if<command::Configure>(&command)) {
     project_.parameters = configure->parameters;
     run_->configure(configure->parameters);
+    log_.change(project_);
   } else if (const auto* method = std::get_if<command::SetMethod>(&command)) {
     changeMethod(*method);
   } else if (const auto* targets = std::get_if<command::SetTargets>(&command)) {
@@ -124,7 +125,8 @@ bool TrackingLoop::restart(std::optional<std::uint64_t> seed) {
   project_.seed = seed.value_or(project_.seed);
   errors_.clear();
   run_->restart(project_.seed);
-  log_.restart(trajectoryHeader(project_));
+  log_.restart(project_);
+  firstArrival_.reset();
   for (auto& tail : tails_) {
     tail.clear();
   }
@@ -163,18 +165,25 @@ bool TrackingLoop::takeFrame() {
   }
   run_->beginFrame(*taken);
   frameFresh_ = true;
-  frameTimes_.push_back(Clock::now());
+  arrival_ = Clock::now();
+  frameTimes_.push_back(arrival_);
   keepNewest(frameTimes_, kFrameTimesKept);
   return true;
 }
 
 void TrackingLoop::iterateFrame() {
   // The frame shown first was already taken, but has had no iteration yet.
+  const bool waited = frameFresh_;
   if (frameFresh_ || takeFrame()) {
+    arrival_ = waited ? Clock::now() : arrival_; // what a paused run waits for is not its delay
+    firstArrival_ = firstArrival_.value_or(arrival_);
     for (int k = 0; k < run_->iterationsPerFrame(); ++k) {
       iterateOnce();
     }
     frameFresh_ = false; // also without any target
+    const auto now = Clock::now();
+    using Seconds = std::chrono::duration<double>;
+    log_.countFrame(Seconds(now - arrival_).count(), Seconds(now - *firstArrival_).count());
     recordFrame();
   }
   publish();
@@ -185,6 +194,7 @@ bool TrackingLoop::iterateOnce() {
     return false;
   }
   iterationTimes_.push_back(run_->iterate());
+  log_.countIteration(1e-6 * iterationTimes_.back());
   keepNewest(iterationTimes_, kTimesKept);
   frameFresh_ = false;
   std::vector<IterationRecord> records;
@@ -264,6 +274,8 @@ void TrackingLoop::publish() {
         static_cast<double>(frameTimes_.size() - 1) / std::max(1e-9, span.count());
   }
   snapshot->microsecondsPerIteration = median(iterationTimes_);
+  snapshot->latency = log_.latency();
+  log_.setFinished(state_ == PlayState::Ended);
   publisher_.publish(std::move(snapshot));
 }
 

@@ -51,6 +51,8 @@ private:
   bool masksWanted_ = false;
   bool frameFresh_ = false; ///< taken, but without any iteration yet
   std::optional<std::int64_t> recordedFrame_;
+  Clock::time_point arrival_;                     ///< of the frame shown
+  std::optional<Clock::time_point> firstArrival_; ///< since the (re)start
   std::vector<Error> errors_;
   std::vector<std::deque<Eigen::Vector3d>> tails_;
   std::deque<double> iterationTimes_;

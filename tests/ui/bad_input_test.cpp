@@ -27,7 +27,8 @@ namespace dewpoint {
 
 namespace {
 
-constexpr int kPatienceMs = 30000; ///< software OpenGL and a loaded machine
+constexpr int kPatienceMs =
+    DEWPOINT_PATIENCE_MS; ///< software OpenGL, a loaded machine, a sanitizer
 constexpr std::int64_t kFrames = 24;
 
 /// Writes a camera of the scene as a lossless video.

@@ -30,8 +30,9 @@ namespace dewpoint {
 
 namespace {
 
-constexpr int kPatienceMs = 20000; ///< software OpenGL and a loaded machine
-const QChar kMark(0x2020);         ///< a dagger: no text of ours has one
+constexpr int kPatienceMs =
+    DEWPOINT_PATIENCE_MS;  ///< software OpenGL, a loaded machine, a sanitizer
+const QChar kMark(0x2020); ///< a dagger: no text of ours has one
 
 /// Marks every text that is not Qt's own, and remembers what it was asked for.
 class MarkingTranslator : public QTranslator {

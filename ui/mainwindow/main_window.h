@@ -40,6 +40,10 @@ public:
   void setTheme(Theme theme);
   Theme theme() const { return theme_; }
 
+  /// Writes trajectory.csv and run.json of the run so far into a folder; what failed is said in the
+  /// window, too. False also when nothing is open.
+  bool saveRun(const std::filesystem::path& folder);
+
   Document& document() { return *document_; }
   /// The newest snapshot shown; null before a project is open.
   TrackSnapshotPtr shown() const { return shown_; }

@@ -73,6 +73,17 @@ void MainWindow::exportTrajectory() {
   }
 }
 
+bool MainWindow::saveRun(const std::filesystem::path& folder) {
+  if (bridge_ == nullptr) {
+    return false;
+  }
+  const auto saved = bridge_->session().saveRun(folder);
+  if (!saved) {
+    messages_->showError(errorSentence(saved.error()));
+  }
+  return saved.has_value();
+}
+
 bool MainWindow::mayDiscard() {
   // The demo has no file: what was tried there is not worth a question.
   if (document_->undoStack()->isClean() || document_->project().file.empty()) {

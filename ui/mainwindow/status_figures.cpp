@@ -26,6 +26,22 @@ QString length(double metres) {
                       : StatusFigures::tr("%1 m").arg(number(metres, 2));
 }
 
+QString milliseconds(double seconds) {
+  return StatusFigures::tr("%1 ms").arg(number(1000.0 * seconds, 1));
+}
+
+QString timeHint(const Latency& latency) {
+  const QString hint = StatusFigures::tr("Median time of one filter iteration");
+  if (latency.longest <= 0.0) {
+    return hint;
+  }
+  return hint + QLatin1Char('\n') +
+         StatusFigures::tr(
+             "From a frame to its estimate: median %1, 99 of 100 within %2, longest %3")
+             .arg(milliseconds(latency.median), milliseconds(latency.p99),
+                  milliseconds(latency.longest));
+}
+
 QString playWord(PlayState state) {
   switch (state) {
   case PlayState::Playing:
@@ -48,18 +64,17 @@ StatusFigures::StatusFigures(QWidget* parent) : QWidget(parent) {
   playing_ = figure("statusPlaying", tr("playing"), tr("Playing, paused, or at the end"));
   frame_ = figure("statusFrame", tr("frame 0000 / 0000"), tr("Frame shown, of all frames"));
   rate_ = figure("statusRate", tr("%1 /s").arg("0000.0"), tr("Frames tracked per second"));
-  time_ = figure("statusTime", tr("%1 per iteration").arg("0000 µs"),
-                 tr("Median time of one filter iteration"));
+  time_ = figure("statusTime", tr("%1 per iteration").arg("0000 µs"), timeHint({}));
   sampleSize_ = figure("statusSampleSize", tr("ESS %1 / %2").arg("0000", "0000"),
-                       tr("Effective sample size, of all particles"));
+                       tr("Effective sample size, of all particles. Method “dewpoint” uses as many "
+                          "particles as it needs and as the time budget allows."));
   spread_ = figure("statusSpread", tr("spread %1").arg("0000 mm"),
                    tr("Root mean square distance of the particles to their mean"));
   position_ = figure("statusPosition", QStringLiteral("x −00.000  y −00.000  z −00.000 m"),
                      tr("Estimated position of the first target in the room"));
   layout->addStretch();
   held_ = figure("statusHeld", holdText(HoldState::Searching),
-                 tr("Held: two cameras see the target's color where the estimate is. "
-                    "Lost: not so for 30 frames."));
+                 tr("Held: the cameras confirm the estimate. Lost: not so for 30 frames."));
   QFont bold = held_->font();
   bold.setWeight(QFont::DemiBold);
   held_->setFont(bold);
@@ -97,6 +112,7 @@ void StatusFigures::show(const TrackSnapshot& snapshot) {
                      .arg(microseconds < 10000.0
                               ? tr("%1 µs").arg(number(microseconds, 0))
                               : tr("%1 ms").arg(number(microseconds / 1000.0, 1))));
+  time_->setToolTip(timeHint(snapshot.latency));
   if (!snapshot.targets.empty() && snapshot.iterations > 0) {
     const TargetEstimate& estimate = snapshot.targets.front().estimate;
     sampleSize_->setText(
