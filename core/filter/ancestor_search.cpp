@@ -78,8 +78,19 @@ void AncestorSearch::load(std::int64_t weightBlock) {
 
 std::int64_t AncestorSearch::ancestors(std::int64_t block, std::int32_t* found) {
   const std::int64_t count = draws_.write(block, block_.data());
+  if (count % kTile == 0) {
+    walk(count, found);
+    return count;
+  }
   const std::int64_t padded = (count + kTile - 1) / kTile * kTile;
   std::fill(block_.begin() + count, block_.begin() + padded, block_[std::size_t(count - 1)]);
+  std::array<std::int32_t, SortedDraws::kBlock> all;
+  walk(padded, all.data());
+  std::copy_n(all.begin(), count, found);
+  return count;
+}
+
+void AncestorSearch::walk(std::int64_t drawCount, std::int32_t* found) {
   if (weightBlock_ < 0) {
     load(cumulative_.blockOf(block_.front()));
     position_.particle = weightBlock_ * kPrefixBlock;
@@ -87,11 +98,11 @@ std::int64_t AncestorSearch::ancestors(std::int64_t block, std::int32_t* found) 
   }
   position_.firstDraw = 0;
   while (true) {
-    runKernel<TileKernel>(static_cast<const double*>(block_.data()), padded,
+    runKernel<TileKernel>(static_cast<const double*>(block_.data()), drawCount,
                           static_cast<const double*>(weights_.data()), weightBlock_ * kPrefixBlock,
                           particlesEnd_, &position_, found);
-    if (position_.firstDraw == padded) {
-      return count;
+    if (position_.firstDraw == drawCount) {
+      return;
     }
     load(weightBlock_ + 1);
   }

@@ -30,6 +30,7 @@ public:
   };
 
 private:
+  void walk(std::int64_t drawCount, std::int32_t* found);
   void load(std::int64_t weightBlock);
 
   const CumulativeWeights& cumulative_;

@@ -32,26 +32,27 @@ template <class Term>
   return sum;
 }
 
-/// The largest of elements 0, 1, ..., or `least` if none is larger.
+/// The largest of elements 0, 1, ..., or `least` if none is larger. The inner loop is too long for
+/// the compiler to unroll it, and so becomes vector code.
 template <class Term>
 [[gnu::always_inline]] inline double strandMax(std::int64_t count, double least, const Term& term) {
-  std::array<double, kStrands> strand;
-  strand.fill(least);
-  const auto take = [&](std::int64_t i, std::size_t s) __attribute__((always_inline)) {
-    const double value = term(i);
-    strand[s] = value > strand[s] ? value : strand[s];
-  };
-  const std::int64_t whole = count - count % kStrands;
-  for (std::int64_t i = 0; i < whole; i += kStrands) {
-    for (int s = 0; s < kStrands; ++s) {
-      take(i + s, std::size_t(s));
+  constexpr std::int64_t kMaxStrands = 64;
+  std::array<double, kMaxStrands> strands;
+  strands.fill(least);
+  double* __restrict strand = strands.data();
+  const std::int64_t whole = count - count % kMaxStrands;
+  for (std::int64_t i = 0; i < whole; i += kMaxStrands) {
+    for (std::int64_t s = 0; s < kMaxStrands; ++s) {
+      const double value = term(i + s);
+      strand[s] = value > strand[s] ? value : strand[s];
     }
   }
-  for (std::int64_t i = whole; i < count; ++i) {
-    take(i, std::size_t(i - whole));
+  for (std::int64_t s = 0; s < count - whole; ++s) {
+    const double value = term(whole + s);
+    strand[s] = value > strand[s] ? value : strand[s];
   }
   double most = least;
-  for (const double part : strand) {
+  for (const double part : strands) {
     most = part > most ? part : most;
   }
   return most;

@@ -5,19 +5,33 @@
 
 namespace dewpoint {
 
-void CumulativeWeights::build(const Eigen::ArrayXd& weights, ThreadTeam& team) {
-  weights_ = weights.data();
-  count_ = weights.size();
-  const std::int64_t blocks = (count_ + kPrefixBlock - 1) / kPrefixBlock;
-  before_.resize(static_cast<std::size_t>(blocks * kAbreast) + 1);
-  before_[0] = 0.0;
-  team.forEachBlock(count_, kPrefixBlock, [&](std::int64_t begin, std::int64_t end) {
-    const StretchSums sums =
-        prefixSums(weights_ + begin, end - begin, [](std::int64_t /*index*/, double /*sum*/) {});
-    std::copy(sums.begin(), sums.end(), before_.data() + begin / kStretch + 1);
-  });
-  for (std::size_t i = 1; i < before_.size(); ++i) {
-    before_[i] += before_[i - 1];
+void CumulativeWeights::reset(const double* weights, std::int64_t count) {
+  weights_ = weights;
+  count_ = count;
+  factors_.clear();
+  before_.assign(1, 0.0);
+}
+
+void CumulativeWeights::append(const StretchSums& sums, double factor) {
+  factors_.push_back(factor);
+  for (const double sum : sums) {
+    before_.push_back(before_.back() + factor * sum);
+  }
+}
+
+void CumulativeWeights::build(const BlockWeights& weights) {
+  reset(weights.relative(0), weights.count());
+  for (std::int64_t block = 0; block * kPrefixBlock < count_; ++block) {
+    append(weights.sums(block), weights.factor(block));
+  }
+}
+
+void CumulativeWeights::build(const Eigen::ArrayXd& weights) {
+  reset(weights.data(), weights.size());
+  for (std::int64_t begin = 0; begin < count_; begin += kPrefixBlock) {
+    append(prefixSums(weights_ + begin, std::min(kPrefixBlock, count_ - begin),
+                      [](std::int64_t /*index*/, double /*sum*/) {}),
+           1.0);
   }
 }
 
@@ -28,10 +42,15 @@ std::int64_t CumulativeWeights::blockOf(double draw) const {
 
 std::int64_t CumulativeWeights::write(std::int64_t block, double* cumulative) const {
   const double* before = before_.data() + block * kAbreast;
+  const double factor = factors_[std::size_t(block)];
   const std::int64_t begin = block * kPrefixBlock;
   const std::int64_t length = std::min(kPrefixBlock, count_ - begin);
+  constexpr std::int64_t kLine = 8; // numbers
+  for (std::int64_t i = begin + length; i < std::min(begin + 2 * length, count_); i += kLine) {
+    __builtin_prefetch(weights_ + i); // of the next block, likely asked for next
+  }
   prefixSums(weights_ + begin, length, [&](std::int64_t index, double sum) {
-    cumulative[index] = before[index / kStretch] + sum;
+    cumulative[index] = before[index / kStretch] + factor * sum;
   });
   return length;
 }

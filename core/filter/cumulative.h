@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/thread_team.h"
+#include "core/filter/block_weights.h"
 #include "core/filter/prefix_sums.h"
 
 #include <Eigen/Core>
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -16,8 +15,9 @@ namespace dewpoint {
 /// particles they are the plain sums.
 class CumulativeWeights {
 public:
-  /// Sums up each stretch; the weights must stay where they are.
-  void build(const Eigen::ArrayXd& weights, ThreadTeam& team);
+  /// The weights must stay where they are.
+  void build(const BlockWeights& weights);
+  void build(const Eigen::ArrayXd& weights);
 
   std::int64_t count() const { return count_; }
   double total() const { return before_.back(); }
@@ -27,8 +27,12 @@ public:
   std::int64_t write(std::int64_t block, double* cumulative) const;
 
 private:
+  void reset(const double* weights, std::int64_t count);
+  void append(const StretchSums& sums, double factor);
+
   const double* weights_ = nullptr;
   std::int64_t count_ = 0;
+  std::vector<double> factors_; ///< of the weights of every block
   std::vector<double> before_; ///< the weights before every stretch, kAbreast per block, and of all
 };
 

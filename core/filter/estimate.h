@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/thread_team.h"
-#include "core/filter/particle_set.h"
+#include "core/filter/moments.h"
 
 #include <Eigen/Core>
 
@@ -16,6 +16,9 @@ struct StateEstimate {
   double effectiveSampleSize = 0.0; ///< 1 / sum of squared weights
   bool degenerate = false;          ///< no usable weight: all particles were counted as equal
 };
+
+/// The same for a whole set whose moments are known; its weights sum to 1.
+StateEstimate estimateFrom(Moments moments);
 
 /// Turns log weights into linear weights that sum to 1, safe from underflow (log-sum-exp). A log
 /// weight that is not finite counts as weight zero. Returns false, and makes all weights equal,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/random.h"
+#include "core/base/vector_kernel.h"
 #include "core/filter/particle_set.h"
 
 #include <algorithm>
@@ -16,6 +17,15 @@ namespace dewpoint {
 struct IsotropicMotion {
   double sigma = 0.03; ///< metres per iteration
 
+  struct StepKernel {
+    DEWPOINT_KERNEL void run(std::int64_t count, const double* __restrict step, double sigma,
+                             double* __restrict coordinate) {
+      for (std::int64_t i = 0; i < count; ++i) {
+        coordinate[i] += sigma * step[i];
+      }
+    }
+  };
+
   void predict(StateRows rows, std::uint32_t firstIndex, const RandomStream& stream) const {
     constexpr Eigen::Index kBlock = 256;
     std::array<std::array<double, kBlock>, 3> normal;
@@ -24,11 +34,8 @@ struct IsotropicMotion {
       stream.normals(firstIndex + static_cast<std::uint32_t>(begin), count,
                      {normal[0].data(), normal[1].data(), normal[2].data()});
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        double* coordinate = rows.col(axis).data() + begin;
         const double* step = normal[static_cast<std::size_t>(axis)].data();
-        for (Eigen::Index i = 0; i < count; ++i) {
-          coordinate[i] += sigma * step[i];
-        }
+        runKernel<StepKernel>(std::int64_t{count}, step, sigma, rows.col(axis).data() + begin);
       }
     }
   }

@@ -8,7 +8,6 @@
 
 #include <concepts>
 #include <cstdint>
-#include <vector>
 
 namespace dewpoint {
 
@@ -38,10 +37,10 @@ concept ObservationModel = requires(const O& model, ConstStateRows rows,
 
 /// Picks `count` particles, with repetition, so that particle i is expected count * weights[i]
 /// times (weights linear, summing to 1). `ancestors` is resized to `count`. A resampler that takes
-/// a ThreadTeam before `ancestors` as well is given the filter's.
+/// BlockWeights, and a ThreadTeam before `ancestors`, is given the filter's.
 template <class R>
 concept Resampler = requires(const R& resampler, const Eigen::ArrayXd& weights, Eigen::Index count,
-                             const RandomStream& stream, std::vector<Eigen::Index>& ancestors) {
+                             const RandomStream& stream, Ancestors& ancestors) {
   { resampler.ancestors(weights, count, stream, ancestors) } -> std::same_as<void>;
 };
 

@@ -3,42 +3,48 @@
 
 #include "core/filter/ancestor_search.h"
 
-#include <algorithm>
-#include <array>
 #include <cassert>
-#include <cstdint>
 
 namespace dewpoint {
+namespace {
 
-void MultinomialResampling::ancestors(const Eigen::ArrayXd& weights, Eigen::Index count,
-                                      const RandomStream& stream, ThreadTeam& team,
-                                      std::vector<Eigen::Index>& picked) const {
-  // Kept for the next call of the same thread: fresh memory costs more than the work on it.
-  thread_local CumulativeWeights cumulative;
-  thread_local SortedDraws draws;
-  cumulative.build(weights, team);
+// Kept for the next call of the same thread: fresh memory costs more than the work on it.
+CumulativeWeights& cumulativeWeights() {
+  thread_local CumulativeWeights ofThisThread;
+  return ofThisThread;
+}
+
+void lookUp(const CumulativeWeights& cumulative, Eigen::Index count, const RandomStream& stream,
+            ThreadTeam& team, Ancestors& picked) {
   assert(cumulative.total() > 0.0);
-  draws.build(stream, count, cumulative.total());
+  SortedDraws draws(stream, count, cumulative.total());
   picked.resize(static_cast<std::size_t>(count));
-  const CumulativeWeights& sums = cumulative; // those of this thread, for the others too
-  const SortedDraws& sorted = draws;
   constexpr std::int64_t kBlocksPerWalk = 8;
   constexpr std::int64_t kWalk = kBlocksPerWalk * SortedDraws::kBlock;
   team.forEachBlock(count, kWalk, [&](std::int64_t begin, std::int64_t end) {
-    AncestorSearch search(sums, sorted);
-    std::array<std::int32_t, SortedDraws::kBlock> found;
+    AncestorSearch search(cumulative, draws);
     for (; begin < end; begin += SortedDraws::kBlock) {
-      const std::int64_t length = search.ancestors(begin / SortedDraws::kBlock, found.data());
-      std::copy_n(found.begin(), length, picked.begin() + begin);
+      search.ancestors(begin / SortedDraws::kBlock, picked.data() + begin);
     }
   });
 }
 
+} // namespace
+
+void MultinomialResampling::ancestors(const BlockWeights& weights, Eigen::Index count,
+                                      const RandomStream& stream, ThreadTeam& team,
+                                      Ancestors& picked) const {
+  CumulativeWeights& cumulative = cumulativeWeights();
+  cumulative.build(weights);
+  lookUp(cumulative, count, stream, team, picked);
+}
+
 void MultinomialResampling::ancestors(const Eigen::ArrayXd& weights, Eigen::Index count,
-                                      const RandomStream& stream,
-                                      std::vector<Eigen::Index>& picked) const {
+                                      const RandomStream& stream, Ancestors& picked) const {
+  CumulativeWeights& cumulative = cumulativeWeights();
+  cumulative.build(weights);
   ThreadTeam alone(1);
-  ancestors(weights, count, stream, alone, picked);
+  lookUp(cumulative, count, stream, alone, picked);
 }
 
 } // namespace dewpoint

@@ -3,10 +3,10 @@
 
 #include "core/base/random.h"
 #include "core/base/thread_team.h"
+#include "core/filter/block_weights.h"
+#include "core/filter/particle_set.h"
 
 #include <Eigen/Core>
-
-#include <vector>
 
 namespace dewpoint {
 
@@ -20,10 +20,10 @@ namespace dewpoint {
 class MultinomialResampling {
 public:
   void ancestors(const Eigen::ArrayXd& weights, Eigen::Index count, const RandomStream& stream,
-                 std::vector<Eigen::Index>& picked) const;
-  /// The same to the bit, shared by several threads.
-  void ancestors(const Eigen::ArrayXd& weights, Eigen::Index count, const RandomStream& stream,
-                 ThreadTeam& team, std::vector<Eigen::Index>& picked) const;
+                 Ancestors& picked) const;
+  /// Shared by several threads; the same to the bit for any number of them.
+  void ancestors(const BlockWeights& weights, Eigen::Index count, const RandomStream& stream,
+                 ThreadTeam& team, Ancestors& picked) const;
 };
 
 } // namespace dewpoint

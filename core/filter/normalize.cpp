@@ -1,42 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/elementary.h"
-#include "core/base/vector_kernel.h"
 #include "core/filter/block_sums.h"
 #include "core/filter/estimate.h"
+#include "core/filter/log_weights.h"
 
 #include <algorithm>
 #include <limits>
 #include <vector>
 
 namespace dewpoint {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// The largest finite log weight; minus infinity if there is none.
-struct LargestKernel {
-  DEWPOINT_KERNEL void run(const double* logWeights, std::int64_t count, double* largest) {
-    *largest = strandMax(
-        count, -kInfinity, [&](std::int64_t i) __attribute__((always_inline)) {
-          return logWeights[i] < kInfinity ? logWeights[i] : -kInfinity; // NaN too
-        });
-  }
-};
-
-/// exp(log weight - largest), zero where that is not finite, and their sum.
-struct ExponentialKernel {
-  DEWPOINT_KERNEL void run(const double* __restrict logWeights, std::int64_t count, double largest,
-                           double* __restrict weights, double* sum) {
-    for (std::int64_t i = 0; i < count; ++i) {
-      const double difference = logWeights[i] - largest;
-      weights[i] = exponential(difference <= 0.0 ? difference : -kInfinity);
-    }
-    *sum = strandSum(
-        count, [&](std::int64_t i) __attribute__((always_inline)) { return weights[i]; });
-  }
-};
-
-} // namespace
 
 bool normalize(const Eigen::ArrayXd& logWeights, Eigen::ArrayXd& weights, ThreadTeam& team) {
   const Eigen::Index count = logWeights.size();
@@ -48,8 +19,9 @@ bool normalize(const Eigen::ArrayXd& logWeights, Eigen::ArrayXd& weights, Thread
     });
   };
   forEachBlock([&](std::int64_t begin, std::int64_t length, double* largest) {
-    runKernel<LargestKernel>(logWeights.data() + begin, length, largest);
+    *largest = largestLogWeight(logWeights.data() + begin, length);
   });
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double largest =
       ofBlock.empty() ? -kInfinity : *std::max_element(ofBlock.begin(), ofBlock.end());
   if (largest == -kInfinity) {
@@ -57,8 +29,7 @@ bool normalize(const Eigen::ArrayXd& logWeights, Eigen::ArrayXd& weights, Thread
     return false;
   }
   forEachBlock([&](std::int64_t begin, std::int64_t length, double* sum) {
-    runKernel<ExponentialKernel>(logWeights.data() + begin, length, largest, weights.data() + begin,
-                                 sum);
+    *sum = relativeWeights(logWeights.data() + begin, length, largest, weights.data() + begin);
   });
   double total = 0.0;
   for (const double sum : ofBlock) {

@@ -3,12 +3,18 @@
 
 #include "core/base/random.h"
 #include "core/base/thread_team.h"
+#include "core/filter/block_weights.h"
 #include "core/filter/estimate.h"
 #include "core/filter/models.h"
+#include "core/filter/moments.h"
 #include "core/filter/particle_set.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -26,15 +32,20 @@ struct RandomKey {
 /// A particle filter with resampling at every iteration (CONDENSATION; Barrera et al. 2005, section
 /// 2). It owns the particles; the models are handed in. The bits of every result are the same for
 /// any number of threads.
+///
+/// With many particles the time goes into memory, so each state is written once per iteration:
+/// resampling only lists ancestors, and the next iteration takes the states from there, moves and
+/// weighs them and sums them up, all while a block of them is in the cache.
 class ParticleFilter {
 public:
   /// Begins anew with these states, all equally likely. At least one.
   void start(Eigen::ArrayXXd states) {
     assert(states.rows() > 0);
-    weighted_.logWeights = Eigen::ArrayXd::Zero(states.rows());
-    weights_ = Eigen::ArrayXd::Constant(states.rows(), 1.0 / static_cast<double>(states.rows()));
-    weighted_.states = states;
-    next_ = std::move(states);
+    states_ = std::move(states);
+    ancestors_.resize(static_cast<std::size_t>(states_.rows()));
+    std::iota(ancestors_.begin(), ancestors_.end(), 0);
+    weights_.resize(states_.rows());
+    weights_.setEqual();
   }
 
   /// One iteration; the set for the next one is drawn with `nextCount` particles.
@@ -42,9 +53,8 @@ public:
   StateEstimate iterate(const P& proposal, const O& observation, const R& resampler,
                         Eigen::Index nextCount, const RandomKey& key, ThreadTeam& team) {
     weigh(proposal, observation, key.stream(RandomPurpose::Motion), team);
-    const bool usable = normalize(weighted_.logWeights, weights_, team);
-    StateEstimate result = estimate(weighted_.states, weights_, team);
-    result.degenerate = !usable;
+    const bool usable = weights_.finish();
+    StateEstimate result = estimateWeighted(usable);
     resample(resampler, nextCount, key.stream(RandomPurpose::Resampling), team);
     return result;
   }
@@ -56,27 +66,91 @@ public:
   }
 
   /// The particles as last weighted (before resampling): what estimates are made of.
-  const ParticleSet& weighted() const { return weighted_; }
+  const Eigen::ArrayXXd& states() const { return states_; }
   /// Their linear weights; they sum to 1.
-  const Eigen::ArrayXd& weights() const { return weights_; }
+  const BlockWeights& weights() const { return weights_; }
+  /// How many particles the next iteration has.
+  Eigen::Index nextCount() const { return static_cast<Eigen::Index>(ancestors_.size()); }
   /// The resampled particles, all equally likely, from which the next iteration starts.
-  const Eigen::ArrayXXd& next() const { return next_; }
+  Eigen::ArrayXXd next() const { return states_(ancestors_, Eigen::all); }
 
 private:
-  /// Predicts and weighs block by block, while a block is in the cache.
+  /// Predicts, weighs and measures block by block, while a block is in the cache.
   template <Proposal P, ObservationModel O>
   void weigh(const P& proposal, const O& observation, const RandomStream& stream,
              ThreadTeam& team) {
-    constexpr std::int64_t kBlock = 1024;
-    weighted_.states.swap(next_);
-    weighted_.logWeights.resize(weighted_.states.rows());
-    team.forEachBlock(weighted_.particleCount(), kBlock, [&](std::int64_t begin, std::int64_t end) {
-      LogWeightSegment logWeights = weighted_.logWeights.segment(begin, end - begin);
+    const Eigen::Index count = nextCount();
+    parents_.swap(states_);
+    states_.resize(count, parents_.cols());
+    weights_.resize(count);
+    moments_.resize(static_cast<std::size_t>((count + kSumBlock - 1) / kSumBlock));
+    team.forEachBlock(count, kSumBlock, [&](std::int64_t begin, std::int64_t end) {
+      const std::int64_t length = end - begin;
+      takeFromParents(begin, end);
+      std::array<double, kSumBlock> buffer;
+      Eigen::Map<Eigen::ArrayXd> logWeights(buffer.data(), length);
       logWeights.setZero();
-      proposal.propose(weighted_.states.middleRows(begin, end - begin), logWeights,
+      proposal.propose(states_.middleRows(begin, length), logWeights,
                        static_cast<std::uint32_t>(begin), stream);
-      observation.addLogLikelihood(weighted_.states.middleRows(begin, end - begin), logWeights);
+      observation.addLogLikelihood(states_.middleRows(begin, length), logWeights);
+      weights_.setBlock(begin, length, buffer.data());
+      moments_[std::size_t(begin / kSumBlock)] =
+          measureMoments(states_, weights_.relative(begin), begin, end);
     });
+  }
+
+  void takeFromParents(std::int64_t begin, std::int64_t end) {
+    Eigen::Index column = 0;
+    for (; column + 3 <= states_.cols(); column += 3) {
+      takeColumns<3>(column, begin, end);
+    }
+    for (; column < states_.cols(); ++column) {
+      takeColumns<1>(column, begin, end);
+    }
+    prefetchParents(end, std::min(end + kSumBlock, nextCount()));
+  }
+
+  template <int Columns>
+  void takeColumns(Eigen::Index column, std::int64_t begin, std::int64_t end) {
+    const double* from = parents_.col(column).data();
+    double* to = states_.col(column).data();
+    const Eigen::Index fromStride = parents_.rows();
+    const Eigen::Index toStride = states_.rows();
+    const std::int32_t* ancestors = ancestors_.data();
+    for (std::int64_t i = begin; i < end; ++i) {
+      const double* parent = from + ancestors[i];
+      for (int c = 0; c < Columns; ++c) {
+        to[c * toStride + i] = parent[c * fromStride];
+      }
+    }
+  }
+
+  /// Asks for the memory of the next block, which is on its way while this one is worked on.
+  [[gnu::always_inline]] void prefetchParents(std::int64_t begin, std::int64_t end) {
+    constexpr std::int64_t kLine = 8; // numbers
+    for (Eigen::Index column = 0; column < states_.cols(); ++column) {
+      const double* from = parents_.col(column).data();
+      double* to = states_.col(column).data();
+      for (std::int64_t i = begin; i < end; i += kLine) {
+        __builtin_prefetch(from + ancestors_[static_cast<std::size_t>(i)]);
+        __builtin_prefetch(to + i, 1);
+      }
+    }
+  }
+
+  StateEstimate estimateWeighted(bool usable) {
+    Moments all;
+    for (std::size_t block = 0; block < moments_.size(); ++block) {
+      const auto begin = static_cast<std::int64_t>(block) * kSumBlock;
+      if (!usable) { // all weights have become equal since
+        const std::int64_t end = std::min(begin + kSumBlock, weights_.count());
+        moments_[block] = measureMoments(states_, weights_.relative(begin), begin, end);
+      }
+      all.add(moments_[block], weights_.factor(begin / kSumBlock));
+    }
+    StateEstimate result = estimateFrom(std::move(all));
+    result.degenerate = !usable;
+    return result;
   }
 
   template <Resampler R>
@@ -86,25 +160,15 @@ private:
     if constexpr (requires { resampler.ancestors(weights_, count, stream, team, ancestors_); }) {
       resampler.ancestors(weights_, count, stream, team, ancestors_);
     } else {
-      resampler.ancestors(weights_, count, stream, ancestors_);
+      resampler.ancestors(weights_.all(), count, stream, ancestors_);
     }
-    next_.resize(count, weighted_.states.cols());
-    constexpr std::int64_t kBlock = 4096; // their ancestors stay in the cache for all columns
-    team.forEachBlock(count, kBlock, [&](std::int64_t begin, std::int64_t end) {
-      for (Eigen::Index column = 0; column < next_.cols(); ++column) {
-        const double* from = weighted_.states.col(column).data();
-        double* to = next_.col(column).data();
-        for (std::int64_t i = begin; i < end; ++i) {
-          to[i] = from[ancestors_[static_cast<std::size_t>(i)]];
-        }
-      }
-    });
   }
 
-  ParticleSet weighted_;
-  Eigen::ArrayXd weights_;
-  Eigen::ArrayXXd next_;
-  std::vector<Eigen::Index> ancestors_;
+  Eigen::ArrayXXd states_;
+  BlockWeights weights_; ///< of the states
+  Ancestors ancestors_;  ///< among the states, of the next iteration's particles
+  Eigen::ArrayXXd parents_;
+  std::vector<Moments> moments_; ///< of every block
 };
 
 } // namespace dewpoint

@@ -3,6 +3,9 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
+#include <vector>
+
 namespace dewpoint {
 
 /// Some consecutive particles of a set, writable: one row per particle, one contiguous column per
@@ -12,12 +15,8 @@ using ConstStateRows = const Eigen::Ref<const Eigen::ArrayXXd, 0, Eigen::OuterSt
 /// The log weights (or log likelihoods) of the same particles.
 using LogWeightSegment = Eigen::Ref<Eigen::ArrayXd>;
 
-/// Particles as a structure of arrays.
-struct ParticleSet {
-  Eigen::ArrayXXd states;    ///< particle count x dimension
-  Eigen::ArrayXd logWeights; ///< natural logarithm, up to a common constant
-
-  Eigen::Index particleCount() const { return states.rows(); }
-};
+/// Which particle of a weighted set each particle of the next one comes from. A set has fewer than
+/// 2^31.
+using Ancestors = std::vector<std::int32_t>;
 
 } // namespace dewpoint

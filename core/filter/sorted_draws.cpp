@@ -48,9 +48,8 @@ struct PlaceKernel {
 
 } // namespace
 
-void SortedDraws::build(const RandomStream& stream, std::int64_t count, double total) {
-  stream_ = stream;
-  count_ = count;
+SortedDraws::SortedDraws(const RandomStream& stream, std::int64_t count, double total)
+    : stream_(stream), count_(count) {
   const std::int64_t spacings = count + 1;
   begins_.assign(1, 0.0);
   for (std::int64_t begin = 0; begin < spacings; begin += kBlock) {

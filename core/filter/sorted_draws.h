@@ -21,7 +21,7 @@ public:
   static constexpr std::int64_t kBlock = kPrefixBlock;
 
   /// `count` draws, at least one; `total` must be positive.
-  void build(const RandomStream& stream, std::int64_t count, double total);
+  SortedDraws(const RandomStream& stream, std::int64_t count, double total);
 
   std::int64_t count() const { return count_; }
   std::int64_t blockCount() const { return (count_ + kBlock - 1) / kBlock; }
@@ -29,8 +29,8 @@ public:
   std::int64_t write(std::int64_t block, double* draws) const;
 
 private:
-  RandomStream stream_{0, 0, 0, RandomPurpose::Resampling};
-  std::int64_t count_ = 0;
+  RandomStream stream_;
+  std::int64_t count_;
   double scale_ = 0.0;         ///< from sums of spacings to draws
   double largest_ = 0.0;       ///< the largest number below the total
   std::vector<double> begins_; ///< the spacings before every block, and of all

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "core/base/random.h"
+#include "core/filter/particle_set.h"
 
 #include <Eigen/Core>
 
-#include <vector>
+#include <cstdint>
 
 namespace dewpoint {
 
@@ -15,7 +16,7 @@ namespace dewpoint {
 /// positive.
 struct SystematicResampling {
   void ancestors(const Eigen::ArrayXd& weights, Eigen::Index count, const RandomStream& stream,
-                 std::vector<Eigen::Index>& picked) const {
+                 Ancestors& picked) const {
     picked.resize(static_cast<std::size_t>(count));
     Eigen::Index last = 0; // of positive weight, where rounding would carry a step past the end
     for (Eigen::Index i = 0; i < weights.size(); ++i) {
@@ -30,7 +31,7 @@ struct SystematicResampling {
       while (draw >= cumulative && ancestor < last) {
         cumulative += weights[++ancestor];
       }
-      picked[static_cast<std::size_t>(i)] = ancestor;
+      picked[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(ancestor);
     }
   }
 };

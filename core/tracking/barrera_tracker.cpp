@@ -51,7 +51,7 @@ TargetEstimate BarreraTracker::iterate(ThreadTeam& team) {
   const auto particleCount = static_cast<Eigen::Index>(parameters_.at("particles"));
   const MotionProposal<IsotropicMotion> proposal{{parameters_.at("motion_sigma")}};
   const MultinomialResampling resampling;
-  if (filter_.next().rows() != particleCount) {
+  if (filter_.nextCount() != particleCount) {
     filter_.resize(resampling, particleCount, key_, team);
   }
   observation_.prepare(particleCount);
@@ -62,7 +62,7 @@ TargetEstimate BarreraTracker::iterate(ThreadTeam& team) {
 
   TargetEstimate result;
   result.mean = state.mean;
-  result.best = filter_.weighted().states.row(state.bestIndex).transpose();
+  result.best = filter_.states().row(state.bestIndex).transpose();
   result.covariance = state.covariance;
   result.effectiveSampleSize = state.effectiveSampleSize;
   result.particleCount = static_cast<int>(particleCount);
@@ -76,7 +76,7 @@ TargetEstimate BarreraTracker::iterate(ThreadTeam& team) {
 
 void BarreraTracker::particles(int limit, Eigen::ArrayXXd& positions,
                                Eigen::ArrayXd& weights) const {
-  const Eigen::ArrayXXd& states = filter_.weighted().states;
+  const Eigen::ArrayXXd& states = filter_.states();
   const Eigen::Index shown = std::clamp<Eigen::Index>(limit, 0, states.rows());
   positions.resize(shown, 3);
   weights.resize(shown);

@@ -92,7 +92,7 @@ double weighPrediction(Hypothesis& hypothesis, SphereObservation& observation, c
     const double effective = 1.0 / hypothesis.weights.square().sum();
     const Eigen::Index count = hypothesis.states.rows();
     if (effective < 0.5 * static_cast<double>(count)) {
-      std::vector<Eigen::Index> ancestors;
+      Ancestors ancestors;
       SystematicResampling().ancestors(hypothesis.weights, count,
                                        RandomStream(key.seed, key.frame,
                                                     key.iteration + (hypothesis.stream << 8U),

@@ -297,7 +297,7 @@ void TargetBelief::stepSearchCloud(SphereObservation& observation, const RandomK
     drawSearchCloud(key);
   }
   const RandomStream stream = key.stream(RandomPurpose::Search);
-  std::vector<Eigen::Index> ancestors;
+  Ancestors ancestors;
   SystematicResampling().ancestors(cloud_.weights, cloud_.states.rows(),
                                    key.stream(RandomPurpose::Resampling), ancestors);
   cloud_.states = Eigen::ArrayXXd(cloud_.states(ancestors, Eigen::all));

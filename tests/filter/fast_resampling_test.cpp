@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/instruction_set.h"
-#include "core/filter/ancestor_search.h"
+#include "core/filter/block_weights.h"
 #include "core/filter/cumulative.h"
+#include "core/filter/estimate.h"
 #include "core/filter/multinomial_resampling.h"
 #include "core/filter/sorted_draws.h"
 
@@ -59,8 +60,7 @@ std::vector<double> cumulativeByDefinition(const Eigen::ArrayXd& weights) {
 /// Draws by their definition, one after the other.
 std::vector<double> drawsByDefinition(Eigen::Index count, double total,
                                       const RandomStream& stream) {
-  SortedDraws draws;
-  draws.build(stream, count, total);
+  const SortedDraws draws(stream, count, total);
   std::vector<double> result;
   std::vector<double> block(std::size_t{SortedDraws::kBlock});
   for (std::int64_t b = 0; b < draws.blockCount(); ++b) {
@@ -71,44 +71,97 @@ std::vector<double> drawsByDefinition(Eigen::Index count, double total,
 }
 
 /// The slow way: a binary search in all cumulative weights for each draw.
-std::vector<Eigen::Index> ancestorsByDefinition(const Eigen::ArrayXd& weights, Eigen::Index count,
-                                                const RandomStream& stream) {
-  const std::vector<double> cumulative = cumulativeByDefinition(weights);
-  std::vector<Eigen::Index> picked;
+Ancestors ancestorsByDefinition(const std::vector<double>& cumulative, Eigen::Index count,
+                                const RandomStream& stream) {
+  Ancestors picked;
   for (const double draw : drawsByDefinition(count, cumulative.back(), stream)) {
-    picked.push_back(std::upper_bound(cumulative.begin(), cumulative.end(), draw) -
-                     cumulative.begin());
+    picked.push_back(static_cast<std::int32_t>(
+        std::upper_bound(cumulative.begin(), cumulative.end(), draw) - cumulative.begin()));
   }
   return picked;
 }
 
+std::vector<double> written(const CumulativeWeights& cumulative) {
+  std::vector<double> all;
+  std::vector<double> block(std::size_t{kPrefixBlock});
+  for (std::int64_t begin = 0; begin < cumulative.count(); begin += kPrefixBlock) {
+    const std::int64_t length = cumulative.write(begin / kPrefixBlock, block.data());
+    all.insert(all.end(), block.begin(), block.begin() + length);
+  }
+  return all;
+}
+
+/// As an iteration makes them, from the logarithms of weights.
+BlockWeights inBlocks(const Eigen::ArrayXd& weights) {
+  const Eigen::ArrayXd logWeights = weights.log();
+  BlockWeights blocks;
+  blocks.resize(weights.size());
+  for (std::int64_t begin = 0; begin < weights.size(); begin += kSumBlock) {
+    blocks.setBlock(begin, std::min(kSumBlock, weights.size() - begin), logWeights.data() + begin);
+  }
+  EXPECT_EQ(blocks.finish(), (weights > 0.0).any());
+  return blocks;
+}
+
 TEST(CumulativeWeights, AreThoseOfTheDefinition) {
-  for (const Eigen::Index count : {1, 200, 1023, 1024, 1025, 4096, 4097, 50000}) {
+  for (const Eigen::Index count : {1, 200, 700, 1000, 1023, 1024, 1025, 4096, 4097, 50000}) {
     for (const Eigen::ArrayXd& weights : weightsOfManyKinds(count)) {
       const std::vector<double> expected = cumulativeByDefinition(weights);
-      for (const int threads : {1, 3}) {
-        ThreadTeam team(threads);
-        CumulativeWeights cumulative;
-        cumulative.build(weights, team);
-        std::vector<double> written;
-        std::vector<double> block(std::size_t{kPrefixBlock});
-        for (std::int64_t begin = 0; begin < count; begin += kPrefixBlock) {
-          const std::int64_t length = cumulative.write(begin / kPrefixBlock, block.data());
-          written.insert(written.end(), block.begin(), block.begin() + length);
-        }
-        EXPECT_EQ(written, expected) << count;
-        EXPECT_EQ(cumulative.total(), expected.back());
-        EXPECT_TRUE(std::is_sorted(written.begin(), written.end()));
-        for (const double share : {0.0, 0.1, 0.5, 0.999999}) {
-          const double draw = share * expected.back();
-          const auto found = std::upper_bound(expected.begin(), expected.end(), draw);
-          if (expected.back() > 0.0) {
-            EXPECT_EQ(cumulative.blockOf(draw), (found - expected.begin()) / kPrefixBlock);
-          }
+      CumulativeWeights cumulative;
+      cumulative.build(weights);
+      EXPECT_EQ(written(cumulative), expected) << count;
+      EXPECT_EQ(cumulative.total(), expected.back());
+      EXPECT_TRUE(std::is_sorted(expected.begin(), expected.end()));
+      for (const double share : {0.0, 0.1, 0.5, 0.999999}) {
+        const double draw = share * expected.back();
+        const auto found = std::upper_bound(expected.begin(), expected.end(), draw);
+        if (expected.back() > 0.0) {
+          EXPECT_EQ(cumulative.blockOf(draw), (found - expected.begin()) / kPrefixBlock);
         }
       }
     }
   }
+}
+
+TEST(BlockWeights, AreTheNormalizedWeights) {
+  ThreadTeam team;
+  for (const Eigen::Index count : {1, 200, 1023, 1024, 1025, 5000}) {
+    for (const Eigen::ArrayXd& weights : weightsOfManyKinds(count)) {
+      Eigen::ArrayXd expected;
+      normalize(weights.log(), expected, team);
+      const BlockWeights blocks = inBlocks(weights);
+      CumulativeWeights cumulative;
+      cumulative.build(blocks);
+      const std::vector<double> sums = written(cumulative);
+      EXPECT_TRUE(std::is_sorted(sums.begin(), sums.end()));
+      EXPECT_EQ(sums.back(), cumulative.total());
+      double sum = 0.0;
+      for (Eigen::Index i = 0; i < count; ++i) {
+        sum += blocks[i];
+        ASSERT_NEAR(blocks[i], expected[i], 1e-14 * expected[i] + 1e-280) << i << " of " << count;
+        ASSERT_NEAR(sums[std::size_t(i)], sum, 1e-12) << i << " of " << count;
+      }
+      EXPECT_NEAR(sum, 1.0, 1e-12);
+      EXPECT_TRUE((blocks.all() >= 0.0).all());
+    }
+  }
+}
+
+// Log weights of any size, some useless: those of a block decide about the block only.
+TEST(BlockWeights, KeepWhatMattersOfEveryBlock) {
+  Eigen::ArrayXd logWeights = Eigen::ArrayXd::Constant(3000, -std::nan(""));
+  logWeights[10] = -1e5;
+  logWeights[2000] = -10.0 + std::log(3.0);
+  logWeights[2999] = -10.0;
+  BlockWeights blocks;
+  blocks.resize(3000);
+  for (const std::int64_t begin : {2048, 0, 1024}) {
+    blocks.setBlock(begin, std::min<std::int64_t>(1024, 3000 - begin), logWeights.data() + begin);
+  }
+  EXPECT_TRUE(blocks.finish());
+  EXPECT_NEAR(blocks[2000], 0.75, 1e-14); // 3 : 1
+  EXPECT_NEAR(blocks[2999], 0.25, 1e-14);
+  EXPECT_EQ((blocks.all() > 0.0).count(), 2);
 }
 
 // One block, straight from the definition: partial sums of the spacings over their sum.
@@ -185,17 +238,20 @@ TEST(MultinomialResampling, IsABinarySearchAncestorByAncestor) {
       if (!(weights.sum() > 0.0)) {
         continue;
       }
-      for (const Eigen::Index count : {1, 200, 4096, 40001}) {
-        const auto expected = ancestorsByDefinition(weights, count, stream);
+      const BlockWeights blocks = inBlocks(weights);
+      CumulativeWeights cumulative;
+      cumulative.build(blocks);
+      for (const Eigen::Index count : {1, 200, 1000, 4096, 40001}) {
+        Ancestors picked;
+        MultinomialResampling{}.ancestors(weights, count, stream, picked);
+        ASSERT_EQ(picked, ancestorsByDefinition(cumulativeByDefinition(weights), count, stream))
+            << particles << " particles, " << count << " drawn";
+        const Ancestors expected = ancestorsByDefinition(written(cumulative), count, stream);
         for (const int threads : {1, 2, 3}) {
           ThreadTeam team(threads);
-          std::vector<Eigen::Index> picked;
-          MultinomialResampling{}.ancestors(weights, count, stream, team, picked);
+          MultinomialResampling{}.ancestors(blocks, count, stream, team, picked);
           ASSERT_EQ(picked, expected) << particles << " particles, " << count << " drawn";
         }
-        std::vector<Eigen::Index> picked;
-        MultinomialResampling{}.ancestors(weights, count, stream, picked);
-        ASSERT_EQ(picked, expected);
       }
     }
   }
@@ -205,7 +261,7 @@ TEST(MultinomialResampling, IsABinarySearchAncestorByAncestor) {
 TEST(MultinomialResampling, LooksUpTheSortedDraws) {
   const RandomStream stream(1, 0, 0, RandomPurpose::Resampling);
   const Eigen::ArrayXd weights = Eigen::ArrayXd::Constant(200, 1.0);
-  std::vector<Eigen::Index> picked;
+  Ancestors picked;
   MultinomialResampling{}.ancestors(weights, 300, stream, picked);
   const std::vector<double> draws = drawsByDefinition(300, 200.0, stream);
   for (std::size_t i = 0; i < picked.size(); ++i) {

@@ -136,7 +136,7 @@ TEST(ParticleFilter, ProposalWeightsCount) {
       filter.iterate(WeightedProposal{}, Constant{-5.0}, MultinomialResampling{}, 2, {}, team);
   EXPECT_NEAR(result.mean[0], 0.75, 1e-12); // weights 1 : 3 on x = 0 and 1
   EXPECT_NEAR(filter.weights()[1], 0.75, 1e-12);
-  EXPECT_TRUE((filter.weighted().states == states).all());
+  EXPECT_TRUE((filter.states() == states).all());
 }
 
 TEST(ParticleFilter, DegenerateWeightsKeepAllAndAreFlagged) {
@@ -158,21 +158,21 @@ TEST(ParticleFilter, CountChangesAtResamplingOrAtOnce) {
   ParticleFilter filter;
   filter.start(Eigen::ArrayXXd::Zero(20, 3));
   filter.iterate(RandomWalk{}, Constant{}, MultinomialResampling{}, 30, {1, 0, 0}, team);
-  EXPECT_EQ(filter.weighted().particleCount(), 20);
-  EXPECT_EQ(filter.next().rows(), 30);
+  EXPECT_EQ(filter.states().rows(), 20);
+  EXPECT_EQ(filter.nextCount(), 30);
   filter.resize(MultinomialResampling{}, 10, {1, 0, 1}, team);
-  EXPECT_EQ(filter.weighted().particleCount(), 20);
-  ASSERT_EQ(filter.next().rows(), 10);
+  EXPECT_EQ(filter.states().rows(), 20);
+  ASSERT_EQ(filter.nextCount(), 10);
   for (Eigen::Index i = 0; i < 10; ++i) { // each is one of the weighted ones
     bool found = false;
     for (Eigen::Index j = 0; j < 20; ++j) {
-      found = found || (filter.next().row(i) == filter.weighted().states.row(j)).all();
+      found = found || (filter.next().row(i) == filter.states().row(j)).all();
     }
     EXPECT_TRUE(found);
   }
   filter.iterate(RandomWalk{}, Constant{}, MultinomialResampling{}, 10, {1, 0, 1}, team);
-  EXPECT_EQ(filter.weights().size(), 10);
-  EXPECT_NEAR(filter.weights().sum(), 1.0, 1e-12);
+  EXPECT_EQ(filter.weights().count(), 10);
+  EXPECT_NEAR(filter.weights().all().sum(), 1.0, 1e-12);
 }
 
 } // namespace

@@ -13,7 +13,7 @@ TEST(MultinomialResampling, IsUnbiased) {
   Eigen::ArrayXd weights(5);
   weights << 0.5, 0.0, 0.2, 0.29, 0.01;
   constexpr int kDraws = 200000;
-  std::vector<Eigen::Index> picked;
+  Ancestors picked;
   MultinomialResampling{}.ancestors(weights, kDraws,
                                     RandomStream(11, 0, 0, RandomPurpose::Resampling), picked);
   ASSERT_EQ(picked.size(), static_cast<std::size_t>(kDraws));
@@ -36,7 +36,7 @@ TEST(MultinomialResampling, DrawsAreIndependent) {
   constexpr int kTrials = 20000;
   double sum = 0.0;
   double squares = 0.0;
-  std::vector<Eigen::Index> picked;
+  Ancestors picked;
   for (std::uint32_t trial = 0; trial < kTrials; ++trial) {
     MultinomialResampling{}.ancestors(weights, 10,
                                       RandomStream(5, trial, 0, RandomPurpose::Resampling), picked);
@@ -54,7 +54,7 @@ TEST(MultinomialResampling, OneParticleWithAllTheWeightIsAlwaysPicked) {
   for (const Eigen::Index holder : {0, 3, 6}) {
     Eigen::ArrayXd weights = Eigen::ArrayXd::Zero(7);
     weights[holder] = 1e-300; // need not sum to 1
-    std::vector<Eigen::Index> picked;
+    Ancestors picked;
     MultinomialResampling{}.ancestors(weights, 1000,
                                       RandomStream(1, 0, 0, RandomPurpose::Resampling), picked);
     for (const Eigen::Index ancestor : picked) {
