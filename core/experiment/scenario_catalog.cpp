@@ -11,7 +11,8 @@ const std::vector<ScenarioDeclaration>& scenarioCatalog() {
          {scenarios::cleanScenarios(), scenarios::lookAlikeScenarios(),
           scenarios::occlusionScenarios(), scenarios::blackoutScenarios(),
           scenarios::startScenarios(), scenarios::crossingScenarios(), scenarios::cameraScenarios(),
-          scenarios::clockScenarios(), scenarios::lightScenarios(), scenarios::bumpScenarios()}) {
+          scenarios::clockScenarios(), scenarios::lightScenarios(), scenarios::bumpScenarios(),
+          scenarios::unknownScenarios()}) {
       for (const auto& recipe : family) {
         all.push_back(scenarios::declared(recipe, cache));
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S0: one ball on a cluttered desk, nothing else of its color. S1: balls that look the same.
+// S10: the same with a ball whose size methods are not told.
 #include "core/experiment/scenario_places.h"
 #include "core/simulation/scene.h"
 
@@ -14,6 +15,10 @@ namespace {
 
 constexpr double kRadius = 0.035;
 constexpr double kTwinDistance = 3.0 * kRadius; // least distance of a look-alike to the target
+
+/// Radii of balls of unknown size: that of a walnut to that of an orange.
+constexpr double kSmallest = 0.02;
+constexpr double kLargest = 0.045;
 
 bool cleanDesk(ScenarioDraft& draft, bool fast) {
   return addDeskBall(draft, 180, fast);
@@ -101,6 +106,19 @@ bool amongTwins(ScenarioDraft& draft, int count, bool moving) {
   return false;
 }
 
+/// The ball of the clean desk, of any size; methods must find it out.
+bool ofUnknownSize(ScenarioDraft& draft, int twins) {
+  if (twins > 0 ? !amongTwins(draft, twins, false) : !cleanDesk(draft, false)) {
+    return false;
+  }
+  const double radius = draft.draws.uniform(kSmallest, kLargest);
+  for (simulation::StageBody& body : draft.stage.bodies) {
+    body.radius = radius;
+  }
+  draft.radiusKnown = false;
+  return true;
+}
+
 } // namespace
 
 std::vector<ScenarioRecipe> cleanScenarios() {
@@ -126,6 +144,15 @@ std::vector<ScenarioRecipe> lookAlikeScenarios() {
     }
   }
   return recipes;
+}
+
+std::vector<ScenarioRecipe> unknownScenarios() {
+  ScenarioRecipe clean{"S10-clean", "The smooth path; how large the ball is must be found out.",
+                       demoRig()};
+  clean.complete = [](ScenarioDraft& draft) { return ofUnknownSize(draft, 0); };
+  ScenarioRecipe twins{"S10-still-3", "The same among 3 identical balls at rest.", demoRig()};
+  twins.complete = [](ScenarioDraft& draft) { return ofUnknownSize(draft, 3); };
+  return {clean, twins};
 }
 
 } // namespace dewpoint::scenarios

@@ -138,7 +138,7 @@ ScenarioRun runOf(ScenarioDraft draft) {
   }
   for (const std::size_t target : draft.targets) {
     const simulation::StageBody& body = draft.stage.bodies[target];
-    run.targets.push_back(pinkTarget(body.name, body.radius));
+    run.targets.push_back(pinkTarget(body.name, draft.radiusKnown ? body.radius : 0.0));
   }
   run.startCenter = draft.startCenter;
   run.startHalf = draft.startHalf;

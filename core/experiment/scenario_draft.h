@@ -46,6 +46,7 @@ struct ScenarioDraft {
   CameraRig rig; ///< the true cameras
   simulation::Stage stage = {};
   std::vector<std::size_t> targets = {}; ///< which bodies of the stage are to be tracked
+  bool radiusKnown = true;               ///< whether methods are told how large the targets are
   Eigen::Vector3d startCenter = Eigen::Vector3d::Zero();
   Eigen::Vector3d startHalf = Eigen::Vector3d::Zero();
   double framesPerSecond = 30.0;
@@ -97,5 +98,6 @@ std::vector<ScenarioRecipe> cameraScenarios();    ///< S6
 std::vector<ScenarioRecipe> clockScenarios();     ///< S7
 std::vector<ScenarioRecipe> lightScenarios();     ///< S8
 std::vector<ScenarioRecipe> bumpScenarios();      ///< S9
+std::vector<ScenarioRecipe> unknownScenarios();   ///< S10
 
 } // namespace dewpoint::scenarios
