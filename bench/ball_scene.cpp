@@ -91,11 +91,11 @@ BallScene::BallScene(const CameraRig& cameras, Eigen::Index particles, int threa
   showFrame();
 }
 
-void BallScene::showFrame() {
+void BallScene::showFrame(int iterations) {
   for (std::size_t c = 0; c < images.size(); ++c) {
     product.setImage(c, images[c]);
   }
-  product.prepare(count);
+  product.prepare(count * iterations);
 }
 
 StateEstimate BallScene::iterateProduct() {

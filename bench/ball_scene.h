@@ -46,7 +46,8 @@ struct BallScene {
 
   BallScene(const CameraRig& cameras, Eigen::Index particles, int threads = 1);
 
-  void showFrame(); ///< the same images again, as if they were new
+  /// The same images again, as if they were new, for so many iterations.
+  void showFrame(int iterations = 1);
   StateEstimate iterateProduct();
   StateEstimate iterateNaive();
 };

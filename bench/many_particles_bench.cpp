@@ -19,9 +19,10 @@ void warmUp(BallScene& scene) {
   }
 }
 
-/// Arguments: particles, cameras, threads.
+/// Arguments: particles, cameras, threads. All iterations are on one frame, already counted.
 void iteration(benchmark::State& state) {
   BallScene scene(vgaRig(int(state.range(1))), state.range(0), int(state.range(2)));
+  scene.showFrame(1000);
   warmUp(scene);
   for ([[maybe_unused]] auto _ : state) {
     benchmark::DoNotOptimize(scene.iterateProduct());
@@ -33,6 +34,19 @@ BENCHMARK(iteration)
     ->Args({1000000, 8, 1})
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK(iteration)->Args({1000000, 2, 2})->UseRealTime()->Unit(benchmark::kMicrosecond);
+
+/// One iteration on every frame: the frame is part of it. Arguments: particles, cameras.
+void iterationOnNewFrame(benchmark::State& state) {
+  BallScene scene(vgaRig(int(state.range(1))), state.range(0));
+  warmUp(scene);
+  for ([[maybe_unused]] auto _ : state) {
+    scene.showFrame();
+    benchmark::DoNotOptimize(scene.iterateProduct());
+  }
+}
+BENCHMARK(iterationOnNewFrame)
+    ->ArgsProduct({{1000, 10000, 100000, 1000000}, {2}})
+    ->Unit(benchmark::kMicrosecond);
 
 void naiveIteration(benchmark::State& state) {
   BallScene scene(vgaRig(int(state.range(1))), state.range(0));
@@ -66,6 +80,10 @@ int main(int argc, char** argv) {
   for (const int particles : {1000, 10000, 100000, 1000000}) {
     costs.push_back({fmt::format("{} particles, 2 cameras, per particle", particles),
                      nameOf(particles, 2), double(particles), particles == 1000000 ? 14.0 : 0.0});
+  }
+  for (const int particles : {1000, 10000, 100000, 1000000}) {
+    costs.push_back({fmt::format("the same with a new frame each time, {} particles", particles),
+                     fmt::format("iterationOnNewFrame/{}/2", particles), double(particles)});
   }
   for (const int cameras : {4, 8}) {
     costs.push_back({fmt::format("1000000 particles, {} cameras, per particle", cameras),

@@ -72,10 +72,10 @@ void ColorWindow::setImage(std::size_t camera, const cv::Mat& image) {
   view.counts.clear();
 }
 
-void ColorWindow::prepare(std::int64_t particleCount) {
+void ColorWindow::prepare(std::int64_t windowCount) {
   for (View& view : views_) {
     const auto pixels = static_cast<std::int64_t>(view.image.total());
-    if (particleCount * kPixelsPerWindow < pixels) {
+    if (windowCount * kPixelsPerWindow < pixels) {
       view.counts.clear();
     } else if (view.counts.empty() && pixels > 0) {
       view.counts.build(view.image, classifier_);

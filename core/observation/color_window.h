@@ -31,10 +31,11 @@ public:
   void setClassifier(const ColorClassifier& classifier);
   /// The image (CV_8UC3, blue green red) that a camera shows from now on; empty for none.
   void setImage(std::size_t camera, const cv::Mat& image);
-  /// Decides how colors are looked up for this many particles: pixel by pixel where it is needed,
-  /// or from counts over the whole image once the windows together cover more pixels than it has.
-  /// The result is the same. Not to be called while other threads use the model.
-  void prepare(std::int64_t particleCount);
+  /// Decides how colors are looked up when these images will be asked for this many windows, the
+  /// particles of all iterations on them: pixel by pixel where it is needed, or from counts over
+  /// the whole image where that takes less time. The result is the same. Not to be called while
+  /// other threads use the model.
+  void prepare(std::int64_t windowCount);
 
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const;
 

@@ -54,7 +54,7 @@ TargetEstimate BarreraTracker::iterate(ThreadTeam& team) {
   if (filter_.nextCount() != particleCount) {
     filter_.resize(resampling, particleCount, key_, team);
   }
-  observation_.prepare(particleCount);
+  observation_.prepare(particleCount * iterationsPerFrame());
   const StateEstimate state =
       filter_.iterate(proposal, observation_, resampling, particleCount, key_, team);
   ++key_.iteration;
