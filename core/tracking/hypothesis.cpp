@@ -30,6 +30,9 @@ constexpr double kAbrupt = 4.0;
 constexpr double kPartlySeen = 0.25;
 /// Evidence, as a share of the best, that leaves nothing to look for farther off.
 constexpr double kClear = 0.7;
+/// Evidence of the five samples along one spoke and its opposite, which a straight edge that hides half
+/// of the target takes or leaves together.
+constexpr double kFewSamples = 6.0;
 /// An outline farther off must have this much more evidence.
 constexpr double kWorthALeap = 3.0;
 /// A moving ball is smeared over an exposure of usually about 10 ms; its outline is off by a share
@@ -144,7 +147,7 @@ Measured measure(const Hypothesis& hypothesis, SphereObservation& observation,
   const double expected =
       std::min(observation.logRatio(prior.center, hypothesis.velocity()),
                kClear * observation.bestLogRatio(prior.center, hypothesis.velocity()));
-  result.accepted = result.logRatio > 0.0 && result.logRatio >= expected - 1.0;
+  result.accepted = result.logRatio > 0.0 && result.logRatio >= expected - kFewSamples;
   return result;
 }
 

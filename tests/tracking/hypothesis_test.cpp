@@ -137,6 +137,27 @@ TEST_F(HypothesisTest, AnOutlineFarAwayIsAnotherThings) {
   EXPECT_LT((hypothesis_.place() - drawn::kMiddle).norm(), 0.05); // nearer to where it was
 }
 
+// Half of the ball is behind something that looks like the wall: at a place away from it more
+// samples show the color, but the outline knows better.
+TEST_F(HypothesisTest, AFewSamplesLessDoNotRefuseAnOutline) {
+  show({Ball{drawn::kMiddle}});
+  const int middle = images_[1].cols / 2; // where both cameras see the middle
+  const int edge = middle - 2;            // so that one line of samples lies behind it
+  images_[1](cv::Rect(edge, 0, images_[1].cols - edge, images_[1].rows)) =
+      cv::Scalar::all(drawn::kWall);
+  observation_.setImage(1, images_[1], 0.0, backgrounds_[1], classifier_);
+  const Eigen::Vector3d left =
+      rig_[1].cameraFromWorld.linear().transpose() * Eigen::Vector3d(-1.0, 0.0, 0.0);
+  hypothesis_.belief.mean.head<3>() = drawn::kMiddle + 0.006 * left;
+  observation_.setRadius(0.035);
+  const Eigen::Vector3d rest = Eigen::Vector3d::Zero();
+  ASSERT_GT(observation_.logRatio(hypothesis_.place(), rest),
+            observation_.logRatio(drawn::kMiddle, rest) + 4.0);
+  look(hypothesis_, observation_, 500, key_, team_);
+  EXPECT_TRUE(hypothesis_.measured);
+  EXPECT_LT((hypothesis_.place() - drawn::kMiddle).norm(), 4e-3);
+}
+
 TEST_F(HypothesisTest, AnUnknownRadiusIsLearnedLookByLook) {
   const Eigen::Vector3d truth = drawn::kMiddle;
   show({Ball{truth}});
