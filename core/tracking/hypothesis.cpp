@@ -30,8 +30,8 @@ constexpr double kAbrupt = 4.0;
 constexpr double kPartlySeen = 0.25;
 /// Evidence, as a share of the best, that leaves nothing to look for farther off.
 constexpr double kClear = 0.7;
-/// Evidence of the five samples along one spoke and its opposite, which a straight edge that hides half
-/// of the target takes or leaves together.
+/// Evidence of the five samples along one spoke and its opposite, which a straight edge that hides
+/// half of the target takes or leaves together.
 constexpr double kFewSamples = 6.0;
 /// An outline farther off must have this much more evidence.
 constexpr double kWorthALeap = 3.0;
