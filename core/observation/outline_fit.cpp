@@ -27,6 +27,8 @@ constexpr double kEdgeSigmaPx = 0.45;
 /// Common offset of all edges of a camera, standard deviation: pixels and share of the radius.
 constexpr double kOffsetPx = 0.3;
 constexpr double kOffsetShare = 0.02;
+/// What is added to a camera's own information before it is inverted, as a share of it: depth.
+constexpr double kLeastOwnShare = 1e-4;
 constexpr double kJacobianStep = 1e-4; ///< metres
 constexpr double kGoodEnough = 2e-5;   ///< metres: a fiftieth of a pixel of a usual camera
 
@@ -182,6 +184,27 @@ CameraEquations equationsOf(const OutlineView& view, const Eigen::Vector3d& cent
   return result;
 }
 
+/// Fills in how much the cameras disagree after the last step.
+void compareCameras(const std::vector<CameraEquations>& cameras, const Vector4& step,
+                    OutlineFit& fit) {
+  int seeing = 0;
+  double sum = 0.0;
+  for (const CameraEquations& camera : cameras) {
+    if (camera.edges < kFewestEdges) {
+      continue;
+    }
+    ++seeing;
+    const Eigen::Vector3d left = (camera.vector - camera.matrix * step).head<3>();
+    Eigen::Matrix3d own = camera.matrix.topLeftCorner<3, 3>();
+    own.diagonal().array() += kLeastOwnShare * own.trace();
+    sum += left.dot(own.inverse() * left);
+  }
+  if (seeing > 1) {
+    fit.disagreement = sum;
+    fit.freedoms = 2 * seeing - 3; // a column and a row each, against one place
+  }
+}
+
 } // namespace
 
 OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior& prior,
@@ -190,6 +213,8 @@ OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior&
   fit.center = prior.center;
   fit.radius = prior.radius;
   Matrix4 total = Matrix4::Zero();
+  Vector4 step = Vector4::Zero();
+  std::vector<CameraEquations> cameras(views.size());
   for (const double width : reach == OutlineReach::Near ? kNearWidths : kFarWidths) {
     total.setZero();
     total.topLeftCorner<3, 3>() = prior.information;
@@ -205,7 +230,8 @@ OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior&
       if (views[k].labels == nullptr || views[k].labels->empty()) {
         continue;
       }
-      const CameraEquations equations = equationsOf(views[k], fit.center, fit.radius, width);
+      cameras[k] = equationsOf(views[k], fit.center, fit.radius, width);
+      const CameraEquations& equations = cameras[k];
       total += equations.matrix;
       vector += equations.vector;
       fit.edges[k] = equations.edges;
@@ -216,7 +242,7 @@ OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior&
     if (!fit.found) {
       return fit;
     }
-    Vector4 step = solver.solve(vector);
+    step = solver.solve(vector);
     if (!step.allFinite()) {
       fit.found = false;
       return fit;
@@ -240,6 +266,7 @@ OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior&
   fit.covariance = covariance.topLeftCorner<3, 3>();
   fit.logRadiusVariance = covariance(3, 3);
   fit.found = covariance.allFinite();
+  compareCameras(cameras, step, fit);
   return fit;
 }
 

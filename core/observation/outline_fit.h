@@ -28,6 +28,11 @@ struct OutlineFit {
   double logRadiusVariance = 0.0;                       ///< of log(radius)
   std::vector<int> edges; ///< per camera, spokes on which the outline was found
   bool found = false;     ///< enough of the outline was seen to say
+  /// How much the cameras disagree: the sum over the cameras of the squared distance, in standard
+  /// deviations, of what each alone would say from what they say together. Its mean is `freedoms`
+  /// if the edges' errors are as assumed; far more when a camera is not where it is thought to be.
+  double disagreement = 0.0;
+  int freedoms = 0; ///< 0 when only one camera sees the outline
 };
 
 /// What is known before the look.

@@ -54,6 +54,8 @@ struct PlaceEvidence {
   PlaceEvidence seenFrom(const Eigen::Vector3d& offset) const {
     return {information, vector - information * offset};
   }
+  /// The same with `factor` times the covariance.
+  PlaceEvidence widened(double factor) const { return {information / factor, vector / factor}; }
   /// What is known after the look, if `before` was known.
   Gaussian3 after(const Gaussian3& before) const;
   /// Squared Mahalanobis distance of the look from what was known before.

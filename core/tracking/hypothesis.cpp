@@ -33,6 +33,9 @@ constexpr double kClear = 0.7;
 /// Evidence of the five samples along one spoke and its opposite, which a straight edge that hides
 /// half of the target takes or leaves together.
 constexpr double kFewSamples = 6.0;
+/// Rate at which disagreement between cameras is learned, and how much counts at most.
+constexpr double kDisagreementRate = 0.2;
+constexpr double kMostDisagreement = 1000.0;
 /// An outline farther off must have this much more evidence.
 constexpr double kWorthALeap = 3.0;
 /// A moving ball is smeared over an exposure of usually about 10 ms; its outline is off by a share
@@ -187,6 +190,16 @@ Measured findOutline(Hypothesis& hypothesis, SphereObservation& observation,
   return found;
 }
 
+/// The factor by which the covariance of an outline is larger than its edges say, as the cameras
+/// disagree.
+double widening(Hypothesis& hypothesis, const OutlineFit& fit) {
+  if (fit.freedoms > 0) {
+    const double now = std::min(fit.disagreement / fit.freedoms, kMostDisagreement);
+    hypothesis.disagreement += kDisagreementRate * (now - hypothesis.disagreement);
+  }
+  return std::max(1.0, hypothesis.disagreement);
+}
+
 /// Conditions the belief on a fitted outline.
 void conditionOn(Hypothesis& hypothesis, const Prediction& prediction, const Measured& found) {
   const double blur = kBlurSeconds * hypothesis.velocity().norm();
@@ -194,7 +207,8 @@ void conditionOn(Hypothesis& hypothesis, const Prediction& prediction, const Mea
   const PlaceEvidence evidence =
       PlaceEvidence::between(found.before, {found.fit.center, found.fit.covariance},
                              blur * blur + shade * shade)
-          .seenFrom(hypothesis.place() - found.before.mean);
+          .seenFrom(hypothesis.place() - found.before.mean)
+          .widened(widening(hypothesis, found.fit));
   const double off = evidence.squaredDistance(hypothesis.belief.covariance.topLeftCorner<3, 3>());
   if (off > kAbrupt * kAbrupt) {
     hypothesis.belief.covariance = prediction.covariance; // it moved as it had not before

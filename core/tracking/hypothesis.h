@@ -31,6 +31,8 @@ struct Hypothesis {
   int looks = 0;                ///< frames it has been looked at
   bool measured = false;        ///< the outline was found at the last look
   Agility agility;              ///< how it has moved of late
+  /// By how much the cameras have disagreed of late, against what is assumed of an outline's edges.
+  double disagreement = 1.0;
   /// Steps of motion that the particles have yet to make: they are not needed while the outline is
   /// found, because new ones are drawn then.
   std::vector<std::pair<ConstantVelocity, RandomStream>> pending;

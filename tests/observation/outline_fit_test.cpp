@@ -260,5 +260,32 @@ TEST(OutlineFit, ASurePriorIsKept) {
   EXPECT_LT((fit.center - prior.center).norm(), 1e-4);
 }
 
+// Three cameras agree as well as their edges do; one that was turned, so that its image lies six
+// pixels aside, does not. One camera alone cannot disagree.
+TEST(OutlineFit, TellsHowMuchTheCamerasDisagree) {
+  FitScene scene(drawn::rigAround(3, kVga));
+  double agreeing = 0.0;
+  constexpr std::uint32_t kPlaces = 10;
+  for (std::uint32_t k = 0; k < kPlaces; ++k) {
+    const Eigen::Vector3d truth = drawn::placeNear(k, 0.1);
+    scene.show({Ball{truth, kRadius}}, 3.0, k);
+    const OutlineFit fit = fitOutline(scene.views(), startAt(truth, k, 0.1));
+    ASSERT_EQ(fit.freedoms, 3); // two coordinates in each of three images, against three in space
+    agreeing += fit.disagreement / fit.freedoms / kPlaces;
+    const cv::Mat before = scene.image(2).clone();
+    before(cv::Rect(6, 0, before.cols - 6, before.rows))
+        .copyTo(scene.image(2)(cv::Rect(0, 0, before.cols - 6, before.rows)));
+    const OutlineFit turned = fitOutline(scene.views(), startAt(truth, k, 0.1));
+    EXPECT_GT(turned.disagreement / turned.freedoms, 20.0) << k;
+  }
+  EXPECT_LT(agreeing, 1.5);
+  EXPECT_GT(agreeing, 0.05);
+  FitScene alone(drawn::rigAround(1, kVga));
+  alone.show({Ball{drawn::kMiddle, kRadius}});
+  const OutlineFit fit = fitOutline(alone.views(), startAt(drawn::kMiddle, 0, 0.1));
+  EXPECT_EQ(fit.freedoms, 0);
+  EXPECT_EQ(fit.disagreement, 0.0);
+}
+
 } // namespace
 } // namespace dewpoint

@@ -135,6 +135,12 @@ TEST_F(PlaceEvidenceTest, MoreNoiseMakesItWeaker) {
   EXPECT_NEAR(evidence.vector.x(), 5e-3 / 4e-6, 1e-1);
 }
 
+TEST_F(PlaceEvidenceTest, WidenedSaysTheSameLessSurely) {
+  const PlaceEvidence evidence = PlaceEvidence::between(known(), learned(), 0.0).widened(4.0);
+  EXPECT_NEAR(evidence.information(0, 0), 1e6 / 4.0, 10.0); // 2 mm instead of 1 mm
+  EXPECT_NEAR(evidence.vector.x() / evidence.information(0, 0), 5e-3, 1e-7);
+}
+
 TEST_F(PlaceEvidenceTest, IsTheSameFromElsewhere) {
   const Eigen::Vector3d offset(2e-3, -1e-3, 3e-3);
   const PlaceEvidence evidence = PlaceEvidence::between(known(), learned(), 0.0).seenFrom(offset);
