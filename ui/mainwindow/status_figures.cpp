@@ -20,9 +20,10 @@ QString number(double value, int decimals) {
   return QLocale().toString(value, 'f', decimals);
 }
 
-/// Millimetres below a metre, metres above.
+/// Millimetres below a metre, with a decimal below a centimetre; metres above.
 QString length(double metres) {
-  return metres < 1.0 ? StatusFigures::tr("%1 mm").arg(number(metres * 1000.0, 0))
+  const int decimals = metres < 0.01 ? 1 : 0;
+  return metres < 1.0 ? StatusFigures::tr("%1 mm").arg(number(metres * 1000.0, decimals))
                       : StatusFigures::tr("%1 m").arg(number(metres, 2));
 }
 

@@ -48,6 +48,7 @@ ParameterRow::ParameterRow(const ParameterDeclaration& declaration, QWidget* par
       new QLabel(QCoreApplication::translate("Parameter", declaration.label.c_str()), this);
   label->setObjectName(QStringLiteral("label_") + name);
   label->setBuddy(box_);
+  label->setWordWrap(true); // long words of some languages must not push the numbers out
 
   slider_->setRange(0, kSliderSteps);
   slider_->setPageStep(kSliderSteps / 20);
