@@ -48,6 +48,9 @@ public:
   /// overlap.
   void normals(std::uint32_t firstIndex, std::int64_t count,
                const std::array<double*, 3>& columns) const;
+  /// normal4(i, block) likewise, in four columns.
+  void normals4(std::uint32_t firstIndex, std::uint32_t block, std::int64_t count,
+                const std::array<double*, 4>& columns) const;
   /// exponential4(i) likewise, in four columns.
   void exponentials(std::uint32_t firstIndex, std::int64_t count,
                     const std::array<float*, 4>& columns) const;

@@ -20,10 +20,10 @@ struct RandomBatch {
   /// `Word` is what vector units mix fastest: see Philox.
   template <class Word>
   DEWPOINT_KERNEL void draw(const RandomStream& stream, std::uint32_t firstIndex, int count,
-                            Words& words) {
+                            Words& words, std::uint32_t block = 0) {
     const std::uint32_t iteration = stream.iteration_;
     const std::uint32_t frame = stream.frame_;
-    const std::uint32_t purpose = stream.purpose_ << 24U;
+    const std::uint32_t purpose = (stream.purpose_ << 24U) | block;
     const std::uint32_t key0 = stream.key_[0];
     const std::uint32_t key1 = stream.key_[1];
     for (int i = 0; i < count; ++i) {
@@ -54,6 +54,27 @@ struct RandomBatch {
         }
         for (int i = 0; i < count; ++i) {
           third[begin + i] = boxMullerSingle(words.word[2][i], words.word[3][i]).first;
+        }
+      }
+    }
+  };
+
+  template <class Word> struct NormalsInDouble {
+    DEWPOINT_KERNEL void run(const RandomStream* stream, std::uint32_t firstIndex,
+                             std::uint32_t block, std::int64_t total,
+                             const std::array<double*, 4>* columns) {
+      alignas(64) Words words;
+      for (std::int64_t begin = 0; begin < total; begin += kBlock) {
+        const int count = static_cast<int>(std::min<std::int64_t>(kBlock, total - begin));
+        draw<Word>(*stream, firstIndex + static_cast<std::uint32_t>(begin), count, words, block);
+        for (std::size_t pair = 0; pair < 4; pair += 2) {
+          double* __restrict first = (*columns)[pair] + begin;
+          double* __restrict second = (*columns)[pair + 1] + begin;
+          for (int i = 0; i < count; ++i) {
+            const NormalPair normal = boxMuller(words.word[pair][i], words.word[pair + 1][i]);
+            first[i] = normal.first;
+            second[i] = normal.second;
+          }
         }
       }
     }
@@ -91,6 +112,11 @@ void RandomStream::normals(std::uint32_t firstIndex, std::int64_t count,
                            const std::array<double*, 3>& columns) const {
   RandomBatch::run<RandomBatch::Normals>(this, firstIndex, count, columns[0], columns[1],
                                          columns[2]);
+}
+
+void RandomStream::normals4(std::uint32_t firstIndex, std::uint32_t block, std::int64_t count,
+                            const std::array<double*, 4>& columns) const {
+  RandomBatch::run<RandomBatch::NormalsInDouble>(this, firstIndex, block, count, &columns);
 }
 
 void RandomStream::exponentials(std::uint32_t firstIndex, std::int64_t count,

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace dewpoint {
 namespace {
@@ -35,23 +37,46 @@ struct BackgroundModel::LightSample {
 
 namespace {
 
-/// The median of the ratios of a channel; 1 where too few say something.
+/// The ratios of a channel where they say something.
 template <class Sample>
-double medianRatio(const std::vector<Sample>& samples, std::size_t channel) {
-  std::vector<double> ratios;
-  ratios.reserve(samples.size());
+std::vector<double> ratiosOf(const std::vector<Sample>& samples, std::size_t channel) {
+  std::vector<double> ratios(samples.size());
+  std::size_t count = 0;
   for (const auto& sample : samples) {
-    if (sample.usual[channel] >= kDarkest && sample.usual[channel] <= kBrightest &&
-        sample.now[channel] <= kBrightest) {
-      ratios.push_back((sample.now[channel] + 0.5) / (sample.usual[channel] + 0.5));
-    }
+    const int usual = sample.usual[channel];
+    ratios[count] = (sample.now[channel] + 0.5) / (usual + 0.5);
+    const bool speaks =
+        (usual >= kDarkest) & (usual <= kBrightest) & (sample.now[channel] <= kBrightest);
+    count += speaks ? 1 : 0;
   }
+  ratios.resize(count);
+  return ratios;
+}
+
+/// Their median; 1 where there are too few.
+double medianOf(std::vector<double> ratios) {
   if (ratios.size() < kFewest) {
     return 1.0;
   }
   const auto middle = ratios.begin() + std::ssize(ratios) / 2;
   std::nth_element(ratios.begin(), middle, ratios.end());
   return *middle;
+}
+
+/// Whether medianOf() differs noticeably from 1, without looking for it: it does not while the
+/// ratios below and those above leave the middle to the others.
+bool isNoticeable(const std::vector<double>& ratios) {
+  if (ratios.size() < kFewest) {
+    return false;
+  }
+  std::ptrdiff_t below = 0;
+  std::ptrdiff_t above = 0;
+  for (const double ratio : ratios) {
+    below += 1.0 - ratio >= kNoticeable ? 1 : 0;
+    above += ratio - 1.0 >= kNoticeable ? 1 : 0;
+  }
+  const std::ptrdiff_t middle = std::ssize(ratios) / 2;
+  return below > middle || above >= std::ssize(ratios) - middle;
 }
 
 /// Share of the samples that are explained by this change of light.
@@ -80,6 +105,8 @@ BackgroundModel::lightSamples(const cv::Mat& image) const {
   const int step =
       std::max(1, static_cast<int>(std::sqrt(static_cast<double>(image.total()) / kSamples)));
   std::vector<LightSample> samples;
+  samples.reserve(static_cast<std::size_t>(image.rows / step + 1) *
+                  static_cast<std::size_t>(image.cols / step + 1));
   for (int row = step / 2; row < image.rows; row += step) {
     const std::uint8_t* confidence = confidence_.ptr<std::uint8_t>(row);
     const std::uint8_t* now = image.ptr<std::uint8_t>(row);
@@ -103,14 +130,18 @@ void BackgroundModel::followLight(const cv::Mat& image) {
   if (samples.size() < kFewest) {
     return;
   }
-  const Eigen::Array3d gain(medianRatio(samples, 0), medianRatio(samples, 1),
-                            medianRatio(samples, 2));
+  std::array<std::vector<double>, 3> ratios{ratiosOf(samples, 0), ratiosOf(samples, 1),
+                                            ratiosOf(samples, 2)};
+  if (std::none_of(ratios.begin(), ratios.end(), isNoticeable)) {
+    return;
+  }
+  const Eigen::Array3d gain(medianOf(std::move(ratios[0])), medianOf(std::move(ratios[1])),
+                            medianOf(std::move(ratios[2])));
   const Eigen::Array3d light = gain * light_;
   const auto within = [](const Eigen::Array3d& factors, double greatest) {
     return factors.maxCoeff() <= greatest && factors.minCoeff() >= 1.0 / greatest;
   };
-  if ((gain - 1.0).abs().maxCoeff() < kNoticeable || !within(gain, kGreatest) ||
-      !within(light, kGreatestInAll)) {
+  if (!within(gain, kGreatest) || !within(light, kGreatestInAll)) {
     return;
   }
   const double share = agreement(samples, gain);

@@ -69,11 +69,18 @@ void LabelImage::require(const cv::Rect& area) {
   // Whole blocks of columns: what is left over after them is classified one by one.
   const int left = wanted.x / kBlock * kBlock;
   const int right = (wanted.x + wanted.width + kBlock - 1) / kBlock * kBlock;
+  const cv::Rect before = covered_;
   covered_ = cv::Rect(left, wanted.y, right - left, wanted.height) & whole;
-  make(covered_);
-  for (const Explanation& explanation : explained_) {
-    mark(explanation.other, explanation.except);
+  if (before.empty()) {
+    make(covered_);
+    return;
   }
+  const int bottom = before.y + before.height;
+  const int behind = before.x + before.width;
+  make({covered_.x, covered_.y, covered_.width, before.y - covered_.y});
+  make({covered_.x, bottom, covered_.width, covered_.y + covered_.height - bottom});
+  make({covered_.x, before.y, before.x - covered_.x, before.height});
+  make({behind, before.y, covered_.x + covered_.width - behind, before.height});
 }
 
 void LabelImage::matchInUsualLight(const std::uint8_t* row, int count) {
@@ -90,6 +97,9 @@ void LabelImage::matchInUsualLight(const std::uint8_t* row, int count) {
 }
 
 void LabelImage::make(const cv::Rect& area) {
+  if (area.empty()) {
+    return;
+  }
   matched_.resize(static_cast<std::size_t>(area.width));
   const bool otherLight = (background_->light() - 1.0).abs().maxCoeff() > kOtherLight;
   for (int row = area.y; row < area.y + area.height; ++row) {
@@ -101,24 +111,28 @@ void LabelImage::make(const cv::Rect& area) {
     background_->labelRow(image_, area.x, row, area.width, matched_.data(),
                           labels_.ptr<std::uint8_t>(row) + area.x);
   }
+  for (const Explanation& explanation : explained_) {
+    mark(explanation, area);
+  }
 }
 
 void LabelImage::explain(const Circle& other, const Circle& except) {
   explained_.push_back({other, except});
-  mark(other, except);
+  mark(explained_.back(), covered_);
 }
 
-void LabelImage::mark(const Circle& other, const Circle& except) {
+void LabelImage::mark(const Explanation& explanation, const cv::Rect& area) {
+  const auto& [other, except] = explanation;
   const double reach = other.radius;
-  const int top = std::max(covered_.y, static_cast<int>(std::ceil(other.center.y() - reach)));
-  const int bottom = std::min(covered_.y + covered_.height - 1,
-                              static_cast<int>(std::floor(other.center.y() + reach)));
+  const int top = std::max(area.y, static_cast<int>(std::ceil(other.center.y() - reach)));
+  const int bottom =
+      std::min(area.y + area.height - 1, static_cast<int>(std::floor(other.center.y() + reach)));
   for (int row = top; row <= bottom; ++row) {
     const double above = row - other.center.y();
     const double half = std::sqrt(std::max(0.0, reach * reach - above * above));
-    const int left = std::max(covered_.x, static_cast<int>(std::ceil(other.center.x() - half)));
-    const int right = std::min(covered_.x + covered_.width - 1,
-                               static_cast<int>(std::floor(other.center.x() + half)));
+    const int left = std::max(area.x, static_cast<int>(std::ceil(other.center.x() - half)));
+    const int right =
+        std::min(area.x + area.width - 1, static_cast<int>(std::floor(other.center.x() + half)));
     std::uint8_t* labels = labels_.ptr<std::uint8_t>(row);
     for (int column = left; column <= right; ++column) {
       const bool kept = (Eigen::Vector2d(column, row) - except.center).squaredNorm() <

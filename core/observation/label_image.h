@@ -64,13 +64,12 @@ public:
   const cv::Mat& labels() const { return labels_; }
 
 private:
-  void make(const cv::Rect& area);
-  void mark(const Circle& other, const Circle& except);
-
   struct Explanation {
     Circle other;
     Circle except;
   };
+  void make(const cv::Rect& area);
+  void mark(const Explanation& explanation, const cv::Rect& area);
 
   cv::Mat image_;
   const BackgroundModel* background_ = nullptr;

@@ -45,28 +45,31 @@ const std::array<Spoke, kSpokes>& spokes() {
   return table;
 }
 
+// Tables: which label comes next cannot be foreseen by a processor that has to branch on it.
+constexpr auto kInsideOf = [] {
+  std::array<double, kPixelLabelCount> values{};
+  values[std::size_t(PixelLabel::Target)] = kInsideMatch;
+  values[std::size_t(PixelLabel::Background)] = kInsideMiss;
+  values[std::size_t(PixelLabel::Unlearned)] = kInsideMiss;
+  return values;
+}();
+
+/// By the label outside, given a match at the edge; without one the ring says nothing.
+constexpr auto kRingOf = [] {
+  std::array<std::array<double, kPixelLabelCount>, kPixelLabelCount> values{};
+  auto& matchingEdge = values[std::size_t(PixelLabel::Target)];
+  matchingEdge.fill(kRingClean);
+  matchingEdge[std::size_t(PixelLabel::Target)] = kRingMatch;
+  matchingEdge[std::size_t(PixelLabel::Explained)] = 0.0;
+  return values;
+}();
+
 double inside(PixelLabel label) {
-  switch (label) {
-  case PixelLabel::Target:
-    return kInsideMatch;
-  case PixelLabel::Background:
-  case PixelLabel::Unlearned:
-    return kInsideMiss;
-  case PixelLabel::Unknown:
-  case PixelLabel::Explained:
-    break;
-  }
-  return 0.0;
+  return kInsideOf[std::size_t(label)];
 }
 
 double ring(PixelLabel edge, PixelLabel outer) {
-  if (edge != PixelLabel::Target) {
-    return 0.0;
-  }
-  if (outer == PixelLabel::Target) {
-    return kRingMatch;
-  }
-  return outer == PixelLabel::Explained ? 0.0 : kRingClean;
+  return kRingOf[std::size_t(edge)][std::size_t(outer)];
 }
 
 /// Reads labels around a center; whether all of them are covered is found out once.

@@ -50,7 +50,7 @@ std::uint32_t firstIndex(const Hypothesis& hypothesis) {
 
 double logSumOfTwo(double a, double b) {
   const double larger = std::max(a, b);
-  return larger + std::log(std::exp(a - larger) + std::exp(b - larger));
+  return larger + std::log(1.0 + std::exp(std::min(a, b) - larger));
 }
 
 /// The evidence of every particle.
@@ -248,24 +248,35 @@ void drawParticles(Hypothesis& hypothesis, SphereObservation& observation, Eigen
   remaining.diagonal().array() += 1e-12;
   const PreparedGaussian3 velocity({Eigen::Vector3d::Zero(), remaining});
   const double broadShare = 1.0 / static_cast<double>(kWideEvery);
+  const double logBroad = std::log(broadShare);
+  const double logNarrow = std::log1p(-broadShare);
 
   hypothesis.pending.clear();
   hypothesis.states.resize(count, 6);
   Eigen::ArrayXd logs(count);
   const RandomStream stream = key.stream(RandomPurpose::Proposal);
   const std::uint32_t first = firstIndex(hypothesis);
+  Eigen::ArrayXXd normals(count, 8);
+  const auto column = [&](Eigen::Index k, std::int64_t begin) {
+    return normals.col(k).data() + begin;
+  };
   team.forEachRange(count, [&](std::int64_t begin, std::int64_t end) {
+    for (const std::uint32_t block : {0U, 1U}) {
+      const Eigen::Index k = 4 * static_cast<Eigen::Index>(block);
+      stream.normals4(
+          first + static_cast<std::uint32_t>(begin), block, end - begin,
+          {column(k, begin), column(k + 1, begin), column(k + 2, begin), column(k + 3, begin)});
+    }
     for (std::int64_t i = begin; i < end; ++i) {
-      const auto index = first + static_cast<std::uint32_t>(i);
-      const auto a = stream.normal4(index, 0);
-      const auto b = stream.normal4(index, 1);
+      const auto a = normals.row(i).head<3>();
+      const auto b = normals.row(i).segment<3>(4);
       const bool isBroad = i % kWideEvery == kWideEvery - 1;
       const Eigen::Vector3d x = (isBroad ? broad : narrow).place({a[0], a[1], a[2]});
       const Eigen::Vector3d v = belief.mean.tail<3>() + gain * (x - belief.mean.head<3>()) +
                                 velocity.place({b[0], b[1], b[2]});
       hypothesis.states.row(i) << x.transpose().array(), v.transpose().array();
-      const double proposal = logSumOfTwo(std::log1p(-broadShare) + narrow.logDensity(x),
-                                          std::log(broadShare) + broad.logDensity(x));
+      const double proposal =
+          logSumOfTwo(logNarrow + narrow.logDensity(x), logBroad + broad.logDensity(x));
       logs[i] = posterior.logDensity(x) - proposal;
     }
   });

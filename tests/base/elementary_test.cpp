@@ -57,6 +57,9 @@ TEST(RandomColumns, AreTheSameBitsAsOneByOne) {
     const InstructionSetLimit limited(limit);
     for (const std::size_t count : {0U, 1U, 7U, 256U, 1000U}) {
       std::vector<std::vector<double>> normal(3, std::vector<double>(count));
+      std::vector<std::vector<double>> four(4, std::vector<double>(count));
+      stream.normals4(kFirst, 7, static_cast<std::int64_t>(count),
+                      {four[0].data(), four[1].data(), four[2].data(), four[3].data()});
       std::vector<std::vector<float>> exponential(4, std::vector<float>(count));
       stream.normals(kFirst, static_cast<std::int64_t>(count),
                      {normal[0].data(), normal[1].data(), normal[2].data()});
@@ -66,6 +69,7 @@ TEST(RandomColumns, AreTheSameBitsAsOneByOne) {
       for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t index = kFirst + static_cast<std::uint32_t>(i);
         for (std::size_t part = 0; part < 4; ++part) {
+          ASSERT_EQ(four[part][i], stream.normal4(index, 7)[part]) << i;
           ASSERT_EQ(exponential[part][i], stream.exponential4(index)[part]) << i;
         }
         const auto expected = stream.normal3(index);
