@@ -26,8 +26,7 @@ struct TileKernel {
                            const double* __restrict cumulative, std::int64_t begin,
                            std::int64_t end, AncestorSearch::Position* position,
                            std::int32_t* __restrict found) {
-    const double* of = cumulative - begin;
-    std::int64_t particle = position->particle;
+    std::int64_t at = position->particle - begin;
     std::int64_t base = position->base;
     std::int64_t first = position->firstDraw;
     Ranks low;
@@ -40,23 +39,23 @@ struct TileKernel {
       std::memcpy(&lower, draws + first, sizeof lower);
       std::memcpy(&upper, draws + first + kHalf, sizeof upper);
       const double last = draws[first + kTile - 1];
-      for (double weight = of[particle]; weight <= last; weight = of[++particle]) {
+      for (double weight = cumulative[at]; weight <= last; weight = cumulative[++at]) {
         low -= weight <= lower; // true is -1
         high -= weight <= upper;
       }
-      if (particle == end) {
+      if (begin + at == end) {
         break;
       }
       for (int l = 0; l < kHalf; ++l) {
         found[first + l] = static_cast<std::int32_t>(low[l] + base);
         found[first + kHalf + l] = static_cast<std::int32_t>(high[l] + base);
       }
-      base = particle;
+      base = begin + at;
       low = Ranks{};
       high = Ranks{};
       first += kTile;
     }
-    position->particle = particle;
+    position->particle = begin + at;
     position->base = base;
     position->firstDraw = first;
     std::memcpy(position->rank.data(), &low, sizeof low);
