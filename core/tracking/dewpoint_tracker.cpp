@@ -30,6 +30,10 @@ constexpr double kWellSeen = 0.55; ///< share of the best evidence
 constexpr double kFaint = 0.25;
 constexpr int kLooksOfGrace = 3;
 
+bool overlap(const Hypothesis& a, const Hypothesis& b) {
+  return (a.place() - b.place()).norm() <= kTouching * (a.radius + b.radius);
+}
+
 } // namespace
 
 DewpointTracker::DewpointTracker(const ParameterValues& parameters, const CameraRig& rig,
@@ -202,11 +206,17 @@ void DewpointTracker::iterate(ThreadTeam& team) {
   if (key_.iteration == 0) {
     followLight();
   }
+  for (std::size_t k = targetCount_; k < tracked_.size(); ++k) {
+    yieldToTargets(tracked_[k]);
+  }
   for (const std::size_t k : surestFirst()) {
     showImages(tracked_[k]);
     explainOthers(tracked_[k]);
     tracked_[k].belief.update(tracked_[k].observation, search_, occupiedByOthers(k), keyOf(k),
                               team);
+    if (k >= targetCount_) {
+      yieldToTargets(tracked_[k]);
+    }
   }
   resolveConflicts();
   if (key_.iteration == 0) {
@@ -225,14 +235,25 @@ void DewpointTracker::iterate(ThreadTeam& team) {
   keepToBudget(took.count());
 }
 
+void DewpointTracker::yieldToTargets(Tracked& lookAlike) {
+  const Hypothesis* place = lookAlike.belief.confident();
+  for (std::size_t k = 0; k < targetCount_ && place != nullptr; ++k) {
+    const Hypothesis* target = tracked_[k].belief.confident();
+    // Plainly seen a moment ago: it is still there. (One that is hidden may be believed in the
+    // wrong place.)
+    if (target != nullptr && target->wellSeen() && overlap(*place, *target)) {
+      lookAlike.belief.yield();
+      place = nullptr;
+    }
+  }
+}
+
 void DewpointTracker::resolveConflicts() {
   for (std::size_t a = 0; a < tracked_.size(); ++a) {
     for (std::size_t b = a + 1; b < tracked_.size(); ++b) {
       const Hypothesis* first = tracked_[a].belief.confident();
       const Hypothesis* second = tracked_[b].belief.confident();
-      if (first == nullptr || second == nullptr ||
-          (first->place() - second->place()).norm() >
-              kTouching * (first->radius + second->radius)) {
+      if (first == nullptr || second == nullptr || !overlap(*first, *second)) {
         continue;
       }
       (first->logRatio >= second->logRatio ? tracked_[b] : tracked_[a]).belief.yield();

@@ -44,6 +44,8 @@ private:
   void explainOthers(Tracked& own);
   std::vector<OccupiedSphere> occupiedByOthers(std::size_t index) const;
   std::vector<std::size_t> surestFirst() const;
+  /// A look-alike that came to lie on a target that is plainly there was the target itself.
+  void yieldToTargets(Tracked& lookAlike);
   void resolveConflicts();
   /// Things of a target's looks that are none are tracked as well, while all targets are well seen:
   /// then none of them can be taken for a target when one hides the other.

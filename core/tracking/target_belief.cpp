@@ -208,6 +208,9 @@ void TargetBelief::giveBirth(SphereObservation& observation, const CandidateSear
   const bool radiusKnown = target_.radius > 0.0;
   observation.setRadius(target_.radius);
   const double birth = absence() * kBirth;
+  // Saturation protects a target that is partly hidden from a look-alike that is not. Where nothing
+  // is believed yet there is nothing to protect, and what fits best is the likeliest.
+  const bool first = hypotheses_.empty();
   for (const Candidate& candidate : search.find(observation, radiusKnown, kCandidates)) {
     OutlinePrior prior;
     prior.center = candidate.center;
@@ -234,7 +237,7 @@ void TargetBelief::giveBirth(SphereObservation& observation, const CandidateSear
     }
     Hypothesis hypothesis = born(fit, observation, key, team);
     logMasses.push_back(std::log(birth * birthDensity(fit.center) * evidenceVolume(fit.radius)) +
-                        logRatio - excess(hypothesis));
+                        logRatio - (first ? 0.0 : excess(hypothesis)));
     hypotheses_.push_back(std::move(hypothesis));
   }
 }
