@@ -28,6 +28,9 @@ constexpr double kLeastLogRatio = 2.0; ///< evidence worth a hypothesis
 constexpr double kSearchSigma = 0.03;  ///< metres per iteration of the search cloud
 constexpr double kWellSeen = 0.55;     ///< share of the best evidence that leaves no doubt
 constexpr double kSure = 0.98;
+/// Share of the evidence beyond the saturation that tells several new places apart: samples err
+/// together (another ball behind the rim of this one), so it is worth less than it says.
+constexpr double kFirstShare = 0.4;
 /// Frames after which one of several things that all look just like the target is taken for it.
 constexpr int kLooksToDecide = 5;
 /// Two spheres of radii a and b cannot be closer than a + b; estimates may err a little.
@@ -209,8 +212,8 @@ void TargetBelief::giveBirth(SphereObservation& observation, const CandidateSear
   observation.setRadius(target_.radius);
   const double birth = absence() * kBirth;
   // Saturation protects a target that is partly hidden from a look-alike that is not. Where nothing
-  // is believed yet there is nothing to protect, and what fits best is the likeliest.
-  const bool first = hypotheses_.empty();
+  // is believed yet there is nothing to protect, and what fits better is likelier to be the target.
+  const double saturated = hypotheses_.empty() ? 1.0 - kFirstShare : 1.0;
   for (const Candidate& candidate : search.find(observation, radiusKnown, kCandidates)) {
     OutlinePrior prior;
     prior.center = candidate.center;
@@ -237,7 +240,7 @@ void TargetBelief::giveBirth(SphereObservation& observation, const CandidateSear
     }
     Hypothesis hypothesis = born(fit, observation, key, team);
     logMasses.push_back(std::log(birth * birthDensity(fit.center) * evidenceVolume(fit.radius)) +
-                        logRatio - (first ? 0.0 : excess(hypothesis)));
+                        logRatio - saturated * excess(hypothesis));
     hypotheses_.push_back(std::move(hypothesis));
   }
 }
