@@ -2,6 +2,229 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>Actions</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>New project…</source>
+        <translation>Neues Projekt…</translation>
+    </message>
+    <message>
+        <source>Make a project from videos or connected cameras</source>
+        <translation>Ein Projekt aus Videos oder angeschlossenen Kameras machen</translation>
+    </message>
+    <message>
+        <source>Open project…</source>
+        <translation>Projekt öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Ein Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Open the demo</source>
+        <translation>Demo öffnen</translation>
+    </message>
+    <message>
+        <source>Open the simulated demo scene</source>
+        <translation>Die simulierte Demo-Szene öffnen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Das Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>Save the project under another name</source>
+        <translation>Das Projekt unter anderem Namen speichern</translation>
+    </message>
+    <message>
+        <source>Save trajectory as CSV…</source>
+        <translation>Trajektorie als CSV speichern…</translation>
+    </message>
+    <message>
+        <source>Save the trajectory so far as CSV</source>
+        <translation>Die bisherige Trajektorie als CSV speichern</translation>
+    </message>
+    <message>
+        <source>Close project</source>
+        <translation>Projekt schließen</translation>
+    </message>
+    <message>
+        <source>Back to the start page</source>
+        <translation>Zurück zur Startseite</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Quit Dewpoint</source>
+        <translation>Dewpoint beenden</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Die letzte Änderung zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Make the change that was taken back again</source>
+        <translation>Die zurückgenommene Änderung wieder machen</translation>
+    </message>
+    <message>
+        <source>Shortcuts…</source>
+        <translation>Tastenkürzel…</translation>
+    </message>
+    <message>
+        <source>See and change all shortcuts</source>
+        <translation>Alle Tastenkürzel sehen und ändern</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Next frame</source>
+        <translation>Nächstes Bild</translation>
+    </message>
+    <message>
+        <source>Track one frame and pause</source>
+        <translation>Ein Bild verfolgen und anhalten</translation>
+    </message>
+    <message>
+        <source>One iteration</source>
+        <translation>Eine Iteration</translation>
+    </message>
+    <message>
+        <source>One filter iteration on the frame shown, and pause</source>
+        <translation>Eine Filteriteration auf dem gezeigten Bild, dann anhalten</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Start over with the same random numbers</source>
+        <translation>Von vorn beginnen, mit denselben Zufallszahlen</translation>
+    </message>
+    <message>
+        <source>Restart with a new seed</source>
+        <translation>Mit neuem Startwert beginnen</translation>
+    </message>
+    <message>
+        <source>Start over with other random numbers</source>
+        <translation>Von vorn beginnen, mit anderen Zufallszahlen</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Show mask</source>
+        <translation>Maske zeigen</translation>
+    </message>
+    <message>
+        <source>Show where the cameras see the target&apos;s color</source>
+        <translation>Zeigen, wo die Kameras die Zielfarbe sehen</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>Blick von oben</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from above: the XY plane</source>
+        <translation>Vogelperspektive von oben: die XY-Ebene</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>Blick von vorn</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from the front: the XZ plane</source>
+        <translation>Vogelperspektive von vorn: die XZ-Ebene</translation>
+    </message>
+    <message>
+        <source>Look freely</source>
+        <translation>Freier Blick</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from an oblique angle, free to orbit</source>
+        <translation>Vogelperspektive von schräg oben, frei drehbar</translation>
+    </message>
+    <message>
+        <source>Search actions…</source>
+        <translation>Aktionen suchen…</translation>
+    </message>
+    <message>
+        <source>Find any action by its name</source>
+        <translation>Jede Aktion nach ihrem Namen finden</translation>
+    </message>
+    <message>
+        <source>Arrange the views anew</source>
+        <translation>Ansichten neu anordnen</translation>
+    </message>
+    <message>
+        <source>Put all views back where they were at first</source>
+        <translation>Alle Ansichten dorthin, wo sie anfangs waren</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Colors of the system</source>
+        <translation>Farben des Systems</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Light colors</source>
+        <translation>Helle Farben</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Dark colors</source>
+        <translation>Dunkle Farben</translation>
+    </message>
+</context>
+<context>
     <name>Error</name>
     <message>
         <source>cannot be written</source>
@@ -246,20 +469,6 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>SetMethodCommand</name>
-    <message>
-        <source>Track by “%1”</source>
-        <translation>Verfolgen mit „%1“</translation>
-    </message>
-</context>
-<context>
-    <name>SetParameterCommand</name>
-    <message>
-        <source>Change “%1”</source>
-        <translation>„%1“ ändern</translation>
-    </message>
-</context>
-<context>
     <name>Unit</name>
     <message>
         <source>m</source>
@@ -329,6 +538,21 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::CommandPalette</name>
+    <message>
+        <source>What do you want to do?</source>
+        <translation>Was möchten Sie tun?</translation>
+    </message>
+    <message>
+        <source>Search actions</source>
+        <translation>Aktionen suchen</translation>
+    </message>
+    <message>
+        <source>Actions found</source>
+        <translation>Gefundene Aktionen</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ConvergencePlot</name>
     <message>
         <source>spread</source>
@@ -352,6 +576,17 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>Float this view, or put it back (double click the title: whole window)</source>
         <translation>Diese Ansicht lösen oder zurücksetzen (Doppelklick auf den Titel: ganzes Fenster)</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::Document</name>
+    <message>
+        <source>Change “%1”</source>
+        <translation>„%1“ ändern</translation>
+    </message>
+    <message>
+        <source>Track by “%1”</source>
+        <translation>Mit „%1“ verfolgen</translation>
     </message>
 </context>
 <context>
@@ -463,12 +698,235 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <source>Colors</source>
         <translation>Farben</translation>
     </message>
+    <message>
+        <source>Open recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>History of changes</source>
+        <translation>Verlauf der Änderungen</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
+        <translation>Klicken Sie in irgendeinem Bild auf das, was verfolgt werden soll: Seine Farbe wird gelernt, und die Verfolgung beginnt.</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Noch nichts</translation>
+    </message>
+    <message>
+        <source>Forget these</source>
+        <translation>Diese vergessen</translation>
+    </message>
+    <message>
+        <source>Dewpoint did not end properly. Unsaved work on “%1” is from %2.</source>
+        <translation>Dewpoint wurde nicht ordentlich beendet. Ungespeicherte Arbeit an „%1“ ist von %2.</translation>
+    </message>
+    <message>
+        <source>Recover it</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Recovered. Save the project to keep it.</source>
+        <translation>Wiederhergestellt. Speichern Sie das Projekt, um es zu behalten.</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>Verwerfen</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::MessageBar</name>
     <message>
         <source>Close this message</source>
         <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::NewProjectPage</name>
+    <message>
+        <source>New project</source>
+        <translation>Neues Projekt</translation>
+    </message>
+    <message>
+        <source>One row per camera. Frame k of all recordings has to show the same instant.</source>
+        <translation>Eine Zeile je Kamera. Bild k aller Aufnahmen muss denselben Augenblick zeigen.</translation>
+    </message>
+    <message>
+        <source>Video files, one per camera</source>
+        <translation>Videodateien, eine je Kamera</translation>
+    </message>
+    <message>
+        <source>A folder of images, one per frame</source>
+        <translation>Ein Ordner mit Bildern, eines je Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>All cameras connected to this computer</source>
+        <translation>Alle an diesen Rechner angeschlossenen Kameras</translation>
+    </message>
+    <message>
+        <source>A device number or a network stream; type it in</source>
+        <translation>Eine Gerätenummer oder ein Netzwerkstrom; zum Eintippen</translation>
+    </message>
+    <message>
+        <source>Take the chosen cameras out</source>
+        <translation>Die gewählten Kameras herausnehmen</translation>
+    </message>
+    <message>
+        <source>TOML file with the cameras&apos; calibration; names, or else the order, tell which is whose</source>
+        <translation>TOML-Datei mit der Kalibrierung der Kameras; die Namen, sonst die Reihenfolge, sagen, welche zu welcher gehört</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Go without a calibration file</source>
+        <translation>Ohne Kalibrierungsdatei</translation>
+    </message>
+    <message>
+        <source>Make the project and show its first images</source>
+        <translation>Das Projekt machen und seine ersten Bilder zeigen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Back without making a project</source>
+        <translation>Zurück, ohne ein Projekt zu machen</translation>
+    </message>
+    <message>
+        <source>Calibration:</source>
+        <translation>Kalibrierung:</translation>
+    </message>
+    <message>
+        <source>as the folder is called</source>
+        <translation>wie der Ordner heißt</translation>
+    </message>
+    <message>
+        <source>Name of the project</source>
+        <translation>Name des Projekts</translation>
+    </message>
+    <message>
+        <source>Rate of image folders, 0.1 to 10,000 per second</source>
+        <translation>Bildrate von Bilderordnern, 0,1 bis 10.000 je Sekunde</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Images from</source>
+        <translation>Bilder aus</translation>
+    </message>
+    <message>
+        <source>Cameras of the new project</source>
+        <translation>Kameras des neuen Projekts</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>Choose one video per camera</source>
+        <translation>Ein Video je Kamera wählen</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mkv *.avi *.mov *.m4v *.mpg *.mpeg *.webm *.mjpeg);;All files (*)</source>
+        <translation>Videos (*.mp4 *.mkv *.avi *.mov *.m4v *.mpg *.mpeg *.webm *.mjpeg);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Choose a folder of images</source>
+        <translation>Einen Ordner mit Bildern wählen</translation>
+    </message>
+    <message>
+        <source>No camera is connected to this computer. A network camera can be added by its address.</source>
+        <translation>An diesen Rechner ist keine Kamera angeschlossen. Eine Netzwerkkamera lässt sich mit ihrer Adresse hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Choose a calibration</source>
+        <translation>Eine Kalibrierung wählen</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.toml);;All files (*)</source>
+        <translation>Kalibrierungen (*.toml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>none: camera positions will be a guess</source>
+        <translation>keine: Die Kamerapositionen werden geraten</translation>
+    </message>
+    <message>
+        <source>Without a calibration the camera positions are a guess: images can be tracked, but positions in space mean nothing yet.</source>
+        <translation>Ohne Kalibrierung sind die Kamerapositionen geraten: In den Bildern lässt sich verfolgen, aber Positionen im Raum bedeuten noch nichts.</translation>
+    </message>
+    <message>
+        <source>The calibration names its cameras differently: they were taken in its order.</source>
+        <translation>Die Kalibrierung nennt ihre Kameras anders: Sie wurden in ihrer Reihenfolge genommen.</translation>
+    </message>
+    <message>
+        <source>Add videos…</source>
+        <translation>Videos hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add image folder…</source>
+        <translation>Bilderordner hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add connected cameras</source>
+        <translation>Angeschlossene Kameras hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add address</source>
+        <translation>Adresse hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Choose calibration…</source>
+        <translation>Kalibrierung wählen…</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>Erstellen</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Name:</translation>
+    </message>
+    <message>
+        <source>Images per second:</source>
+        <translation>Bilder je Sekunde:</translation>
     </message>
 </context>
 <context>
@@ -484,6 +942,132 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>How the targets are tracked: “dewpoint” is the surest and most accurate, “barrera” the particle filter of Barrera et al. (2005). Tracking starts anew.</source>
         <translation>Wie die Ziele verfolgt werden: „dewpoint“ ist am sichersten und genauesten, „barrera“ ist der Partikelfilter von Barrera et al. (2005). Die Verfolgung beginnt neu.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ShortcutEditor</name>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search actions</source>
+        <translation>Aktionen suchen</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Was sie tut</translation>
+    </message>
+    <message>
+        <source>Actions and their shortcuts</source>
+        <translation>Aktionen und ihre Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Click here and press the new keys of the chosen action</source>
+        <translation>Hier klicken und die neuen Tasten der gewählten Aktion drücken</translation>
+    </message>
+    <message>
+        <source>New shortcut</source>
+        <translation>Neues Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>No shortcut</source>
+        <translation>Kein Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Take the shortcut of the chosen action away</source>
+        <translation>Der gewählten Aktion das Tastenkürzel nehmen</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>All shortcuts as they were at first</source>
+        <translation>Alle Tastenkürzel wie am Anfang</translation>
+    </message>
+    <message>
+        <source>Choose an action, click into the field below and press the new keys.</source>
+        <translation>Eine Aktion wählen, in das Feld unten klicken und die neuen Tasten drücken.</translation>
+    </message>
+    <message>
+        <source>“%1” has no shortcut now.</source>
+        <translation>„%1“ hat jetzt kein Tastenkürzel.</translation>
+    </message>
+    <message>
+        <source>All shortcuts are as they were at first.</source>
+        <translation>Alle Tastenkürzel sind wie am Anfang.</translation>
+    </message>
+    <message>
+        <source>“%1” is now %2.</source>
+        <translation>„%1“ ist jetzt %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is now %2; “%3” has lost it.</source>
+        <translation>„%1“ ist jetzt %2; „%3“ hat es verloren.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::StartPage</name>
+    <message>
+        <source>Dewpoint</source>
+        <translation>Dewpoint</translation>
+    </message>
+    <message>
+        <source>Follow colored things in 3D with ordinary cameras.</source>
+        <translation>Farbige Dinge mit gewöhnlichen Kameras in 3D verfolgen.</translation>
+    </message>
+    <message>
+        <source>Try the demo</source>
+        <translation>Demo ausprobieren</translation>
+    </message>
+    <message>
+        <source>Two simulated cameras follow a moving ball</source>
+        <translation>Zwei simulierte Kameras verfolgen einen bewegten Ball</translation>
+    </message>
+    <message>
+        <source>Open videos</source>
+        <translation>Videos öffnen</translation>
+    </message>
+    <message>
+        <source>Make a project from recorded videos, one per camera</source>
+        <translation>Ein Projekt aus aufgenommenen Videos machen, eines je Kamera</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Make a project from connected cameras or network streams</source>
+        <translation>Ein Projekt aus angeschlossenen Kameras oder Netzwerkströmen machen</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Open a project that was saved before</source>
+        <translation>Ein früher gespeichertes Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Zuletzt geöffnete Projekte</translation>
+    </message>
+    <message>
+        <source>You can also drop a project or videos onto this window.</source>
+        <translation>Ein Projekt oder Videos lassen sich auch auf dieses Fenster ziehen.</translation>
     </message>
 </context>
 <context>
@@ -583,153 +1167,6 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>Held: the cameras confirm the estimate. Lost: not so for 30 frames.</source>
         <translation>Gehalten: Die Kameras bestätigen die Schätzung. Verloren: seit 30 Bildern nicht mehr.</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::TransportActions</name>
-    <message>
-        <source>Play</source>
-        <translation>Start</translation>
-    </message>
-    <message>
-        <source>Next frame</source>
-        <translation>Nächstes Bild</translation>
-    </message>
-    <message>
-        <source>Track one frame and pause</source>
-        <translation>Ein Bild verfolgen und anhalten</translation>
-    </message>
-    <message>
-        <source>One iteration</source>
-        <translation>Eine Iteration</translation>
-    </message>
-    <message>
-        <source>One filter iteration on the frame shown, and pause</source>
-        <translation>Eine Filteriteration auf dem gezeigten Bild, dann anhalten</translation>
-    </message>
-    <message>
-        <source>Restart</source>
-        <translation>Neu beginnen</translation>
-    </message>
-    <message>
-        <source>Start over with the same random numbers</source>
-        <translation>Von vorn beginnen, mit denselben Zufallszahlen</translation>
-    </message>
-    <message>
-        <source>Restart with a new seed</source>
-        <translation>Mit neuem Startwert beginnen</translation>
-    </message>
-    <message>
-        <source>Start over with other random numbers</source>
-        <translation>Von vorn beginnen, mit anderen Zufallszahlen</translation>
-    </message>
-    <message>
-        <source>Show mask</source>
-        <translation>Maske zeigen</translation>
-    </message>
-    <message>
-        <source>Show where the cameras see the target&apos;s color</source>
-        <translation>Zeigen, wo die Kameras die Zielfarbe sehen</translation>
-    </message>
-    <message>
-        <source>Look from above</source>
-        <translation>Blick von oben</translation>
-    </message>
-    <message>
-        <source>Bird&apos;s-eye view from above: the XY plane</source>
-        <translation>Vogelperspektive von oben: die XY-Ebene</translation>
-    </message>
-    <message>
-        <source>Look from the front</source>
-        <translation>Blick von vorn</translation>
-    </message>
-    <message>
-        <source>Bird&apos;s-eye view from the front: the XZ plane</source>
-        <translation>Vogelperspektive von vorn: die XZ-Ebene</translation>
-    </message>
-    <message>
-        <source>Look freely</source>
-        <translation>Freier Blick</translation>
-    </message>
-    <message>
-        <source>Bird&apos;s-eye view from an oblique angle, free to orbit</source>
-        <translation>Vogelperspektive von schräg oben, frei drehbar</translation>
-    </message>
-    <message>
-        <source>Open project…</source>
-        <translation>Projekt öffnen…</translation>
-    </message>
-    <message>
-        <source>Open a project</source>
-        <translation>Ein Projekt öffnen</translation>
-    </message>
-    <message>
-        <source>Open the demo</source>
-        <translation>Demo öffnen</translation>
-    </message>
-    <message>
-        <source>Open the simulated demo scene</source>
-        <translation>Die simulierte Demo-Szene öffnen</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>Save the project</source>
-        <translation>Das Projekt speichern</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Speichern unter…</translation>
-    </message>
-    <message>
-        <source>Save the project under another name</source>
-        <translation>Das Projekt unter anderem Namen speichern</translation>
-    </message>
-    <message>
-        <source>Save trajectory as CSV…</source>
-        <translation>Trajektorie als CSV speichern…</translation>
-    </message>
-    <message>
-        <source>Save the trajectory so far as CSV</source>
-        <translation>Die bisherige Trajektorie als CSV speichern</translation>
-    </message>
-    <message>
-        <source>Like the system</source>
-        <translation>Wie das System</translation>
-    </message>
-    <message>
-        <source>Colors of the system</source>
-        <translation>Farben des Systems</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Hell</translation>
-    </message>
-    <message>
-        <source>Light colors</source>
-        <translation>Helle Farben</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>Dunkel</translation>
-    </message>
-    <message>
-        <source>Dark colors</source>
-        <translation>Dunkle Farben</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Beenden</translation>
-    </message>
-    <message>
-        <source>Quit Dewpoint</source>
-        <translation>Dewpoint beenden</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,229 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES" sourcelanguage="en">
 <context>
+    <name>Actions</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Proyecto</translation>
+    </message>
+    <message>
+        <source>New project…</source>
+        <translation>Proyecto nuevo…</translation>
+    </message>
+    <message>
+        <source>Make a project from videos or connected cameras</source>
+        <translation>Crear un proyecto con vídeos o cámaras conectadas</translation>
+    </message>
+    <message>
+        <source>Open project…</source>
+        <translation>Abrir proyecto…</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Abrir un proyecto</translation>
+    </message>
+    <message>
+        <source>Open the demo</source>
+        <translation>Abrir la demostración</translation>
+    </message>
+    <message>
+        <source>Open the simulated demo scene</source>
+        <translation>Abrir la escena de demostración simulada</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Guardar el proyecto</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Guardar como…</translation>
+    </message>
+    <message>
+        <source>Save the project under another name</source>
+        <translation>Guardar el proyecto con otro nombre</translation>
+    </message>
+    <message>
+        <source>Save trajectory as CSV…</source>
+        <translation>Guardar la trayectoria como CSV…</translation>
+    </message>
+    <message>
+        <source>Save the trajectory so far as CSV</source>
+        <translation>Guardar como CSV la trayectoria hasta ahora</translation>
+    </message>
+    <message>
+        <source>Close project</source>
+        <translation>Cerrar el proyecto</translation>
+    </message>
+    <message>
+        <source>Back to the start page</source>
+        <translation>Volver a la página de inicio</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Salir</translation>
+    </message>
+    <message>
+        <source>Quit Dewpoint</source>
+        <translation>Salir de Dewpoint</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Edición</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Deshacer el último cambio</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Make the change that was taken back again</source>
+        <translation>Volver a hacer el cambio deshecho</translation>
+    </message>
+    <message>
+        <source>Shortcuts…</source>
+        <translation>Atajos…</translation>
+    </message>
+    <message>
+        <source>See and change all shortcuts</source>
+        <translation>Ver y cambiar todos los atajos</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ejecución</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Reproducir o pausar</translation>
+    </message>
+    <message>
+        <source>Next frame</source>
+        <translation>Fotograma siguiente</translation>
+    </message>
+    <message>
+        <source>Track one frame and pause</source>
+        <translation>Seguir un fotograma y pausar</translation>
+    </message>
+    <message>
+        <source>One iteration</source>
+        <translation>Una iteración</translation>
+    </message>
+    <message>
+        <source>One filter iteration on the frame shown, and pause</source>
+        <translation>Una iteración del filtro sobre el fotograma mostrado y pausar</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Reiniciar</translation>
+    </message>
+    <message>
+        <source>Start over with the same random numbers</source>
+        <translation>Empezar de nuevo con los mismos números aleatorios</translation>
+    </message>
+    <message>
+        <source>Restart with a new seed</source>
+        <translation>Reiniciar con otra semilla</translation>
+    </message>
+    <message>
+        <source>Start over with other random numbers</source>
+        <translation>Empezar de nuevo con otros números aleatorios</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Show mask</source>
+        <translation>Mostrar máscara</translation>
+    </message>
+    <message>
+        <source>Show where the cameras see the target&apos;s color</source>
+        <translation>Mostrar dónde ven las cámaras el color del objetivo</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>Ver desde arriba</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from above: the XY plane</source>
+        <translation>Vista de pájaro desde arriba: el plano XY</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>Ver desde el frente</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from the front: the XZ plane</source>
+        <translation>Vista de pájaro desde el frente: el plano XZ</translation>
+    </message>
+    <message>
+        <source>Look freely</source>
+        <translation>Vista libre</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from an oblique angle, free to orbit</source>
+        <translation>Vista de pájaro oblicua, con giro libre</translation>
+    </message>
+    <message>
+        <source>Search actions…</source>
+        <translation>Buscar acciones…</translation>
+    </message>
+    <message>
+        <source>Find any action by its name</source>
+        <translation>Encontrar cualquier acción por su nombre</translation>
+    </message>
+    <message>
+        <source>Arrange the views anew</source>
+        <translation>Recolocar las vistas</translation>
+    </message>
+    <message>
+        <source>Put all views back where they were at first</source>
+        <translation>Poner todas las vistas donde estaban al principio</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>Como el sistema</translation>
+    </message>
+    <message>
+        <source>Colors of the system</source>
+        <translation>Colores del sistema</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claro</translation>
+    </message>
+    <message>
+        <source>Light colors</source>
+        <translation>Colores claros</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Oscuro</translation>
+    </message>
+    <message>
+        <source>Dark colors</source>
+        <translation>Colores oscuros</translation>
+    </message>
+</context>
+<context>
     <name>Error</name>
     <message>
         <source>cannot be written</source>
@@ -246,20 +469,6 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>SetMethodCommand</name>
-    <message>
-        <source>Track by “%1”</source>
-        <translation>Seguir con «%1»</translation>
-    </message>
-</context>
-<context>
-    <name>SetParameterCommand</name>
-    <message>
-        <source>Change “%1”</source>
-        <translation>Cambiar «%1»</translation>
-    </message>
-</context>
-<context>
     <name>Unit</name>
     <message>
         <source>m</source>
@@ -329,6 +538,21 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::CommandPalette</name>
+    <message>
+        <source>What do you want to do?</source>
+        <translation>¿Qué quiere hacer?</translation>
+    </message>
+    <message>
+        <source>Search actions</source>
+        <translation>Buscar acciones</translation>
+    </message>
+    <message>
+        <source>Actions found</source>
+        <translation>Acciones encontradas</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ConvergencePlot</name>
     <message>
         <source>spread</source>
@@ -352,6 +576,17 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>Float this view, or put it back (double click the title: whole window)</source>
         <translation>Soltar esta vista o devolverla a su sitio (doble clic en el título: toda la ventana)</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::Document</name>
+    <message>
+        <source>Change “%1”</source>
+        <translation>Cambiar «%1»</translation>
+    </message>
+    <message>
+        <source>Track by “%1”</source>
+        <translation>Seguir con «%1»</translation>
     </message>
 </context>
 <context>
@@ -463,12 +698,235 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <source>Colors</source>
         <translation>Colores</translation>
     </message>
+    <message>
+        <source>Open recent</source>
+        <translation>Abrir reciente</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vistas</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Deshacer: %1</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Rehacer: %1</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>Como el sistema</translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation>Como se abrió</translation>
+    </message>
+    <message>
+        <source>History of changes</source>
+        <translation>Historial de cambios</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historial</translation>
+    </message>
+    <message>
+        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
+        <translation>Haga clic en cualquier imagen sobre lo que quiere seguir: se aprende su color y empieza el seguimiento.</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Nada todavía</translation>
+    </message>
+    <message>
+        <source>Forget these</source>
+        <translation>Olvidar estos</translation>
+    </message>
+    <message>
+        <source>Dewpoint did not end properly. Unsaved work on “%1” is from %2.</source>
+        <translation>Dewpoint no terminó correctamente. El trabajo sin guardar en «%1» es de %2.</translation>
+    </message>
+    <message>
+        <source>Recover it</source>
+        <translation>Recuperarlo</translation>
+    </message>
+    <message>
+        <source>Recovered. Save the project to keep it.</source>
+        <translation>Recuperado. Guarde el proyecto para conservarlo.</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>Descartarlo</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::MessageBar</name>
     <message>
         <source>Close this message</source>
         <translation>Cerrar este mensaje</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::NewProjectPage</name>
+    <message>
+        <source>New project</source>
+        <translation>Proyecto nuevo</translation>
+    </message>
+    <message>
+        <source>One row per camera. Frame k of all recordings has to show the same instant.</source>
+        <translation>Una fila por cámara. El fotograma k de todas las grabaciones debe mostrar el mismo instante.</translation>
+    </message>
+    <message>
+        <source>Video files, one per camera</source>
+        <translation>Archivos de vídeo, uno por cámara</translation>
+    </message>
+    <message>
+        <source>A folder of images, one per frame</source>
+        <translation>Una carpeta de imágenes, una por fotograma</translation>
+    </message>
+    <message>
+        <source>All cameras connected to this computer</source>
+        <translation>Todas las cámaras conectadas a este equipo</translation>
+    </message>
+    <message>
+        <source>A device number or a network stream; type it in</source>
+        <translation>Un número de dispositivo o un flujo de red; escríbalo</translation>
+    </message>
+    <message>
+        <source>Take the chosen cameras out</source>
+        <translation>Quitar las cámaras elegidas</translation>
+    </message>
+    <message>
+        <source>TOML file with the cameras&apos; calibration; names, or else the order, tell which is whose</source>
+        <translation>Archivo TOML con la calibración de las cámaras; los nombres, o si no el orden, dicen cuál es de cada una</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguna</translation>
+    </message>
+    <message>
+        <source>Go without a calibration file</source>
+        <translation>Sin archivo de calibración</translation>
+    </message>
+    <message>
+        <source>Make the project and show its first images</source>
+        <translation>Crear el proyecto y mostrar sus primeras imágenes</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Back without making a project</source>
+        <translation>Volver sin crear un proyecto</translation>
+    </message>
+    <message>
+        <source>Calibration:</source>
+        <translation>Calibración:</translation>
+    </message>
+    <message>
+        <source>as the folder is called</source>
+        <translation>como se llama la carpeta</translation>
+    </message>
+    <message>
+        <source>Name of the project</source>
+        <translation>Nombre del proyecto</translation>
+    </message>
+    <message>
+        <source>Rate of image folders, 0.1 to 10,000 per second</source>
+        <translation>Frecuencia de las carpetas de imágenes, de 0,1 a 10 000 por segundo</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Images from</source>
+        <translation>Imágenes de</translation>
+    </message>
+    <message>
+        <source>Cameras of the new project</source>
+        <translation>Cámaras del proyecto nuevo</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>cámara %1</translation>
+    </message>
+    <message>
+        <source>Choose one video per camera</source>
+        <translation>Elija un vídeo por cámara</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mkv *.avi *.mov *.m4v *.mpg *.mpeg *.webm *.mjpeg);;All files (*)</source>
+        <translation>Vídeos (*.mp4 *.mkv *.avi *.mov *.m4v *.mpg *.mpeg *.webm *.mjpeg);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Choose a folder of images</source>
+        <translation>Elija una carpeta de imágenes</translation>
+    </message>
+    <message>
+        <source>No camera is connected to this computer. A network camera can be added by its address.</source>
+        <translation>No hay ninguna cámara conectada a este equipo. Una cámara de red se puede añadir por su dirección.</translation>
+    </message>
+    <message>
+        <source>Choose a calibration</source>
+        <translation>Elija una calibración</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.toml);;All files (*)</source>
+        <translation>Calibraciones (*.toml);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>none: camera positions will be a guess</source>
+        <translation>ninguna: las posiciones de las cámaras serán una suposición</translation>
+    </message>
+    <message>
+        <source>Without a calibration the camera positions are a guess: images can be tracked, but positions in space mean nothing yet.</source>
+        <translation>Sin calibración las posiciones de las cámaras son una suposición: se puede seguir en las imágenes, pero las posiciones en el espacio aún no significan nada.</translation>
+    </message>
+    <message>
+        <source>The calibration names its cameras differently: they were taken in its order.</source>
+        <translation>La calibración llama a sus cámaras de otro modo: se tomaron en su orden.</translation>
+    </message>
+    <message>
+        <source>Add videos…</source>
+        <translation>Añadir vídeos…</translation>
+    </message>
+    <message>
+        <source>Add image folder…</source>
+        <translation>Añadir carpeta de imágenes…</translation>
+    </message>
+    <message>
+        <source>Add connected cameras</source>
+        <translation>Añadir cámaras conectadas</translation>
+    </message>
+    <message>
+        <source>Add address</source>
+        <translation>Añadir dirección</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Choose calibration…</source>
+        <translation>Elegir calibración…</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>Crear</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Nombre:</translation>
+    </message>
+    <message>
+        <source>Images per second:</source>
+        <translation>Imágenes por segundo:</translation>
     </message>
 </context>
 <context>
@@ -484,6 +942,132 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>How the targets are tracked: “dewpoint” is the surest and most accurate, “barrera” the particle filter of Barrera et al. (2005). Tracking starts anew.</source>
         <translation>Cómo se siguen los objetivos: «dewpoint» es el más seguro y exacto, «barrera» el filtro de partículas de Barrera et al. (2005). El seguimiento empieza de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ShortcutEditor</name>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Atajos</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Search actions</source>
+        <translation>Buscar acciones</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Acción</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Atajo</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Qué hace</translation>
+    </message>
+    <message>
+        <source>Actions and their shortcuts</source>
+        <translation>Acciones y sus atajos</translation>
+    </message>
+    <message>
+        <source>Click here and press the new keys of the chosen action</source>
+        <translation>Haga clic aquí y pulse las nuevas teclas de la acción elegida</translation>
+    </message>
+    <message>
+        <source>New shortcut</source>
+        <translation>Atajo nuevo</translation>
+    </message>
+    <message>
+        <source>No shortcut</source>
+        <translation>Sin atajo</translation>
+    </message>
+    <message>
+        <source>Take the shortcut of the chosen action away</source>
+        <translation>Quitar el atajo de la acción elegida</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Restablecer todo</translation>
+    </message>
+    <message>
+        <source>All shortcuts as they were at first</source>
+        <translation>Todos los atajos como al principio</translation>
+    </message>
+    <message>
+        <source>Choose an action, click into the field below and press the new keys.</source>
+        <translation>Elija una acción, haga clic en el campo de abajo y pulse las nuevas teclas.</translation>
+    </message>
+    <message>
+        <source>“%1” has no shortcut now.</source>
+        <translation>«%1» ya no tiene atajo.</translation>
+    </message>
+    <message>
+        <source>All shortcuts are as they were at first.</source>
+        <translation>Todos los atajos están como al principio.</translation>
+    </message>
+    <message>
+        <source>“%1” is now %2.</source>
+        <translation>«%1» es ahora %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is now %2; “%3” has lost it.</source>
+        <translation>«%1» es ahora %2; «%3» lo ha perdido.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::StartPage</name>
+    <message>
+        <source>Dewpoint</source>
+        <translation>Dewpoint</translation>
+    </message>
+    <message>
+        <source>Follow colored things in 3D with ordinary cameras.</source>
+        <translation>Siga objetos de color en 3D con cámaras corrientes.</translation>
+    </message>
+    <message>
+        <source>Try the demo</source>
+        <translation>Probar la demo</translation>
+    </message>
+    <message>
+        <source>Two simulated cameras follow a moving ball</source>
+        <translation>Dos cámaras simuladas siguen una bola en movimiento</translation>
+    </message>
+    <message>
+        <source>Open videos</source>
+        <translation>Abrir vídeos</translation>
+    </message>
+    <message>
+        <source>Make a project from recorded videos, one per camera</source>
+        <translation>Crear un proyecto con vídeos grabados, uno por cámara</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Cámaras</translation>
+    </message>
+    <message>
+        <source>Make a project from connected cameras or network streams</source>
+        <translation>Crear un proyecto con cámaras conectadas o flujos de red</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>Abrir proyecto</translation>
+    </message>
+    <message>
+        <source>Open a project that was saved before</source>
+        <translation>Abrir un proyecto guardado antes</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Proyectos recientes</translation>
+    </message>
+    <message>
+        <source>You can also drop a project or videos onto this window.</source>
+        <translation>También puede soltar un proyecto o vídeos sobre esta ventana.</translation>
     </message>
 </context>
 <context>
@@ -583,153 +1167,6 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>Held: the cameras confirm the estimate. Lost: not so for 30 frames.</source>
         <translation>Seguido: las cámaras confirman la estimación. Perdido: no desde hace 30 imágenes.</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::TransportActions</name>
-    <message>
-        <source>Play</source>
-        <translation>Reproducir</translation>
-    </message>
-    <message>
-        <source>Next frame</source>
-        <translation>Fotograma siguiente</translation>
-    </message>
-    <message>
-        <source>Track one frame and pause</source>
-        <translation>Seguir un fotograma y pausar</translation>
-    </message>
-    <message>
-        <source>One iteration</source>
-        <translation>Una iteración</translation>
-    </message>
-    <message>
-        <source>One filter iteration on the frame shown, and pause</source>
-        <translation>Una iteración del filtro sobre el fotograma mostrado y pausar</translation>
-    </message>
-    <message>
-        <source>Restart</source>
-        <translation>Reiniciar</translation>
-    </message>
-    <message>
-        <source>Start over with the same random numbers</source>
-        <translation>Empezar de nuevo con los mismos números aleatorios</translation>
-    </message>
-    <message>
-        <source>Restart with a new seed</source>
-        <translation>Reiniciar con otra semilla</translation>
-    </message>
-    <message>
-        <source>Start over with other random numbers</source>
-        <translation>Empezar de nuevo con otros números aleatorios</translation>
-    </message>
-    <message>
-        <source>Show mask</source>
-        <translation>Mostrar máscara</translation>
-    </message>
-    <message>
-        <source>Show where the cameras see the target&apos;s color</source>
-        <translation>Mostrar dónde ven las cámaras el color del objetivo</translation>
-    </message>
-    <message>
-        <source>Look from above</source>
-        <translation>Ver desde arriba</translation>
-    </message>
-    <message>
-        <source>Bird&apos;s-eye view from above: the XY plane</source>
-        <translation>Vista de pájaro desde arriba: el plano XY</translation>
-    </message>
-    <message>
-        <source>Look from the front</source>
-        <translation>Ver desde el frente</translation>
-    </message>
-    <message>
-        <source>Bird&apos;s-eye view from the front: the XZ plane</source>
-        <translation>Vista de pájaro desde el frente: el plano XZ</translation>
-    </message>
-    <message>
-        <source>Look freely</source>
-        <translation>Vista libre</translation>
-    </message>
-    <message>
-        <source>Bird&apos;s-eye view from an oblique angle, free to orbit</source>
-        <translation>Vista de pájaro oblicua, con giro libre</translation>
-    </message>
-    <message>
-        <source>Open project…</source>
-        <translation>Abrir proyecto…</translation>
-    </message>
-    <message>
-        <source>Open a project</source>
-        <translation>Abrir un proyecto</translation>
-    </message>
-    <message>
-        <source>Open the demo</source>
-        <translation>Abrir la demostración</translation>
-    </message>
-    <message>
-        <source>Open the simulated demo scene</source>
-        <translation>Abrir la escena de demostración simulada</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Guardar</translation>
-    </message>
-    <message>
-        <source>Save the project</source>
-        <translation>Guardar el proyecto</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Guardar como…</translation>
-    </message>
-    <message>
-        <source>Save the project under another name</source>
-        <translation>Guardar el proyecto con otro nombre</translation>
-    </message>
-    <message>
-        <source>Save trajectory as CSV…</source>
-        <translation>Guardar la trayectoria como CSV…</translation>
-    </message>
-    <message>
-        <source>Save the trajectory so far as CSV</source>
-        <translation>Guardar como CSV la trayectoria hasta ahora</translation>
-    </message>
-    <message>
-        <source>Like the system</source>
-        <translation>Como el sistema</translation>
-    </message>
-    <message>
-        <source>Colors of the system</source>
-        <translation>Colores del sistema</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Claro</translation>
-    </message>
-    <message>
-        <source>Light colors</source>
-        <translation>Colores claros</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>Oscuro</translation>
-    </message>
-    <message>
-        <source>Dark colors</source>
-        <translation>Colores oscuros</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Salir</translation>
-    </message>
-    <message>
-        <source>Quit Dewpoint</source>
-        <translation>Salir de Dewpoint</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pausa</translation>
     </message>
 </context>
 </TS>

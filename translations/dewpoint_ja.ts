@@ -2,6 +2,229 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja_JP" sourcelanguage="en">
 <context>
+    <name>Actions</name>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>再生</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>プロジェクト</translation>
+    </message>
+    <message>
+        <source>New project…</source>
+        <translation>新しいプロジェクト…</translation>
+    </message>
+    <message>
+        <source>Make a project from videos or connected cameras</source>
+        <translation>動画や接続されたカメラからプロジェクトを作ります</translation>
+    </message>
+    <message>
+        <source>Open project…</source>
+        <translation>プロジェクトを開く…</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>プロジェクトを開く</translation>
+    </message>
+    <message>
+        <source>Open the demo</source>
+        <translation>デモを開く</translation>
+    </message>
+    <message>
+        <source>Open the simulated demo scene</source>
+        <translation>シミュレーションのデモシーンを開く</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>プロジェクトを保存</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>名前を付けて保存…</translation>
+    </message>
+    <message>
+        <source>Save the project under another name</source>
+        <translation>プロジェクトを別の名前で保存</translation>
+    </message>
+    <message>
+        <source>Save trajectory as CSV…</source>
+        <translation>軌跡を CSV で保存…</translation>
+    </message>
+    <message>
+        <source>Save the trajectory so far as CSV</source>
+        <translation>これまでの軌跡を CSV で保存</translation>
+    </message>
+    <message>
+        <source>Close project</source>
+        <translation>プロジェクトを閉じる</translation>
+    </message>
+    <message>
+        <source>Back to the start page</source>
+        <translation>開始ページに戻ります</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>Quit Dewpoint</source>
+        <translation>Dewpoint を終了</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>編集</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>最後の変更を取り消します</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直す</translation>
+    </message>
+    <message>
+        <source>Make the change that was taken back again</source>
+        <translation>取り消した変更をやり直します</translation>
+    </message>
+    <message>
+        <source>Shortcuts…</source>
+        <translation>ショートカット…</translation>
+    </message>
+    <message>
+        <source>See and change all shortcuts</source>
+        <translation>すべてのショートカットを見て変更します</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>実行</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>再生または一時停止</translation>
+    </message>
+    <message>
+        <source>Next frame</source>
+        <translation>次のフレーム</translation>
+    </message>
+    <message>
+        <source>Track one frame and pause</source>
+        <translation>1 フレーム追跡して一時停止</translation>
+    </message>
+    <message>
+        <source>One iteration</source>
+        <translation>1 回反復</translation>
+    </message>
+    <message>
+        <source>One filter iteration on the frame shown, and pause</source>
+        <translation>表示中のフレームでフィルターを 1 回反復して一時停止</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>最初から</translation>
+    </message>
+    <message>
+        <source>Start over with the same random numbers</source>
+        <translation>同じ乱数で最初からやり直す</translation>
+    </message>
+    <message>
+        <source>Restart with a new seed</source>
+        <translation>新しいシードで最初から</translation>
+    </message>
+    <message>
+        <source>Start over with other random numbers</source>
+        <translation>別の乱数で最初からやり直す</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Show mask</source>
+        <translation>マスクを表示</translation>
+    </message>
+    <message>
+        <source>Show where the cameras see the target&apos;s color</source>
+        <translation>カメラが目標の色を捉えている場所を表示</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>上から見る</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from above: the XY plane</source>
+        <translation>上からの鳥瞰図：XY 平面</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>正面から見る</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from the front: the XZ plane</source>
+        <translation>正面からの鳥瞰図：XZ 平面</translation>
+    </message>
+    <message>
+        <source>Look freely</source>
+        <translation>自由に見る</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view from an oblique angle, free to orbit</source>
+        <translation>斜めからの鳥瞰図、自由に回転</translation>
+    </message>
+    <message>
+        <source>Search actions…</source>
+        <translation>操作を検索…</translation>
+    </message>
+    <message>
+        <source>Find any action by its name</source>
+        <translation>名前で操作を探します</translation>
+    </message>
+    <message>
+        <source>Arrange the views anew</source>
+        <translation>表示を並べ直す</translation>
+    </message>
+    <message>
+        <source>Put all views back where they were at first</source>
+        <translation>すべての表示を最初の位置に戻します</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>システムに合わせる</translation>
+    </message>
+    <message>
+        <source>Colors of the system</source>
+        <translation>システムの配色</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>ライト</translation>
+    </message>
+    <message>
+        <source>Light colors</source>
+        <translation>ライトの配色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>ダーク</translation>
+    </message>
+    <message>
+        <source>Dark colors</source>
+        <translation>ダークの配色</translation>
+    </message>
+</context>
+<context>
     <name>Error</name>
     <message>
         <source>cannot be written</source>
@@ -246,20 +469,6 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>SetMethodCommand</name>
-    <message>
-        <source>Track by “%1”</source>
-        <translation>「%1」で追跡</translation>
-    </message>
-</context>
-<context>
-    <name>SetParameterCommand</name>
-    <message>
-        <source>Change “%1”</source>
-        <translation>「%1」の変更</translation>
-    </message>
-</context>
-<context>
     <name>Unit</name>
     <message>
         <source>m</source>
@@ -329,6 +538,21 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::CommandPalette</name>
+    <message>
+        <source>What do you want to do?</source>
+        <translation>何をしますか？</translation>
+    </message>
+    <message>
+        <source>Search actions</source>
+        <translation>操作を検索</translation>
+    </message>
+    <message>
+        <source>Actions found</source>
+        <translation>見つかった操作</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ConvergencePlot</name>
     <message>
         <source>spread</source>
@@ -352,6 +576,17 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>Float this view, or put it back (double click the title: whole window)</source>
         <translation>この表示を切り離す、または戻す（タイトルをダブルクリック：ウィンドウ全体）</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::Document</name>
+    <message>
+        <source>Change “%1”</source>
+        <translation>「%1」を変更</translation>
+    </message>
+    <message>
+        <source>Track by “%1”</source>
+        <translation>「%1」で追跡</translation>
     </message>
 </context>
 <context>
@@ -462,12 +697,235 @@ From %2 to %3%4; default %5%4.</source>
         <source>Colors</source>
         <translation>配色</translation>
     </message>
+    <message>
+        <source>Open recent</source>
+        <translation>最近のプロジェクトを開く</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>表示パネル</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>言語</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>元に戻す: %1</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>やり直し: %1</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>システムに合わせる</translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation>開いたときの状態</translation>
+    </message>
+    <message>
+        <source>History of changes</source>
+        <translation>変更の履歴</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>履歴</translation>
+    </message>
+    <message>
+        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
+        <translation>どの画像でも追跡したいものをクリックすると、その色を学習して追跡を始めます。</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>まだありません</translation>
+    </message>
+    <message>
+        <source>Forget these</source>
+        <translation>履歴を消去</translation>
+    </message>
+    <message>
+        <source>Dewpoint did not end properly. Unsaved work on “%1” is from %2.</source>
+        <translation>Dewpoint は正常に終了しませんでした。「%1」の未保存の作業（%2）があります。</translation>
+    </message>
+    <message>
+        <source>Recover it</source>
+        <translation>復元する</translation>
+    </message>
+    <message>
+        <source>Recovered. Save the project to keep it.</source>
+        <translation>復元しました。残すにはプロジェクトを保存してください。</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>破棄する</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::MessageBar</name>
     <message>
         <source>Close this message</source>
         <translation>このメッセージを閉じる</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::NewProjectPage</name>
+    <message>
+        <source>New project</source>
+        <translation>新しいプロジェクト</translation>
+    </message>
+    <message>
+        <source>One row per camera. Frame k of all recordings has to show the same instant.</source>
+        <translation>カメラごとに1行です。すべての録画の k 番目のフレームは同じ瞬間でなければなりません。</translation>
+    </message>
+    <message>
+        <source>Video files, one per camera</source>
+        <translation>動画ファイル（カメラごとに1つ）</translation>
+    </message>
+    <message>
+        <source>A folder of images, one per frame</source>
+        <translation>フレームごとに1枚の画像が入ったフォルダー</translation>
+    </message>
+    <message>
+        <source>All cameras connected to this computer</source>
+        <translation>このコンピューターに接続されたすべてのカメラ</translation>
+    </message>
+    <message>
+        <source>A device number or a network stream; type it in</source>
+        <translation>デバイス番号またはネットワーク映像を入力します</translation>
+    </message>
+    <message>
+        <source>Take the chosen cameras out</source>
+        <translation>選んだカメラを取り除きます</translation>
+    </message>
+    <message>
+        <source>TOML file with the cameras&apos; calibration; names, or else the order, tell which is whose</source>
+        <translation>カメラのキャリブレーションの TOML ファイル。名前（なければ順番）で対応づけます</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Go without a calibration file</source>
+        <translation>キャリブレーションファイルを使いません</translation>
+    </message>
+    <message>
+        <source>Make the project and show its first images</source>
+        <translation>プロジェクトを作り、最初の画像を表示します</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Back without making a project</source>
+        <translation>プロジェクトを作らずに戻ります</translation>
+    </message>
+    <message>
+        <source>Calibration:</source>
+        <translation>キャリブレーション:</translation>
+    </message>
+    <message>
+        <source>as the folder is called</source>
+        <translation>フォルダー名と同じ</translation>
+    </message>
+    <message>
+        <source>Name of the project</source>
+        <translation>プロジェクトの名前</translation>
+    </message>
+    <message>
+        <source>Rate of image folders, 0.1 to 10,000 per second</source>
+        <translation>画像フォルダーの速度、毎秒0.1〜10,000枚</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Images from</source>
+        <translation>画像の元</translation>
+    </message>
+    <message>
+        <source>Cameras of the new project</source>
+        <translation>新しいプロジェクトのカメラ</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>カメラ %1</translation>
+    </message>
+    <message>
+        <source>Choose one video per camera</source>
+        <translation>カメラごとに動画を選択</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.mkv *.avi *.mov *.m4v *.mpg *.mpeg *.webm *.mjpeg);;All files (*)</source>
+        <translation>動画 (*.mp4 *.mkv *.avi *.mov *.m4v *.mpg *.mpeg *.webm *.mjpeg);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Choose a folder of images</source>
+        <translation>画像フォルダーを選択</translation>
+    </message>
+    <message>
+        <source>No camera is connected to this computer. A network camera can be added by its address.</source>
+        <translation>このコンピューターにはカメラが接続されていません。ネットワークカメラはアドレスで追加できます。</translation>
+    </message>
+    <message>
+        <source>Choose a calibration</source>
+        <translation>キャリブレーションを選択</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.toml);;All files (*)</source>
+        <translation>キャリブレーション (*.toml);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>none: camera positions will be a guess</source>
+        <translation>なし: カメラ位置は推測になります</translation>
+    </message>
+    <message>
+        <source>Without a calibration the camera positions are a guess: images can be tracked, but positions in space mean nothing yet.</source>
+        <translation>キャリブレーションがないためカメラ位置は推測です。画像での追跡はできますが、空間の位置はまだ意味を持ちません。</translation>
+    </message>
+    <message>
+        <source>The calibration names its cameras differently: they were taken in its order.</source>
+        <translation>キャリブレーションのカメラ名が異なるため、順番で対応づけました。</translation>
+    </message>
+    <message>
+        <source>Add videos…</source>
+        <translation>動画を追加…</translation>
+    </message>
+    <message>
+        <source>Add image folder…</source>
+        <translation>画像フォルダーを追加…</translation>
+    </message>
+    <message>
+        <source>Add connected cameras</source>
+        <translation>接続されたカメラを追加</translation>
+    </message>
+    <message>
+        <source>Add address</source>
+        <translation>アドレスを追加</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>取り除く</translation>
+    </message>
+    <message>
+        <source>Choose calibration…</source>
+        <translation>キャリブレーションを選択…</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>作成</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>名前:</translation>
+    </message>
+    <message>
+        <source>Images per second:</source>
+        <translation>1秒あたりの画像数:</translation>
     </message>
 </context>
 <context>
@@ -483,6 +941,132 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>How the targets are tracked: “dewpoint” is the surest and most accurate, “barrera” the particle filter of Barrera et al. (2005). Tracking starts anew.</source>
         <translation>ターゲットの追跡方法:「dewpoint」は最も確実で正確な手法、「barrera」は Barrera ら (2005) のパーティクルフィルタです。追跡は最初からやり直します。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ShortcutEditor</name>
+    <message>
+        <source>Shortcuts</source>
+        <translation>ショートカット</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>検索</translation>
+    </message>
+    <message>
+        <source>Search actions</source>
+        <translation>操作を検索</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>ショートカット</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>説明</translation>
+    </message>
+    <message>
+        <source>Actions and their shortcuts</source>
+        <translation>操作とショートカット</translation>
+    </message>
+    <message>
+        <source>Click here and press the new keys of the chosen action</source>
+        <translation>ここをクリックし、選んだ操作の新しいキーを押してください</translation>
+    </message>
+    <message>
+        <source>New shortcut</source>
+        <translation>新しいショートカット</translation>
+    </message>
+    <message>
+        <source>No shortcut</source>
+        <translation>ショートカットなし</translation>
+    </message>
+    <message>
+        <source>Take the shortcut of the chosen action away</source>
+        <translation>選んだ操作のショートカットを外します</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>すべて元に戻す</translation>
+    </message>
+    <message>
+        <source>All shortcuts as they were at first</source>
+        <translation>すべてのショートカットを最初の状態にします</translation>
+    </message>
+    <message>
+        <source>Choose an action, click into the field below and press the new keys.</source>
+        <translation>操作を選び、下の欄をクリックして新しいキーを押してください。</translation>
+    </message>
+    <message>
+        <source>“%1” has no shortcut now.</source>
+        <translation>「%1」のショートカットはなくなりました。</translation>
+    </message>
+    <message>
+        <source>All shortcuts are as they were at first.</source>
+        <translation>すべてのショートカットは最初の状態です。</translation>
+    </message>
+    <message>
+        <source>“%1” is now %2.</source>
+        <translation>「%1」は %2 になりました。</translation>
+    </message>
+    <message>
+        <source>“%1” is now %2; “%3” has lost it.</source>
+        <translation>「%1」は %2 になり、「%3」からは外れました。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::StartPage</name>
+    <message>
+        <source>Dewpoint</source>
+        <translation>Dewpoint</translation>
+    </message>
+    <message>
+        <source>Follow colored things in 3D with ordinary cameras.</source>
+        <translation>普通のカメラで色のついた物を3Dで追跡します。</translation>
+    </message>
+    <message>
+        <source>Try the demo</source>
+        <translation>デモを試す</translation>
+    </message>
+    <message>
+        <source>Two simulated cameras follow a moving ball</source>
+        <translation>2台の仮想カメラが動くボールを追います</translation>
+    </message>
+    <message>
+        <source>Open videos</source>
+        <translation>動画を開く</translation>
+    </message>
+    <message>
+        <source>Make a project from recorded videos, one per camera</source>
+        <translation>録画した動画（カメラごとに1つ）からプロジェクトを作ります</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Make a project from connected cameras or network streams</source>
+        <translation>接続されたカメラやネットワーク映像からプロジェクトを作ります</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>プロジェクトを開く</translation>
+    </message>
+    <message>
+        <source>Open a project that was saved before</source>
+        <translation>保存したプロジェクトを開きます</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>最近のプロジェクト</translation>
+    </message>
+    <message>
+        <source>You can also drop a project or videos onto this window.</source>
+        <translation>プロジェクトや動画をこのウィンドウにドロップすることもできます。</translation>
     </message>
 </context>
 <context>
@@ -582,153 +1166,6 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>Held: the cameras confirm the estimate. Lost: not so for 30 frames.</source>
         <translation>追跡中：カメラが推定を裏づけています。喪失：30フレーム続けて裏づけがありません。</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::TransportActions</name>
-    <message>
-        <source>Play</source>
-        <translation>再生</translation>
-    </message>
-    <message>
-        <source>Next frame</source>
-        <translation>次のフレーム</translation>
-    </message>
-    <message>
-        <source>Track one frame and pause</source>
-        <translation>1 フレーム追跡して一時停止</translation>
-    </message>
-    <message>
-        <source>One iteration</source>
-        <translation>1 回反復</translation>
-    </message>
-    <message>
-        <source>One filter iteration on the frame shown, and pause</source>
-        <translation>表示中のフレームでフィルターを 1 回反復して一時停止</translation>
-    </message>
-    <message>
-        <source>Restart</source>
-        <translation>最初から</translation>
-    </message>
-    <message>
-        <source>Start over with the same random numbers</source>
-        <translation>同じ乱数で最初からやり直す</translation>
-    </message>
-    <message>
-        <source>Restart with a new seed</source>
-        <translation>新しいシードで最初から</translation>
-    </message>
-    <message>
-        <source>Start over with other random numbers</source>
-        <translation>別の乱数で最初からやり直す</translation>
-    </message>
-    <message>
-        <source>Show mask</source>
-        <translation>マスクを表示</translation>
-    </message>
-    <message>
-        <source>Show where the cameras see the target&apos;s color</source>
-        <translation>カメラが目標の色を捉えている場所を表示</translation>
-    </message>
-    <message>
-        <source>Look from above</source>
-        <translation>上から見る</translation>
-    </message>
-    <message>
-        <source>Bird&apos;s-eye view from above: the XY plane</source>
-        <translation>上からの鳥瞰図：XY 平面</translation>
-    </message>
-    <message>
-        <source>Look from the front</source>
-        <translation>正面から見る</translation>
-    </message>
-    <message>
-        <source>Bird&apos;s-eye view from the front: the XZ plane</source>
-        <translation>正面からの鳥瞰図：XZ 平面</translation>
-    </message>
-    <message>
-        <source>Look freely</source>
-        <translation>自由に見る</translation>
-    </message>
-    <message>
-        <source>Bird&apos;s-eye view from an oblique angle, free to orbit</source>
-        <translation>斜めからの鳥瞰図、自由に回転</translation>
-    </message>
-    <message>
-        <source>Open project…</source>
-        <translation>プロジェクトを開く…</translation>
-    </message>
-    <message>
-        <source>Open a project</source>
-        <translation>プロジェクトを開く</translation>
-    </message>
-    <message>
-        <source>Open the demo</source>
-        <translation>デモを開く</translation>
-    </message>
-    <message>
-        <source>Open the simulated demo scene</source>
-        <translation>シミュレーションのデモシーンを開く</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>保存</translation>
-    </message>
-    <message>
-        <source>Save the project</source>
-        <translation>プロジェクトを保存</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>名前を付けて保存…</translation>
-    </message>
-    <message>
-        <source>Save the project under another name</source>
-        <translation>プロジェクトを別の名前で保存</translation>
-    </message>
-    <message>
-        <source>Save trajectory as CSV…</source>
-        <translation>軌跡を CSV で保存…</translation>
-    </message>
-    <message>
-        <source>Save the trajectory so far as CSV</source>
-        <translation>これまでの軌跡を CSV で保存</translation>
-    </message>
-    <message>
-        <source>Like the system</source>
-        <translation>システムに合わせる</translation>
-    </message>
-    <message>
-        <source>Colors of the system</source>
-        <translation>システムの配色</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>ライト</translation>
-    </message>
-    <message>
-        <source>Light colors</source>
-        <translation>ライトの配色</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>ダーク</translation>
-    </message>
-    <message>
-        <source>Dark colors</source>
-        <translation>ダークの配色</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>終了</translation>
-    </message>
-    <message>
-        <source>Quit Dewpoint</source>
-        <translation>Dewpoint を終了</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>一時停止</translation>
     </message>
 </context>
 </TS>

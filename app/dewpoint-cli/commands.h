@@ -21,6 +21,7 @@ enum ExitCode {
 int report(const Error& error);
 
 /// Each adds its subcommand; the chosen one stores what to return in `exitCode`.
+void addNewCommand(CLI::App& app, int& exitCode);
 void addTrackCommand(CLI::App& app, int& exitCode);
 void addEvaluateCommand(CLI::App& app, int& exitCode);
 void addSimulateCommand(CLI::App& app, int& exitCode);

@@ -30,6 +30,7 @@ int run(int argc, char** argv) {
   app.footer("Exit codes: 0 done, 2 wrong command line, 3 bad input, 4 the input ended early "
              "(results so far are kept),\n5 the output cannot be written, 130 interrupted.");
   int exitCode = kExitDone;
+  addNewCommand(app, exitCode);
   addTrackCommand(app, exitCode);
   addEvaluateCommand(app, exitCode);
   addSimulateCommand(app, exitCode);

@@ -93,6 +93,10 @@ int track(TrackOptions options) {
     report(applied.error());
     return kExitUsage;
   }
+  if (project->targets.empty()) {
+    return report({ErrorCode::MissingKey, options.project, "target",
+                   "at least one [[target]] is needed; learn-color makes one"});
+  }
   auto inputs = openInputs(std::move(*project));
   if (!inputs) {
     return report(inputs.error());

@@ -5,6 +5,7 @@
 #include "app/wiring/quiet_libraries.h"
 #include "core/session/session.h"
 #include "ui/birdseye/birds_eye_view.h"
+#include "ui/document/recovery.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/settings/language.h"
 
@@ -44,7 +45,7 @@ bool isSize(const std::string& text, int& width, int& height) {
 }
 
 void describe(CLI::App& app, Options& options) {
-  app.add_option("project", options.project, "Project file; the simulated demo when omitted");
+  app.add_option("project", options.project, "Project file, or a built-in scene: demo");
   app.add_option("--out", options.out,
                  "Folder for trajectory.csv and run.json, written at the end and on quitting");
   app.add_option("--screenshot", options.screenshot, "Save the window as PNG, then quit");
@@ -80,7 +81,9 @@ int run(int argc, char** argv) {
   Options options;
   describe(app, options);
   CLI11_PARSE(app, argc, argv);
-  dewpoint::useLanguage(QString::fromStdString(options.language));
+  dewpoint::useLanguage(options.language.empty()
+                            ? QSettings().value(QStringLiteral("language")).toString()
+                            : QString::fromStdString(options.language));
 
   const QString theme = options.theme.empty()
                             ? QSettings().value(QStringLiteral("theme")).toString()
@@ -100,7 +103,13 @@ int run(int argc, char** argv) {
     dewpoint::writeRunTo(window, options.out);
   }
   window.show();
-  window.openProject(options.project);
+  const bool unattended = !options.screenshot.empty() || !options.out.empty();
+  if (!unattended) {
+    window.useRecovery(dewpoint::Recovery::standardFolder());
+  }
+  if (unattended || !options.project.empty()) {
+    window.openProject(options.project); // the demo when none is named
+  }
   return QApplication::exec();
 }
 

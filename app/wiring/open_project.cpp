@@ -24,6 +24,10 @@ void fillFromScene(Project& project, const Scene& scene) {
   }
 }
 
+Status fillFromNamedScene(Project& project) {
+  return sceneNamed(project.scene).map([&](const Scene& scene) { fillFromScene(project, scene); });
+}
+
 Result<std::unique_ptr<FrameSetSource>> openSimulation(const Scene& scene) {
   const auto renderer = std::make_shared<const SceneRenderer>(scene);
   std::vector<RecordedCamera> cameras;
@@ -126,11 +130,9 @@ Result<Project> resolveProject(const std::string& nameOrFile) {
   }
   auto project = loadProject(name);
   if (project && !project->scene.empty()) {
-    const auto scene = sceneNamed(project->scene);
-    if (!scene) {
-      return tl::make_unexpected(scene.error());
+    if (auto filled = fillFromNamedScene(*project); !filled) {
+      return tl::make_unexpected(filled.error());
     }
-    fillFromScene(*project, *scene);
   }
   return project;
 }
@@ -166,8 +168,13 @@ Result<SessionInputs> openInputs(Project project) {
   return inputs;
 }
 
-Result<SessionInputs> openProject(const std::filesystem::path& nameOrFile) {
-  return resolveProject(nameOrFile.string()).and_then([](Project project) {
+Result<SessionInputs> openProject(const SessionRequest& request) {
+  if (request.project) {
+    Project project = *request.project;
+    const auto filled = project.scene.empty() ? Status() : fillFromNamedScene(project);
+    return filled.and_then([&] { return openInputs(std::move(project)); });
+  }
+  return resolveProject(request.file.string()).and_then([](Project project) {
     return openInputs(std::move(project));
   });
 }

@@ -24,6 +24,6 @@ Result<Project> resolveProject(const std::string& nameOrFile);
 Result<SessionInputs> openInputs(Project project);
 
 /// Both in one: what the window's "Open" does.
-Result<SessionInputs> openProject(const std::filesystem::path& nameOrFile);
+Result<SessionInputs> openProject(const SessionRequest& request);
 
 } // namespace dewpoint

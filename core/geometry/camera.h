@@ -21,6 +21,8 @@ struct Intrinsics {
   double focalY = 0.0;
   double centerX = 0.0;
   double centerY = 0.0;
+
+  bool operator==(const Intrinsics&) const = default;
 };
 
 /// One calibrated camera. World: metres, right-handed, Z up. Camera axes as in OpenCV: x right,
@@ -35,6 +37,11 @@ struct Camera {
   Eigen::Vector3d center() const { return cameraFromWorld.inverse().translation(); }
   /// Unit vector of the optical axis in the world frame.
   Eigen::Vector3d opticalAxis() const { return cameraFromWorld.linear().row(2).transpose(); }
+
+  bool operator==(const Camera& other) const {
+    return name == other.name && intrinsics == other.intrinsics && distortion == other.distortion &&
+           cameraFromWorld.matrix() == other.cameraFromWorld.matrix();
+  }
 };
 
 using CameraRig = std::vector<Camera>;

@@ -21,6 +21,8 @@ struct ProjectCamera {
   SourceKind source = SourceKind::Simulation;
   std::string location;  ///< absolute path of the video or image folder, device, or address
   int rotateDegrees = 0; ///< images are turned clockwise by 0, 90, 180 or 270 before use
+
+  bool operator==(const ProjectCamera&) const = default;
 };
 
 /// The document: everything a run needs, and nothing of its results.
@@ -35,10 +37,18 @@ struct Project {
   std::vector<ProjectCamera> cameras;
   std::optional<std::filesystem::path> truth; ///< truth.csv, absolute
   std::string scene;                          ///< name or file of the simulated scene, or empty
+  std::string layout; ///< of the window's views, as the window wrote it; empty: its own arrangement
+
+  bool operator==(const Project&) const = default;
 };
 
 /// Reads and checks a project file (TOML). The error names the file and the key.
 Result<Project> loadProject(const std::filesystem::path& file);
+/// Whether a run can be made of it: names that are there and differ, usable color ranges and radii,
+/// positive image sizes. The error names the field as the project file does.
+Status checkProject(const Project& project);
+/// The project file: paths below `folder` relative to it, all others absolute.
+std::string projectText(const Project& project, const std::filesystem::path& folder);
 /// Writes beside, flushes, renames: the old file is never broken. Paths below the file's folder
 /// are written relative to it.
 Status saveProject(const Project& project, const std::filesystem::path& file);

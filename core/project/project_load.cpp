@@ -8,7 +8,6 @@
 
 #include <cstdlib>
 #include <cstring>
-#include <set>
 
 namespace dewpoint {
 namespace {
@@ -149,16 +148,6 @@ void readParameters(const toml::table& table, const std::string& file, Project& 
   }
 }
 
-template <class Names>
-void requireDistinct(TableReader& reader, const char* key, const Names& names) {
-  std::set<std::string> seen;
-  for (const auto& name : names) {
-    if (!seen.insert(name).second) {
-      reader.fail(ErrorCode::BadValue, key, "the name '" + name + "' is used twice");
-    }
-  }
-}
-
 void readHead(TableReader& reader, const path& folder, Project& project) {
   std::int64_t format = kProjectFormat;
   reader.require("format");
@@ -220,24 +209,12 @@ void readParts(TableReader& reader, const std::string& file, Project& project) {
   }
 }
 
-void checkWhole(TableReader& reader, const Project& project) {
-  if (project.targets.empty()) {
-    reader.fail(ErrorCode::MissingKey, "target", "at least one [[target]] is needed");
+void readWindow(TableReader& reader, const std::string& file, Project& project) {
+  if (const toml::table* table = reader.table("window")) {
+    TableReader window(*table, file, "window.");
+    window.text("layout", project.layout);
+    reader.adopt(window.finish());
   }
-  if (project.cameras.empty() && project.scene.empty()) {
-    reader.fail(ErrorCode::MissingKey, "camera", "at least one [[camera]] is needed, or a scene");
-  }
-  if (!project.cameras.empty() && !project.scene.empty()) {
-    reader.fail(ErrorCode::BadValue, "scene", "a simulated scene brings its own cameras");
-  }
-  std::vector<std::string> names;
-  std::ranges::transform(project.targets, std::back_inserter(names), &Target::name);
-  requireDistinct(reader, "target", names);
-  names.clear();
-  for (const auto& camera : project.cameras) {
-    names.push_back(camera.camera.name);
-  }
-  requireDistinct(reader, "camera", names);
 }
 
 } // namespace
@@ -253,9 +230,13 @@ Result<Project> loadProject(const std::filesystem::path& file) {
   TableReader reader(*table, file.string(), "");
   readHead(reader, project.file.parent_path(), project);
   readParts(reader, file.string(), project);
-  checkWhole(reader, project);
+  readWindow(reader, file.string(), project);
   if (auto error = reader.finish()) {
     return tl::make_unexpected(std::move(*error));
+  }
+  if (auto good = checkProject(project); !good) {
+    return tl::make_unexpected(
+        Error{good.error().code, file.string(), good.error().field, good.error().detail});
   }
   return project;
 }

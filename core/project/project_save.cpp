@@ -60,8 +60,7 @@ std::string parametersText(const ParameterValues& parameters) {
 
 } // namespace
 
-Status saveProject(const Project& project, const std::filesystem::path& file) {
-  const path folder = std::filesystem::absolute(file).parent_path();
+std::string projectText(const Project& project, const std::filesystem::path& folder) {
   std::string text =
       fmt::format("# Dewpoint project: metres, seconds, radians, pixels; Z is up\n"
                   "format = {}\nname = {}\nmethod = {}\nseed = {}\n",
@@ -87,7 +86,14 @@ Status saveProject(const Project& project, const std::filesystem::path& file) {
       text += cameraText(camera, folder);
     }
   }
-  return writeTextFile(file, text);
+  if (!project.layout.empty()) {
+    text += "\n[window]   # how its views were laid out\nlayout = " + quoted(project.layout) + "\n";
+  }
+  return text;
+}
+
+Status saveProject(const Project& project, const std::filesystem::path& file) {
+  return writeTextFile(file, projectText(project, std::filesystem::absolute(file).parent_path()));
 }
 
 } // namespace dewpoint

@@ -22,6 +22,16 @@ struct SessionInputs {
   Trajectory truth; ///< empty when unknown
 };
 
+/// What a person wants to work on: the project in a file (empty: the demo), or one that is in no
+/// file as it is.
+struct SessionRequest {
+  SessionRequest(std::filesystem::path wanted) : file(std::move(wanted)) {} // NOLINT: implicit
+  SessionRequest(Project wanted) : project(std::move(wanted)) {}            // NOLINT: implicit
+
+  std::filesystem::path file;
+  std::optional<Project> project;
+};
+
 /// The running machine: one tracking thread that takes frame sets, iterates the filters and
 /// publishes snapshots. Every call returns at once; wishes are queued and obeyed at the next step.
 class Session {
@@ -57,6 +67,7 @@ public:
   /// Another method with its parameters, from the start and with the same seed.
   void setMethod(const std::string& method, const ParameterValues& parameters);
   void setParameters(const ParameterValues& parameters);
+  /// Other colors or radii take effect at once; another number of targets means new beliefs.
   void setTargets(const std::vector<Target>& targets);
   void setMasksWanted(bool wanted);
 

@@ -99,7 +99,7 @@ void TrackingLoop::obey(const Command& command) {
   } else if (const auto* method = std::get_if<command::SetMethod>(&command)) {
     changeMethod(*method);
   } else if (const auto* targets = std::get_if<command::SetTargets>(&command)) {
-    run_->setTargets(targets->targets);
+    changeTargets(targets->targets);
   } else if (const auto* masks = std::get_if<command::ShowMasks>(&command)) {
     masksWanted_ = masks->wanted;
   }
@@ -119,6 +119,27 @@ void TrackingLoop::changeMethod(const command::SetMethod& wish) {
   project_ = std::move(changed);
   run_.emplace(std::move(*run));
   restart(std::nullopt);
+}
+
+void TrackingLoop::changeTargets(const std::vector<Target>& targets) {
+  project_.targets = targets;
+  if (targets.size() == run_->targets().size()) {
+    run_->setTargets(targets);
+    return;
+  }
+  // Another number of targets: new beliefs, on the frame that is shown.
+  auto run = TrackingRun::create(project_, 1);
+  if (!run) {
+    errors_.push_back(run.error());
+    return;
+  }
+  const FrameSetPtr frames = run_->frames();
+  run_.emplace(std::move(*run));
+  tails_.assign(targets.size(), {});
+  if (frames) {
+    run_->beginFrame(frames);
+    frameFresh_ = true;
+  }
 }
 
 bool TrackingLoop::restart(std::optional<std::uint64_t> seed) {

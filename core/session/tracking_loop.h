@@ -27,6 +27,7 @@ private:
 
   void obey(const Command& command);
   void changeMethod(const command::SetMethod& wish);
+  void changeTargets(const std::vector<Target>& targets);
   /// False if there is nothing to track.
   bool restart(std::optional<std::uint64_t> seed);
   /// Takes the next frame set; false at the end, on an error, or when nothing came (live).

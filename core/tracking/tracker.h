@@ -21,6 +21,8 @@ struct Target {
   std::string name;
   double radius = 0.0; ///< metres; 0 when unknown
   ColorRange color;
+
+  bool operator==(const Target&) const = default;
 };
 
 /// What a tracker believes after one filter iteration. World frame, metres.

@@ -39,10 +39,10 @@ constexpr std::string_view kFrameHeader = "core/capture/frame.h";
 /// The value types that core/session hands out; besides core/session and core/base, the window
 /// sees nothing else of core.
 const Names& windowHeaders() {
-  static const Names kHeaders = {"core/capture/frame.h",     "core/capture/frame_source.h",
-                                 "core/color/color_range.h", "core/geometry/camera.h",
-                                 "core/project/project.h",   "core/tracking/parameters.h",
-                                 "core/tracking/tracker.h",  "core/trajectory/trajectory.h"};
+  static const Names kHeaders = {
+      "core/capture/frame.h",       "core/capture/frame_source.h", "core/color/color_range.h",
+      "core/geometry/camera.h",     "core/project/project.h",      "core/project/project_changes.h",
+      "core/tracking/parameters.h", "core/tracking/tracker.h",     "core/trajectory/trajectory.h"};
   return kHeaders;
 }
 

@@ -2,54 +2,127 @@
 #include "ui/document/document.h"
 
 #include "core/project/project.h"
-#include "ui/document/set_method_command.h"
-#include "ui/document/set_parameter_command.h"
+#include "ui/document/edit_command.h"
 
+#include <QCoreApplication>
 #include <QUndoStack>
+
+#include <algorithm>
 
 namespace dewpoint {
 
+namespace {
+
+QString labelOf(const Project& project, const std::string& key) {
+  const auto all = project.parameters.declarations();
+  const auto found = std::ranges::find(all, key, &ParameterDeclaration::key);
+  const std::string& text = found == all.end() ? key : found->label;
+  return QCoreApplication::translate("Parameter", text.c_str());
+}
+
+} // namespace
+
 Document::Document(QObject* parent)
-    : QObject(parent), project_(std::make_unique<Project>()), undoStack_(new QUndoStack(this)) {}
+    : QObject(parent), project_(std::make_shared<Project>()), undoStack_(new QUndoStack(this)) {}
 
 Document::~Document() {
   undoStack_->clear(); // commands refer to this document
 }
 
-void Document::replace(Project project) {
+void Document::replace(Project project, bool unsaved) {
+  project_ = std::make_shared<Project>(std::move(project));
+  unsaved_ = unsaved;
   undoStack_->clear();
-  *project_ = std::move(project);
   Q_EMIT replaced();
 }
 
-Status Document::setParameter(const std::string& key, double value) {
-  ParameterValues trial = project_->parameters;
-  if (auto status = trial.set(key, value); !status) {
-    return status;
+bool Document::isUnsaved() const {
+  return unsaved_ || !undoStack_->isClean();
+}
+
+Status Document::edit(const QString& name, const std::function<void(Project&)>& change,
+                      const std::string& mergeKey) {
+  auto after = std::make_shared<Project>(*project_);
+  change(*after);
+  if (auto good = checkProject(*after); !good) {
+    return good;
   }
-  if (trial.at(key) != project_->parameters.at(key)) {
-    undoStack_->push(new SetParameterCommand(*this, key, trial.at(key)));
+  if (changesBetween(*project_, *after).any()) {
+    const std::string key = mergeKey.empty() ? mergeKey : mergeKey + mergeSuffix_;
+    undoStack_->push(new EditCommand(*this, name, project_, std::move(after), key));
   }
   return {};
 }
 
-void Document::assignParameter(const std::string& key, double value) {
-  if (project_->parameters.set(key, value)) {
-    Q_EMIT parameterChanged(QString::fromStdString(key));
+void Document::endMerging() {
+  mergeSuffix_ = " #" + std::to_string(++drags_);
+}
+
+void Document::assign(const std::shared_ptr<const Project>& state) {
+  const std::shared_ptr<const Project> before = project_;
+  project_ = state;
+  if (state->file != before->file || state->layout != before->layout) {
+    // Neither belongs to the history.
+    auto adjusted = std::make_shared<Project>(*state);
+    adjusted->file = before->file;
+    adjusted->layout = before->layout;
+    project_ = std::move(adjusted);
   }
+  announce(*before, changesBetween(*before, *project_));
+}
+
+void Document::announce(const Project& before, const ProjectChanges& changes) {
+  Q_EMIT changed(changes);
+  if (changes.method) {
+    Q_EMIT methodChanged();
+  }
+  if (changes.parameters) {
+    for (const auto& declaration : project_->parameters.declarations()) {
+      if (before.parameters.at(declaration.key) != project_->parameters.at(declaration.key)) {
+        Q_EMIT parameterChanged(QString::fromStdString(declaration.key));
+      }
+    }
+  }
+  if (changes.targets) {
+    Q_EMIT targetsChanged();
+  }
+  if (changes.calibration) {
+    Q_EMIT calibrationChanged();
+  }
+  if (changes.sources) {
+    Q_EMIT sourcesChanged();
+  }
+}
+
+Status Document::setParameter(const std::string& key, double value) {
+  ParameterValues parameters = project_->parameters;
+  if (auto status = parameters.set(key, value); !status) {
+    return status;
+  }
+  return edit(
+      tr("Change “%1”").arg(labelOf(*project_, key)),
+      [&](Project& project) { project.parameters = parameters; }, "parameter " + key);
 }
 
 void Document::setMethod(const std::string& method) {
-  if (method != project_->method && !methodParameters(method).empty()) {
-    undoStack_->push(
-        new SetMethodCommand(*this, method, carriedOver(project_->parameters, method)));
+  if (methodParameters(method).empty()) {
+    return;
   }
+  (void)edit(tr("Track by “%1”").arg(QCoreApplication::translate("Method", method.c_str())),
+             [&](Project& project) {
+               if (project.method != method) {
+                 project.parameters = carriedOver(project.parameters, method);
+                 project.method = method;
+               }
+             });
 }
 
-void Document::assignMethod(const std::string& method, const ParameterValues& parameters) {
-  project_->method = method;
-  project_->parameters = parameters;
-  Q_EMIT methodChanged();
+void Document::setLayout(const std::string& layout) {
+  if (layout != project_->layout) {
+    auto changed = std::make_shared<Project>(*project_);
+    changed->layout = layout;
+    project_ = std::move(changed);
+  }
 }
 
 Status Document::save() {
@@ -60,7 +133,10 @@ Status Document::saveAs(const std::filesystem::path& file) {
   if (auto status = saveProject(*project_, file); !status) {
     return status;
   }
-  project_->file = file;
+  auto saved = std::make_shared<Project>(*project_);
+  saved->file = file;
+  project_ = std::move(saved);
+  unsaved_ = false;
   undoStack_->setClean();
   Q_EMIT fileChanged();
   return {};

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/project/project_changes.h"
 
 #include <QObject>
 #include <QString>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -14,45 +16,66 @@ class QUndoStack;
 
 namespace dewpoint {
 
-class ParameterValues;
-struct Project;
-
-/// The project and its history: the only door through which the window changes it. Changes are
-/// undoable commands; each announces what changed.
+/// The project and its history: the only door through which the window changes it. Every edit is a
+/// named step that can be undone, and announces what changed.
 class Document : public QObject {
   Q_OBJECT
 public:
   explicit Document(QObject* parent = nullptr);
   ~Document() override;
 
+  /// Valid until the next change: copy what is to be kept.
   const Project& project() const { return *project_; }
   QUndoStack* undoStack() const { return undoStack_; }
-  /// Another project takes the place of this one; the history starts anew.
-  void replace(Project project);
+  /// Another project takes the place of this one; the history starts anew. `unsaved`: the project
+  /// is in no file as it is (recovered, or just made).
+  void replace(Project project, bool unsaved = false);
+  /// Whether there is something that is in no file.
+  bool isUnsaved() const;
+
+  /// Changes the project as one undoable step called `name` (an imperative: "Rename camera").
+  /// Steps with the same `mergeKey` that follow each other become one: the moves of a drag. A state
+  /// that checkProject() refuses changes nothing and returns its error; a change that changes
+  /// nothing makes no step.
+  Status edit(const QString& name, const std::function<void(Project&)>& change,
+              const std::string& mergeKey = {});
+  /// From here on nothing merges with what was: a drag has ended.
+  void endMerging();
+
   /// Changes a parameter as an undoable step; steps of one slider drag merge. BadValue or
   /// UnknownKey leave everything as it was.
   Status setParameter(const std::string& key, double value);
-
   /// Chooses the method as an undoable step; parameters that it shares keep their values.
   void setMethod(const std::string& method);
+  /// How the views are laid out: saved with the project, but no edit and no step.
+  void setLayout(const std::string& layout);
 
   Status save();
   Status saveAs(const std::filesystem::path& file);
 
 Q_SIGNALS:
+  /// Another project is there.
   void replaced();
+  /// An edit, an undo or a redo; the more special signals follow.
+  void changed(const dewpoint::ProjectChanges& changes);
   void parameterChanged(const QString& key);
   void methodChanged();
+  void targetsChanged();
+  void calibrationChanged();
+  void sourcesChanged();
   void fileChanged();
 
 private:
-  friend class SetMethodCommand;
-  friend class SetParameterCommand;
-  void assignParameter(const std::string& key, double value);
-  void assignMethod(const std::string& method, const ParameterValues& parameters);
+  friend class EditCommand;
+  /// Makes a state the present one and says what is new.
+  void assign(const std::shared_ptr<const Project>& state);
+  void announce(const Project& before, const ProjectChanges& changes);
 
-  std::unique_ptr<Project> project_;
+  std::shared_ptr<const Project> project_;
   QUndoStack* undoStack_;
+  std::string mergeSuffix_; ///< differs after each endMerging()
+  int drags_ = 0;
+  bool unsaved_ = false; ///< whatever the history says
 };
 
 } // namespace dewpoint

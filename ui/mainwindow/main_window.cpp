@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mainwindow/main_window.h"
 
+#include "core/project/project.h"
 #include "core/session/session.h"
+#include "ui/actions/action_registry.h"
+#include "ui/actions/window_actions.h"
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/bridge/error_sentence.h"
 #include "ui/bridge/session_bridge.h"
@@ -11,7 +14,7 @@
 #include "ui/mainwindow/status_figures.h"
 #include "ui/plots/convergence_plot.h"
 #include "ui/settings/parameter_panel.h"
-#include "ui/transport/transport_actions.h"
+#include "ui/start/recent_projects.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -19,14 +22,27 @@
 #include <QUndoStack>
 
 #include <algorithm>
+#include <utility>
 
 namespace dewpoint {
 
+namespace {
+
+void rememberOpened(const Project& project) {
+  if (!project.file.empty()) {
+    addRecentProject(QString::fromStdString(project.file.string()));
+  }
+}
+
+} // namespace
+
 MainWindow::MainWindow(ProjectOpener opener, QWidget* parent)
     : QMainWindow(parent), loader_(new ProjectLoader(std::move(opener), this)),
-      document_(new Document(this)), actions_(new TransportActions(this)) {
+      document_(new Document(this)), actions_(new ActionRegistry(this)) {
   setObjectName(QStringLiteral("mainWindow"));
   setDockNestingEnabled(true);
+  declareWindowActions(*actions_);
+  makeStart();
   makeDocks();
   makeToolBar();
   makeMenus();
@@ -37,6 +53,7 @@ MainWindow::MainWindow(ProjectOpener opener, QWidget* parent)
   updateEnabled();
   resize(1400, 900);
   arrange();
+  showStart(true);
 }
 
 MainWindow::~MainWindow() {
@@ -66,14 +83,32 @@ void MainWindow::connectRun() {
       bridge_->session().setMethod(document_->project().method, document_->project().parameters);
     }
   });
+  connect(document_, &Document::targetsChanged, this, [this] {
+    if (bridge_ != nullptr) {
+      bridge_->session().setTargets(document_->project().targets);
+    }
+  });
+  // Queued: what is being edited may be a view that goes with it.
+  connect(document_, &Document::calibrationChanged, this, &MainWindow::reopen,
+          Qt::QueuedConnection);
+  connect(document_, &Document::sourcesChanged, this, &MainWindow::reopen, Qt::QueuedConnection);
   connect(document_, &Document::replaced, this, &MainWindow::updateTitle);
+  connect(document_, &Document::changed, this, &MainWindow::updateTitle);
   connect(document_, &Document::fileChanged, this, &MainWindow::updateTitle);
   connect(document_->undoStack(), &QUndoStack::cleanChanged, this,
-          [this](bool clean) { setWindowModified(!clean); });
+          [this] { setWindowModified(document_->isUnsaved()); });
 }
 
 void MainWindow::openProject(const std::filesystem::path& file) {
+  keepHistory_ = false;
   loader_->open(file);
+}
+
+void MainWindow::reopen() {
+  if (bridge_ != nullptr) {
+    keepHistory_ = true;
+    loader_->open(document_->project());
+  }
 }
 
 void MainWindow::adoptInputs(SessionInputs inputs) {
@@ -81,6 +116,32 @@ void MainWindow::adoptInputs(SessionInputs inputs) {
     loader_->retire(bridge_->release());
     delete bridge_;
   }
+  clearViews();
+  const bool isNew = !std::exchange(keepHistory_, false);
+  const bool unsaved = std::exchange(openUnsaved_, false);
+  if (isNew) {
+    document_->replace(inputs.project, unsaved);
+    rememberOpened(inputs.project);
+  }
+  bridge_ = new SessionBridge(std::move(inputs), this);
+  connect(bridge_, &SessionBridge::snapshotChanged, this, &MainWindow::showSnapshot);
+  showStart(false);
+  makeCameraDocks();
+  bridge_->session().setMasksWanted(action("actionShowMask")->isChecked());
+  updateEnabled();
+  showSnapshot(bridge_->session().newest());
+  if (const QString note = std::exchange(unsavedNote_, {}); !note.isEmpty()) {
+    messages_->showNotice(note);
+  }
+  if (playOnOpen_ && !unsaved) {
+    bridge_->session().play();
+  } else {
+    bridge_->session().stepFrame(); // something to look at
+  }
+  Q_EMIT projectOpened();
+}
+
+void MainWindow::clearViews() {
   shown_.reset();
   logGeneration_ = 0;
   logPosition_ = 0;
@@ -88,19 +149,6 @@ void MainWindow::adoptInputs(SessionInputs inputs) {
   figures_->clear();
   plot_->clear();
   birdsEye_->show(TrackSnapshotPtr());
-  document_->replace(inputs.project);
-  bridge_ = new SessionBridge(std::move(inputs), this);
-  connect(bridge_, &SessionBridge::snapshotChanged, this, &MainWindow::showSnapshot);
-  makeCameraDocks();
-  bridge_->session().setMasksWanted(actions_->showMask->isChecked());
-  updateEnabled();
-  showSnapshot(bridge_->session().newest());
-  if (playOnOpen_) {
-    bridge_->session().play();
-  } else {
-    bridge_->session().stepFrame(); // something to look at
-  }
-  Q_EMIT projectOpened();
 }
 
 void MainWindow::showSnapshot(const TrackSnapshotPtr& snapshot) {
@@ -110,7 +158,9 @@ void MainWindow::showSnapshot(const TrackSnapshotPtr& snapshot) {
   }
   birdsEye_->show(snapshot);
   figures_->show(*snapshot);
-  actions_->setPlaying(snapshot->state == PlayState::Playing);
+  snapshot->state == PlayState::Playing
+      ? actions_->rename(action("actionPlay"), QT_TRANSLATE_NOOP("Actions", "Pause"), "pause")
+      : actions_->rename(action("actionPlay"), QT_TRANSLATE_NOOP("Actions", "Play"), "play");
   pullLog();
   showNotices(*snapshot);
   Q_EMIT snapshotShown(snapshot);
@@ -159,29 +209,34 @@ void MainWindow::restart(bool newSeed) {
   }
 }
 
+QAction* MainWindow::action(const char* id) const {
+  return actions_->action(id);
+}
+
 void MainWindow::updateTitle() {
   const QString name = QString::fromStdString(document_->project().name);
   setWindowTitle(name.isEmpty() ? tr("Dewpoint") : tr("%1[*] – Dewpoint").arg(name));
+  setWindowModified(document_->isUnsaved());
 }
 
 void MainWindow::updateEnabled() {
   const bool running = bridge_ != nullptr;
-  for (QAction* action : {actions_->play, actions_->nextFrame, actions_->nextIteration,
-                          actions_->restart, actions_->restartNewSeed, actions_->showMask,
-                          actions_->save, actions_->saveAs, actions_->exportTrajectory}) {
-    action->setEnabled(running);
+  for (const char* id : {"actionPlay", "actionNextFrame", "actionNextIteration", "actionRestart",
+                         "actionRestartNewSeed", "actionShowMask", "actionSave", "actionSaveAs",
+                         "actionExportTrajectory", "actionCloseProject", "actionResetLayout"}) {
+    action(id)->setEnabled(running);
   }
-  actions_->openProject->setEnabled(!loader_->isOpening());
-  actions_->openDemo->setEnabled(!loader_->isOpening());
+  action("actionOpen")->setEnabled(!loader_->isOpening());
+  action("actionOpenDemo")->setEnabled(!loader_->isOpening());
 }
 
 void MainWindow::setTheme(Theme theme) {
   theme_ = theme;
   applyTheme(theme);
   actions_->drawIcons(themePalette(isDark(theme)));
-  QAction* chosen = theme == Theme::Light  ? actions_->themeLight
-                    : theme == Theme::Dark ? actions_->themeDark
-                                           : actions_->themeSystem;
+  QAction* chosen = action(theme == Theme::Light  ? "actionThemeLight"
+                           : theme == Theme::Dark ? "actionThemeDark"
+                                                  : "actionThemeSystem");
   chosen->setChecked(true);
 }
 

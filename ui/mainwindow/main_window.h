@@ -7,10 +7,15 @@
 #include <QMainWindow>
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <vector>
 
+class QAction;
 class QDockWidget;
+class QMenu;
+class QStackedWidget;
 
 namespace dewpoint {
 
@@ -19,10 +24,15 @@ class CameraView;
 class ConvergencePlot;
 class Document;
 class MessageBar;
+class NewProjectPage;
 class ParameterPanel;
+class CommandPalette;
+class Recovery;
+class StartPage;
+struct Project;
 class SessionBridge;
 class StatusFigures;
-class TransportActions;
+class ActionRegistry;
 struct TrackSnapshot;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
@@ -40,6 +50,11 @@ public:
   void setTheme(Theme theme);
   Theme theme() const { return theme_; }
 
+  /// Keeps unsaved work in this folder, and offers what an earlier window left there.
+  void useRecovery(const std::filesystem::path& folder);
+  /// Speaks another language from now on, and remembers it.
+  void setLanguage(const QString& language);
+
   /// Writes trajectory.csv and run.json of the run so far into a folder; what failed is said in the
   /// window, too. False also when nothing is open.
   bool saveRun(const std::filesystem::path& folder);
@@ -56,23 +71,45 @@ Q_SIGNALS:
 
 protected:
   void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
 private:
+  void makeStart();
+  void showStart(bool shown);
+  void showViews(bool shown);
+  void beginNewProject(const QStringList& files);
+  void openUnsaved(const Project& project, const QString& note);
+  void closeProject();
+  void fillRecentMenu(QMenu* menu);
+  void fillViewMenu(QMenu* view);
+  void fillLanguageMenu(QMenu* menu);
+  void offerRecovery();
+  void clearViews();
+  void resetLayout();
+  void keepLayout();
+  void openShortcuts();
+  void sayHistory();
   void makeDocks();
   void makeToolBar();
   void makeMenus();
   void connectActions();
   void connectRun();
-  QDockWidget* makeDock(const QString& name, const QString& title, QWidget* content);
+  QDockWidget* makeDock(const QString& name, const std::function<QString()>& title,
+                        QWidget* content);
   void makeCameraDocks();
   void arrange();
   void shareSpace();
   void toggleMaximized(QDockWidget* dock);
 
+  /// Opens the document as it is again: its cameras are not those of the session any more.
+  void reopen();
   void adoptInputs(SessionInputs inputs);
   void showSnapshot(const TrackSnapshotPtr& snapshot);
   void pullLog();
   void showNotices(const TrackSnapshot& snapshot);
+  QAction* action(const char* id) const;
   void updateTitle();
   void updateEnabled();
 
@@ -88,15 +125,21 @@ private:
   ProjectLoader* loader_;
   Document* document_;
   SessionBridge* bridge_ = nullptr;
-  TransportActions* actions_;
+  ActionRegistry* actions_;
   MessageBar* messages_ = nullptr;
   StatusFigures* figures_ = nullptr;
   BirdsEyeView* birdsEye_ = nullptr;
   ConvergencePlot* plot_ = nullptr;
   ParameterPanel* parameters_ = nullptr;
+  QStackedWidget* start_ = nullptr;
+  StartPage* startPage_ = nullptr;
+  NewProjectPage* newProject_ = nullptr;
+  CommandPalette* palette_ = nullptr;
+  Recovery* recovery_ = nullptr;
   QDockWidget* birdsEyeDock_ = nullptr;
   QDockWidget* plotDock_ = nullptr;
   QDockWidget* parameterDock_ = nullptr;
+  QDockWidget* historyDock_ = nullptr;
   QDockWidget* maximized_ = nullptr;
   QByteArray layoutBeforeMaximized_;
   std::vector<QDockWidget*> cameraDocks_;
@@ -107,6 +150,9 @@ private:
   std::size_t noticesShown_ = 0;
   Theme theme_ = Theme::System;
   bool playOnOpen_ = true;
+  bool openUnsaved_ = false; ///< what is being opened is in no file as it is
+  QString unsavedNote_;      ///< said once it is open
+  bool keepHistory_ = false; ///< of the document, when the inputs come that are being opened
 };
 
 } // namespace dewpoint

@@ -4,13 +4,14 @@
 #include "ui/bridge/error_sentence.h"
 #include "ui/bridge/session_bridge.h"
 #include "ui/document/document.h"
+#include "ui/document/recovery.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/message_bar.h"
+#include "ui/start/recent_projects.h"
 
 #include <QCloseEvent>
 #include <QFileDialog>
 #include <QMessageBox>
-#include <QUndoStack>
 
 namespace dewpoint {
 
@@ -51,10 +52,13 @@ void MainWindow::askSaveAs() {
 }
 
 void MainWindow::saveTo(const std::filesystem::path& file) {
+  keepLayout();
   if (auto status = document_->saveAs(file); !status) {
     messages_->showError(errorSentence(status.error()));
   } else {
-    messages_->showNotice(tr("Saved %1.").arg(QString::fromStdString(file.string())));
+    const QString name = QString::fromStdString(file.string());
+    addRecentProject(name);
+    messages_->showNotice(tr("Saved %1.").arg(name));
   }
 }
 
@@ -85,8 +89,9 @@ bool MainWindow::saveRun(const std::filesystem::path& folder) {
 }
 
 bool MainWindow::mayDiscard() {
-  // The demo has no file: what was tried there is not worth a question.
-  if (document_->undoStack()->isClean() || document_->project().file.empty()) {
+  // A simulated scene without a file is the demo: what was tried there is not worth a question.
+  const Project& project = document_->project();
+  if (!document_->isUnsaved() || (project.file.empty() && !project.scene.empty())) {
     return true;
   }
   const auto answer = QMessageBox::question(
@@ -94,13 +99,16 @@ bool MainWindow::mayDiscard() {
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   if (answer == QMessageBox::Save) {
     save();
-    return document_->undoStack()->isClean();
+    return !document_->isUnsaved();
   }
   return answer == QMessageBox::Discard;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (mayDiscard()) {
+    if (recovery_ != nullptr) {
+      recovery_->forget(); // saved, or given up on purpose
+    }
     event->accept();
   } else {
     event->ignore();

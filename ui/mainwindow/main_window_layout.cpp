@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/session/session.h"
+#include "ui/actions/action_registry.h"
+#include "ui/actions/command_palette.h"
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/bridge/session_bridge.h"
 #include "ui/camera/camera_view.h"
@@ -11,27 +13,31 @@
 #include "ui/mainwindow/status_figures.h"
 #include "ui/plots/convergence_plot.h"
 #include "ui/settings/parameter_panel.h"
-#include "ui/transport/transport_actions.h"
+#include "ui/settings/retranslation.h"
 
 #include <QAction>
 #include <QDockWidget>
-#include <QMenuBar>
 #include <QScrollArea>
-#include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
 #include <QUndoStack>
+#include <QUndoView>
 
 #include <algorithm>
 
 namespace dewpoint {
 
-QDockWidget* MainWindow::makeDock(const QString& name, const QString& title, QWidget* content) {
-  auto* dock = new QDockWidget(title, this);
+QDockWidget* MainWindow::makeDock(const QString& name, const std::function<QString()>& title,
+                                  QWidget* content) {
+  auto* dock = new QDockWidget(this);
+  inEveryLanguage(dock, [dock, title] { dock->setWindowTitle(title()); });
   dock->setObjectName(name);
   dock->setWidget(content);
-  dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+  dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable |
+                    QDockWidget::DockWidgetClosable);
+  connect(dock->toggleViewAction(), &QAction::triggered, dock,
+          [dock](bool shown) { dock->setProperty("closedByChoice", !shown); });
   auto* bar = new DockTitle(dock);
   dock->setTitleBarWidget(bar);
   connect(bar, &DockTitle::maximizeWanted, this, [this, dock] { toggleMaximized(dock); });
@@ -41,9 +47,11 @@ QDockWidget* MainWindow::makeDock(const QString& name, const QString& title, QWi
 void MainWindow::makeDocks() {
   birdsEye_ = new BirdsEyeView(this);
   birdsEye_->setObjectName(QStringLiteral("birdsEyeView"));
-  birdsEyeDock_ = makeDock(QStringLiteral("birdsEyeDock"), tr("Bird's-eye view"), birdsEye_);
+  birdsEyeDock_ = makeDock(
+      QStringLiteral("birdsEyeDock"), [] { return tr("Bird's-eye view"); }, birdsEye_);
   plot_ = new ConvergencePlot(this);
-  plotDock_ = makeDock(QStringLiteral("plotDock"), tr("Convergence"), plot_);
+  plotDock_ = makeDock(
+      QStringLiteral("plotDock"), [] { return tr("Convergence"); }, plot_);
 
   parameters_ = new ParameterPanel(*document_, this);
   auto* scroll = new QScrollArea(this);
@@ -53,10 +61,23 @@ void MainWindow::makeDocks() {
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setMinimumWidth(276);
   scroll->setWidget(parameters_);
-  parameterDock_ = makeDock(QStringLiteral("parameterDock"), tr("Parameters"), scroll);
+  parameterDock_ = makeDock(
+      QStringLiteral("parameterDock"), [] { return tr("Parameters"); }, scroll);
   // The dock itself too: with a title bar of our own its minimum does not follow its content's.
   parameterDock_->setMinimumWidth(scroll->minimumWidth());
 
+  auto* history = new QUndoView(document_->undoStack(), this);
+  history->setObjectName(QStringLiteral("historyList"));
+  history->setFrameShape(QFrame::NoFrame);
+  inEveryLanguage(history, [history] {
+    history->setEmptyLabel(tr("As it was opened"));
+    history->setAccessibleName(tr("History of changes"));
+  });
+  historyDock_ = makeDock(
+      QStringLiteral("historyDock"), [] { return tr("History"); }, history);
+  historyDock_->setProperty("closedByChoice", true);
+
+  palette_ = new CommandPalette(*actions_, this);
   figures_ = new StatusFigures(this);
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(figures_, 1);
@@ -76,16 +97,33 @@ void MainWindow::makeCameraDocks() {
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     auto* view = new CameraView(static_cast<int>(i), this);
     const QString given = QString::fromStdString(cameras[i].camera.name);
-    auto* dock = makeDock(QStringLiteral("cameraDock%1").arg(i),
-                          given.isEmpty() ? tr("Camera %1").arg(i + 1) : given, view);
+    const auto title = [given, i] { return given.isEmpty() ? tr("Camera %1").arg(i + 1) : given; };
+    auto* dock = makeDock(QStringLiteral("cameraDock%1").arg(i), title, view);
     auto* bar = static_cast<DockTitle*>(dock->titleBarWidget());
     bar->setState(view->state());
     connect(view, &CameraView::stateChanged, bar, &DockTitle::setState);
-    view->setMaskShown(actions_->showMask->isChecked());
+    view->setMaskShown(action("actionShowMask")->isChecked());
     cameraDocks_.push_back(dock);
     cameraViews_.push_back(view);
   }
   arrange();
+  const auto layout =
+      QByteArray::fromBase64(QByteArray::fromStdString(document_->project().layout));
+  if (!layout.isEmpty()) {
+    restoreState(layout);
+  }
+}
+
+void MainWindow::keepLayout() {
+  if (maximized_ == nullptr) {
+    document_->setLayout(saveState().toBase64().toStdString());
+  }
+}
+
+void MainWindow::resetLayout() {
+  document_->setLayout({});
+  makeCameraDocks();
+  showSnapshot(shown_);
 }
 
 void MainWindow::arrange() {
@@ -108,6 +146,7 @@ void MainWindow::arrange() {
     }
   }
   splitDockWidget(birdsEyeDock_, parameterDock_, Qt::Horizontal);
+  splitDockWidget(parameterDock_, historyDock_, Qt::Vertical);
   // The sizes can be given only once the layout has settled.
   QMetaObject::invokeMethod(this, &MainWindow::shareSpace, Qt::QueuedConnection);
 }
@@ -149,32 +188,29 @@ void MainWindow::toggleMaximized(QDockWidget* dock) {
 }
 
 void MainWindow::makeToolBar() {
-  QToolBar* bar = addToolBar(tr("Transport"));
+  QToolBar* bar = addToolBar(QString());
+  inEveryLanguage(bar, [bar] { bar->setWindowTitle(tr("Transport")); });
   bar->setObjectName(QStringLiteral("transportBar"));
   bar->setMovable(false);
   bar->setIconSize({20, 20});
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
-  QAction* undo = document_->undoStack()->createUndoAction(this, tr("Undo"));
-  QAction* redo = document_->undoStack()->createRedoAction(this, tr("Redo"));
-  undo->setObjectName(QStringLiteral("actionUndo"));
-  redo->setObjectName(QStringLiteral("actionRedo"));
-  actions_->adopt(undo, QStringLiteral("undo"), QKeySequence::Undo);
-  actions_->adopt(redo, QStringLiteral("redo"), QKeySequence::Redo);
-  const std::vector<QAction*> shown{actions_->play,
-                                    actions_->nextFrame,
-                                    actions_->nextIteration,
+  const std::vector<QAction*> shown{action("actionPlay"),
+                                    action("actionNextFrame"),
+                                    action("actionNextIteration"),
                                     nullptr,
-                                    actions_->restart,
-                                    actions_->restartNewSeed,
+                                    action("actionRestart"),
+                                    action("actionRestartNewSeed"),
                                     nullptr,
-                                    actions_->showMask,
+                                    action("actionShowMask"),
                                     nullptr,
-                                    undo,
-                                    redo,
+                                    action("actionUndo"),
+                                    action("actionRedo"),
                                     nullptr,
-                                    actions_->openProject,
-                                    actions_->save,
-                                    actions_->exportTrajectory};
+                                    action("actionOpen"),
+                                    action("actionSave"),
+                                    action("actionExportTrajectory"),
+                                    nullptr,
+                                    action("actionPalette")};
   for (QAction* action : shown) {
     if (action == nullptr) {
       bar->addSeparator();
@@ -185,15 +221,17 @@ void MainWindow::makeToolBar() {
     button->setObjectName(action->objectName() + QStringLiteral("Button"));
     button->setFocusPolicy(Qt::NoFocus); // Space stays with play
   }
-  for (QAction* action : {actions_->play, actions_->nextFrame, actions_->nextIteration}) {
+  for (QAction* action :
+       {action("actionPlay"), action("actionNextFrame"), action("actionNextIteration")}) {
     static_cast<QToolButton*>(bar->widgetForAction(action))
         ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   }
-  bar->widgetForAction(actions_->play)
+  bar->widgetForAction(action("actionPlay"))
       ->setMinimumWidth(bar->fontMetrics().horizontalAdvance(tr("Pause")) + 40);
 
   addToolBarBreak();
-  QToolBar* messageRow = addToolBar(tr("Message"));
+  QToolBar* messageRow = addToolBar(QString());
+  inEveryLanguage(messageRow, [messageRow] { messageRow->setWindowTitle(tr("Message")); });
   messageRow->setObjectName(QStringLiteral("messageRow"));
   messageRow->setMovable(false);
   messageRow->setContextMenuPolicy(Qt::PreventContextMenu);
@@ -201,72 +239,6 @@ void MainWindow::makeToolBar() {
   messageRow->addWidget(messages_);
   messageRow->hide();
   connect(messages_, &MessageBar::wanted, messageRow, &QWidget::setVisible);
-}
-
-void MainWindow::makeMenus() {
-  const auto fill = [](QMenu* menu, const char* name, const std::vector<QAction*>& entries) {
-    menu->setObjectName(QLatin1String(name));
-    for (QAction* entry : entries) {
-      entry == nullptr ? (void)menu->addSeparator() : menu->addAction(entry);
-    }
-  };
-  menuBar()->setObjectName(QStringLiteral("menuBar"));
-  fill(menuBar()->addMenu(tr("&Project")), "menuProject",
-       {actions_->openProject, actions_->openDemo, nullptr, actions_->save, actions_->saveAs,
-        nullptr, actions_->exportTrajectory, nullptr, actions_->quit});
-  fill(menuBar()->addMenu(tr("&Edit")), "menuEdit",
-       {findChild<QAction*>(QStringLiteral("actionUndo")),
-        findChild<QAction*>(QStringLiteral("actionRedo"))});
-  fill(menuBar()->addMenu(tr("&Run")), "menuRun",
-       {actions_->play, actions_->nextFrame, actions_->nextIteration, nullptr, actions_->restart,
-        actions_->restartNewSeed});
-  QMenu* view = menuBar()->addMenu(tr("&View"));
-  fill(view, "menuView",
-       {actions_->showMask, nullptr, actions_->lookFromAbove, actions_->lookFromFront,
-        actions_->lookFree, nullptr});
-  fill(view->addMenu(tr("Colors")), "menuColors",
-       {actions_->themeSystem, actions_->themeLight, actions_->themeDark});
-}
-
-void MainWindow::connectActions() {
-  const auto on = [this](QAction* action, auto&& run) {
-    connect(action, &QAction::triggered, this, std::forward<decltype(run)>(run));
-  };
-  on(actions_->play, [this] { togglePlay(); });
-  on(actions_->nextFrame, [this] { bridge_->session().stepFrame(); });
-  on(actions_->nextIteration, [this] { bridge_->session().stepIteration(); });
-  on(actions_->restart, [this] { restart(false); });
-  on(actions_->restartNewSeed, [this] { restart(true); });
-  connect(actions_->showMask, &QAction::toggled, this, [this](bool shown) {
-    if (bridge_ != nullptr) {
-      bridge_->session().setMasksWanted(shown);
-    }
-    for (CameraView* camera : cameraViews_) {
-      camera->setMaskShown(shown);
-    }
-  });
-  on(actions_->lookFromAbove, [this] { birdsEye_->lookFromAbove(); });
-  on(actions_->lookFromFront, [this] { birdsEye_->lookFromFront(); });
-  on(actions_->lookFree, [this] { birdsEye_->lookFree(); });
-  on(actions_->openProject, [this] { askOpen(); });
-  on(actions_->openDemo, [this] {
-    if (mayDiscard()) {
-      openProject({});
-    }
-  });
-  on(actions_->save, [this] { save(); });
-  on(actions_->saveAs, [this] { askSaveAs(); });
-  on(actions_->exportTrajectory, [this] { exportTrajectory(); });
-  on(actions_->quit, [this] { close(); });
-  const auto onTheme = [this, on](QAction* action, Theme theme) {
-    on(action, [this, theme] {
-      setTheme(theme);
-      QSettings().setValue(QStringLiteral("theme"), themeName(theme));
-    });
-  };
-  onTheme(actions_->themeSystem, Theme::System);
-  onTheme(actions_->themeLight, Theme::Light);
-  onTheme(actions_->themeDark, Theme::Dark);
 }
 
 } // namespace dewpoint

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mainwindow/message_bar.h"
 
+#include "ui/settings/retranslation.h"
 #include "ui/settings/symbolic_icon.h"
 #include "ui/settings/theme.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QToolButton>
 
 namespace dewpoint {
@@ -21,17 +23,14 @@ MessageBar::MessageBar(QWidget* parent)
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   close_->setObjectName(QStringLiteral("messageClose"));
   close_->setAutoRaise(true);
-  close_->setToolTip(tr("Close this message"));
+  inEveryLanguage(this, [this] { close_->setToolTip(tr("Close this message")); });
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(12, 4, 8, 4);
   layout->setSpacing(8);
   layout->addWidget(mark_);
   layout->addWidget(text_, 1);
   layout->addWidget(close_);
-  connect(close_, &QToolButton::clicked, this, [this] {
-    text_->clear();
-    Q_EMIT wanted(false);
-  });
+  connect(close_, &QToolButton::clicked, this, &MessageBar::close);
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::Button);
   applyPalette();
@@ -47,7 +46,37 @@ QString MessageBar::text() const {
   return text_->text();
 }
 
+void MessageBar::close() {
+  text_->clear();
+  clearAnswers();
+  Q_EMIT wanted(false);
+}
+
+void MessageBar::clearAnswers() {
+  for (QPushButton* answer : answers_) {
+    answer->hide();
+    answer->deleteLater(); // it may be the one that was clicked
+  }
+  answers_.clear();
+}
+
+void MessageBar::ask(const QString& question, const std::vector<Answer>& answers) {
+  say(question, false);
+  auto* row = static_cast<QHBoxLayout*>(layout());
+  for (const Answer& answer : answers) {
+    auto* button = new QPushButton(answer.first, this);
+    button->setObjectName(QStringLiteral("messageAnswer%1").arg(answers_.size()));
+    row->insertWidget(row->count() - 1, button);
+    connect(button, &QPushButton::clicked, this, [this, act = answer.second] {
+      close();
+      act();
+    });
+    answers_.push_back(button);
+  }
+}
+
 void MessageBar::say(const QString& text, bool isError) {
+  clearAnswers();
   isError_ = isError;
   mark_->setText(isError ? QStringLiteral("▲") : QStringLiteral("●"));
   text_->setText(text);

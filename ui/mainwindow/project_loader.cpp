@@ -18,14 +18,15 @@ ProjectLoader::~ProjectLoader() {
   }
 }
 
-void ProjectLoader::open(const std::filesystem::path& file) {
+void ProjectLoader::open(SessionRequest request) {
   if (opening_) {
+    next_ = std::make_unique<SessionRequest>(std::move(request));
     return;
   }
   opening_ = true;
   Q_EMIT openingChanged(true);
-  worker_ = std::jthread([this, file] {
-    auto result = std::make_shared<Result<SessionInputs>>(opener_(file));
+  worker_ = std::jthread([this, request = std::move(request)] {
+    auto result = std::make_shared<Result<SessionInputs>>(opener_(request));
     QMetaObject::invokeMethod(
         this, [this, result] { finish(result); }, Qt::QueuedConnection);
   });
@@ -33,6 +34,11 @@ void ProjectLoader::open(const std::filesystem::path& file) {
 
 void ProjectLoader::finish(const std::shared_ptr<Result<SessionInputs>>& result) {
   opening_ = false;
+  if (next_) {
+    const std::unique_ptr<SessionRequest> next = std::move(next_);
+    open(std::move(*next));
+    return;
+  }
   if (*result) {
     Q_EMIT opened(std::make_shared<SessionInputs>(std::move(**result)));
   } else {

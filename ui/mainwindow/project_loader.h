@@ -5,7 +5,6 @@
 
 #include <QObject>
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <thread>
@@ -14,9 +13,10 @@ namespace dewpoint {
 
 class Session;
 struct SessionInputs;
+struct SessionRequest;
 
-/// Opens a project (empty path: the demo), as the application wires it. Called in a thread.
-using ProjectOpener = std::function<Result<SessionInputs>(const std::filesystem::path&)>;
+/// Opens a project as the application wires it. Called in a thread.
+using ProjectOpener = std::function<Result<SessionInputs>(const SessionRequest&)>;
 
 /// Does what may take long, opening videos and joining threads, away from the window's thread.
 class ProjectLoader : public QObject {
@@ -25,8 +25,9 @@ public:
   explicit ProjectLoader(ProjectOpener opener, QObject* parent = nullptr);
   ~ProjectLoader() override;
 
-  /// Starts opening; nothing while an opening is under way.
-  void open(const std::filesystem::path& file);
+  /// Starts opening. While an opening is under way: the last of those asked for comes next, and
+  /// what is under way is dropped.
+  void open(SessionRequest request);
   bool isOpening() const { return opening_; }
   /// Lets a session end in a thread of its own.
   void retire(std::unique_ptr<Session> session);
@@ -42,6 +43,7 @@ private:
 
   ProjectOpener opener_;
   bool opening_ = false;
+  std::unique_ptr<SessionRequest> next_;
   std::jthread worker_;
   std::jthread retirement_;
 };

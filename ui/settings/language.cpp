@@ -8,6 +8,8 @@
 #include <QTranslator>
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace dewpoint {
 
@@ -23,11 +25,20 @@ QLocale localeOf(const QString& language) {
   return language.isEmpty() || wanted.language() == system.language() ? system : wanted;
 }
 
+/// The catalogs in use; another language takes their place.
+std::vector<QTranslator*>& installed() {
+  static std::vector<QTranslator*> translators; // owned by the application
+  return translators;
+}
+
 /// Installs a catalog if there is one for the locale.
 bool install(const QLocale& locale, const QString& name, const QString& folder) {
   auto translator = std::make_unique<QTranslator>(QCoreApplication::instance());
-  return translator->load(locale, name, QString(), folder) &&
-         QCoreApplication::installTranslator(translator.release());
+  if (!translator->load(locale, name, QString(), folder)) {
+    return false;
+  }
+  installed().push_back(translator.get());
+  return QCoreApplication::installTranslator(translator.release());
 }
 
 } // namespace
@@ -42,6 +53,9 @@ QStringList languages() {
 
 void useLanguage(const QString& language) {
   const QLocale locale = localeOf(language);
+  for (QTranslator* translator : std::exchange(installed(), {})) {
+    delete translator; // takes itself out
+  }
   QLocale::setDefault(locale);
   // Qt's own first: what is installed last is asked first.
   install(locale, QStringLiteral("qtbase_"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));

@@ -10,8 +10,8 @@ namespace dewpoint {
 QStringList languages();
 
 /// From now on the application speaks this language: its own texts, Qt's, and the form of numbers.
-/// Empty: the system's. English stands in for a language without a catalog. Call it before the
-/// window is made.
+/// Empty: the system's. English stands in for a language without a catalog. All
+/// widgets are told (QEvent::LanguageChange).
 void useLanguage(const QString& language);
 
 } // namespace dewpoint

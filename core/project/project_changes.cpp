@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project_changes.h"
+
+#include <algorithm>
+
+namespace dewpoint {
+namespace {
+
+bool sameSource(const ProjectCamera& a, const ProjectCamera& b) {
+  return a.camera.name == b.camera.name && a.source == b.source && a.location == b.location &&
+         a.rotateDegrees == b.rotateDegrees;
+}
+
+} // namespace
+
+ProjectChanges changesBetween(const Project& before, const Project& after) {
+  ProjectChanges changes;
+  changes.name = before.name != after.name;
+  changes.method = before.method != after.method;
+  changes.seed = before.seed != after.seed;
+  changes.parameters = !changes.method && !(before.parameters == after.parameters);
+  changes.targets = before.targets != after.targets;
+  changes.sources = !std::ranges::equal(before.cameras, after.cameras, sameSource) ||
+                    before.framesPerSecond != after.framesPerSecond ||
+                    before.truth != after.truth || before.scene != after.scene;
+  changes.calibration = !changes.sources && before.cameras != after.cameras;
+  return changes;
+}
+
+} // namespace dewpoint

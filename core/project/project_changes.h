@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+namespace dewpoint {
+
+/// What differs between two states of a project, as far as someone has to act on it.
+struct ProjectChanges {
+  bool name = false;
+  bool method = false;
+  bool seed = false;
+  bool parameters = false;  ///< values under the same method
+  bool targets = false;     ///< their number, order, names, colors or radii
+  bool calibration = false; ///< of cameras that are otherwise the same
+  bool sources = false;     ///< which cameras there are, and where images and truth come from
+
+  bool any() const {
+    return name || method || seed || parameters || targets || calibration || sources;
+  }
+};
+
+/// Neither the file nor the layout of the window counts: they are no edits.
+ProjectChanges changesBetween(const Project& before, const Project& after);
+
+} // namespace dewpoint

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QKeySequence>
+#include <QObject>
+#include <QString>
+
+#include <vector>
+
+class QAction;
+class QPalette;
+
+namespace dewpoint {
+
+/// What an action is, said once. Texts are marked with QT_TRANSLATE_NOOP("Actions", "...").
+struct ActionDeclaration {
+  const char* id;             ///< objectName of the action: "actionPlay"
+  const char* group;          ///< heading in lists of actions: "Run"
+  const char* text;           ///< "Play"
+  const char* hint;           ///< one sentence for the tooltip
+  const char* icon = nullptr; ///< of resources/icons
+  QKeySequence shortcut = {}; ///< unless the person chose another
+  bool checkable = false;
+};
+
+/// All actions of the window: menus, toolbar, shortcuts, tooltips and the command palette come from
+/// here. Shortcuts can be changed and are kept in the person's settings. What an action does is
+/// connected by the window.
+class ActionRegistry : public QObject {
+  Q_OBJECT
+public:
+  /// Actions belong to `window`, so that their shortcuts work wherever the focus is in it.
+  explicit ActionRegistry(QWidget* window);
+
+  QAction* add(const ActionDeclaration& declaration);
+  /// The action with this id; it must exist.
+  QAction* action(const char* id) const;
+  std::vector<QAction*> all() const;
+  /// Heading under which an action is listed, in the person's language.
+  QString groupOf(const QAction* action) const;
+  QString hintOf(const QAction* action) const;
+
+  /// Another name and icon for the present state of an action (Play, Pause).
+  void rename(QAction* action, const char* text, const char* icon);
+
+  QKeySequence defaultShortcut(const QAction* action) const;
+  /// The other action that has this shortcut already, or none.
+  QAction* holderOf(const QKeySequence& shortcut, const QAction* except) const;
+  /// Gives an action a shortcut (empty: none), taking it away from its holder, and remembers it.
+  void setShortcut(QAction* action, const QKeySequence& shortcut);
+  void resetShortcuts();
+
+  /// Redraws all icons in the colors of a palette.
+  void drawIcons(const QPalette& palette);
+  /// Says everything again after a change of language.
+  void retranslate();
+
+Q_SIGNALS:
+  void shortcutsChanged();
+
+private:
+  struct Entry {
+    ActionDeclaration declaration;
+    QAction* action;
+  };
+  const Entry& entryOf(const QAction* action) const;
+  void say(const Entry& entry);
+  void remember(const Entry& entry);
+
+  QWidget* window_;
+  std::vector<Entry> entries_;
+};
+
+/// Tooltip of an action: its sentence and its shortcut.
+QString tooltipWithShortcut(const QString& sentence, const QKeySequence& shortcut);
+
+} // namespace dewpoint

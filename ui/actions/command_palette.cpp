@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions/command_palette.h"
+
+#include "ui/actions/action_registry.h"
+#include "ui/settings/retranslation.h"
+
+#include <QAction>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr int kWidth = 520;
+constexpr int kRows = 12;
+
+QString plainText(const QAction& action) {
+  return action.text().remove(QLatin1Char('&'));
+}
+
+} // namespace
+
+int fitOf(const QString& search, const QString& text) {
+  constexpr int kWordStart = 8;
+  constexpr int kNeighbor = 5;
+  int fit = 0;
+  qsizetype from = 0;
+  qsizetype previous = -2;
+  for (const QChar letter : search) {
+    if (letter.isSpace()) {
+      continue;
+    }
+    const qsizetype found = text.indexOf(letter, from, Qt::CaseInsensitive);
+    if (found < 0) {
+      return -1;
+    }
+    const bool startsWord = found == 0 || !text[found - 1].isLetterOrNumber();
+    fit += 1 + (startsWord ? kWordStart : 0) + (found == previous + 1 ? kNeighbor : 0);
+    previous = found;
+    from = found + 1;
+  }
+  const bool whole = !search.isEmpty() && text.contains(search.trimmed(), Qt::CaseInsensitive);
+  return whole ? fit + 100 : fit;
+}
+
+CommandPalette::CommandPalette(ActionRegistry& registry, QWidget* window)
+    : QFrame(window, Qt::Popup), registry_(registry), search_(new QLineEdit(this)),
+      list_(new QListWidget(this)) {
+  setObjectName(QStringLiteral("commandPalette"));
+  setFrameShape(QFrame::StyledPanel);
+  search_->setObjectName(QStringLiteral("paletteSearch"));
+  search_->setClearButtonEnabled(true);
+  list_->setObjectName(QStringLiteral("paletteList"));
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setUniformItemSizes(true);
+  list_->setFocusPolicy(Qt::NoFocus);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->setSpacing(8);
+  layout->addWidget(search_);
+  layout->addWidget(list_);
+  inEveryLanguage(this, [this] {
+    search_->setPlaceholderText(tr("What do you want to do?"));
+    search_->setAccessibleName(tr("Search actions"));
+    list_->setAccessibleName(tr("Actions found"));
+  });
+  search_->installEventFilter(this);
+  connect(search_, &QLineEdit::textChanged, this, &CommandPalette::filter);
+  connect(search_, &QLineEdit::returnPressed, this, &CommandPalette::runCurrent);
+  connect(list_, &QListWidget::itemClicked, this, &CommandPalette::runCurrent);
+}
+
+void CommandPalette::open() {
+  search_->clear();
+  filter({});
+  const int rowHeight = std::max(1, list_->sizeHintForRow(0));
+  list_->setFixedHeight(kRows * rowHeight + 4);
+  const QWidget& window = *parentWidget();
+  const int width = std::min(kWidth, window.width() - 32);
+  resize(width, sizeHint().height());
+  move(window.mapToGlobal(QPoint((window.width() - width) / 2, 64)));
+  show();
+  search_->setFocus();
+}
+
+void CommandPalette::filter(const QString& search) {
+  struct Row {
+    int fit;
+    QAction* action;
+  };
+  std::vector<Row> rows;
+  for (QAction* action : registry_.all()) {
+    // The name counts twice as much as what else is known of an action.
+    const int byName = fitOf(search, plainText(*action));
+    const int byHint =
+        fitOf(search, registry_.groupOf(action) + QLatin1Char(' ') + registry_.hintOf(action));
+    const int fit = std::max(2 * byName, byHint);
+    if (fit >= 0 && action->isEnabled() && action->isVisible()) {
+      rows.push_back({fit, action});
+    }
+  }
+  std::ranges::stable_sort(rows, std::greater{}, &Row::fit);
+  list_->clear();
+  for (const Row& row : rows) {
+    const QString keys = row.action->shortcut().toString(QKeySequence::NativeText);
+    auto* item = new QListWidgetItem(
+        row.action->icon(),
+        registry_.groupOf(row.action) + QStringLiteral(" › ") + plainText(*row.action) +
+            (keys.isEmpty() ? QString() : QStringLiteral("   ") + keys),
+        list_);
+    item->setToolTip(registry_.hintOf(row.action));
+    item->setData(Qt::UserRole, QVariant::fromValue<QObject*>(row.action));
+  }
+  list_->setCurrentRow(0);
+}
+
+void CommandPalette::runCurrent() {
+  const QListWidgetItem* item = list_->currentItem();
+  if (item == nullptr) {
+    return;
+  }
+  auto* action = qobject_cast<QAction*>(item->data(Qt::UserRole).value<QObject*>());
+  hide(); // first: the action may open something of its own
+  action->trigger();
+}
+
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == search_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const int step = key == Qt::Key_Down       ? 1
+                     : key == Qt::Key_Up       ? -1
+                     : key == Qt::Key_PageDown ? kRows
+                     : key == Qt::Key_PageUp   ? -kRows
+                                               : 0;
+    if (step != 0 && list_->count() > 0) {
+      list_->setCurrentRow(std::clamp(list_->currentRow() + step, 0, list_->count() - 1));
+      return true;
+    }
+  }
+  return QFrame::eventFilter(watched, event);
+}
+
+} // namespace dewpoint

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions/shortcut_editor.h"
+
+#include "ui/actions/action_registry.h"
+#include "ui/actions/command_palette.h"
+#include "ui/settings/retranslation.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace dewpoint {
+
+namespace {
+
+enum Column { kName, kKeys, kHint };
+
+} // namespace
+
+ShortcutEditor::ShortcutEditor(ActionRegistry& registry, QWidget* parent)
+    : QDialog(parent), registry_(registry), search_(new QLineEdit(this)),
+      tree_(new QTreeWidget(this)), keys_(new QKeySequenceEdit(this)),
+      clear_(new QPushButton(this)), resetAll_(new QPushButton(this)), note_(new QLabel(this)) {
+  setObjectName(QStringLiteral("shortcutEditor"));
+  search_->setObjectName(QStringLiteral("shortcutSearch"));
+  search_->setClearButtonEnabled(true);
+  tree_->setObjectName(QStringLiteral("shortcutTree"));
+  tree_->setColumnCount(3);
+  tree_->setRootIsDecorated(false);
+  tree_->setAlternatingRowColors(true);
+  tree_->setUniformRowHeights(true);
+  keys_->setObjectName(QStringLiteral("shortcutKeys"));
+  clear_->setObjectName(QStringLiteral("shortcutClear"));
+  clear_->setAutoDefault(false);
+  resetAll_->setObjectName(QStringLiteral("shortcutResetAll"));
+  resetAll_->setAutoDefault(false);
+  note_->setObjectName(QStringLiteral("shortcutNote"));
+  note_->setWordWrap(true);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(keys_, 1);
+  row->addWidget(clear_);
+  row->addWidget(resetAll_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(16, 16, 16, 16);
+  layout->setSpacing(8);
+  layout->addWidget(search_);
+  layout->addWidget(tree_, 1);
+  layout->addLayout(row);
+  layout->addWidget(note_);
+  inEveryLanguage(this, [this] {
+    setWindowTitle(tr("Shortcuts"));
+    search_->setPlaceholderText(tr("Search"));
+    search_->setAccessibleName(tr("Search actions"));
+    tree_->setHeaderLabels({tr("Action"), tr("Shortcut"), tr("What it does")});
+    tree_->setAccessibleName(tr("Actions and their shortcuts"));
+    keys_->setToolTip(tr("Click here and press the new keys of the chosen action"));
+    keys_->setAccessibleName(tr("New shortcut"));
+    clear_->setText(tr("No shortcut"));
+    clear_->setToolTip(tr("Take the shortcut of the chosen action away"));
+    resetAll_->setText(tr("Reset all"));
+    resetAll_->setToolTip(tr("All shortcuts as they were at first"));
+    fill();
+  });
+  say(tr("Choose an action, click into the field below and press the new keys."));
+  connect(search_, &QLineEdit::textChanged, this, &ShortcutEditor::filter);
+  connect(tree_, &QTreeWidget::currentItemChanged, this, &ShortcutEditor::showCurrent);
+  connect(keys_, &QKeySequenceEdit::editingFinished, this, &ShortcutEditor::assign);
+  connect(clear_, &QPushButton::clicked, this, [this] {
+    if (QAction* action = current()) {
+      registry_.setShortcut(action, {});
+      say(tr("“%1” has no shortcut now.").arg(action->text()));
+    }
+  });
+  connect(resetAll_, &QPushButton::clicked, this, [this] {
+    registry_.resetShortcuts();
+    say(tr("All shortcuts are as they were at first."));
+  });
+  connect(&registry_, &ActionRegistry::shortcutsChanged, this, &ShortcutEditor::fill);
+  resize(680, 560);
+}
+
+void ShortcutEditor::say(const QString& text) {
+  note_->setText(text);
+}
+
+void ShortcutEditor::fill() {
+  const QAction* chosen = current();
+  tree_->clear();
+  for (QAction* action : registry_.all()) {
+    const QString name = action->text().remove(QLatin1Char('&'));
+    auto* item = new QTreeWidgetItem(
+        tree_, {registry_.groupOf(action) + QStringLiteral(" › ") + name,
+                action->shortcut().toString(QKeySequence::NativeText), registry_.hintOf(action)});
+    item->setIcon(kName, action->icon());
+    item->setData(kName, Qt::UserRole, QVariant::fromValue<QObject*>(action));
+    if (action == chosen) {
+      tree_->setCurrentItem(item);
+    }
+  }
+  tree_->resizeColumnToContents(kName);
+  tree_->resizeColumnToContents(kKeys);
+  filter(search_->text());
+}
+
+void ShortcutEditor::filter(const QString& search) {
+  for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
+    QTreeWidgetItem* item = tree_->topLevelItem(i);
+    item->setHidden(fitOf(search, item->text(kName) + QLatin1Char(' ') + item->text(kKeys)) < 0);
+  }
+}
+
+QAction* ShortcutEditor::current() const {
+  const QTreeWidgetItem* item = tree_->currentItem();
+  return item == nullptr
+             ? nullptr
+             : qobject_cast<QAction*>(item->data(kName, Qt::UserRole).value<QObject*>());
+}
+
+void ShortcutEditor::showCurrent() {
+  const QAction* action = current();
+  keys_->setEnabled(action != nullptr);
+  clear_->setEnabled(action != nullptr);
+  keys_->setKeySequence(action == nullptr ? QKeySequence() : action->shortcut());
+}
+
+void ShortcutEditor::assign() {
+  QAction* action = current();
+  const QKeySequence keys = keys_->keySequence();
+  if (action == nullptr || keys == action->shortcut()) {
+    return;
+  }
+  const QAction* holder = registry_.holderOf(keys, action);
+  const QString shown = keys.toString(QKeySequence::NativeText);
+  const QString taken = holder == nullptr ? QString() : holder->text();
+  registry_.setShortcut(action, keys);
+  say(taken.isEmpty() ? tr("“%1” is now %2.").arg(action->text(), shown)
+                      : tr("“%1” is now %2; “%3” has lost it.").arg(action->text(), shown, taken));
+}
+
+} // namespace dewpoint

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+
+class QKeySequenceEdit;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+class QAction;
+
+namespace dewpoint {
+
+class ActionRegistry;
+
+/// All actions with their shortcuts; press the keys to change one. Not modal, takes effect at once.
+class ShortcutEditor : public QDialog {
+  Q_OBJECT
+public:
+  ShortcutEditor(ActionRegistry& registry, QWidget* parent);
+
+private:
+  void fill();
+  void filter(const QString& search);
+  QAction* current() const;
+  void showCurrent();
+  void assign();
+  void say(const QString& text);
+
+  ActionRegistry& registry_;
+  QLineEdit* search_;
+  QTreeWidget* tree_;
+  QKeySequenceEdit* keys_;
+  QPushButton* clear_;
+  QPushButton* resetAll_;
+  QLabel* note_;
+};
+
+} // namespace dewpoint

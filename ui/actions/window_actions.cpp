@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions/window_actions.h"
+
+#include "ui/actions/action_registry.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCoreApplication>
+
+#include <iterator>
+
+namespace dewpoint {
+
+namespace {
+
+std::vector<ActionDeclaration> projectActions() {
+  const char* group = QT_TRANSLATE_NOOP("Actions", "Project");
+  return {
+      {"actionNew", group, QT_TRANSLATE_NOOP("Actions", "New project…"),
+       QT_TRANSLATE_NOOP("Actions", "Make a project from videos or connected cameras"), "new",
+       QKeySequence::New},
+      {"actionOpen", group, QT_TRANSLATE_NOOP("Actions", "Open project…"),
+       QT_TRANSLATE_NOOP("Actions", "Open a project"), "open", QKeySequence::Open},
+      {"actionOpenDemo", group, QT_TRANSLATE_NOOP("Actions", "Open the demo"),
+       QT_TRANSLATE_NOOP("Actions", "Open the simulated demo scene")},
+      {"actionSave", group, QT_TRANSLATE_NOOP("Actions", "Save"),
+       QT_TRANSLATE_NOOP("Actions", "Save the project"), "save", QKeySequence::Save},
+      {"actionSaveAs", group, QT_TRANSLATE_NOOP("Actions", "Save as…"),
+       QT_TRANSLATE_NOOP("Actions", "Save the project under another name"), nullptr,
+       Qt::CTRL | Qt::SHIFT | Qt::Key_S},
+      {"actionExportTrajectory", group, QT_TRANSLATE_NOOP("Actions", "Save trajectory as CSV…"),
+       QT_TRANSLATE_NOOP("Actions", "Save the trajectory so far as CSV"), "export",
+       Qt::CTRL | Qt::Key_E},
+      {"actionCloseProject", group, QT_TRANSLATE_NOOP("Actions", "Close project"),
+       QT_TRANSLATE_NOOP("Actions", "Back to the start page"), nullptr, QKeySequence::Close},
+      {"actionQuit", group, QT_TRANSLATE_NOOP("Actions", "Quit"),
+       QT_TRANSLATE_NOOP("Actions", "Quit Dewpoint"), nullptr, QKeySequence::Quit},
+  };
+}
+
+std::vector<ActionDeclaration> editActions() {
+  const char* group = QT_TRANSLATE_NOOP("Actions", "Edit");
+  return {
+      {"actionUndo", group, QT_TRANSLATE_NOOP("Actions", "Undo"),
+       QT_TRANSLATE_NOOP("Actions", "Take back the last change"), "undo", QKeySequence::Undo},
+      {"actionRedo", group, QT_TRANSLATE_NOOP("Actions", "Redo"),
+       QT_TRANSLATE_NOOP("Actions", "Make the change that was taken back again"), "redo",
+       QKeySequence::Redo},
+      {"actionShortcuts", group, QT_TRANSLATE_NOOP("Actions", "Shortcuts…"),
+       QT_TRANSLATE_NOOP("Actions", "See and change all shortcuts")},
+  };
+}
+
+std::vector<ActionDeclaration> runActions() {
+  const char* group = QT_TRANSLATE_NOOP("Actions", "Run");
+  return {
+      {"actionPlay", group, QT_TRANSLATE_NOOP("Actions", "Play"),
+       QT_TRANSLATE_NOOP("Actions", "Play or pause"), "play", Qt::Key_Space},
+      {"actionNextFrame", group, QT_TRANSLATE_NOOP("Actions", "Next frame"),
+       QT_TRANSLATE_NOOP("Actions", "Track one frame and pause"), "next-frame", Qt::Key_Period},
+      {"actionNextIteration", group, QT_TRANSLATE_NOOP("Actions", "One iteration"),
+       QT_TRANSLATE_NOOP("Actions", "One filter iteration on the frame shown, and pause"),
+       "iteration", Qt::Key_I},
+      {"actionRestart", group, QT_TRANSLATE_NOOP("Actions", "Restart"),
+       QT_TRANSLATE_NOOP("Actions", "Start over with the same random numbers"), "restart",
+       Qt::Key_R},
+      {"actionRestartNewSeed", group, QT_TRANSLATE_NOOP("Actions", "Restart with a new seed"),
+       QT_TRANSLATE_NOOP("Actions", "Start over with other random numbers"), "restart-new",
+       Qt::SHIFT | Qt::Key_R},
+  };
+}
+
+std::vector<ActionDeclaration> viewActions() {
+  const char* group = QT_TRANSLATE_NOOP("Actions", "View");
+  return {
+      {"actionShowMask", group, QT_TRANSLATE_NOOP("Actions", "Show mask"),
+       QT_TRANSLATE_NOOP("Actions", "Show where the cameras see the target's color"), "mask",
+       Qt::Key_M, true},
+      {"actionLookFromAbove", group, QT_TRANSLATE_NOOP("Actions", "Look from above"),
+       QT_TRANSLATE_NOOP("Actions", "Bird's-eye view from above: the XY plane"), "above",
+       Qt::Key_A},
+      {"actionLookFromFront", group, QT_TRANSLATE_NOOP("Actions", "Look from the front"),
+       QT_TRANSLATE_NOOP("Actions", "Bird's-eye view from the front: the XZ plane"), "front",
+       Qt::Key_F},
+      {"actionLookFree", group, QT_TRANSLATE_NOOP("Actions", "Look freely"),
+       QT_TRANSLATE_NOOP("Actions", "Bird's-eye view from an oblique angle, free to orbit"), "free",
+       Qt::Key_V},
+      {"actionPalette", group, QT_TRANSLATE_NOOP("Actions", "Search actions…"),
+       QT_TRANSLATE_NOOP("Actions", "Find any action by its name"), "search", Qt::CTRL | Qt::Key_K},
+      {"actionResetLayout", group, QT_TRANSLATE_NOOP("Actions", "Arrange the views anew"),
+       QT_TRANSLATE_NOOP("Actions", "Put all views back where they were at first")},
+      {"actionThemeSystem",
+       group,
+       QT_TRANSLATE_NOOP("Actions", "Like the system"),
+       QT_TRANSLATE_NOOP("Actions", "Colors of the system"),
+       nullptr,
+       {},
+       true},
+      {"actionThemeLight",
+       group,
+       QT_TRANSLATE_NOOP("Actions", "Light"),
+       QT_TRANSLATE_NOOP("Actions", "Light colors"),
+       nullptr,
+       {},
+       true},
+      {"actionThemeDark",
+       group,
+       QT_TRANSLATE_NOOP("Actions", "Dark"),
+       QT_TRANSLATE_NOOP("Actions", "Dark colors"),
+       nullptr,
+       {},
+       true},
+  };
+}
+
+} // namespace
+
+void declareWindowActions(ActionRegistry& registry) {
+  for (const auto& group : {projectActions(), editActions(), runActions(), viewActions()}) {
+    for (const ActionDeclaration& declaration : group) {
+      registry.add(declaration);
+    }
+  }
+  auto* themes = new QActionGroup(&registry);
+  for (const char* theme : {"actionThemeSystem", "actionThemeLight", "actionThemeDark"}) {
+    themes->addAction(registry.action(theme));
+  }
+}
+
+} // namespace dewpoint

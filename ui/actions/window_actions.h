@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace dewpoint {
+
+class ActionRegistry;
+
+/// Declares every action of the window: a new one is a line here, a place in a menu, and a
+/// connection.
+void declareWindowActions(ActionRegistry& registry);
+
+} // namespace dewpoint

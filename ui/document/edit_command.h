@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QUndoCommand>
+
+#include <memory>
+#include <string>
+
+namespace dewpoint {
+
+class Document;
+struct Project;
+
+/// One step of the history: a state of the project takes the place of another. States are
+/// immutable and shared between neighboring steps.
+class EditCommand : public QUndoCommand {
+public:
+  using State = std::shared_ptr<const Project>;
+  /// Steps with the same key that is not empty become one while they follow each other.
+  EditCommand(Document& document, const QString& name, State before, State after,
+              std::string mergeKey);
+
+  void undo() override;
+  void redo() override;
+  int id() const override { return mergeKey_.empty() ? -1 : 1; }
+  bool mergeWith(const QUndoCommand* other) override;
+
+private:
+  Document& document_;
+  State before_;
+  State after_;
+  std::string mergeKey_;
+};
+
+} // namespace dewpoint

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/project/project.h"
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <thread>
+
+class QLockFile;
+
+namespace dewpoint {
+
+class Document;
+
+/// Work that a window left behind without a proper end.
+struct RecoverableWork {
+  std::filesystem::path file; ///< the copy, a whole project
+  QString name;               ///< of the project
+  QString time;               ///< when it was last written, for people
+};
+
+/// Keeps a copy of unsaved work beside the person's data, so that a crash costs two seconds at
+/// most: every change is on the disk that much later, written beside, flushed and renamed. The copy
+/// goes when the work is saved or given up.
+class Recovery : public QObject {
+  Q_OBJECT
+public:
+  /// `folder` is made when it is missing; one lock in it says which copies have a living window.
+  Recovery(Document& document, std::filesystem::path folder, QObject* parent = nullptr);
+  ~Recovery() override;
+
+  /// What windows that are gone left in the folder, the newest first.
+  std::vector<RecoverableWork> leftBehind() const;
+  /// Takes such a copy over: its project, with the file it was loaded from. The copy stays until
+  /// this window has written its own.
+  Result<Project> recover(const RecoverableWork& work);
+  void discard(const RecoverableWork& work);
+  /// Forgets the copy of this window: its work is saved or given up.
+  void forget();
+
+  static std::filesystem::path standardFolder();
+
+Q_SIGNALS:
+  /// The copy cannot be written: the sentence why, once per reason.
+  void failed(const QString& sentence);
+
+private:
+  void schedule();
+  void write();
+  std::filesystem::path copyOf(const QString& id) const;
+
+  Document& document_;
+  std::filesystem::path folder_;
+  QString id_; ///< of this window
+  std::unique_ptr<QLockFile> lock_;
+  QTimer timer_;
+  QString lastFailure_;
+  std::jthread writer_; ///< flushing takes long on some disks
+};
+
+} // namespace dewpoint

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How work begins and ends: start page, new projects, recent ones, dropped files, recovery.
+#include "core/project/project.h"
+#include "core/session/session.h"
+#include "ui/actions/action_registry.h"
+#include "ui/bridge/error_sentence.h"
+#include "ui/bridge/session_bridge.h"
+#include "ui/document/document.h"
+#include "ui/document/recovery.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/message_bar.h"
+#include "ui/start/new_project_page.h"
+#include "ui/start/recent_projects.h"
+#include "ui/start/start_page.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMimeData>
+#include <QStackedWidget>
+
+namespace dewpoint {
+
+namespace {
+
+std::filesystem::path toPath(const QString& file) {
+  return file.toStdString();
+}
+
+bool isProject(const QString& file) {
+  return file.endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive);
+}
+
+QStringList filesOf(const QMimeData& data) {
+  QStringList files;
+  for (const QUrl& url : data.urls()) {
+    if (url.isLocalFile()) {
+      files.append(url.toLocalFile());
+    }
+  }
+  return files;
+}
+
+} // namespace
+
+void MainWindow::makeStart() {
+  start_ = new QStackedWidget(this);
+  start_->setObjectName(QStringLiteral("start"));
+  startPage_ = new StartPage(start_);
+  newProject_ = new NewProjectPage(start_);
+  start_->addWidget(startPage_);
+  start_->addWidget(newProject_);
+  setCentralWidget(start_);
+  connect(startPage_, &StartPage::demoWanted, this, [this] { openProject({}); });
+  connect(startPage_, &StartPage::videosWanted, this, [this] {
+    beginNewProject({});
+    newProject_->chooseVideos();
+  });
+  connect(startPage_, &StartPage::camerasWanted, this, [this] {
+    beginNewProject({});
+    newProject_->addConnectedCameras();
+  });
+  connect(startPage_, &StartPage::projectWanted, this,
+          [this](const QString& file) { file.isEmpty() ? askOpen() : openProject(toPath(file)); });
+  connect(newProject_, &NewProjectPage::cancelled, this, [this] { showStart(bridge_ == nullptr); });
+  connect(newProject_, &NewProjectPage::failed, this,
+          [this](const QString& sentence) { messages_->showError(sentence); });
+  connect(newProject_, &NewProjectPage::made, this,
+          [this](const Project& project, const QString& note) {
+            openUnsaved(project, note.isEmpty() ? tr("Click the thing to follow in any image: its "
+                                                     "color is learned and tracking starts.")
+                                                : note);
+          });
+  setAcceptDrops(true);
+}
+
+void MainWindow::showStart(bool shown) {
+  if (shown) {
+    startPage_->refresh();
+    start_->setCurrentWidget(startPage_);
+  }
+  showViews(!shown);
+}
+
+void MainWindow::showViews(bool shown) {
+  start_->setVisible(!shown);
+  for (QDockWidget* dock : findChildren<QDockWidget*>()) {
+    if (!shown) {
+      dock->hide();
+    } else if (!dock->property("closedByChoice").toBool()) {
+      dock->show();
+    }
+  }
+}
+
+void MainWindow::beginNewProject(const QStringList& files) {
+  newProject_->begin(files);
+  start_->setCurrentWidget(newProject_);
+  showViews(false);
+}
+
+void MainWindow::openUnsaved(const Project& project, const QString& note) {
+  keepHistory_ = false;
+  unsavedNote_ = note;
+  openUnsaved_ = true;
+  loader_->open(project);
+}
+
+void MainWindow::closeProject() {
+  if (!mayDiscard()) {
+    return;
+  }
+  if (bridge_ != nullptr) {
+    loader_->retire(bridge_->release());
+    delete std::exchange(bridge_, nullptr);
+  }
+  clearViews();
+  document_->replace({});
+  makeCameraDocks();
+  updateEnabled();
+  showStart(true);
+}
+
+void MainWindow::fillRecentMenu(QMenu* menu) {
+  menu->clear();
+  for (const QString& file : recentProjects()) {
+    QAction* entry = menu->addAction(QFileInfo(file).completeBaseName());
+    entry->setObjectName(QStringLiteral("qt_recent")); // a person's word, in no language of ours
+    entry->setToolTip(file);
+    connect(entry, &QAction::triggered, this, [this, file] {
+      if (mayDiscard()) {
+        openProject(toPath(file));
+      }
+    });
+  }
+  if (menu->isEmpty()) {
+    menu->addAction(tr("Nothing yet"))->setEnabled(false);
+    return;
+  }
+  menu->addSeparator();
+  connect(menu->addAction(tr("Forget these")), &QAction::triggered, this, [this] {
+    clearRecentProjects();
+    startPage_->refresh();
+  });
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!filesOf(*event->mimeData()).isEmpty()) {
+    event->acceptProposedAction();
+  }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QStringList files = filesOf(*event->mimeData());
+  event->acceptProposedAction();
+  if (!mayDiscard()) {
+    return;
+  }
+  if (files.size() == 1 && isProject(files.front())) {
+    openProject(toPath(files.front()));
+  } else {
+    beginNewProject(files);
+  }
+}
+
+void MainWindow::useRecovery(const std::filesystem::path& folder) {
+  recovery_ = new Recovery(*document_, folder, this);
+  connect(recovery_, &Recovery::failed, this,
+          [this](const QString& sentence) { messages_->showError(sentence); });
+  offerRecovery();
+}
+
+void MainWindow::offerRecovery() {
+  const auto left = recovery_->leftBehind();
+  if (left.empty()) {
+    return;
+  }
+  const RecoverableWork work = left.front();
+  messages_->ask(tr("Dewpoint did not end properly. Unsaved work on “%1” is from %2.")
+                     .arg(work.name, work.time),
+                 {{tr("Recover it"),
+                   [this, work] {
+                     const auto project = recovery_->recover(work);
+                     if (project) {
+                       openUnsaved(*project, tr("Recovered. Save the project to keep it."));
+                     } else {
+                       messages_->showError(errorSentence(project.error()));
+                     }
+                   }},
+                  {tr("Throw it away"), [this, work] {
+                     recovery_->discard(work);
+                     offerRecovery();
+                   }}});
+}
+
+} // namespace dewpoint

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/settings/retranslation.h"
+
+#include <QEvent>
+#include <QWidget>
+
+#include <utility>
+
+namespace dewpoint {
+
+namespace {
+
+class Speaker : public QObject {
+public:
+  Speaker(QWidget* widget, std::function<void()> say) : QObject(widget), say_(std::move(say)) {
+    widget->installEventFilter(this);
+  }
+
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == parent() && event->type() == QEvent::LanguageChange) {
+      say_();
+    }
+    return false;
+  }
+
+private:
+  std::function<void()> say_;
+};
+
+} // namespace
+
+void inEveryLanguage(QWidget* widget, std::function<void()> say) {
+  say();
+  new Speaker(widget, std::move(say)); // the widget owns it
+}
+
+} // namespace dewpoint

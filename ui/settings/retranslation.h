@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+class QWidget;
+
+namespace dewpoint {
+
+/// Runs `say` now and whenever the language changes, as long as `widget` lives: the place for every
+/// setText(tr(...)) of a widget that outlives a change of language.
+void inEveryLanguage(QWidget* widget, std::function<void()> say);
+
+} // namespace dewpoint

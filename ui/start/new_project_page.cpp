@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/start/new_project_page.h"
+
+#include "ui/bridge/error_sentence.h"
+#include "ui/settings/retranslation.h"
+
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <memory>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr int kWidth = 820;
+constexpr double kUsualRate = 30.0; ///< frames per second of image folders
+
+enum Column { kName, kSource };
+
+bool isImages(const QString& location) {
+  return guessedSource(location.toStdString()) == SourceKind::Images;
+}
+
+} // namespace
+
+NewProjectPage::NewProjectPage(QWidget* parent)
+    : QWidget(parent), title_(new QLabel(this)), lead_(new QLabel(this)),
+      name_(new QLineEdit(this)), nameLabel_(new QLabel(this)), cameras_(new QTableWidget(this)),
+      calibrationLabel_(new QLabel(this)), calibration_(new QLabel(this)),
+      rateLabel_(new QLabel(this)), rate_(new QDoubleSpinBox(this)) {
+  setObjectName(QStringLiteral("newProjectPage"));
+  QFont big = title_->font();
+  big.setPointSizeF(big.pointSizeF() * 1.6);
+  big.setWeight(QFont::DemiBold);
+  title_->setFont(big);
+  name_->setObjectName(QStringLiteral("newName"));
+  nameLabel_->setBuddy(name_);
+  rate_->setObjectName(QStringLiteral("newRate"));
+  rate_->setRange(0.1, 10000.0);
+  rate_->setValue(kUsualRate);
+  rateLabel_->setBuddy(rate_);
+  calibration_->setObjectName(QStringLiteral("newCalibrationFile"));
+  calibration_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  makeTable();
+  makeRows();
+  inEveryLanguage(this, [this] { say(); });
+  update();
+}
+
+void NewProjectPage::makeTable() {
+  cameras_->setObjectName(QStringLiteral("newCameras"));
+  cameras_->setColumnCount(2);
+  cameras_->verticalHeader()->hide();
+  cameras_->horizontalHeader()->setStretchLastSection(true);
+  cameras_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  cameras_->setTabKeyNavigation(false);
+  connect(cameras_, &QTableWidget::itemSelectionChanged, this, &NewProjectPage::update);
+}
+
+QPushButton* NewProjectPage::addButton(const char* name, const std::function<void()>& act) {
+  auto* button = new QPushButton(this);
+  button->setObjectName(QLatin1String(name));
+  connect(button, &QPushButton::clicked, this, act);
+  return button;
+}
+
+void NewProjectPage::makeRows() {
+  addVideos_ = addButton("newAddVideos", [this] { chooseVideos(); });
+  addFolder_ = addButton("newAddFolder", [this] { chooseFolder(); });
+  addDevices_ = addButton("newAddDevices", [this] { addConnectedCameras(); });
+  addAddress_ = addButton("newAddAddress", [this] { addAddress(); });
+  remove_ = addButton("newRemove", [this] { removeRow(); });
+  chooseCalibration_ = addButton("newChooseCalibration", [this] { chooseCalibration(); });
+  dropCalibration_ = addButton("newDropCalibration", [this] { setCalibration({}); });
+  create_ = addButton("newCreate", [this] { create(); });
+  create_->setDefault(true);
+  cancel_ = addButton("newCancel", [this] { Q_EMIT cancelled(); });
+  const auto row = [](std::initializer_list<QWidget*> widgets, int stretched) {
+    auto* layout = new QHBoxLayout;
+    layout->setSpacing(8);
+    int index = 0;
+    for (QWidget* widget : widgets) {
+      layout->addWidget(widget, index++ == stretched ? 1 : 0);
+    }
+    if (stretched < 0) {
+      layout->addStretch(1);
+    }
+    return layout;
+  };
+  auto* middle = new QWidget(this);
+  middle->setMaximumWidth(kWidth);
+  auto* column = new QVBoxLayout(middle);
+  column->setSpacing(8);
+  column->addWidget(title_);
+  column->addWidget(lead_);
+  column->addSpacing(8);
+  column->addLayout(row({addVideos_, addFolder_, addDevices_, addAddress_, remove_}, -1));
+  column->addWidget(cameras_, 1);
+  column->addLayout(row({rateLabel_, rate_}, -1));
+  column->addSpacing(8);
+  column->addLayout(
+      row({calibrationLabel_, calibration_, dropCalibration_, chooseCalibration_}, 1));
+  column->addLayout(row({nameLabel_, name_}, 1));
+  column->addSpacing(8);
+  auto* last = new QHBoxLayout;
+  last->setSpacing(8);
+  last->addStretch(1);
+  last->addWidget(cancel_);
+  last->addWidget(create_);
+  column->addLayout(last);
+  auto* all = new QHBoxLayout(this);
+  all->setContentsMargins(32, 32, 32, 24);
+  all->addStretch(1);
+  all->addWidget(middle, 10);
+  all->addStretch(1);
+}
+
+void NewProjectPage::say() {
+  const auto button = [](QPushButton* which, const QString& text, const QString& hint) {
+    which->setText(text);
+    which->setToolTip(hint);
+  };
+  title_->setText(tr("New project"));
+  lead_->setText(tr("One row per camera. Frame k of all recordings has to show the same instant."));
+  button(addVideos_, tr("Add videos…"), tr("Video files, one per camera"));
+  button(addFolder_, tr("Add image folder…"), tr("A folder of images, one per frame"));
+  button(addDevices_, tr("Add connected cameras"), tr("All cameras connected to this computer"));
+  button(addAddress_, tr("Add address"), tr("A device number or a network stream; type it in"));
+  button(remove_, tr("Remove"), tr("Take the chosen cameras out"));
+  button(
+      chooseCalibration_, tr("Choose calibration…"),
+      tr("TOML file with the cameras' calibration; names, or else the order, tell which is whose"));
+  button(dropCalibration_, tr("None"), tr("Go without a calibration file"));
+  button(create_, tr("Create"), tr("Make the project and show its first images"));
+  button(cancel_, tr("Cancel"), tr("Back without making a project"));
+  calibrationLabel_->setText(tr("Calibration:"));
+  nameLabel_->setText(tr("Name:"));
+  name_->setPlaceholderText(tr("as the folder is called"));
+  name_->setToolTip(tr("Name of the project"));
+  rateLabel_->setText(tr("Images per second:"));
+  rate_->setToolTip(tr("Rate of image folders, 0.1 to 10,000 per second"));
+  cameras_->setHorizontalHeaderLabels({tr("Camera"), tr("Images from")});
+  cameras_->setAccessibleName(tr("Cameras of the new project"));
+  setCalibration(calibrationFile_);
+}
+
+void NewProjectPage::begin(const QStringList& files) {
+  cameras_->setRowCount(0);
+  name_->clear();
+  setCalibration({});
+  for (const QString& file : files) {
+    file.endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive) ? setCalibration(file) : add(file);
+  }
+  addVideos_->setFocus();
+}
+
+void NewProjectPage::add(const QString& location) {
+  const int row = cameras_->rowCount();
+  cameras_->insertRow(row);
+  const bool isFile = QFileInfo::exists(location) && !location.startsWith(QStringLiteral("/dev/"));
+  const QString name =
+      isFile ? QFileInfo(location).completeBaseName() : tr("camera %1").arg(row + 1);
+  cameras_->setItem(row, kName, new QTableWidgetItem(name));
+  cameras_->setItem(row, kSource, new QTableWidgetItem(location));
+  cameras_->resizeColumnToContents(kName);
+  update();
+}
+
+void NewProjectPage::removeRow() {
+  while (!cameras_->selectedItems().isEmpty()) {
+    cameras_->removeRow(cameras_->selectedItems().front()->row());
+  }
+  update();
+}
+
+void NewProjectPage::chooseVideos() {
+  const QStringList files = QFileDialog::getOpenFileNames(
+      this, tr("Choose one video per camera"), {},
+      tr("Videos (*.mp4 *.mkv *.avi *.mov *.m4v *.mpg *.mpeg *.webm *.mjpeg);;All files (*)"));
+  for (const QString& file : files) {
+    add(file);
+  }
+}
+
+void NewProjectPage::chooseFolder() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Choose a folder of images"));
+  if (!folder.isEmpty()) {
+    add(folder);
+  }
+}
+
+void NewProjectPage::addAddress() {
+  add({});
+  const int row = cameras_->rowCount() - 1;
+  cameras_->setCurrentCell(row, kSource);
+  cameras_->editItem(cameras_->item(row, kSource));
+}
+
+void NewProjectPage::addConnectedCameras() {
+  const QStringList devices =
+      QDir(QStringLiteral("/dev")).entryList({QStringLiteral("video*")}, QDir::System, QDir::Name);
+  for (const QString& device : devices) {
+    add(QStringLiteral("/dev/") + device);
+  }
+  if (devices.isEmpty()) {
+    Q_EMIT failed(tr("No camera is connected to this computer. A network camera can be added by "
+                     "its address."));
+  }
+}
+
+void NewProjectPage::chooseCalibration() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Choose a calibration"), {},
+                                                    tr("Calibrations (*.toml);;All files (*)"));
+  if (!file.isEmpty()) {
+    setCalibration(file);
+  }
+}
+
+void NewProjectPage::setCalibration(const QString& file) {
+  calibrationFile_ = file;
+  calibration_->setText(file.isEmpty() ? tr("none: camera positions will be a guess")
+                                       : QFileInfo(file).fileName());
+  calibration_->setToolTip(file);
+  dropCalibration_->setVisible(!file.isEmpty());
+}
+
+void NewProjectPage::update() {
+  bool images = false;
+  for (int row = 0; row < cameras_->rowCount(); ++row) {
+    const QTableWidgetItem* source = cameras_->item(row, kSource);
+    images = images || (source != nullptr && isImages(source->text()));
+  }
+  rateLabel_->setVisible(images);
+  rate_->setVisible(images);
+  remove_->setEnabled(!cameras_->selectedItems().isEmpty());
+  create_->setEnabled(cameras_->rowCount() > 0);
+}
+
+NewProject NewProjectPage::wanted() const {
+  NewProject wanted;
+  wanted.name = name_->text().toStdString();
+  const auto text = [this](int row, Column column) {
+    const QTableWidgetItem* item = cameras_->item(row, column);
+    return item == nullptr ? std::string() : item->text().trimmed().toStdString();
+  };
+  for (int row = 0; row < cameras_->rowCount(); ++row) {
+    const std::string location = text(row, kSource);
+    wanted.cameras.push_back({text(row, kName), guessedSource(location), location});
+  }
+  if (!calibrationFile_.isEmpty()) {
+    wanted.calibration = calibrationFile_.toStdString();
+  }
+  wanted.framesPerSecond = rate_->isVisible() ? rate_->value() : 0.0;
+  return wanted;
+}
+
+void NewProjectPage::create() {
+  create_->setEnabled(false);
+  worker_ = std::jthread([this, wanted = wanted()] {
+    auto result = std::make_shared<Result<MadeProject>>(makeProject(wanted));
+    QMetaObject::invokeMethod(
+        this, [this, result] { finish(*result); }, Qt::QueuedConnection);
+  });
+}
+
+void NewProjectPage::finish(const Result<MadeProject>& result) {
+  update();
+  if (!result) {
+    Q_EMIT failed(errorSentence(result.error()));
+    return;
+  }
+  QString note;
+  if (!result->calibrated) {
+    note = tr("Without a calibration the camera positions are a guess: images can be tracked, but "
+              "positions in space mean nothing yet.");
+  } else if (result->matchedByOrder) {
+    note = tr("The calibration names its cameras differently: they were taken in its order.");
+  }
+  Q_EMIT made(result->project, note);
+}
+
+} // namespace dewpoint

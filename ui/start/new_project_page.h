@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/new_project.h"
+
+#include <QWidget>
+
+#include <functional>
+#include <thread>
+
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace dewpoint {
+
+/// Puts a project together: cameras with their sources, and a calibration file.
+class NewProjectPage : public QWidget {
+  Q_OBJECT
+public:
+  explicit NewProjectPage(QWidget* parent = nullptr);
+
+  /// Starts anew, with these files (videos, image folders, a calibration) already in it.
+  void begin(const QStringList& files);
+  /// Asks for videos, and adds them.
+  void chooseVideos();
+  /// Adds the cameras that are connected to this computer.
+  void addConnectedCameras();
+
+Q_SIGNALS:
+  /// It is made; the note says what the person should know of it, or is empty.
+  void made(const dewpoint::Project& project, const QString& note);
+  void failed(const QString& sentence);
+  void cancelled();
+
+private:
+  QPushButton* addButton(const char* name, const std::function<void()>& act);
+  void makeTable();
+  void makeRows();
+  void say();
+  void add(const QString& location);
+  void removeRow();
+  void chooseFolder();
+  void addAddress();
+  void chooseCalibration();
+  void setCalibration(const QString& file);
+  void update();
+  NewProject wanted() const;
+  void create();
+  void finish(const Result<MadeProject>& result);
+
+  QLabel* title_;
+  QLabel* lead_;
+  QLineEdit* name_;
+  QLabel* nameLabel_;
+  QTableWidget* cameras_;
+  QPushButton* addVideos_ = nullptr;
+  QPushButton* addFolder_ = nullptr;
+  QPushButton* addDevices_ = nullptr;
+  QPushButton* addAddress_ = nullptr;
+  QPushButton* remove_ = nullptr;
+  QLabel* calibrationLabel_;
+  QLabel* calibration_;
+  QPushButton* chooseCalibration_ = nullptr;
+  QPushButton* dropCalibration_ = nullptr;
+  QLabel* rateLabel_;
+  QDoubleSpinBox* rate_;
+  QPushButton* create_ = nullptr;
+  QPushButton* cancel_ = nullptr;
+  QString calibrationFile_;
+  std::jthread worker_; ///< reading the first image of a video may take long
+};
+
+} // namespace dewpoint

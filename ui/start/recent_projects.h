@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+
+namespace dewpoint {
+
+/// Project files that were opened or saved last, the newest first; those that are gone are left
+/// out. Belongs to the person, not to a project.
+QStringList recentProjects();
+void addRecentProject(const QString& file);
+void clearRecentProjects();
+
+} // namespace dewpoint
