@@ -223,6 +223,14 @@
         <source>Dark colors</source>
         <translation>Dunkle Farben</translation>
     </message>
+    <message>
+        <source>Remove the target</source>
+        <translation>Ziel entfernen</translation>
+    </message>
+    <message>
+        <source>Stop following the target that is chosen</source>
+        <translation>Das gewählte Ziel nicht mehr verfolgen</translation>
+    </message>
 </context>
 <context>
     <name>Error</name>
@@ -527,6 +535,91 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::CameraPanel</name>
+    <message>
+        <source>Rename camera</source>
+        <translation>Kamera umbenennen</translation>
+    </message>
+    <message>
+        <source>Change source of images</source>
+        <translation>Quelle der Bilder ändern</translation>
+    </message>
+    <message>
+        <source>Turn images</source>
+        <translation>Bilder drehen</translation>
+    </message>
+    <message>
+        <source>Choose a calibration</source>
+        <translation>Eine Kalibrierung wählen</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.toml);;All files (*)</source>
+        <translation>Kalibrierungen (*.toml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name of the camera, in views and files</source>
+        <translation>Name der Kamera, in Ansichten und Dateien</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Video file, folder of images, device or address of a stream</source>
+        <translation>Videodatei, Ordner mit Bildern, Gerät oder Adresse eines Stroms</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Find the recording of this camera in another place</source>
+        <translation>Die Aufnahme dieser Kamera an einem anderen Ort finden</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>Gedreht</translation>
+    </message>
+    <message>
+        <source>Images are turned clockwise by so much before use</source>
+        <translation>Bilder werden vor Gebrauch um so viel im Uhrzeigersinn gedreht</translation>
+    </message>
+    <message>
+        <source>Load calibration…</source>
+        <translation>Kalibrierung laden…</translation>
+    </message>
+    <message>
+        <source>Take the calibration of all cameras from a file</source>
+        <translation>Die Kalibrierung aller Kameras aus einer Datei nehmen</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simuliert</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels, focal length %3 pixels
+at %4, %5, %6 m</source>
+        <translation>%1 × %2 Pixel, Brennweite %3 Pixel
+bei %4, %5, %6 m</translation>
+    </message>
+    <message>
+        <source>Choose a folder of images</source>
+        <translation>Einen Ordner mit Bildern wählen</translation>
+    </message>
+    <message>
+        <source>Choose the video of this camera</source>
+        <translation>Das Video dieser Kamera wählen</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::CameraView</name>
     <message>
         <source>This camera delivered no image for this frame.</source>
@@ -761,6 +854,26 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>Throw it away</source>
         <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Load calibration</source>
+        <translation>Kalibrierung laden</translation>
+    </message>
+    <message>
+        <source>The calibration names its cameras differently: they were taken in its order.</source>
+        <translation>Die Kalibrierung nennt ihre Kameras anders: Sie wurden in ihrer Reihenfolge genommen.</translation>
+    </message>
+    <message>
+        <source>The cameras have the calibration of %1 now.</source>
+        <translation>Die Kameras haben jetzt die Kalibrierung aus %1.</translation>
     </message>
 </context>
 <context>
@@ -1167,6 +1280,57 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>Held: the cameras confirm the estimate. Lost: not so for 30 frames.</source>
         <translation>Gehalten: Die Kameras bestätigen die Schätzung. Verloren: seit 30 Bildern nicht mehr.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TargetPanel</name>
+    <message>
+        <source>Targets</source>
+        <translation>Ziele</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name of the target, in views and files</source>
+        <translation>Name des Ziels, in Ansichten und Dateien</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Radius of the ball, 0 to 2,000 mm. Unknown: it is estimated.</source>
+        <translation>Radius des Balls, 0 bis 2.000 mm. Unbekannt: Er wird geschätzt.</translation>
+    </message>
+    <message>
+        <source>No target yet: click the thing to follow in any camera image.</source>
+        <translation>Noch kein Ziel: In einem Kamerabild auf das klicken, was verfolgt werden soll.</translation>
+    </message>
+    <message>
+        <source>The color of a target is learned by clicking it in a camera image.</source>
+        <translation>Die Farbe eines Ziels wird gelernt, wenn man es in einem Kamerabild anklickt.</translation>
+    </message>
+    <message>
+        <source>Rename target</source>
+        <translation>Ziel umbenennen</translation>
+    </message>
+    <message>
+        <source>Change radius</source>
+        <translation>Radius ändern</translation>
+    </message>
+    <message>
+        <source>Remove target</source>
+        <translation>Ziel entfernen</translation>
     </message>
 </context>
 </TS>

@@ -223,6 +223,14 @@
         <source>Dark colors</source>
         <translation>Colores oscuros</translation>
     </message>
+    <message>
+        <source>Remove the target</source>
+        <translation>Quitar el objetivo</translation>
+    </message>
+    <message>
+        <source>Stop following the target that is chosen</source>
+        <translation>Dejar de seguir el objetivo elegido</translation>
+    </message>
 </context>
 <context>
     <name>Error</name>
@@ -527,6 +535,91 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::CameraPanel</name>
+    <message>
+        <source>Rename camera</source>
+        <translation>Renombrar la cámara</translation>
+    </message>
+    <message>
+        <source>Change source of images</source>
+        <translation>Cambiar el origen de las imágenes</translation>
+    </message>
+    <message>
+        <source>Turn images</source>
+        <translation>Girar las imágenes</translation>
+    </message>
+    <message>
+        <source>Choose a calibration</source>
+        <translation>Elija una calibración</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.toml);;All files (*)</source>
+        <translation>Calibraciones (*.toml);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Cámaras</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Name of the camera, in views and files</source>
+        <translation>Nombre de la cámara, en vistas y archivos</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>Video file, folder of images, device or address of a stream</source>
+        <translation>Archivo de vídeo, carpeta de imágenes, dispositivo o dirección de un flujo</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Find the recording of this camera in another place</source>
+        <translation>Buscar la grabación de esta cámara en otro lugar</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>Girada</translation>
+    </message>
+    <message>
+        <source>Images are turned clockwise by so much before use</source>
+        <translation>Las imágenes se giran tanto en sentido horario antes de usarse</translation>
+    </message>
+    <message>
+        <source>Load calibration…</source>
+        <translation>Cargar calibración…</translation>
+    </message>
+    <message>
+        <source>Take the calibration of all cameras from a file</source>
+        <translation>Tomar la calibración de todas las cámaras de un archivo</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simulada</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels, focal length %3 pixels
+at %4, %5, %6 m</source>
+        <translation>%1 × %2 píxeles, distancia focal %3 píxeles
+en %4, %5, %6 m</translation>
+    </message>
+    <message>
+        <source>Choose a folder of images</source>
+        <translation>Elija una carpeta de imágenes</translation>
+    </message>
+    <message>
+        <source>Choose the video of this camera</source>
+        <translation>Elija el vídeo de esta cámara</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::CameraView</name>
     <message>
         <source>This camera delivered no image for this frame.</source>
@@ -761,6 +854,26 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>Throw it away</source>
         <translation>Descartarlo</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Cámaras</translation>
+    </message>
+    <message>
+        <source>Load calibration</source>
+        <translation>Cargar calibración</translation>
+    </message>
+    <message>
+        <source>The calibration names its cameras differently: they were taken in its order.</source>
+        <translation>La calibración llama a sus cámaras de otro modo: se tomaron en su orden.</translation>
+    </message>
+    <message>
+        <source>The cameras have the calibration of %1 now.</source>
+        <translation>Las cámaras tienen ahora la calibración de %1.</translation>
     </message>
 </context>
 <context>
@@ -1167,6 +1280,57 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>Held: the cameras confirm the estimate. Lost: not so for 30 frames.</source>
         <translation>Seguido: las cámaras confirman la estimación. Perdido: no desde hace 30 imágenes.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TargetPanel</name>
+    <message>
+        <source>Targets</source>
+        <translation>Objetivos</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Name of the target, in views and files</source>
+        <translation>Nombre del objetivo, en vistas y archivos</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radio</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>Radius of the ball, 0 to 2,000 mm. Unknown: it is estimated.</source>
+        <translation>Radio de la bola, de 0 a 2000 mm. Desconocido: se estima.</translation>
+    </message>
+    <message>
+        <source>No target yet: click the thing to follow in any camera image.</source>
+        <translation>Aún no hay objetivo: haga clic en cualquier imagen sobre lo que quiere seguir.</translation>
+    </message>
+    <message>
+        <source>The color of a target is learned by clicking it in a camera image.</source>
+        <translation>El color de un objetivo se aprende haciendo clic sobre él en una imagen de cámara.</translation>
+    </message>
+    <message>
+        <source>Rename target</source>
+        <translation>Renombrar el objetivo</translation>
+    </message>
+    <message>
+        <source>Change radius</source>
+        <translation>Cambiar el radio</translation>
+    </message>
+    <message>
+        <source>Remove target</source>
+        <translation>Quitar el objetivo</translation>
     </message>
 </context>
 </TS>

@@ -223,6 +223,14 @@
         <source>Dark colors</source>
         <translation>ダークの配色</translation>
     </message>
+    <message>
+        <source>Remove the target</source>
+        <translation>ターゲットを取り除く</translation>
+    </message>
+    <message>
+        <source>Stop following the target that is chosen</source>
+        <translation>選んだターゲットの追跡をやめます</translation>
+    </message>
 </context>
 <context>
     <name>Error</name>
@@ -527,6 +535,91 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::CameraPanel</name>
+    <message>
+        <source>Rename camera</source>
+        <translation>カメラの名前を変更</translation>
+    </message>
+    <message>
+        <source>Change source of images</source>
+        <translation>画像の元を変更</translation>
+    </message>
+    <message>
+        <source>Turn images</source>
+        <translation>画像を回転</translation>
+    </message>
+    <message>
+        <source>Choose a calibration</source>
+        <translation>キャリブレーションを選択</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.toml);;All files (*)</source>
+        <translation>キャリブレーション (*.toml);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Name of the camera, in views and files</source>
+        <translation>表示やファイルで使うカメラの名前</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>Video file, folder of images, device or address of a stream</source>
+        <translation>動画ファイル、画像フォルダー、デバイス、または映像のアドレス</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>Find the recording of this camera in another place</source>
+        <translation>このカメラの録画を別の場所から選びます</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>Images are turned clockwise by so much before use</source>
+        <translation>画像は使う前に時計回りにこれだけ回転されます</translation>
+    </message>
+    <message>
+        <source>Load calibration…</source>
+        <translation>キャリブレーションを読み込む…</translation>
+    </message>
+    <message>
+        <source>Take the calibration of all cameras from a file</source>
+        <translation>すべてのカメラのキャリブレーションをファイルから読み込みます</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>シミュレーション</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels, focal length %3 pixels
+at %4, %5, %6 m</source>
+        <translation>%1 × %2 ピクセル、焦点距離 %3 ピクセル
+位置 %4, %5, %6 m</translation>
+    </message>
+    <message>
+        <source>Choose a folder of images</source>
+        <translation>画像フォルダーを選択</translation>
+    </message>
+    <message>
+        <source>Choose the video of this camera</source>
+        <translation>このカメラの動画を選択</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::CameraView</name>
     <message>
         <source>This camera delivered no image for this frame.</source>
@@ -760,6 +853,26 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>Throw it away</source>
         <translation>破棄する</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>ターゲット</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Load calibration</source>
+        <translation>キャリブレーションを読み込む</translation>
+    </message>
+    <message>
+        <source>The calibration names its cameras differently: they were taken in its order.</source>
+        <translation>キャリブレーションのカメラ名が異なるため、順番で対応づけました。</translation>
+    </message>
+    <message>
+        <source>The cameras have the calibration of %1 now.</source>
+        <translation>カメラは %1 のキャリブレーションを使います。</translation>
     </message>
 </context>
 <context>
@@ -1166,6 +1279,57 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>Held: the cameras confirm the estimate. Lost: not so for 30 frames.</source>
         <translation>追跡中：カメラが推定を裏づけています。喪失：30フレーム続けて裏づけがありません。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TargetPanel</name>
+    <message>
+        <source>Targets</source>
+        <translation>ターゲット</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Name of the target, in views and files</source>
+        <translation>表示やファイルで使うターゲットの名前</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>不明</translation>
+    </message>
+    <message>
+        <source>Radius of the ball, 0 to 2,000 mm. Unknown: it is estimated.</source>
+        <translation>ボールの半径、0〜2,000 mm。不明の場合は推定します。</translation>
+    </message>
+    <message>
+        <source>No target yet: click the thing to follow in any camera image.</source>
+        <translation>ターゲットはまだありません。カメラ画像で追跡したいものをクリックしてください。</translation>
+    </message>
+    <message>
+        <source>The color of a target is learned by clicking it in a camera image.</source>
+        <translation>カメラ画像でターゲットをクリックすると色を学習します。</translation>
+    </message>
+    <message>
+        <source>Rename target</source>
+        <translation>ターゲットの名前を変更</translation>
+    </message>
+    <message>
+        <source>Change radius</source>
+        <translation>半径を変更</translation>
+    </message>
+    <message>
+        <source>Remove target</source>
+        <translation>ターゲットを取り除く</translation>
     </message>
 </context>
 </TS>

@@ -175,18 +175,24 @@ Result<MadeProject> makeProject(const NewProject& wanted) {
     }
     return made;
   }
-  const auto rig = loadCalibration(*wanted.calibration);
+  return withCalibration(std::move(project), *wanted.calibration);
+}
+
+Result<MadeProject> withCalibration(Project project, const std::filesystem::path& file) {
+  const auto rig = loadCalibration(file);
   if (!rig) {
     return tl::make_unexpected(rig.error());
   }
-  auto ordered = matched(project.cameras, *rig, wanted.calibration->string(), made.matchedByOrder);
+  MadeProject made;
+  auto ordered = matched(project.cameras, *rig, file.string(), made.matchedByOrder);
   if (!ordered) {
     return tl::make_unexpected(ordered.error());
   }
-  for (std::size_t i = 0; i < project.cameras.size(); ++i) {
-    const std::string name = project.cameras[i].camera.name;
-    project.cameras[i].camera = (*ordered)[i];
-    project.cameras[i].camera.name = name;
+  made.project = std::move(project);
+  auto& cameras = made.project.cameras;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    (*ordered)[i].name = cameras[i].camera.name;
+    cameras[i].camera = (*ordered)[i];
   }
   return made;
 }

@@ -37,6 +37,9 @@ struct MadeProject {
 /// file says.
 Result<MadeProject> makeProject(const NewProject& wanted);
 
+/// The project with the calibration of its cameras taken from a file, matched as by makeProject().
+Result<MadeProject> withCalibration(Project project, const std::filesystem::path& file);
+
 /// How a file given without more is meant: a folder is one of images, a number or /dev/... a
 /// device, text with "://" or "gst:" a stream, all else a video.
 SourceKind guessedSource(const std::string& location);

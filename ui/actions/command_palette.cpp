@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kWidth = 520;
 constexpr int kRows = 12;
+constexpr int kRowHeight = 28;
 
 QString plainText(const QAction& action) {
   return action.text().remove(QLatin1Char('&'));
@@ -59,6 +60,7 @@ CommandPalette::CommandPalette(ActionRegistry& registry, QWidget* window)
   list_->setFrameShape(QFrame::NoFrame);
   list_->setUniformItemSizes(true);
   list_->setFocusPolicy(Qt::NoFocus);
+  list_->setIconSize({18, 18});
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 8, 8, 8);
@@ -79,8 +81,7 @@ CommandPalette::CommandPalette(ActionRegistry& registry, QWidget* window)
 void CommandPalette::open() {
   search_->clear();
   filter({});
-  const int rowHeight = std::max(1, list_->sizeHintForRow(0));
-  list_->setFixedHeight(kRows * rowHeight + 4);
+  list_->setFixedHeight(kRows * kRowHeight + 4);
   const QWidget& window = *parentWidget();
   const int width = std::min(kWidth, window.width() - 32);
   resize(width, sizeHint().height());
@@ -114,6 +115,7 @@ void CommandPalette::filter(const QString& search) {
         registry_.groupOf(row.action) + QStringLiteral(" › ") + plainText(*row.action) +
             (keys.isEmpty() ? QString() : QStringLiteral("   ") + keys),
         list_);
+    item->setSizeHint({0, kRowHeight});
     item->setToolTip(registry_.hintOf(row.action));
     item->setData(Qt::UserRole, QVariant::fromValue<QObject*>(row.action));
   }

@@ -46,6 +46,8 @@ std::vector<ActionDeclaration> editActions() {
       {"actionRedo", group, QT_TRANSLATE_NOOP("Actions", "Redo"),
        QT_TRANSLATE_NOOP("Actions", "Make the change that was taken back again"), "redo",
        QKeySequence::Redo},
+      {"actionRemoveTarget", group, QT_TRANSLATE_NOOP("Actions", "Remove the target"),
+       QT_TRANSLATE_NOOP("Actions", "Stop following the target that is chosen")},
       {"actionShortcuts", group, QT_TRANSLATE_NOOP("Actions", "Shortcuts…"),
        QT_TRANSLATE_NOOP("Actions", "See and change all shortcuts")},
   };

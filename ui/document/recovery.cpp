@@ -99,6 +99,9 @@ void Recovery::write() {
                 Q_EMIT failed(failure);
               }
               lastFailure_ = failure;
+          if (failure.isEmpty()) {
+            Q_EMIT kept();
+          }
             },
             Qt::QueuedConnection);
       });

@@ -48,6 +48,8 @@ public:
   static std::filesystem::path standardFolder();
 
 Q_SIGNALS:
+  /// A copy is safely on the disk.
+  void kept();
   /// The copy cannot be written: the sentence why, once per reason.
   void failed(const QString& sentence);
 

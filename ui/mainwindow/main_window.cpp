@@ -223,7 +223,8 @@ void MainWindow::updateEnabled() {
   const bool running = bridge_ != nullptr;
   for (const char* id : {"actionPlay", "actionNextFrame", "actionNextIteration", "actionRestart",
                          "actionRestartNewSeed", "actionShowMask", "actionSave", "actionSaveAs",
-                         "actionExportTrajectory", "actionCloseProject", "actionResetLayout"}) {
+                         "actionExportTrajectory", "actionCloseProject", "actionRemoveTarget",
+                         "actionResetLayout"}) {
     action(id)->setEnabled(running);
   }
   action("actionOpen")->setEnabled(!loader_->isOpening());

@@ -21,6 +21,7 @@ namespace dewpoint {
 
 class BirdsEyeView;
 class CameraView;
+class CameraPanel;
 class ConvergencePlot;
 class Document;
 class MessageBar;
@@ -32,6 +33,7 @@ class StartPage;
 struct Project;
 class SessionBridge;
 class StatusFigures;
+class TargetPanel;
 class ActionRegistry;
 struct TrackSnapshot;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
@@ -86,6 +88,8 @@ private:
   void fillViewMenu(QMenu* view);
   void fillLanguageMenu(QMenu* menu);
   void offerRecovery();
+  void makeInspector();
+  void loadCalibrationOf(const QString& file);
   void clearViews();
   void resetLayout();
   void keepLayout();
@@ -135,6 +139,10 @@ private:
   StartPage* startPage_ = nullptr;
   NewProjectPage* newProject_ = nullptr;
   CommandPalette* palette_ = nullptr;
+  TargetPanel* targets_ = nullptr;
+  CameraPanel* cameras_ = nullptr;
+  QDockWidget* targetDock_ = nullptr;
+  QDockWidget* cameraListDock_ = nullptr;
   Recovery* recovery_ = nullptr;
   QDockWidget* birdsEyeDock_ = nullptr;
   QDockWidget* plotDock_ = nullptr;

@@ -8,6 +8,7 @@
 #include "ui/bridge/session_bridge.h"
 #include "ui/camera/camera_view.h"
 #include "ui/document/document.h"
+#include "ui/inspector/target_panel.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/settings/language.h"
 
@@ -44,7 +45,8 @@ void MainWindow::makeMenus() {
   recent->setToolTipsVisible(true);
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecentMenu(recent); });
   project->insertMenu(action("actionOpenDemo"), recent);
-  add(tr("&Edit"), "menuEdit", {"actionUndo", "actionRedo", nullptr, "actionShortcuts"});
+  add(tr("&Edit"), "menuEdit",
+      {"actionUndo", "actionRedo", nullptr, "actionRemoveTarget", nullptr, "actionShortcuts"});
   add(tr("&Run"), "menuRun",
       {"actionPlay", "actionNextFrame", "actionNextIteration", nullptr, "actionRestart",
        "actionRestartNewSeed"});
@@ -81,6 +83,7 @@ void MainWindow::connectActions() {
   on(action("actionRedo"), [history] { history->redo(); });
   connect(history, &QUndoStack::indexChanged, this, &MainWindow::sayHistory);
   sayHistory();
+  on(action("actionRemoveTarget"), [this] { targets_->removeChosen(); });
   on(action("actionPlay"), [this] { togglePlay(); });
   on(action("actionNextFrame"), [this] { bridge_->session().stepFrame(); });
   on(action("actionNextIteration"), [this] { bridge_->session().stepIteration(); });

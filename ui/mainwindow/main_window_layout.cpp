@@ -7,6 +7,8 @@
 #include "ui/bridge/session_bridge.h"
 #include "ui/camera/camera_view.h"
 #include "ui/document/document.h"
+#include "ui/inspector/camera_panel.h"
+#include "ui/inspector/target_panel.h"
 #include "ui/mainwindow/dock_title.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/message_bar.h"
@@ -53,19 +55,7 @@ void MainWindow::makeDocks() {
   plotDock_ = makeDock(
       QStringLiteral("plotDock"), [] { return tr("Convergence"); }, plot_);
 
-  parameters_ = new ParameterPanel(*document_, this);
-  auto* scroll = new QScrollArea(this);
-  scroll->setObjectName(QStringLiteral("parameterScroll"));
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(276);
-  scroll->setWidget(parameters_);
-  parameterDock_ = makeDock(
-      QStringLiteral("parameterDock"), [] { return tr("Parameters"); }, scroll);
-  // The dock itself too: with a title bar of our own its minimum does not follow its content's.
-  parameterDock_->setMinimumWidth(scroll->minimumWidth());
-
+  makeInspector();
   auto* history = new QUndoView(document_->undoStack(), this);
   history->setObjectName(QStringLiteral("historyList"));
   history->setFrameShape(QFrame::NoFrame);
@@ -81,6 +71,30 @@ void MainWindow::makeDocks() {
   figures_ = new StatusFigures(this);
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(figures_, 1);
+}
+
+void MainWindow::makeInspector() {
+  parameters_ = new ParameterPanel(*document_, this);
+  auto* scroll = new QScrollArea(this);
+  scroll->setObjectName(QStringLiteral("parameterScroll"));
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(276);
+  scroll->setWidget(parameters_);
+  parameterDock_ = makeDock(
+      QStringLiteral("parameterDock"), [] { return tr("Parameters"); }, scroll);
+  // The dock itself too: with a title bar of our own its minimum does not follow its content's.
+  parameterDock_->setMinimumWidth(scroll->minimumWidth());
+
+  targets_ = new TargetPanel(*document_, this);
+  targetDock_ = makeDock(
+      QStringLiteral("targetDock"), [] { return tr("Target"); }, targets_);
+  cameras_ = new CameraPanel(*document_, this);
+  cameraListDock_ = makeDock(
+      QStringLiteral("cameraListDock"), [] { return tr("Cameras"); }, cameras_);
+  connect(cameras_, &CameraPanel::calibrationWanted, this, &MainWindow::loadCalibrationOf);
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
 }
 
 void MainWindow::makeCameraDocks() {
@@ -146,6 +160,9 @@ void MainWindow::arrange() {
     }
   }
   splitDockWidget(birdsEyeDock_, parameterDock_, Qt::Horizontal);
+  tabifyDockWidget(parameterDock_, targetDock_);
+  tabifyDockWidget(parameterDock_, cameraListDock_);
+  parameterDock_->raise();
   splitDockWidget(parameterDock_, historyDock_, Qt::Vertical);
   // The sizes can be given only once the layout has settled.
   QMetaObject::invokeMethod(this, &MainWindow::shareSpace, Qt::QueuedConnection);

@@ -108,6 +108,23 @@ void MainWindow::openUnsaved(const Project& project, const QString& note) {
   loader_->open(project);
 }
 
+void MainWindow::loadCalibrationOf(const QString& file) {
+  auto made = withCalibration(document_->project(), toPath(file));
+  if (made) {
+    const auto edited = document_->edit(
+        tr("Load calibration"), [&](Project& project) { project.cameras = made->project.cameras; });
+    if (edited) {
+      messages_->showNotice(made->matchedByOrder
+                                ? tr("The calibration names its cameras differently: they were "
+                                     "taken in its order.")
+                                : tr("The cameras have the calibration of %1 now.").arg(file));
+      return;
+    }
+    made = tl::make_unexpected(edited.error());
+  }
+  messages_->showError(errorSentence(made.error()));
+}
+
 void MainWindow::closeProject() {
   if (!mayDiscard()) {
     return;

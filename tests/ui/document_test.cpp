@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The document without a window: its history, and what a crash leaves.
+#include "core/base/random.h"
+#include "core/base/text_file.h"
+#include "core/project/project.h"
+#include "ui/document/document.h"
+#include "ui/document/recovery.h"
+
+#include <QCoreApplication>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QUndoStack>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace dewpoint {
+
+namespace {
+
+Project someProject() {
+  Project project;
+  project.name = "some";
+  project.parameters = ParameterValues(methodParameters(project.method));
+  for (const char* name : {"left", "right"}) {
+    ProjectCamera camera;
+    camera.source = SourceKind::Video;
+    camera.location = std::string("/recordings/") + name + ".mp4";
+    camera.camera.name = name;
+    camera.camera.intrinsics = {640, 480, 600.0, 600.0, 319.5, 239.5};
+    project.cameras.push_back(camera);
+  }
+  project.targets.push_back({"ball", 0.02, {300.0, 340.0, 0.2, 0.9, 0.1, 0.9}});
+  return project;
+}
+
+/// A stream of random choices, the same in every run.
+class Choices {
+public:
+  explicit Choices(std::uint64_t seed) : stream_(seed, 0, 0, RandomPurpose::Simulation) {}
+  double unit() { return stream_.uniform(count_++); }
+  int below(int end) { return std::min(end - 1, static_cast<int>(unit() * end)); }
+
+private:
+  RandomStream stream_;
+  std::uint32_t count_ = 0;
+};
+
+/// One random edit of any kind a person can make; some are refused, some change nothing.
+void editAnything(Document& document, Choices& choices) {
+  const Project& now = document.project();
+  const int kind = choices.below(12);
+  const double value = choices.unit();
+  const int which = choices.below(5);
+  switch (kind) {
+  case 0:
+    document.setMethod(which < 2 ? "barrera" : "dewpoint");
+    return;
+  case 1:
+  case 2:
+  case 3: {
+    const auto all = now.parameters.declarations();
+    const auto& one = all[static_cast<std::size_t>(choices.below(static_cast<int>(all.size())))];
+    (void)document.setParameter(one.key, one.minimum + std::floor(value * 8.0) / 8.0 *
+                                                           (one.maximum - one.minimum));
+    return;
+  }
+  case 4:
+    document.endMerging();
+    return;
+  default:
+    break;
+  }
+  (void)document.edit(
+      QStringLiteral("Edit"),
+      [&](Project& project) {
+        auto& targets = project.targets;
+        const auto target = targets.empty() ? 0 : static_cast<std::size_t>(which) % targets.size();
+        switch (kind) {
+        case 5:
+          targets.push_back({"target " + std::to_string(choices.below(9)), value, {}});
+          targets.back().color = {10.0, 20.0 + 100.0 * value, 0.0, 1.0, 0.0, 1.0};
+          break;
+        case 6:
+          if (!targets.empty()) {
+            targets.erase(targets.begin() + static_cast<std::ptrdiff_t>(target));
+          }
+          break;
+        case 7:
+          if (!targets.empty()) {
+            targets[target].color.hueMin = 359.0 * value;
+          }
+          break;
+        case 8:
+          if (!targets.empty()) {
+            targets[target].name = "renamed " + std::to_string(which);
+          }
+          break;
+        case 9:
+          project.cameras[static_cast<std::size_t>(which % 2)].camera.cameraFromWorld.translate(
+              Eigen::Vector3d(value, 0.1, -value));
+          break;
+        case 10:
+          project.cameras[static_cast<std::size_t>(which % 2)].rotateDegrees = 90 * (which % 4);
+          break;
+        default:
+          project.name = "name " + std::to_string(which);
+        }
+      },
+      kind == 7 ? "hue" : "");
+}
+
+std::string textOf(const Document& document) {
+  return projectText(document.project(), "/recordings");
+}
+
+} // namespace
+
+class DocumentTest : public QObject {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void tenThousandEditsUndoneAndRedone();
+  void aDragIsOneStepAndItsEndSeparates();
+  void aRefusedEditChangesNothing();
+  void killedAtAnyMomentOnlyWhatCameAfterTheLastCopyIsLost();
+  void whatIsSavedOrGivenUpLeavesNothingBehind();
+};
+
+void DocumentTest::tenThousandEditsUndoneAndRedone() {
+  Document document;
+  document.replace(someProject());
+  const std::string first = textOf(document);
+  Choices choices(4);
+  for (int i = 0; i < 10000; ++i) {
+    editAnything(document, choices);
+  }
+  const std::string last = textOf(document);
+  QUndoStack& history = *document.undoStack();
+  QVERIFY(history.count() > 4000); // most edits are steps of their own
+  QVERIFY(first != last);
+  std::vector<std::string> passed;
+  while (history.canUndo()) {
+    if (history.index() % 100 == 0) {
+      passed.push_back(textOf(document));
+    }
+    history.undo();
+  }
+  QCOMPARE(textOf(document), first);
+  while (history.canRedo()) {
+    history.redo();
+    if (history.index() % 100 == 0 && !passed.empty()) {
+      QCOMPARE(textOf(document), passed.back()); // the states in between, too
+      passed.pop_back();
+    }
+  }
+  QCOMPARE(textOf(document), last);
+}
+
+void DocumentTest::aDragIsOneStepAndItsEndSeparates() {
+  Document document;
+  document.replace(someProject());
+  const auto drag = [&](double hue) {
+    QVERIFY(document.edit(
+        QStringLiteral("Drag"), [&](Project& project) { project.targets[0].color.hueMin = hue; },
+        "hue of target 1"));
+  };
+  drag(301.0);
+  drag(302.0);
+  drag(303.0);
+  QCOMPARE(document.undoStack()->count(), 1);
+  document.endMerging();
+  drag(310.0);
+  QCOMPARE(document.undoStack()->count(), 2);
+  document.undoStack()->undo();
+  QCOMPARE(document.project().targets[0].color.hueMin, 303.0);
+  document.undoStack()->undo();
+  QCOMPARE(document.project().targets[0].color.hueMin, 300.0);
+  QVERIFY(!document.isUnsaved());
+}
+
+void DocumentTest::aRefusedEditChangesNothing() {
+  Document document;
+  document.replace(someProject());
+  const std::string before = textOf(document);
+  const auto refused = document.edit(QStringLiteral("Rename camera"), [](Project& project) {
+    project.cameras[0].camera.name = project.cameras[1].camera.name;
+  });
+  QVERIFY(!refused);
+  QCOMPARE(refused.error().field, std::string("camera"));
+  QCOMPARE(textOf(document), before);
+  QCOMPARE(document.undoStack()->count(), 0);
+}
+
+/// The seed in the only copy of a folder; 0 if there is none that can be read.
+std::uint64_t seedKept(const std::string& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".toml") {
+      const auto project = loadProject(entry.path());
+      return project ? project->seed : 0;
+    }
+  }
+  return 0;
+}
+
+/// The child: changes the seed every few milliseconds until it is killed. It says each seed, and
+/// after each copy "kept" and the seed that is in it.
+int editForever(const std::string& folder) {
+  Document document;
+  Recovery recovery(document, folder);
+  document.replace(someProject());
+  QTimer timer;
+  QObject::connect(&timer, &QTimer::timeout, [&document] {
+    const std::uint64_t next = document.project().seed + 1;
+    (void)document.edit(QStringLiteral("Seed"), [&](Project& project) { project.seed = next; });
+    std::printf("%llu\n", static_cast<unsigned long long>(next));
+    std::fflush(stdout);
+  });
+  QObject::connect(&recovery, &Recovery::kept, [&folder] {
+    std::printf("kept %llu\n", static_cast<unsigned long long>(seedKept(folder)));
+    std::fflush(stdout);
+  });
+  timer.start(5);
+  return QCoreApplication::exec();
+}
+
+void DocumentTest::killedAtAnyMomentOnlyWhatCameAfterTheLastCopyIsLost() {
+  for (const int copies : {1, 1, 2, 2, 3}) {
+    QTemporaryDir folder;
+    QProcess child;
+    child.start(QCoreApplication::applicationFilePath(),
+                {QStringLiteral("--edit-forever"), folder.path()});
+    QVERIFY(child.waitForStarted());
+    QElapsedTimer sinceKept;
+    std::uint64_t kept = 0;
+    std::uint64_t last = 0;
+    int seen = 0;
+    connect(&child, &QProcess::readyReadStandardOutput, &child, [&] {
+      while (child.canReadLine()) {
+        const QByteArray line = child.readLine().trimmed();
+        if (line.startsWith("kept ")) {
+          kept = line.mid(5).toULongLong();
+          ++seen;
+          sinceKept.start();
+        } else {
+          last = line.toULongLong();
+        }
+      }
+    });
+    // At another moment each time: somewhere between this copy and the next.
+    const int after = 350 * copies + 40 * seen;
+    QVERIFY(QTest::qWaitFor([&] { return seen >= copies && sinceKept.elapsed() > after % 1000; },
+                            60000));
+    child.kill();
+    QVERIFY(child.waitForFinished());
+
+    Document document;
+    Recovery recovery(document, folder.path().toStdString());
+    const auto left = recovery.leftBehind();
+    QCOMPARE(left.size(), std::size_t{1});
+    const auto project = recovery.recover(left.front());
+    QVERIFY2(project, project ? "" : sentence(project.error()).c_str()); // never a broken one
+    QVERIFY(project->seed >= kept);
+    qInfo("killed at edit %llu, recovered edit %llu", static_cast<unsigned long long>(last),
+          static_cast<unsigned long long>(project->seed));
+  }
+}
+
+void DocumentTest::whatIsSavedOrGivenUpLeavesNothingBehind() {
+  QTemporaryDir folder;
+  const std::filesystem::path place = folder.path().toStdString();
+  const auto copies = [&] {
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(place / "recovery")) {
+      count += entry.path().extension() == ".toml" ? 1 : 0;
+    }
+    return count;
+  };
+  Document document;
+  Recovery recovery(document, place / "recovery");
+  document.replace(someProject());
+  const auto edit = [&](const char* name) {
+    return document.edit(QStringLiteral("Name"), [&](Project& project) { project.name = name; });
+  };
+  QVERIFY(edit("a"));
+  QVERIFY(QTest::qWaitFor([&] { return copies() == 1; }, 60000));
+  QVERIFY(recovery.leftBehind().empty()); // its own work is not left behind
+  QVERIFY(document.saveAs(place / "project.toml"));
+  QCOMPARE(copies(), 0);
+  QVERIFY(edit("b"));
+  QVERIFY(QTest::qWaitFor([&] { return copies() == 1; }, 60000));
+  recovery.forget();
+  QCOMPARE(copies(), 0);
+}
+
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  QCoreApplication application(argc, argv);
+  if (argc == 3 && QByteArrayView(argv[1]) == "--edit-forever") {
+    return dewpoint::editForever(argv[2]);
+  }
+  dewpoint::DocumentTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "document_test.moc"

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inspector/camera_panel.h"
+
+#include "core/project/project.h"
+#include "ui/document/document.h"
+#include "ui/settings/retranslation.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace dewpoint {
+
+CameraPanel::CameraPanel(Document& document, QWidget* parent)
+    : QWidget(parent), document_(document), list_(new QListWidget(this)),
+      nameLabel_(new QLabel(this)), name_(new QLineEdit(this)), sourceLabel_(new QLabel(this)),
+      source_(new QLineEdit(this)), browse_(new QPushButton(this)), turnLabel_(new QLabel(this)),
+      turn_(new QComboBox(this)), calibration_(new QLabel(this)), load_(new QPushButton(this)) {
+  setObjectName(QStringLiteral("cameraPanel"));
+  list_->setObjectName(QStringLiteral("cameraList"));
+  name_->setObjectName(QStringLiteral("cameraName"));
+  source_->setObjectName(QStringLiteral("cameraSource"));
+  browse_->setObjectName(QStringLiteral("cameraBrowse"));
+  turn_->setObjectName(QStringLiteral("cameraTurn"));
+  load_->setObjectName(QStringLiteral("cameraLoadCalibration"));
+  calibration_->setObjectName(QStringLiteral("cameraCalibration"));
+  calibration_->setWordWrap(true);
+  calibration_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  for (const int degrees : {0, 90, 180, 270}) {
+    turn_->addItem(QStringLiteral("%1°").arg(degrees), degrees);
+  }
+  nameLabel_->setBuddy(name_);
+  sourceLabel_->setBuddy(source_);
+  turnLabel_->setBuddy(turn_);
+  auto* form = new QFormLayout;
+  form->setSpacing(8);
+  form->addRow(nameLabel_, name_);
+  form->addRow(sourceLabel_, source_);
+  form->addRow(nullptr, browse_);
+  form->addRow(turnLabel_, turn_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  column->addWidget(list_, 1);
+  column->addLayout(form);
+  column->addWidget(calibration_);
+  column->addWidget(load_);
+  inEveryLanguage(this, [this] { say(); });
+  connect(&document_, &Document::replaced, this, &CameraPanel::refresh);
+  connect(&document_, &Document::sourcesChanged, this, &CameraPanel::refresh);
+  connect(&document_, &Document::calibrationChanged, this, &CameraPanel::showChosen);
+  connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
+    showChosen();
+    Q_EMIT cameraChosen(row);
+  });
+  connect(name_, &QLineEdit::editingFinished, this, [this] {
+    edit(tr("Rename camera"), [this](ProjectCamera& camera) {
+      camera.camera.name = name_->text().trimmed().toStdString();
+    });
+  });
+  connect(source_, &QLineEdit::editingFinished, this, [this] {
+    edit(tr("Change source of images"), [this](ProjectCamera& camera) {
+      camera.location = source_->text().trimmed().toStdString();
+    });
+  });
+  connect(turn_, &QComboBox::activated, this, [this](int index) {
+    edit(tr("Turn images"),
+         [&](ProjectCamera& camera) { camera.rotateDegrees = turn_->itemData(index).toInt(); });
+  });
+  connect(browse_, &QPushButton::clicked, this, &CameraPanel::relocate);
+  connect(load_, &QPushButton::clicked, this, [this] {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Choose a calibration"), {},
+                                                      tr("Calibrations (*.toml);;All files (*)"));
+    if (!file.isEmpty()) {
+      Q_EMIT calibrationWanted(file);
+    }
+  });
+}
+
+void CameraPanel::say() {
+  list_->setAccessibleName(tr("Cameras"));
+  nameLabel_->setText(tr("Name"));
+  name_->setToolTip(tr("Name of the camera, in views and files"));
+  sourceLabel_->setText(tr("Images"));
+  source_->setToolTip(tr("Video file, folder of images, device or address of a stream"));
+  browse_->setText(tr("Choose…"));
+  browse_->setToolTip(tr("Find the recording of this camera in another place"));
+  turnLabel_->setText(tr("Turned"));
+  turn_->setToolTip(tr("Images are turned clockwise by so much before use"));
+  load_->setText(tr("Load calibration…"));
+  load_->setToolTip(tr("Take the calibration of all cameras from a file"));
+  refresh();
+}
+
+void CameraPanel::choose(int camera) {
+  list_->setCurrentRow(camera);
+}
+
+void CameraPanel::refresh() {
+  const int before = std::max(0, list_->currentRow());
+  {
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    for (const ProjectCamera& camera : document_.project().cameras) {
+      list_->addItem(QString::fromStdString(camera.camera.name));
+    }
+    list_->setCurrentRow(std::min(before, list_->count() - 1));
+  }
+  showChosen();
+}
+
+void CameraPanel::showChosen() {
+  const auto& cameras = document_.project().cameras;
+  const int row = list_->currentRow();
+  const bool any = row >= 0 && row < static_cast<int>(cameras.size());
+  const ProjectCamera camera = any ? cameras[static_cast<std::size_t>(row)] : ProjectCamera();
+  const bool own = any && camera.source != SourceKind::Simulation; // a scene brings its own
+  const bool isFile = camera.source == SourceKind::Video || camera.source == SourceKind::Images;
+  for (QWidget* field : std::initializer_list<QWidget*>{name_, source_, turn_, load_}) {
+    field->setEnabled(own);
+  }
+  browse_->setEnabled(own && isFile);
+  name_->setText(QString::fromStdString(camera.camera.name));
+  source_->setText(any && !own ? tr("simulated") : QString::fromStdString(camera.location));
+  source_->setCursorPosition(0);
+  turn_->setCurrentIndex(turn_->findData(camera.rotateDegrees));
+  any ? showCalibration(camera) : calibration_->clear();
+}
+
+void CameraPanel::showCalibration(const ProjectCamera& camera) {
+  const auto number = [](double value, int decimals) {
+    return QLocale().toString(value, 'f', decimals);
+  };
+  const Intrinsics& in = camera.camera.intrinsics;
+  const Eigen::Vector3d place = camera.camera.center();
+  calibration_->setText(tr("%1 × %2 pixels, focal length %3 pixels\nat %4, %5, %6 m")
+                            .arg(in.width)
+                            .arg(in.height)
+                            .arg(number(in.focalX, 1), number(place.x(), 3), number(place.y(), 3),
+                                 number(place.z(), 3)));
+}
+
+void CameraPanel::edit(const QString& step, const std::function<void(ProjectCamera&)>& change) {
+  const int row = list_->currentRow();
+  if (row < 0) {
+    return;
+  }
+  const auto edited = document_.edit(
+      step, [&](Project& project) { change(project.cameras[static_cast<std::size_t>(row)]); });
+  if (!edited) {
+    showChosen(); // refused: show what holds
+  }
+}
+
+void CameraPanel::relocate() {
+  const int row = list_->currentRow();
+  if (row < 0) {
+    return;
+  }
+  const ProjectCamera& camera = document_.project().cameras[static_cast<std::size_t>(row)];
+  const QString old = QString::fromStdString(camera.location);
+  const QString file =
+      camera.source == SourceKind::Images
+          ? QFileDialog::getExistingDirectory(this, tr("Choose a folder of images"), old)
+          : QFileDialog::getOpenFileName(this, tr("Choose the video of this camera"), old);
+  if (!file.isEmpty()) {
+    edit(tr("Change source of images"),
+         [&](ProjectCamera& changed) { changed.location = file.toStdString(); });
+  }
+}
+
+} // namespace dewpoint
