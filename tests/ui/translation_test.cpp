@@ -19,6 +19,7 @@
 #include <QMenu>
 #include <QRegularExpression>
 #include <QSignalSpy>
+#include <QTabBar>
 #include <QTest>
 #include <QToolButton>
 #include <QTranslator>
@@ -71,9 +72,10 @@ QStringList textsOf(const QWidget& widget) {
   return texts;
 }
 
-/// A child of a QLineEdit, a color dialog and the like speaks Qt's language, not ours.
+/// A child of a QLineEdit, a tab bar and the like speaks Qt's language, not ours.
 bool isOurs(const QObject& object) {
-  return !object.objectName().startsWith(QStringLiteral("qt_"));
+  return qobject_cast<const QTabBar*>(object.parent()) == nullptr &&
+         !object.objectName().startsWith(QStringLiteral("qt_"));
 }
 
 } // namespace

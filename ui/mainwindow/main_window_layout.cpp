@@ -141,6 +141,9 @@ void MainWindow::resetLayout() {
 }
 
 void MainWindow::arrange() {
+  for (QDockWidget* dock : findChildren<QDockWidget*>()) {
+    removeDockWidget(dock); // or splits and tabs would build on what was
+  }
   addDockWidget(Qt::BottomDockWidgetArea, plotDock_);
   addDockWidget(Qt::LeftDockWidgetArea, birdsEyeDock_);
   if (!cameraDocks_.empty()) {
@@ -151,7 +154,6 @@ void MainWindow::arrange() {
     removeDockWidget(birdsEyeDock_);
     addDockWidget(Qt::LeftDockWidgetArea, cameraDocks_.front());
     splitDockWidget(cameraDocks_.front(), birdsEyeDock_, Qt::Horizontal);
-    birdsEyeDock_->show();
     for (std::size_t i = 1; i < std::min(columns, count); ++i) {
       splitDockWidget(cameraDocks_[i - 1], cameraDocks_[i], Qt::Horizontal);
     }
@@ -160,10 +162,13 @@ void MainWindow::arrange() {
     }
   }
   splitDockWidget(birdsEyeDock_, parameterDock_, Qt::Horizontal);
-  tabifyDockWidget(parameterDock_, targetDock_);
-  tabifyDockWidget(parameterDock_, cameraListDock_);
+  splitDockWidget(parameterDock_, historyDock_, Qt::Vertical); // before there are tabs
+  // The inspector: one tab for each kind of thing that can be looked into.
+  for (QDockWidget* dock : {targetDock_, cameraListDock_}) {
+    tabifyDockWidget(parameterDock_, dock);
+  }
+  showViews(bridge_ != nullptr);
   parameterDock_->raise();
-  splitDockWidget(parameterDock_, historyDock_, Qt::Vertical);
   // The sizes can be given only once the layout has settled.
   QMetaObject::invokeMethod(this, &MainWindow::shareSpace, Qt::QueuedConnection);
 }

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A project from recordings and a calibration file, from the command line alone.
+. "$(dirname "$0")/common.sh"
+
+expectExit 0 simulate demo --frames 5 --out made
+cameras=(--camera "camera 2=made/camera-2.mkv" --camera "camera 1=made/camera-1.mkv")
+
+expectExit 0 new waved.toml "${cameras[@]}" --calibration made/calibration.toml --name waved
+expectText waved.toml 'name = "waved"' 'video = "made/camera-1.mkv"' '[camera.calibration]'
+[[ ! -s err.txt ]] || fail "nothing was to be said: $(cat err.txt)"
+# By name, not by order: camera 2 is the one that stands upright (simulate's demo: 240x320).
+grep -A4 'name = "camera 2"' waved.toml | grep -qF 'size = [240, 320]' || fail "$(cat waved.toml)"
+
+# Files called differently than the calibration's cameras: by order, and that is said.
+expectExit 0 new ordered.toml --camera made/camera-1.mkv --camera made/camera-2.mkv \
+  --calibration made/calibration.toml
+expectText err.txt order
+
+# Nothing is replaced unasked.
+expectExit $kOutput new waved.toml "${cameras[@]}"
+expectSentence waved.toml --force
+expectExit 0 new waved.toml "${cameras[@]}" --force
+expectText err.txt "a guess"
+
+# Its color is still to be learned.
+expectExit $kBadInput track waved.toml --out out
+expectSentence waved.toml target
+
+expectExit $kBadInput new other.toml --camera a=nowhere.mp4
+expectSentence nowhere.mp4
+[[ ! -e other.toml ]] || fail "a project of nothing"
