@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mainwindow/dock_title.h"
 
+#include "ui/settings/retranslation.h"
 #include "ui/settings/symbolic_icon.h"
 
 #include <QDockWidget>
@@ -23,7 +24,11 @@ DockTitle::DockTitle(QDockWidget* dock)
   float_->setAutoRaise(true);
   float_->setIconSize({14, 14});
   float_->setFocusPolicy(Qt::NoFocus);
-  float_->setToolTip(tr("Float this view, or put it back (double click the title: whole window)"));
+  inEveryLanguage(this, [this] {
+    float_->setToolTip(
+        tr("Float this view, or put it back (double click the title: whole window)"));
+    applyPalette();
+  });
   QFont bold = name_->font();
   bold.setWeight(QFont::DemiBold);
   name_->setFont(bold);

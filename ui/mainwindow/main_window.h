@@ -62,6 +62,7 @@ public:
   bool saveRun(const std::filesystem::path& folder);
 
   Document& document() { return *document_; }
+  const Document& document() const { return *document_; }
   /// The newest snapshot shown; null before a project is open.
   TrackSnapshotPtr shown() const { return shown_; }
 

@@ -2,6 +2,7 @@
 #include "ui/mainwindow/status_figures.h"
 
 #include "core/session/snapshot.h"
+#include "ui/settings/retranslation.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -9,6 +10,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <utility>
 
 namespace dewpoint {
 
@@ -62,33 +64,50 @@ StatusFigures::StatusFigures(QWidget* parent) : QWidget(parent) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 2, 8, 2);
   layout->setSpacing(20);
-  playing_ = figure("statusPlaying", tr("playing"), tr("Playing, paused, or at the end"));
-  frame_ = figure("statusFrame", tr("frame 0000 / 0000"), tr("Frame shown, of all frames"));
-  rate_ = figure("statusRate", tr("%1 /s").arg("0000.0"), tr("Frames tracked per second"));
-  time_ = figure("statusTime", tr("%1 per iteration").arg("0000 µs"), timeHint({}));
-  sampleSize_ = figure("statusSampleSize", tr("ESS %1 / %2").arg("0000", "0000"),
-                       tr("Effective sample size, of all particles. Method “dewpoint” uses as many "
-                          "particles as it needs and as the time budget allows."));
-  spread_ = figure("statusSpread", tr("spread %1").arg("0000 mm"),
-                   tr("Root mean square distance of the particles to their mean"));
-  position_ = figure("statusPosition", QStringLiteral("x −00.000  y −00.000  z −00.000 m"),
-                     tr("Estimated position of the first target in the room"));
+  for (const auto& [label, name] :
+       std::initializer_list<std::pair<QLabel**, const char*>>{{&playing_, "statusPlaying"},
+                                                               {&frame_, "statusFrame"},
+                                                               {&rate_, "statusRate"},
+                                                               {&time_, "statusTime"},
+                                                               {&sampleSize_, "statusSampleSize"},
+                                                               {&spread_, "statusSpread"},
+                                                               {&position_, "statusPosition"}}) {
+    *label = figure(name);
+  }
   layout->addStretch();
-  held_ = figure("statusHeld", holdText(HoldState::Searching),
-                 tr("Held: the cameras confirm the estimate. Lost: not so for 30 frames."));
+  held_ = figure("statusHeld");
   QFont bold = held_->font();
   bold.setWeight(QFont::DemiBold);
   held_->setFont(bold);
   held_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  held_->setMinimumWidth(QFontMetrics(bold).horizontalAdvance(holdText(HoldState::Searching)) + 8);
+  inEveryLanguage(this, [this] { say(); });
   clear();
 }
 
-QLabel* StatusFigures::figure(const char* name, const QString& widest, const QString& hint) {
+void StatusFigures::say() {
+  const auto explain = [](QLabel* label, const QString& widest, const QString& hint) {
+    label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 8);
+    label->setToolTip(hint);
+  };
+  explain(playing_, tr("playing"), tr("Playing, paused, or at the end"));
+  explain(frame_, tr("frame 0000 / 0000"), tr("Frame shown, of all frames"));
+  explain(rate_, tr("%1 /s").arg("0000.0"), tr("Frames tracked per second"));
+  explain(time_, tr("%1 per iteration").arg("0000 µs"), timeHint({}));
+  explain(sampleSize_, tr("ESS %1 / %2").arg("0000", "0000"),
+          tr("Effective sample size, of all particles. Method “dewpoint” uses as many particles as "
+             "it needs and as the time budget allows."));
+  explain(spread_, tr("spread %1").arg("0000 mm"),
+          tr("Root mean square distance of the particles to their mean"));
+  explain(position_, QStringLiteral("x −00.000  y −00.000  z −00.000 m"),
+          tr("Estimated position of the first target in the room"));
+  explain(held_, holdText(HoldState::Searching),
+          tr("Held: the cameras confirm the estimate. Lost: not so for 30 frames."));
+  applyPalette();
+}
+
+QLabel* StatusFigures::figure(const char* name) {
   auto* label = new QLabel(this);
   label->setObjectName(QLatin1String(name));
-  label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest));
-  label->setToolTip(hint);
   layout()->addWidget(label);
   return label;
 }

@@ -29,7 +29,8 @@ protected:
   void changeEvent(QEvent* event) override;
 
 private:
-  QLabel* figure(const char* name, const QString& widest, const QString& hint);
+  QLabel* figure(const char* name);
+  void say();
   HoldState stateOf(const TrackSnapshot& snapshot);
   void applyPalette();
 

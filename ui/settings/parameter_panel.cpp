@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "ui/document/document.h"
 #include "ui/settings/parameter_row.h"
+#include "ui/settings/retranslation.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
@@ -21,7 +22,7 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
   connect(&document_, &Document::methodChanged, this, &ParameterPanel::rebuild,
           Qt::QueuedConnection); // its own choice may be what changed it
   connect(&document_, &Document::parameterChanged, this, &ParameterPanel::showValue);
-  rebuild();
+  inEveryLanguage(this, [this] { rebuild(); });
 }
 
 void ParameterPanel::rebuild() {
