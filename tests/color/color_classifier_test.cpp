@@ -46,6 +46,10 @@ TEST(ColorClassifier, IsTheReferenceForEveryColor) {
   std::vector<cv::Mat> matchImages;
   for (const ColorClassifier& classifier : classifiers) {
     matchImages.push_back(matchImage(image, classifier));
+    for (const InstructionSet limit : {InstructionSet::Baseline, InstructionSet::Avx2}) {
+      const InstructionSetLimit limited(limit);
+      EXPECT_EQ(cv::norm(matchImages.back(), matchImage(image, classifier), cv::NORM_INF), 0.0);
+    }
   }
   std::vector<int> differing(kRanges.size(), 0);
   std::vector<int> matching(kRanges.size(), 0);
