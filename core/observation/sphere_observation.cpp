@@ -125,17 +125,27 @@ double SphereObservation::bestLogRatio(const Eigen::Vector3d& center,
   return sum;
 }
 
-int SphereObservation::camerasSeeing(const Eigen::Vector3d& center,
-                                     const Eigen::Vector3d& velocity) {
-  int seeing = 0;
-  for (View& view : views_) {
+std::vector<CameraEvidence> SphereObservation::evidence(const Eigen::Vector3d& center,
+                                                        const Eigen::Vector3d& velocity) {
+  std::vector<CameraEvidence> cameras(views_.size());
+  for (std::size_t k = 0; k < views_.size(); ++k) {
+    View& view = views_[k];
     const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
     if (!view.labels.empty() && outline && outline->radius < kLargestRadiusPx) {
       view.labels.require(areaOf(*outline, SphereEvidence::kReach));
-      seeing += SphereEvidence::matchShare(view.labels, *outline) >= kSeenShare ? 1 : 0;
+      cameras[k].looked = insideImage(*outline, view.labels.size());
+      cameras[k].logLikelihood = SphereEvidence::logRatio(view.labels, *outline);
+      cameras[k].existence = probabilityFrom(cameras[k].logLikelihood);
+      cameras[k].visible = SphereEvidence::matchShare(view.labels, *outline);
     }
   }
-  return seeing;
+  return cameras;
+}
+
+int SphereObservation::camerasSeeing(const std::vector<CameraEvidence>& cameras) {
+  return static_cast<int>(std::count_if(cameras.begin(), cameras.end(), [](const auto& camera) {
+    return camera.visible >= kSeenShare;
+  }));
 }
 
 OutlineFit SphereObservation::fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity,

@@ -4,6 +4,7 @@
 #include "core/base/thread_team.h"
 #include "core/filter/particle_set.h"
 #include "core/geometry/sphere_image.h"
+#include "core/observation/camera_evidence.h"
 #include "core/observation/label_image.h"
 #include "core/observation/outline_fit.h"
 
@@ -47,8 +48,14 @@ public:
   double logRatio(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
   /// What it would be if every camera in whose image the place lies saw the target fully.
   double bestLogRatio(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) const;
+  /// What each camera says about one place: SphereEvidence and the share of the outline filled.
+  std::vector<CameraEvidence> evidence(const Eigen::Vector3d& center,
+                                       const Eigen::Vector3d& velocity);
   /// Cameras that see at least a third of the sphere's outline filled.
-  int camerasSeeing(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
+  static int camerasSeeing(const std::vector<CameraEvidence>& cameras);
+  int camerasSeeing(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) {
+    return camerasSeeing(evidence(center, velocity));
+  }
   /// Fits the outline (fitOutline) in all cameras that have an image.
   OutlineFit fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity,
                  OutlineReach reach = OutlineReach::Far);

@@ -6,14 +6,13 @@
 #include <algorithm>
 
 namespace dewpoint {
-namespace {
-constexpr std::size_t kMostRecords = 200000;
-}
+
+RunLog::RunLog()
+    : records_(kMostRecords, [](const IterationRecord& record) { return record.iteration; }) {}
 
 void RunLog::restart(const Project& project) {
   const std::lock_guard lock(mutex_);
   ++generation_;
-  dropped_ = 0;
   records_.clear();
   trajectory_ = Trajectory{trajectoryHeader(project), {}};
   project_ = project;
@@ -44,11 +43,18 @@ void RunLog::setFinished(bool finished) {
 
 void RunLog::append(const std::vector<IterationRecord>& records) {
   const std::lock_guard lock(mutex_);
-  records_.insert(records_.end(), records.begin(), records.end());
-  if (records_.size() > kMostRecords) {
-    const auto surplus = records_.size() / 2;
-    records_.erase(records_.begin(), records_.begin() + static_cast<std::ptrdiff_t>(surplus));
-    dropped_ += surplus;
+  for (const IterationRecord& record : records) {
+    records_.append(record);
+  }
+}
+
+void RunLog::goBack(std::int64_t frame) {
+  const std::lock_guard lock(mutex_);
+  ++generation_;
+  const auto isLater = [&](const auto& what) { return what.frame >= frame; };
+  records_.removeBack(isLater);
+  while (!trajectory_.samples.empty() && isLater(trajectory_.samples.back())) {
+    trajectory_.samples.pop_back();
   }
 }
 
@@ -69,11 +75,7 @@ RunLog::Piece RunLog::since(std::uint64_t& generation, std::size_t& position) co
     position = 0;
     piece.restarted = true;
   }
-  const std::size_t begin = std::max(position, dropped_) - dropped_;
-  if (begin < records_.size()) {
-    piece.records.assign(records_.begin() + static_cast<std::ptrdiff_t>(begin), records_.end());
-  }
-  position = dropped_ + records_.size();
+  piece.records = records_.since(position);
   return piece;
 }
 

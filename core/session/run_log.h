@@ -3,6 +3,7 @@
 
 #include "core/session/run_report.h"
 #include "core/session/snapshot.h"
+#include "core/session/thinned_log.h"
 #include "core/trajectory/trajectory.h"
 
 #include <functional>
@@ -17,8 +18,11 @@ class RunLog {
 public:
   struct Piece {
     std::vector<IterationRecord> records;
-    bool restarted = false;
+    bool restarted = false; ///< all that is known comes again: a new run, or one that went back
   };
+  /// About 30 MB with four cameras.
+  static constexpr std::size_t kMostRecords = 100000;
+  RunLog();
   /// Forgets the run; what follows belongs to this project, as it is now.
   void restart(const Project& project);
   /// The project has other parameters from now on.
@@ -32,8 +36,10 @@ public:
   void countFrame(double sinceArrival, double sinceFirst);
   /// The input's end was reached, or is ahead again.
   void setFinished(bool finished);
-  /// Records from `position` on; both arguments move along. Old records are dropped in bulk when
-  /// there are more than about 200,000.
+  /// Forgets what was recorded of this frame and of later ones; readers get all records again.
+  void goBack(std::int64_t frame);
+  /// Records from `position` on; both arguments move along. Beyond kMostRecords the older ones are
+  /// there in coarser and coarser steps.
   Piece since(std::uint64_t& generation, std::size_t& position) const;
   Trajectory trajectory() const;
   Latency latency() const;
@@ -43,8 +49,7 @@ public:
 private:
   mutable std::mutex mutex_;
   std::uint64_t generation_ = 1;
-  std::size_t dropped_ = 0;
-  std::vector<IterationRecord> records_;
+  ThinnedLog<IterationRecord> records_;
   Trajectory trajectory_;
   Project project_;
   RunFigures figures_;

@@ -53,14 +53,24 @@ struct TrackSnapshot {
 };
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// One filter iteration in the log that plots draw from; per target.
+/// One filter iteration in the log that plots draw from; per target. Over time: `time`; over
+/// iterations: `iteration`.
 struct IterationRecord {
-  std::int64_t iteration = 0;
+  std::int64_t iteration = 0; ///< since the (re)start, from 1
   std::int64_t frame = 0;
   int target = 0;
-  double spread = 0.0; ///< metres
+  double spread = 0.0; ///< metres, all axes together
   double effectiveSampleSize = 0.0;
-  double error = -1.0; ///< metres against truth; negative when unknown
+  double error = -1.0;       ///< metres against truth; negative when unknown
+  double time = 0.0;         ///< seconds, of the frame
+  double microseconds = 0.0; ///< this iteration took, per target
+  Eigen::Vector3d spreadPerAxis = Eigen::Vector3d::Zero(); ///< standard deviations x y z, metres
+  int particleCount = 0;
+  double existence = 0.0; ///< probability, all cameras together
+  bool held = false;      ///< TargetEstimate::valid
+  /// Likelihood, existence and visible share per camera, in the order of the rig; empty when the
+  /// method cannot tell.
+  std::vector<CameraEvidence> cameras;
 };
 
 } // namespace dewpoint

@@ -221,8 +221,19 @@ bool TrackingLoop::iterateOnce() {
   std::vector<IterationRecord> records;
   for (std::size_t k = 0; k < run_->estimates().size(); ++k) {
     const auto& estimate = run_->estimates()[k];
-    IterationRecord record{run_->iterations(), run_->frames()->index,        static_cast<int>(k),
-                           estimate.spread(),  estimate.effectiveSampleSize, -1.0};
+    IterationRecord record;
+    record.iteration = run_->iterations();
+    record.frame = run_->frames()->index;
+    record.target = static_cast<int>(k);
+    record.spread = estimate.spread();
+    record.effectiveSampleSize = estimate.effectiveSampleSize;
+    record.time = seconds(run_->frames()->time);
+    record.microseconds = iterationTimes_.back();
+    record.spreadPerAxis = estimate.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+    record.particleCount = estimate.particleCount;
+    record.existence = estimate.existence;
+    record.held = estimate.valid;
+    record.cameras = estimate.cameras;
     if (const auto truth = truth_.at(run_->targets()[k].name, record.frame)) {
       record.error = (estimate.mean - *truth).norm();
     }

@@ -6,6 +6,7 @@
 #include "core/tracking/start_parameters.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dewpoint {
 
@@ -66,7 +67,9 @@ TargetEstimate BarreraTracker::iterate(ThreadTeam& team) {
   result.covariance = state.covariance;
   result.effectiveSampleSize = state.effectiveSampleSize;
   result.particleCount = static_cast<int>(particleCount);
-  result.camerasSeeing = countCamerasSeeing(result.mean);
+  result.cameras = evidence(result.mean);
+  result.camerasSeeing = static_cast<int>(std::ranges::count_if(
+      result.cameras, [](const CameraEvidence& camera) { return camera.visible > 0.0; }));
   const int needed = std::clamp(static_cast<int>(observation_.cameraCount()), 1, 2);
   result.valid = result.camerasSeeing >= needed;
   result.existence = result.valid ? 1.0 : 0.0; // the paper's filter has no opinion of its own
@@ -101,12 +104,18 @@ Eigen::ArrayXXd BarreraTracker::drawStart() const {
   return states;
 }
 
-int BarreraTracker::countCamerasSeeing(const Eigen::Vector3d& point) const {
-  int seeing = 0;
-  for (std::size_t camera = 0; camera < observation_.cameraCount(); ++camera) {
-    seeing += observation_.matchCount(camera, point).value_or(0) >= 1 ? 1 : 0;
+std::vector<CameraEvidence> BarreraTracker::evidence(const Eigen::Vector3d& point) const {
+  std::vector<CameraEvidence> cameras(observation_.cameraCount());
+  for (std::size_t k = 0; k < cameras.size(); ++k) {
+    if (const auto count = observation_.matchCount(k, point)) {
+      const int counted = std::max(*count, 1);
+      cameras[k].looked = true;
+      cameras[k].visible = static_cast<double>(*count) / WindowCounts::kPixels;
+      cameras[k].logLikelihood = std::log(static_cast<double>(counted) / WindowCounts::kPixels);
+      cameras[k].existence = probabilityFrom(std::log(static_cast<double>(counted)));
+    }
   }
-  return seeing;
+  return cameras;
 }
 
 } // namespace dewpoint

@@ -27,7 +27,9 @@ public:
 
 private:
   Eigen::ArrayXXd drawStart() const;
-  int countCamerasSeeing(const Eigen::Vector3d& point) const;
+  /// Per camera the window at the point; the odds are those of its likelihood against that of a
+  /// window with no more than chance, 1/25.
+  std::vector<CameraEvidence> evidence(const Eigen::Vector3d& point) const;
 
   ParameterValues parameters_;
   ColorWindow observation_;

@@ -67,7 +67,8 @@ TargetEstimate TargetBelief::estimate(SphereObservation& observation) const {
   result.existence = std::min(1.0, likeliest->probability) * (1.0 - doubt_) * near;
   result.radius = likeliest->radius;
   observation.setRadius(likeliest->radius);
-  result.camerasSeeing = observation.camerasSeeing(result.mean, likeliest->velocity());
+  result.cameras = observation.evidence(result.mean, likeliest->velocity());
+  result.camerasSeeing = SphereObservation::camerasSeeing(result.cameras);
   result.valid = likeliest->probability * near > 0.5 && isUseful(*likeliest);
   return result;
 }

@@ -6,6 +6,7 @@
 #include "core/capture/frame.h"
 #include "core/color/color_range.h"
 #include "core/geometry/camera.h"
+#include "core/observation/camera_evidence.h"
 #include "core/tracking/parameters.h"
 
 #include <Eigen/Core>
@@ -13,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace dewpoint {
 
@@ -37,6 +39,9 @@ struct TargetEstimate {
   double existence = 0.0;  ///< probability that the target is where the estimate says
   double radius = 0.0;     ///< metres, of the target as known or as estimated; 0 when neither
   bool degenerate = false; ///< no particle had a usable weight; all were kept as equal
+  /// What each camera says about the mean, in the order of the rig; empty when the method cannot
+  /// tell, or has no place to ask about.
+  std::vector<CameraEvidence> cameras;
   /// Root mean square distance of the particles to their mean, metres.
   double spread() const;
 };

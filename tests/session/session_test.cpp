@@ -307,6 +307,22 @@ TEST(Session, TheLogIsReadInPiecesAndKnowsRestarts) {
   ASSERT_EQ(piece.records.size(), 2U);
   EXPECT_EQ(piece.records[1].iteration, 2);
   EXPECT_EQ(piece.records[1].frame, 1);
+  const IterationRecord& record = piece.records[1];
+  EXPECT_DOUBLE_EQ(record.time, seconds(timeStamp(1.0 / 30.0))); // of frame 1 at 30 per second
+  EXPECT_EQ(record.particleCount, 100);
+  EXPECT_GT(record.microseconds, 0.0);
+  // The spread is the root of the trace of the covariance.
+  EXPECT_NEAR(record.spreadPerAxis.norm(), record.spread, 1e-9);
+  EXPECT_TRUE(record.held);
+  ASSERT_EQ(record.cameras.size(), 2U);
+  for (const CameraEvidence& camera : record.cameras) {
+    // The start lies on the disc, whose image is larger than the window: all 25 pixels match, so
+    // the likelihood is 25/25 and the odds against chance (1/25) are 25 to 1.
+    EXPECT_TRUE(camera.looked);
+    EXPECT_DOUBLE_EQ(camera.visible, 1.0);
+    EXPECT_DOUBLE_EQ(camera.logLikelihood, 0.0);
+    EXPECT_NEAR(camera.existence, 25.0 / 26.0, 1e-12);
+  }
   EXPECT_TRUE(session.logSince(generation, position).records.empty());
   session.restart(5);
   session.stepFrame();

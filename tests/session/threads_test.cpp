@@ -91,22 +91,52 @@ TEST(SnapshotPublisher, NeverWakesAfterTheWakeUpWasTakenBack) {
   }
 }
 
-TEST(RunLog, DropsOldRecordsButKeepsCounting) {
+TEST(RunLog, OldRecordsAreThinnedAndCountedOn) {
   RunLog log;
   std::uint64_t generation = 0;
   std::size_t position = 0;
   log.since(generation, position);
-  for (int k = 0; k < 250001; ++k) { // more than the 200,000 it keeps
+  for (int k = 0; k < 250001; ++k) { // more than it keeps
     log.append(std::vector<IterationRecord>{{k, k, 0, 0.0, 0.0, -1.0}});
   }
   const auto piece = log.since(generation, position);
   EXPECT_FALSE(piece.restarted);
   ASSERT_FALSE(piece.records.empty());
-  EXPECT_LE(piece.records.size(), 200000U);
+  EXPECT_LE(piece.records.size(), RunLog::kMostRecords);
+  EXPECT_EQ(piece.records.front().iteration, 0); // the beginning is there, in coarse steps
+  for (std::size_t k = 1; k < piece.records.size(); ++k) {
+    const auto step = piece.records[k].iteration - piece.records[k - 1].iteration;
+    ASSERT_GT(step, 0);
+    ASSERT_LE(step, 64);
+    ASSERT_TRUE(step == 1 || piece.records[k].iteration < 225000); // the newest in full
+  }
   EXPECT_EQ(piece.records.back().iteration, 250000);
   EXPECT_EQ(position, 250001U);
   log.append(std::vector<IterationRecord>{{250001, 0, 0, 0.0, 0.0, -1.0}});
   EXPECT_EQ(log.since(generation, position).records.size(), 1U);
+}
+
+TEST(RunLog, GoingBackForgetsWhatCameLaterAndGivesTheRestAgain) {
+  RunLog log;
+  std::uint64_t generation = 0;
+  std::size_t position = 0;
+  for (int k = 0; k < 10; ++k) {
+    log.append(std::vector<IterationRecord>{{k, k / 2, 0, 0.0, 0.0, -1.0}});
+    TrajectorySample sample;
+    sample.frame = k / 2;
+    log.append(std::vector<TrajectorySample>{sample});
+  }
+  EXPECT_EQ(log.since(generation, position).records.size(), 10U);
+  log.goBack(3); // frames 3 and 4 had two iterations each
+  EXPECT_EQ(log.trajectory().samples.size(), 3U);
+  auto piece = log.since(generation, position);
+  EXPECT_TRUE(piece.restarted);
+  EXPECT_EQ(piece.records.size(), 6U);
+  log.append(std::vector<IterationRecord>{{6, 3, 0, 0.0, 0.0, -1.0}});
+  piece = log.since(generation, position);
+  EXPECT_FALSE(piece.restarted);
+  ASSERT_EQ(piece.records.size(), 1U);
+  EXPECT_EQ(piece.records[0].frame, 3);
 }
 
 TEST(RunLog, IsReadWhileItIsWritten) {

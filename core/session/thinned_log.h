@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace dewpoint {
+
+/// Records in the order they came, at most `most` of them: when there are more, every second group
+/// of the older half is given up, again and again, so that what is long ago is there in ever
+/// coarser steps and the newest in full. Records of one group (`group(record)`, consecutive) stay
+/// together.
+template <class Record> class ThinnedLog {
+public:
+  using GroupOf = std::int64_t (*)(const Record&);
+  ThinnedLog(std::size_t most, GroupOf group) : most_(most), group_(group) {}
+
+  void clear() {
+    entries_.clear();
+    appended_ = 0;
+  }
+  void append(Record record) {
+    entries_.push_back({appended_++, std::move(record)});
+    if (entries_.size() > most_) {
+      thin();
+    }
+  }
+  /// Forgets the newest records as long as `unwanted` says so of them.
+  template <class Predicate> void removeBack(const Predicate& unwanted) {
+    while (!entries_.empty() && unwanted(entries_.back().record)) {
+      entries_.pop_back();
+    }
+  }
+  /// Those appended at or after `position` that are still there; `position` moves past them.
+  std::vector<Record> since(std::size_t& position) const {
+    std::vector<Record> found;
+    auto next = std::lower_bound(
+        entries_.begin(), entries_.end(), position,
+        [](const Entry& entry, std::size_t number) { return entry.number < number; });
+    for (; next != entries_.end(); ++next) {
+      found.push_back(next->record);
+    }
+    position = appended_;
+    return found;
+  }
+  std::size_t size() const { return entries_.size(); }
+
+private:
+  struct Entry {
+    std::size_t number; ///< how many were appended before it
+    Record record;
+  };
+
+  void thin() {
+    auto half = entries_.begin() + static_cast<std::ptrdiff_t>(entries_.size() / 2);
+    while (half != entries_.end() && group_(half->record) == group_(std::prev(half)->record)) {
+      ++half;
+    }
+    auto kept = entries_.begin();
+    std::int64_t last = group_(entries_.front().record);
+    bool wanted = true;
+    for (auto entry = entries_.begin(); entry != half; ++entry) {
+      const std::int64_t group = group_(entry->record);
+      wanted = wanted == (group == last); // every other group
+      last = group;
+      if (wanted && kept++ != entry) {
+        *std::prev(kept) = std::move(*entry);
+      }
+    }
+    entries_.erase(kept, half);
+  }
+
+  std::size_t most_;
+  GroupOf group_;
+  std::size_t appended_ = 0;
+  std::vector<Entry> entries_;
+};
+
+} // namespace dewpoint
