@@ -137,6 +137,30 @@ struct MoveKernel {
 
 } // namespace
 
+BackgroundModel::BackgroundModel(const BackgroundModel& other)
+    : mean_(other.mean_.clone()), confidence_(other.confidence_.clone()),
+      novel_(other.novel_.clone()), phase_(other.phase_), known_(other.known_), new_(other.new_),
+      moves_(other.moves_), news_(other.news_), novelShare_(other.novelShare_),
+      light_(other.light_) {}
+
+BackgroundModel& BackgroundModel::operator=(BackgroundModel other) noexcept {
+  std::swap(mean_, other.mean_);
+  std::swap(confidence_, other.confidence_);
+  std::swap(novel_, other.novel_);
+  phase_ = other.phase_;
+  known_ = other.known_;
+  new_ = other.new_;
+  moves_.swap(other.moves_);
+  news_.swap(other.news_);
+  novelShare_ = other.novelShare_;
+  light_ = other.light_;
+  return *this;
+}
+
+std::size_t BackgroundModel::memoryBytes() const {
+  return mean_.total() * mean_.elemSize() + confidence_.total() + novel_.total();
+}
+
 void BackgroundModel::reset() {
   mean_ = cv::Mat();
   light_.setOnes();

@@ -27,6 +27,13 @@ public:
   static constexpr int kTolerance = 14;
   static constexpr int kToleranceShift = 3;
 
+  BackgroundModel() = default;
+  /// A copy has pixels of its own.
+  BackgroundModel(const BackgroundModel& other);
+  BackgroundModel(BackgroundModel&&) = default;
+  BackgroundModel& operator=(BackgroundModel other) noexcept;
+  ~BackgroundModel() = default;
+
   /// Forgets everything.
   void reset();
   /// Before the labels of a new image are made: where the whole image has become brighter, darker
@@ -35,6 +42,8 @@ public:
   void followLight(const cv::Mat& image);
   /// Learns from an image (CV_8UC3), a quarter of its rows at a time. A new size starts anew.
   void learn(const cv::Mat& image, const std::vector<Hidden>& hidden);
+  /// Bytes of its images.
+  std::size_t memoryBytes() const;
   /// Share of the rows last learned from that showed something new, 0 to 1: near 1 when the camera
   /// is covered, blind or moved.
   double novelShare() const { return novelShare_; }

@@ -31,6 +31,17 @@ struct Configure {
 struct SetMethod {
   std::string method;
   ParameterValues parameters;
+  std::optional<std::int64_t> from; ///< nothing: from the start
+};
+struct ShowFrame {
+  std::int64_t frame = 0;
+};
+struct BackToHead {};
+struct Rerun {
+  std::int64_t from = 0;
+};
+struct ShowMaps {
+  bool wanted = false;
 };
 struct SetTargets {
   std::vector<Target> targets;
@@ -40,9 +51,11 @@ struct ShowMasks {
 };
 } // namespace command
 
-using Command = std::variant<command::Play, command::Pause, command::StepFrame,
-                             command::StepIteration, command::Restart, command::Configure,
-                             command::SetMethod, command::SetTargets, command::ShowMasks>;
+using Command =
+    std::variant<command::Play, command::Pause, command::StepFrame, command::StepIteration,
+                 command::Restart, command::Configure, command::SetMethod, command::SetTargets,
+                 command::ShowMasks, command::ShowFrame, command::BackToHead, command::Rerun,
+                 command::ShowMaps>;
 
 /// Commands on their way to the tracking thread, in order.
 class CommandQueue {
@@ -50,9 +63,18 @@ public:
   void push(Command command) {
     {
       const std::lock_guard lock(mutex_);
+      // Of a row of moments to show, as a scrubbing hand asks for them, only the last is of use.
+      if (std::holds_alternative<command::ShowFrame>(command) && !commands_.empty() &&
+          std::holds_alternative<command::ShowFrame>(commands_.back())) {
+        commands_.pop_back();
+      }
       commands_.push_back(std::move(command));
     }
     wake_.notify_one();
+  }
+  bool empty() const {
+    const std::lock_guard lock(mutex_);
+    return commands_.empty();
   }
   /// The next command; waits until `deadline` for one (for ever without a deadline), or until
   /// stopped.
@@ -71,7 +93,7 @@ public:
   }
 
 private:
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable_any wake_;
   std::deque<Command> commands_;
 };

@@ -4,16 +4,35 @@
 #include "core/session/tracking_run.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace dewpoint {
+namespace {
+
+/// Key in the trajectory's header, before the number of the frame.
+constexpr std::string_view kChangedAt = "changed_at_frame_";
+
+/// Makes a reader of another generation begin anew; whether it does.
+bool beginsAnew(std::uint64_t own, std::uint64_t& generation, std::size_t& position) {
+  if (generation == own) {
+    return false;
+  }
+  generation = own;
+  position = 0;
+  return true;
+}
+
+} // namespace
 
 RunLog::RunLog()
-    : records_(kMostRecords, [](const IterationRecord& record) { return record.iteration; }) {}
+    : records_(kMostRecords, [](const IterationRecord& record) { return record.iteration; }),
+      frames_(kMostFrames, [](const FrameRecord& record) { return record.frame; }) {}
 
 void RunLog::restart(const Project& project) {
   const std::lock_guard lock(mutex_);
   ++generation_;
   records_.clear();
+  frames_.clear();
   trajectory_ = Trajectory{trajectoryHeader(project), {}};
   project_ = project;
   figures_ = RunFigures{};
@@ -48,11 +67,31 @@ void RunLog::append(const std::vector<IterationRecord>& records) {
   }
 }
 
+void RunLog::append(const FrameRecord& record) {
+  const std::lock_guard lock(mutex_);
+  frames_.removeBack([&](const FrameRecord& last) { return last.frame == record.frame; });
+  frames_.append(record);
+}
+
+void RunLog::note(std::int64_t frame, const std::string& change) {
+  const std::lock_guard lock(mutex_);
+  auto& entries = trajectory_.header.entries;
+  const auto isVoid = [frame](const auto& entry) {
+    return entry.first.starts_with(kChangedAt) &&
+           std::stoll(entry.first.substr(kChangedAt.size())) >= frame;
+  };
+  std::erase_if(entries, isVoid);
+  if (!change.empty()) {
+    entries.emplace_back(std::string(kChangedAt) + std::to_string(frame), change);
+  }
+}
+
 void RunLog::goBack(std::int64_t frame) {
   const std::lock_guard lock(mutex_);
   ++generation_;
   const auto isLater = [&](const auto& what) { return what.frame >= frame; };
   records_.removeBack(isLater);
+  frames_.removeBack(isLater);
   while (!trajectory_.samples.empty() && isLater(trajectory_.samples.back())) {
     trajectory_.samples.pop_back();
   }
@@ -70,12 +109,16 @@ void RunLog::append(const std::vector<TrajectorySample>& samples) {
 RunLog::Piece RunLog::since(std::uint64_t& generation, std::size_t& position) const {
   const std::lock_guard lock(mutex_);
   Piece piece;
-  if (generation != generation_) {
-    generation = generation_;
-    position = 0;
-    piece.restarted = true;
-  }
+  piece.restarted = beginsAnew(generation_, generation, position);
   piece.records = records_.since(position);
+  return piece;
+}
+
+RunLog::FramePiece RunLog::framesSince(std::uint64_t& generation, std::size_t& position) const {
+  const std::lock_guard lock(mutex_);
+  FramePiece piece;
+  piece.restarted = beginsAnew(generation_, generation, position);
+  piece.records = frames_.since(position);
   return piece;
 }
 

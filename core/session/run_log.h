@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <mutex>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,17 @@ public:
   /// Records from `position` on; both arguments move along. Beyond kMostRecords the older ones are
   /// there in coarser and coarser steps.
   Piece since(std::uint64_t& generation, std::size_t& position) const;
+  /// As since(), of the frames tracked: beyond kMostFrames older ones in coarser steps.
+  struct FramePiece {
+    std::vector<FrameRecord> records;
+    bool restarted = false;
+  };
+  static constexpr std::size_t kMostFrames = 50000;
+  FramePiece framesSince(std::uint64_t& generation, std::size_t& position) const;
+  /// One frame; takes the place of the same frame, if it was the last one.
+  void append(const FrameRecord& record);
+  /// From this frame on the run is another one than the header says.
+  void note(std::int64_t frame, const std::string& change);
   Trajectory trajectory() const;
   Latency latency() const;
   /// What run.json tells of this run.
@@ -50,6 +62,7 @@ private:
   mutable std::mutex mutex_;
   std::uint64_t generation_ = 1;
   ThinnedLog<IterationRecord> records_;
+  ThinnedLog<FrameRecord> frames_;
   Trajectory trajectory_;
   Project project_;
   RunFigures figures_;

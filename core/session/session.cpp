@@ -29,6 +29,10 @@ Session::LogPiece Session::logSince(std::uint64_t& generation, std::size_t& posi
   auto piece = impl_->loop.log().since(generation, position);
   return {std::move(piece.records), piece.restarted};
 }
+Session::FramePiece Session::framesSince(std::uint64_t& generation, std::size_t& position) const {
+  auto piece = impl_->loop.log().framesSince(generation, position);
+  return {std::move(piece.records), piece.restarted};
+}
 Trajectory Session::trajectory() const {
   return impl_->loop.log().trajectory();
 }
@@ -74,7 +78,23 @@ void Session::setParameters(const ParameterValues& parameters) {
   impl_->loop.commands().push(command::Configure{parameters});
 }
 void Session::setMethod(const std::string& method, const ParameterValues& parameters) {
-  impl_->loop.commands().push(command::SetMethod{method, parameters});
+  impl_->loop.commands().push(command::SetMethod{method, parameters, std::nullopt});
+}
+void Session::setMethodFrom(std::int64_t frame, const std::string& method,
+                            const ParameterValues& parameters) {
+  impl_->loop.commands().push(command::SetMethod{method, parameters, frame});
+}
+void Session::showFrame(std::int64_t frame) {
+  impl_->loop.commands().push(command::ShowFrame{frame});
+}
+void Session::backToHead() {
+  impl_->loop.commands().push(command::BackToHead{});
+}
+void Session::rerunFrom(std::int64_t frame) {
+  impl_->loop.commands().push(command::Rerun{frame});
+}
+void Session::setLikelihoodMapsWanted(bool wanted) {
+  impl_->loop.commands().push(command::ShowMaps{wanted});
 }
 void Session::setTargets(const std::vector<Target>& targets) {
   impl_->loop.commands().push(command::SetTargets{targets});

@@ -20,6 +20,9 @@ struct SessionInputs {
   Project project;
   std::unique_ptr<FrameSetSource> source;
   Trajectory truth; ///< empty when unknown
+  /// Bytes that going back in the run may take: images of live cameras, particles, copies.
+  /// 0: 1 GB for live cameras, half of it for recordings.
+  std::size_t historyBytes = 0;
 };
 
 /// What a person wants to work on: the project in a file (empty: the demo), or one that is in no
@@ -52,6 +55,12 @@ public:
     bool restarted = false;
   };
   LogPiece logSince(std::uint64_t& generation, std::size_t& position) const;
+  /// As logSince(), of the frames tracked: status, existence and missing cameras.
+  struct FramePiece {
+    std::vector<FrameRecord> records;
+    bool restarted = false;
+  };
+  FramePiece framesSince(std::uint64_t& generation, std::size_t& position) const;
   /// The trajectory so far.
   Trajectory trajectory() const;
   /// Writes it as CSV; how many samples it held.
@@ -66,6 +75,19 @@ public:
   void restart(std::optional<std::uint64_t> seed = std::nullopt); ///< same seed unless given
   /// Another method with its parameters, from the start and with the same seed.
   void setMethod(const std::string& method, const ParameterValues& parameters);
+  /// Another method that begins at this frame; what was tracked before it stays.
+  void setMethodFrom(std::int64_t frame, const std::string& method,
+                     const ParameterValues& parameters);
+  /// Pauses and shows an earlier moment as it was (or a later one of a recording, untracked); the
+  /// run itself stays where it is. Playing goes on from the moment shown: through what was recorded
+  /// up to where the run stands, then tracking.
+  void showFrame(std::int64_t frame);
+  /// Shows where the run stands again.
+  void backToHead();
+  /// Tracks again from this frame on, as fast as it goes, up to where the run stood: with the
+  /// parameters and colors of now. What was recorded from there on is replaced. Pausing stops it.
+  void rerunFrom(std::int64_t frame);
+  void setLikelihoodMapsWanted(bool wanted);
   void setParameters(const ParameterValues& parameters);
   /// Other colors or radii take effect at once; another number of targets means new beliefs.
   void setTargets(const std::vector<Target>& targets);

@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/capture/frame.h"
 #include "core/geometry/camera.h"
-#include "core/tracking/tracker.h"
+#include "core/session/moment.h"
 
 #include <Eigen/Core>
 
@@ -23,6 +23,11 @@ struct TargetSnapshot {
   Eigen::ArrayXd weights;            ///< one per row, linear
   std::vector<Eigen::Vector3d> tail; ///< estimates of the last frames, oldest first
   std::optional<Eigen::Vector3d> truth;
+  TargetStatus status = TargetStatus::Searching;
+  /// Per camera, why it does not confirm the target (reasonSentence); may be empty.
+  std::vector<CameraReport> reasons;
+  std::vector<ProposedPlace> proposals; ///< places considered in this frame; may be empty
+  std::vector<LikelihoodMap> maps;      ///< per camera; empty unless wanted
 };
 
 enum class PlayState { Paused, Playing, Ended };
@@ -34,13 +39,32 @@ struct Latency {
   double longest = 0.0;
 };
 
+/// Which moments of the run can be shown, and what keeping them takes.
+struct HistoryState {
+  std::int64_t first = 0; ///< oldest frame that can be shown
+  std::int64_t last = -1; ///< newest frame that can be shown; -1: none yet
+  std::int64_t head = -1; ///< newest frame that was tracked; -1: none yet
+  std::size_t bytes = 0;  ///< taken by images, particles and copies of the method
+  std::size_t mostBytes = 0;
+};
+
+/// A run that goes over past frames again.
+struct RerunState {
+  std::int64_t from = 0; ///< the first frame tracked again
+  std::int64_t to = 0;   ///< the last one
+};
+
 /// Everything a view may show of one moment. Immutable once published.
 struct TrackSnapshot {
   std::shared_ptr<const CameraRig> rig;
   FrameSetPtr frames;         ///< null before the first frame
   std::vector<cv::Mat> masks; ///< per camera CV_8UC1, 255 = target color; empty unless wanted
   std::vector<TargetSnapshot> targets;
-  std::int64_t frame = -1;
+  std::int64_t frame = -1;         ///< the one shown
+  bool past = false;               ///< an other frame is shown than the run stands at
+  bool tracked = false;            ///< the frame shown was tracked
+  HistoryState history;            ///< what else could be shown
+  std::optional<RerunState> rerun; ///< while past frames are tracked again
   std::optional<std::int64_t> frameCount;
   std::int64_t iterations = 0;           ///< filter iterations since the (re)start
   double framesPerSecond = 0.0;          ///< achieved
@@ -70,7 +94,7 @@ struct IterationRecord {
   bool held = false;      ///< TargetEstimate::valid
   /// Likelihood, existence and visible share per camera, in the order of the rig; empty when the
   /// method cannot tell.
-  std::vector<CameraEvidence> cameras;
+  std::vector<CameraEvidence> cameras = {};
 };
 
 } // namespace dewpoint

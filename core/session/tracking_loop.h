@@ -4,6 +4,7 @@
 #include "core/session/command_queue.h"
 #include "core/session/run_log.h"
 #include "core/session/session.h"
+#include "core/session/time_travel.h"
 #include "core/session/tracking_run.h"
 
 #include <chrono>
@@ -25,31 +26,73 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
+  // Commands.
   void obey(const Command& command);
+  void obeyPlaying(const Command& command);
+  void obeyChange(const Command& command);
+  void obeyTravel(const Command& command);
   void changeMethod(const command::SetMethod& wish);
   void changeTargets(const std::vector<Target>& targets);
   /// False if there is nothing to track.
   bool restart(std::optional<std::uint64_t> seed);
+
+  // Tracking.
   /// Takes the next frame set; false at the end, on an error, or when nothing came (live).
   bool takeFrame();
+  Result<FrameSetPtr> nextFrames();
   void iterateFrame();
   bool iterateOnce();
+  std::vector<IterationRecord> iterationRecords() const;
   /// The estimates of the frame shown, in place of earlier ones of the same frame.
   void recordFrame();
+  void reachEnd();
+
+  // Going back.
+  /// The frame the run stands at; -1 before the first.
+  std::int64_t head() const { return run_ && run_->frames() ? run_->frames()->index : -1; }
+  void show(std::int64_t frame);
+  void backToHead();
+  /// Shows the next moment that was recorded; at the head, the run goes on.
+  void showNext();
+  void rerun(std::int64_t from, const command::SetMethod* method = nullptr);
+  bool goBackTo(std::int64_t from, const command::SetMethod* method);
+  void finishRerun();
+  /// What is otherwise than in `before`, for the header of the trajectory.
+  std::string differences(const Project& before) const;
+
+  // Publishing.
   void publish();
-  std::vector<cv::Mat> masks() const;
+  /// Less often than a screen shows while tracking as fast as it goes.
+  void publishNowAndThen();
+  void showHead(TrackSnapshot& snapshot);
+  void addFigures(TrackSnapshot& snapshot) const;
+  static std::vector<cv::Mat> masks(const TrackSnapshot& snapshot);
+  void addMaps(const std::stop_token& stop);
 
   Project project_;
   std::unique_ptr<FrameSetSource> source_;
   TruthTable truth_;
   std::shared_ptr<const CameraRig> rig_;
   std::optional<TrackingRun> run_;
+  std::optional<TimeTravel> travel_; ///< as long as there is a source
   CommandQueue commands_;
   SnapshotPublisher publisher_;
   RunLog log_;
 
   PlayState state_ = PlayState::Paused;
   bool masksWanted_ = false;
+  bool mapsWanted_ = false;
+  bool mapsDue_ = false;             ///< the moment shown has no likelihood maps yet
+  bool atEnd_ = false;               ///< the input's end was reached
+  std::int64_t next_ = 0;            ///< the frame to track next
+  std::optional<std::int64_t> view_; ///< the moment shown, if it is not the head's
+  struct Rerun {
+    RerunState range;
+    PlayState afterwards = PlayState::Paused;
+    bool atEnd = false; ///< the end had been reached
+  };
+  std::optional<Rerun> rerun_;
+  Clock::time_point published_;
   bool frameFresh_ = false; ///< taken, but without any iteration yet
   std::optional<std::int64_t> recordedFrame_;
   Clock::time_point arrival_;                     ///< of the frame shown

@@ -44,6 +44,7 @@ Result<TrackingRun> TrackingRun::create(const Project& project, int threadCount)
   TrackingRun run;
   run.tracker_ = std::move(*tracker);
   run.targets_ = project.targets;
+  run.parameters_ = project.parameters;
   run.team_ = std::make_unique<ThreadTeam>(threadCount);
   run.restart(project.seed);
   return run;
@@ -53,9 +54,11 @@ void TrackingRun::restart(std::uint64_t seed) {
   tracker_->restart(seed);
   frames_ = nullptr;
   iterations_ = 0;
+  frameIterations_ = 0;
 }
 
 void TrackingRun::configure(const ParameterValues& parameters) {
+  parameters_ = parameters;
   tracker_->configure(parameters);
 }
 
@@ -67,8 +70,37 @@ void TrackingRun::setTargets(const std::vector<Target>& targets) {
   tracker_->setTargets(targets_);
 }
 
+void TrackingRun::apply(const RunChange& change) {
+  if (change.parameters) {
+    configure(*change.parameters);
+  }
+  if (change.targets) {
+    setTargets(*change.targets);
+  }
+}
+
+TrackingRun::State TrackingRun::save() const {
+  State state{nullptr, targets_, parameters_, iterations_, 0};
+  if (std::unique_ptr<MultiTracker> copy = tracker_->clone()) {
+    copy->beginFrame(nullptr); // the images of the last frame are not needed to go on
+    state.bytes = copy->memoryBytes();
+    state.tracker = std::move(copy);
+  }
+  return state;
+}
+
+void TrackingRun::restore(const State& state) {
+  tracker_ = state.tracker->clone();
+  targets_ = state.targets;
+  parameters_ = state.parameters;
+  frames_ = nullptr;
+  iterations_ = state.iterations;
+  frameIterations_ = 0;
+}
+
 void TrackingRun::beginFrame(FrameSetPtr frames) {
   frames_ = std::move(frames);
+  frameIterations_ = 0;
   tracker_->beginFrame(frames_);
 }
 
@@ -80,6 +112,7 @@ double TrackingRun::iterate() {
   const auto begin = std::chrono::steady_clock::now();
   tracker_->iterate(*team_);
   ++iterations_;
+  ++frameIterations_;
   const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
   return took.count() / static_cast<double>(std::max<std::size_t>(1, targets_.size()));
 }
@@ -103,6 +136,37 @@ std::vector<TargetSnapshot> TrackingRun::snapshots(int particleLimit) const {
     tracker_->particles(k, particleLimit, all[k].particles, all[k].weights);
   }
   return all;
+}
+
+Moment TrackingRun::moment(int particleLimit, const Moment* previous) const {
+  Moment moment;
+  moment.frame = frames_ ? frames_->index : 0;
+  moment.time = frames_ ? seconds(frames_->time) : 0.0;
+  moment.iterations = frameIterations_;
+  moment.totalIterations = iterations_;
+  const bool same = previous != nullptr && previous->definitions &&
+                    std::equal(targets_.begin(), targets_.end(), previous->definitions->begin(),
+                               previous->definitions->end());
+  moment.definitions =
+      same ? previous->definitions : std::make_shared<const std::vector<Target>>(targets_);
+  moment.targets.resize(targets_.size());
+  for (std::size_t k = 0; k < targets_.size(); ++k) {
+    TargetMoment& target = moment.targets[k];
+    target.estimate = estimates()[k];
+    Eigen::ArrayXXd particles;
+    Eigen::ArrayXd weights;
+    tracker_->particles(k, particleLimit, particles, weights);
+    target.particles = particles.cast<float>();
+    target.weights = weights.cast<float>();
+    target.proposals = tracker_->proposals(k);
+    target.reasons = tracker_->explain(k);
+    if (previous != nullptr && k < previous->targets.size()) {
+      target.lastHeld = previous->targets[k].lastHeld;
+    }
+    target.lastHeld = target.estimate.valid ? moment.time : target.lastHeld;
+    target.status = statusOf(target.estimate.valid, moment.time, target.lastHeld);
+  }
+  return moment;
 }
 
 TruthTable::TruthTable(const Trajectory& truth) {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "core/project/project.h"
+#include "core/session/moment.h"
 #include "core/session/snapshot.h"
 #include "core/tracking/multi_tracker.h"
 #include "core/trajectory/trajectory.h"
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace dewpoint {
@@ -17,6 +19,12 @@ CameraRig rigOf(const Project& project);
 
 /// Header of a trajectory of this project: method, seed, parameters, version, cameras.
 TrajectoryHeader trajectoryHeader(const Project& project);
+
+/// A change of a run under way: other parameters, or other colors.
+struct RunChange {
+  std::optional<ParameterValues> parameters;
+  std::optional<std::vector<Target>> targets;
+};
 
 /// The tracker of all targets fed with frame sets: what the window's tracking thread and
 /// the command line both drive. Not thread safe.
@@ -31,6 +39,21 @@ public:
   /// New colors for the same targets; a different number of targets is ignored (reopen instead).
   void setTargets(const std::vector<Target>& targets);
 
+  void apply(const RunChange& change);
+
+  /// All that the run is between two frames, to go on from with the same bits.
+  struct State {
+    std::shared_ptr<const MultiTracker> tracker; ///< null when the method cannot be copied
+    std::vector<Target> targets;
+    ParameterValues parameters;
+    std::int64_t iterations = 0;
+    std::size_t bytes = 0;
+  };
+  State save() const;
+  void restore(const State& state);
+  /// Goes on counting iterations from here.
+  void countFrom(std::int64_t iterations) { iterations_ = iterations; }
+
   void beginFrame(FrameSetPtr frames);
   int iterationsPerFrame() const;
   /// One filter iteration for every target; microseconds it took, averaged over the targets.
@@ -38,19 +61,30 @@ public:
 
   std::int64_t iterations() const { return iterations_; }
   const std::vector<Target>& targets() const { return targets_; }
+  const ParameterValues& parameters() const { return parameters_; }
   const std::vector<TargetEstimate>& estimates() const { return tracker_->estimates(); }
   const FrameSetPtr& frames() const { return frames_; }
   /// The estimates as trajectory samples of the current frame.
   std::vector<TrajectorySample> samples() const;
   /// What views show, without tail and truth.
   std::vector<TargetSnapshot> snapshots(int particleLimit) const;
+  /// What is kept of the current frame; `previous` is the moment before it, null at the beginning.
+  Moment moment(int particleLimit, const Moment* previous) const;
+  /// Around the estimate of a target, one per camera; may be empty.
+  std::vector<LikelihoodMap> likelihoodMaps(std::size_t target, int reach) const {
+    return tracker_->likelihoodMaps(target, reach);
+  }
+  /// Iterations on the current frame.
+  int frameIterations() const { return frameIterations_; }
 
 private:
   std::vector<Target> targets_;
   std::unique_ptr<MultiTracker> tracker_;
   FrameSetPtr frames_;
   std::unique_ptr<ThreadTeam> team_;
+  ParameterValues parameters_;
   std::int64_t iterations_ = 0;
+  int frameIterations_ = 0;
 };
 
 /// Truth by target and frame, for quick look-up while tracking.

@@ -7,12 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dewpoint {
 
 BarreraTracker::BarreraTracker(const ParameterValues& parameters, const CameraRig& rig,
                                const Target& target)
-    : parameters_(parameters), observation_(rig, ColorClassifier(target.color)) {
+    : parameters_(parameters), classifier_(target.color), observation_(rig, classifier_) {
+  for (const Camera& camera : rig) {
+    projectors_.emplace_back(camera);
+  }
   filter_.start(drawStart());
 }
 
@@ -24,13 +28,15 @@ void BarreraTracker::configure(const ParameterValues& parameters) {
 }
 
 void BarreraTracker::setTarget(const Target& target) {
-  observation_.setClassifier(ColorClassifier(target.color));
+  classifier_ = ColorClassifier(target.color);
+  observation_.setClassifier(classifier_);
 }
 
 void BarreraTracker::restart(std::uint64_t seed) {
   key_.seed = seed;
   key_.iteration = 0;
   started_ = false;
+  estimate_ = {};
   filter_.start(drawStart());
 }
 
@@ -41,11 +47,16 @@ int BarreraTracker::iterationsPerFrame() const {
 void BarreraTracker::beginFrame(FrameSetPtr frames) {
   key_.iteration = 0;
   key_.frame = frames ? static_cast<std::uint32_t>(frames->index) : 0;
+  frames_ = std::move(frames);
   for (std::size_t camera = 0; camera < observation_.cameraCount(); ++camera) {
-    const bool present =
-        frames && camera < frames->frames.size() && frames->frames[camera] != nullptr;
-    observation_.setImage(camera, present ? frames->frames[camera]->image : cv::Mat());
+    observation_.setImage(camera, imageOf(camera));
   }
+}
+
+cv::Mat BarreraTracker::imageOf(std::size_t camera) const {
+  const bool present =
+      frames_ && camera < frames_->frames.size() && frames_->frames[camera] != nullptr;
+  return present ? frames_->frames[camera]->image : cv::Mat();
 }
 
 TargetEstimate BarreraTracker::iterate(ThreadTeam& team) {
@@ -74,6 +85,7 @@ TargetEstimate BarreraTracker::iterate(ThreadTeam& team) {
   result.valid = result.camerasSeeing >= needed;
   result.existence = result.valid ? 1.0 : 0.0; // the paper's filter has no opinion of its own
   result.degenerate = state.degenerate;
+  estimate_ = result;
   return result;
 }
 

@@ -24,17 +24,28 @@ public:
   void beginFrame(FrameSetPtr frames) override;
   TargetEstimate iterate(ThreadTeam& team) override;
   void particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const override;
+  std::unique_ptr<Tracker> clone() const override;
+  std::size_t memoryBytes() const override;
+  std::vector<CameraReport> explain() const override;
+  std::vector<LikelihoodMap> likelihoodMaps(int reach) const override;
 
 private:
   Eigen::ArrayXXd drawStart() const;
+  /// The image a camera shows; empty when there is none.
+  cv::Mat imageOf(std::size_t camera) const;
+  CameraReport explain(std::size_t camera) const;
   /// Per camera the window at the point; the odds are those of its likelihood against that of a
   /// window with no more than chance, 1/25.
   std::vector<CameraEvidence> evidence(const Eigen::Vector3d& point) const;
 
   ParameterValues parameters_;
+  std::vector<Projector> projectors_;
+  ColorClassifier classifier_;
   ColorWindow observation_;
   ParticleFilter filter_;
   RandomKey key_;
+  FrameSetPtr frames_;
+  TargetEstimate estimate_;
   bool started_ = false; ///< an iteration has run since the last restart
 };
 

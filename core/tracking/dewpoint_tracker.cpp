@@ -130,17 +130,15 @@ void DewpointTracker::beginFrame(FrameSetPtr frames) {
   key_.frame = frames_ ? static_cast<std::uint32_t>(frames_->index) : 0;
 }
 
+FramePtr DewpointTracker::frameOf(std::size_t camera) const {
+  return frames_ && camera < frames_->frames.size() ? frames_->frames[camera] : nullptr;
+}
+
 void DewpointTracker::showImages(Tracked& tracked) {
   for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
-    const bool present =
-        frames_ && camera < frames_->frames.size() && frames_->frames[camera] != nullptr;
-    if (!present) {
-      tracked.observation.setImage(camera, cv::Mat(), 0.0, backgrounds_[camera],
-                                   tracked.classifier);
-      continue;
-    }
-    const Frame& frame = *frames_->frames[camera];
-    tracked.observation.setImage(camera, frame.image, seconds(frame.captureTime - frames_->time),
+    const FramePtr frame = frameOf(camera);
+    const double offset = frame ? seconds(frame->captureTime - frames_->time) : 0.0;
+    tracked.observation.setImage(camera, frame ? frame->image : cv::Mat(), offset,
                                  backgrounds_[camera], tracked.classifier);
   }
 }
@@ -347,15 +345,16 @@ void DewpointTracker::findLookAlikes(const Target& looks, ThreadTeam& team) {
 
 void DewpointTracker::followLight() {
   for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
-    if (frames_ && camera < frames_->frames.size() && frames_->frames[camera] != nullptr) {
-      backgrounds_[camera].followLight(frames_->frames[camera]->image);
+    if (const FramePtr frame = frameOf(camera)) {
+      backgrounds_[camera].followLight(frame->image);
     }
   }
 }
 
 void DewpointTracker::learnBackgrounds() {
   for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
-    if (!frames_ || camera >= frames_->frames.size() || frames_->frames[camera] == nullptr) {
+    const FramePtr frame = frameOf(camera);
+    if (!frame) {
       continue;
     }
     std::vector<BackgroundModel::Hidden> hidden;
@@ -370,7 +369,7 @@ void DewpointTracker::learnBackgrounds() {
         hidden.push_back({outline->center, kNotLearnedRadii * outline->radius + 2.0});
       }
     }
-    backgrounds_[camera].learn(frames_->frames[camera]->image, hidden);
+    backgrounds_[camera].learn(frame->image, hidden);
   }
 }
 

@@ -29,6 +29,11 @@ public:
   const std::vector<TargetEstimate>& estimates() const override { return estimates_; }
   void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
                  Eigen::ArrayXd& weights) const override;
+  std::unique_ptr<MultiTracker> clone() const override;
+  std::size_t memoryBytes() const override;
+  std::vector<CameraReport> explain(std::size_t target) const override;
+  std::vector<ProposedPlace> proposals(std::size_t target) const override;
+  std::vector<LikelihoodMap> likelihoodMaps(std::size_t target, int reach) const override;
 
 private:
   /// A target, or a thing that looks like one.
@@ -38,9 +43,18 @@ private:
     ColorClassifier classifier;
   };
 
+  /// A copy; its labels are made anew when they are needed.
+  DewpointTracker(const DewpointTracker& other);
+
   BeliefSettings settings() const;
   double secondsSinceLastFrame() const;
+  /// Null when there is none.
+  FramePtr frameOf(std::size_t camera) const;
   void showImages(Tracked& tracked);
+  CameraReport explain(std::size_t target, std::size_t camera,
+                       const std::optional<OccupiedSphere>& expected) const;
+  std::optional<double> gapToLookAlike(std::size_t target, std::size_t camera,
+                                       const SphereImage& outline) const;
   void explainOthers(Tracked& own);
   std::vector<OccupiedSphere> occupiedByOthers(std::size_t index) const;
   std::vector<std::size_t> surestFirst() const;

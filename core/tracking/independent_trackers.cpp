@@ -52,4 +52,31 @@ void IndependentTrackers::particles(std::size_t target, int limit, Eigen::ArrayX
   trackers_.at(target)->particles(limit, positions, weights);
 }
 
+std::unique_ptr<MultiTracker> IndependentTrackers::clone() const {
+  std::vector<std::unique_ptr<Tracker>> copies;
+  for (const auto& tracker : trackers_) {
+    copies.push_back(tracker->clone());
+  }
+  auto copy = std::make_unique<IndependentTrackers>(std::move(copies));
+  copy->estimates_ = estimates_;
+  return copy;
+}
+
+std::size_t IndependentTrackers::memoryBytes() const {
+  std::size_t bytes = 0;
+  for (const auto& tracker : trackers_) {
+    bytes += tracker->memoryBytes();
+  }
+  return bytes;
+}
+
+std::vector<CameraReport> IndependentTrackers::explain(std::size_t target) const {
+  return trackers_.at(target)->explain();
+}
+
+std::vector<LikelihoodMap> IndependentTrackers::likelihoodMaps(std::size_t target,
+                                                               int reach) const {
+  return trackers_.at(target)->likelihoodMaps(reach);
+}
+
 } // namespace dewpoint

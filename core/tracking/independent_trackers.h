@@ -19,6 +19,10 @@ public:
   const std::vector<TargetEstimate>& estimates() const override { return estimates_; }
   void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
                  Eigen::ArrayXd& weights) const override;
+  std::unique_ptr<MultiTracker> clone() const override;
+  std::size_t memoryBytes() const override;
+  std::vector<CameraReport> explain(std::size_t target) const override;
+  std::vector<LikelihoodMap> likelihoodMaps(std::size_t target, int reach) const override;
 
 private:
   std::vector<std::unique_ptr<Tracker>> trackers_;

@@ -28,6 +28,19 @@ public:
   /// As Tracker::particles, of one target.
   virtual void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
                          Eigen::ArrayXd& weights) const = 0;
+  /// A copy that goes on from here with the same bits, and shares nothing that either writes; null
+  /// when the method cannot be copied.
+  virtual std::unique_ptr<MultiTracker> clone() const { return nullptr; }
+  /// About how many bytes a copy takes.
+  virtual std::size_t memoryBytes() const { return 0; }
+  /// What each camera has to say on a target being held or not, after the iterations of a frame;
+  /// empty when the method cannot tell.
+  virtual std::vector<CameraReport> explain(std::size_t) const { return {}; }
+  /// Places that were considered at the last iteration; empty when the method considers none.
+  virtual std::vector<ProposedPlace> proposals(std::size_t) const { return {}; }
+  /// Around the estimate of a target, up to `reach` pixels in each direction; one per camera, or
+  /// none when the method cannot tell.
+  virtual std::vector<LikelihoodMap> likelihoodMaps(std::size_t, int /*reach*/) const { return {}; }
 };
 
 /// A tracker of the named method for these targets; NotFound for an unknown method, MissingKey when

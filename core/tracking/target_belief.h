@@ -66,6 +66,12 @@ public:
   const Target& target() const { return target_; }
   /// The likeliest hypothesis; null when there is none.
   const Hypothesis* best() const;
+  /// All hypotheses, the likeliest first.
+  const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
+  /// Where the target is expected: its likeliest place, or where it was seen last; nothing when it
+  /// was not seen yet, or too long ago.
+  std::optional<OccupiedSphere> expected() const;
+  std::size_t memoryBytes() const;
   /// The best hypothesis if it is likelier than not.
   const Hypothesis* confident() const;
   TargetEstimate estimate(SphereObservation& observation) const;

@@ -18,6 +18,9 @@ constexpr double kUsefulSigma = 0.1;
 /// this many meters, of the estimate.
 constexpr double kNearby = 0.03;
 
+/// Where a lost target was seen last says where it is expected until the place is this uncertain.
+constexpr double kExpectedSigma = 1.0; // metres
+
 /// Probability that a normal vector of mean zero is shorter than `radius`: its squared length is
 /// taken for a scaled chi-square variable of the same mean and variance (Satterthwaite 1946), whose
 /// cube root is nearly normal (Wilson and Hilferty 1931).
@@ -71,6 +74,28 @@ TargetEstimate TargetBelief::estimate(SphereObservation& observation) const {
   result.camerasSeeing = SphereObservation::camerasSeeing(result.cameras);
   result.valid = likeliest->probability * near > 0.5 && isUseful(*likeliest);
   return result;
+}
+
+std::optional<OccupiedSphere> TargetBelief::expected() const {
+  const Hypothesis* likeliest = best();
+  if (likeliest != nullptr) {
+    return OccupiedSphere{likeliest->place(), likeliest->radius};
+  }
+  const double sigma = std::sqrt(anchor_.covariance.trace() / 3.0);
+  if (!everSeen_ || sigma > kExpectedSigma) {
+    return std::nullopt;
+  }
+  return OccupiedSphere{anchor_.mean, target_.radius > 0.0 ? target_.radius : kNearby};
+}
+
+std::size_t TargetBelief::memoryBytes() const {
+  auto numbers = cloud_.states.size() + cloud_.weights.size();
+  for (const auto* hypotheses : {&hypotheses_, &predicted_}) {
+    for (const Hypothesis& hypothesis : *hypotheses) {
+      numbers += hypothesis.states.size() + hypothesis.weights.size();
+    }
+  }
+  return sizeof(double) * static_cast<std::size_t>(numbers);
 }
 
 void TargetBelief::particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const {

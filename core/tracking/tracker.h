@@ -7,6 +7,8 @@
 #include "core/color/color_range.h"
 #include "core/geometry/camera.h"
 #include "core/observation/camera_evidence.h"
+#include "core/tracking/camera_report.h"
+#include "core/tracking/insight.h"
 #include "core/tracking/parameters.h"
 
 #include <Eigen/Core>
@@ -61,6 +63,14 @@ public:
   /// At most `limit` particles, evenly picked: rows x y z (metres), with linear weights that sum
   /// to 1 over all particles.
   virtual void particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const = 0;
+  /// A copy that goes on from here with the same bits, and shares nothing that either writes.
+  virtual std::unique_ptr<Tracker> clone() const = 0;
+  /// About how many bytes a copy takes.
+  virtual std::size_t memoryBytes() const = 0;
+  /// What each camera has to say on the target being held or not, after the iterations of a frame.
+  virtual std::vector<CameraReport> explain() const = 0;
+  /// Around the estimate, up to `reach` pixels in each direction; one per camera.
+  virtual std::vector<LikelihoodMap> likelihoodMaps(int reach) const = 0;
 };
 
 /// A tracker of the named method; NotFound for an unknown one.

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/moment.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint {
+
+std::size_t Moment::bytes() const {
+  std::size_t sum = sizeof(Moment) + targets.capacity() * sizeof(TargetMoment);
+  for (const TargetMoment& target : targets) {
+    sum +=
+        sizeof(float) * static_cast<std::size_t>(target.particles.size() + target.weights.size());
+    sum += target.proposals.capacity() * sizeof(ProposedPlace);
+    sum += target.reasons.capacity() * sizeof(CameraReport);
+    sum += target.estimate.cameras.capacity() * sizeof(CameraEvidence);
+  }
+  return sum;
+}
+
+TargetStatus statusOf(bool held, double time, double lastHeld) {
+  if (held) {
+    return TargetStatus::Held;
+  }
+  return std::isfinite(lastHeld) && time - lastHeld >= kLostAfter ? TargetStatus::Lost
+                                                                  : TargetStatus::Searching;
+}
+
+FrameRecord frameRecord(const Moment& moment, const FrameSet& frames) {
+  FrameRecord record;
+  record.frame = moment.frame;
+  record.time = moment.time;
+  for (std::size_t k = 0; k < std::min<std::size_t>(64, frames.frames.size()); ++k) {
+    record.missingCameras |= frames.frames[k] ? 0 : std::uint64_t{1} << k;
+  }
+  for (const TargetMoment& target : moment.targets) {
+    const bool held = target.status == TargetStatus::Held;
+    record.targets.push_back({target.status, static_cast<float>(target.estimate.existence),
+                              held ? std::vector<CameraReport>() : target.reasons});
+  }
+  return record;
+}
+
+} // namespace dewpoint

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the tracking thread is asked to do.
+#include "core/session/tracking_loop.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dewpoint {
+
+void TrackingLoop::obey(const Command& command) {
+  if (!run_ || !source_) {
+    return;
+  }
+  if (std::holds_alternative<command::StepFrame>(command)) {
+    state_ = state_ == PlayState::Ended ? state_ : PlayState::Paused;
+    if (view_) {
+      showNext();
+      return;
+    }
+    if (state_ != PlayState::Ended) {
+      iterateFrame();
+      return;
+    }
+  }
+  obeyPlaying(command);
+  obeyChange(command);
+  obeyTravel(command);
+  publish();
+}
+
+void TrackingLoop::obeyPlaying(const Command& command) {
+  if (std::holds_alternative<command::Play>(command)) {
+    if (view_ && *view_ > head()) {
+      rerun(*view_); // from a part that was not tracked yet
+    } else if (view_ || !atEnd_ || restart(std::nullopt)) {
+      state_ = PlayState::Playing;
+    }
+    nextFrameDue_ = Clock::now();
+    frameTimes_.clear();
+  } else if (std::holds_alternative<command::Pause>(command)) {
+    state_ = state_ == PlayState::Ended ? state_ : PlayState::Paused;
+    rerun_.reset();
+  } else if (std::holds_alternative<command::StepIteration>(command)) {
+    backToHead();
+    state_ = state_ == PlayState::Ended ? state_ : PlayState::Paused;
+    if (iterateOnce()) {
+      recordFrame();
+    }
+  } else if (const auto* wish = std::get_if<command::Restart>(&command)) {
+    restart(wish->seed);
+  }
+}
+
+void TrackingLoop::obeyChange(const Command& command) {
+  if (const auto* configure = std::get_if<command::Configure>(&command)) {
+    project_.parameters = configure->parameters;
+    run_->configure(configure->parameters);
+    travel_->changed(*run_, {configure->parameters, std::nullopt});
+    log_.change(project_);
+  } else if (const auto* targets = std::get_if<command::SetTargets>(&command)) {
+    changeTargets(targets->targets);
+  } else if (const auto* method = std::get_if<command::SetMethod>(&command)) {
+    if (method->from) {
+      rerun(*method->from, method);
+    } else {
+      changeMethod(*method);
+    }
+  }
+}
+
+void TrackingLoop::obeyTravel(const Command& command) {
+  if (const auto* masks = std::get_if<command::ShowMasks>(&command)) {
+    masksWanted_ = masks->wanted;
+  } else if (const auto* maps = std::get_if<command::ShowMaps>(&command)) {
+    mapsWanted_ = maps->wanted;
+  } else if (const auto* moment = std::get_if<command::ShowFrame>(&command)) {
+    show(moment->frame);
+  } else if (std::holds_alternative<command::BackToHead>(command)) {
+    backToHead();
+  } else if (const auto* again = std::get_if<command::Rerun>(&command)) {
+    rerun(again->from);
+  }
+}
+
+void TrackingLoop::changeMethod(const command::SetMethod& wish) {
+  Project changed = project_;
+  changed.method = wish.method;
+  changed.parameters = wish.parameters;
+  changed.targets = run_->targets();
+  auto run = TrackingRun::create(changed, 1);
+  if (!run) {
+    errors_.push_back(run.error());
+    return;
+  }
+  project_ = std::move(changed);
+  run_.emplace(std::move(*run));
+  restart(std::nullopt);
+}
+
+void TrackingLoop::changeTargets(const std::vector<Target>& targets) {
+  project_.targets = targets;
+  if (targets.size() == run_->targets().size()) {
+    run_->setTargets(targets);
+    travel_->changed(*run_, {std::nullopt, targets});
+    return;
+  }
+  // Another number of targets: new beliefs, on the frame that the run stands at.
+  auto run = TrackingRun::create(project_, 1);
+  if (!run) {
+    errors_.push_back(run.error());
+    return;
+  }
+  const FrameSetPtr frames = run_->frames();
+  run->countFrom(run_->iterations());
+  run_.emplace(std::move(*run));
+  travel_->forgetCopies();
+  tails_.assign(targets.size(), {});
+  if (frames) {
+    travel_->beforeFrame(frames, *run_);
+    run_->beginFrame(frames);
+    frameFresh_ = true;
+  }
+}
+
+bool TrackingLoop::restart(std::optional<std::uint64_t> seed) {
+  project_.seed = seed.value_or(project_.seed);
+  errors_.clear();
+  run_->restart(project_.seed);
+  log_.restart(project_);
+  travel_->clear();
+  view_.reset();
+  rerun_.reset();
+  atEnd_ = false;
+  next_ = 0;
+  firstArrival_.reset();
+  for (auto& tail : tails_) {
+    tail.clear();
+  }
+  iterationTimes_.clear();
+  frameTimes_.clear();
+  frameFresh_ = false;
+  recordedFrame_.reset();
+  if (const auto sought = source_->seek(0); !sought) {
+    errors_.push_back(sought.error());
+    reachEnd();
+    return false;
+  }
+  if (state_ == PlayState::Ended) {
+    state_ = PlayState::Paused;
+  }
+  takeFrame();
+  nextFrameDue_ = Clock::now();
+  return state_ != PlayState::Ended;
+}
+
+void TrackingLoop::show(std::int64_t frame) {
+  state_ = PlayState::Paused;
+  rerun_.reset();
+  const auto nearest = travel_->nearest(frame);
+  if (!nearest || *nearest == head()) {
+    backToHead();
+  } else {
+    view_ = nearest;
+  }
+}
+
+void TrackingLoop::backToHead() {
+  view_.reset();
+  if (state_ == PlayState::Paused && atEnd_) {
+    state_ = PlayState::Ended;
+  }
+}
+
+void TrackingLoop::showNext() {
+  const auto next = travel_->following(*view_);
+  view_ = next ? next : view_;
+  if (!next) {
+    state_ = PlayState::Paused;
+  }
+  if (*view_ == head()) {
+    view_.reset();
+    state_ = atEnd_ ? PlayState::Ended : state_;
+  }
+  publish();
+}
+
+std::string TrackingLoop::differences(const Project& before) const {
+  std::string text;
+  const auto add = [&text](const std::string& key, const auto& value) {
+    text += fmt::format("{}{} = {}", text.empty() ? "" : "; ", key, value);
+  };
+  const bool otherMethod = before.method != project_.method;
+  if (otherMethod) {
+    add("method", project_.method);
+  }
+  for (const auto& declaration : project_.parameters.declarations()) {
+    const double value = project_.parameters.at(declaration.key);
+    if (otherMethod || before.parameters.at(declaration.key) != value) {
+      add(declaration.key, value);
+    }
+  }
+  for (std::size_t k = 0; k < std::min(before.targets.size(), run_->targets().size()); ++k) {
+    const Target& target = run_->targets()[k];
+    if (!(before.targets[k] == target)) {
+      const ColorRange& color = target.color;
+      add(target.name,
+          fmt::format("hue {} to {}, saturation {} to {}, intensity {} to {}, radius {} m",
+                      color.hueMin, color.hueMax, color.saturationMin, color.saturationMax,
+                      color.intensityMin, color.intensityMax, target.radius));
+    }
+  }
+  return text;
+}
+
+bool TrackingLoop::goBackTo(std::int64_t from, const command::SetMethod* method) {
+  if (method != nullptr) {
+    Project changed = project_;
+    changed.method = method->method;
+    changed.parameters = method->parameters;
+    changed.targets = run_->targets();
+    auto run = TrackingRun::create(changed, 1);
+    if (!run) {
+      errors_.push_back(run.error());
+      return false;
+    }
+    const Moment* before = travel_->history().before(from);
+    run->countFrom(before != nullptr ? before->totalIterations : 0);
+    project_ = std::move(changed);
+    run_.emplace(std::move(*run));
+    travel_->forgetCopies();
+    return true;
+  }
+  const auto goOn = [] { return true; };
+  if (const auto reached = travel_->goBack(*run_, from, project_.seed, goOn); !reached) {
+    errors_.push_back(reached.error());
+    reachEnd();
+    return false;
+  }
+  return true;
+}
+
+void TrackingLoop::rerun(std::int64_t from, const command::SetMethod* method) {
+  const auto nearest = travel_->nearest(from);
+  if (!nearest) {
+    return;
+  }
+  from = *nearest;
+  errors_.clear();
+  const bool isPast = from <= head();
+  const PlayState waiting = atEnd_ ? PlayState::Ended : PlayState::Paused;
+  const Rerun again{{from, head()}, view_ || atEnd_ ? waiting : state_, atEnd_};
+  const std::vector<Target> targets = run_->targets();
+  Project before = project_;
+  before.targets = targets;
+  if ((isPast || method != nullptr) && !goBackTo(from, method)) {
+    return;
+  }
+  if (isPast) {
+    if (method == nullptr) {
+      before.parameters = run_->parameters();
+      before.targets = run_->targets();
+    }
+    travel_->forgetFrom(from);
+    log_.goBack(from);
+    rerun_ = again;
+  }
+  for (std::size_t k = 0; k < tails_.size(); ++k) {
+    const auto tail = travel_->history().tail(k, from - 1, 256);
+    tails_[k].assign(tail.begin(), tail.end());
+  }
+  view_.reset();
+  atEnd_ = false;
+  frameFresh_ = false;
+  recordedFrame_.reset();
+  next_ = from;
+  state_ = PlayState::Playing;
+  if (!takeFrame()) {
+    return;
+  }
+  // What changed since then holds from this frame on.
+  RunChange change;
+  if (!(run_->parameters() == project_.parameters)) {
+    change.parameters = project_.parameters;
+  }
+  if (run_->targets() != targets) {
+    change.targets = targets;
+  }
+  if (change.parameters || change.targets) {
+    run_->apply(change);
+    travel_->changed(*run_, change);
+  }
+  log_.note(from, differences(before));
+  log_.change(project_);
+}
+
+void TrackingLoop::finishRerun() {
+  state_ = rerun_->afterwards;
+  atEnd_ = rerun_->atEnd;
+  rerun_.reset();
+  nextFrameDue_ = Clock::now();
+}
+
+} // namespace dewpoint

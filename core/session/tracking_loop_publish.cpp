@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the tracking thread shows of itself.
+#include "core/color/match_image.h"
+#include "core/session/tracking_loop.h"
+
+#include <algorithm>
+
+namespace dewpoint {
+namespace {
+
+constexpr int kParticlesShown = 10000;
+constexpr std::chrono::milliseconds kBetweenSnapshots(30);
+
+double median(std::deque<double> values) {
+  if (values.empty()) {
+    return 0.0;
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+} // namespace
+
+std::vector<cv::Mat> TrackingLoop::masks(const TrackSnapshot& snapshot) {
+  std::vector<cv::Mat> masks;
+  for (const auto& frame : snapshot.frames->frames) {
+    cv::Mat mask;
+    for (const auto& target : snapshot.targets) {
+      if (frame) {
+        const cv::Mat matched = matchImage(frame->image, ColorClassifier(target.target.color));
+        mask = mask.empty() ? matched : cv::Mat(mask | matched);
+      }
+    }
+    masks.push_back(mask);
+  }
+  return masks;
+}
+
+void TrackingLoop::showHead(TrackSnapshot& snapshot) {
+  snapshot.frames = run_->frames();
+  snapshot.frame = head();
+  snapshot.iterations = run_->iterations();
+  snapshot.targets = run_->snapshots(kParticlesShown);
+  const Moment* moment = travel_ ? travel_->history().at(snapshot.frame) : nullptr;
+  snapshot.tracked = moment != nullptr;
+  for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
+    TargetSnapshot& target = snapshot.targets[k];
+    target.tail.assign(tails_[k].begin(), tails_[k].end());
+    if (moment != nullptr && k < moment->targets.size()) {
+      target.status = moment->targets[k].status;
+      target.reasons = moment->targets[k].reasons;
+      target.proposals = moment->targets[k].proposals;
+    }
+  }
+  if (mapsWanted_ && snapshot.tracked) {
+    TimeTravel::addMaps(*run_, snapshot);
+  }
+}
+
+void TrackingLoop::addFigures(TrackSnapshot& snapshot) const {
+  if (frameTimes_.size() > 1) {
+    const std::chrono::duration<double> span = frameTimes_.back() - frameTimes_.front();
+    snapshot.framesPerSecond =
+        static_cast<double>(frameTimes_.size() - 1) / std::max(1e-9, span.count());
+  }
+  snapshot.microsecondsPerIteration = median(iterationTimes_);
+  snapshot.latency = log_.latency();
+}
+
+void TrackingLoop::publish() {
+  auto snapshot = std::make_shared<TrackSnapshot>();
+  snapshot->rig = rig_;
+  snapshot->seed = project_.seed;
+  snapshot->state = state_;
+  snapshot->past = view_.has_value();
+  mapsDue_ = false;
+  if (rerun_) {
+    snapshot->rerun = rerun_->range;
+  }
+  if (run_) {
+    Status shown;
+    if (view_ && travel_) {
+      shown = travel_->show(*view_, *snapshot);
+    }
+    if (!shown) {
+      errors_.push_back(shown.error());
+      view_.reset();
+      snapshot->past = false;
+    }
+    if (!view_) {
+      showHead(*snapshot);
+    } else if (!snapshot->tracked) { // nothing is believed of it, but the colors are known
+      for (const Target& target : run_->targets()) {
+        snapshot->targets.emplace_back().target = target;
+      }
+    } else {
+      mapsDue_ = mapsWanted_;
+    }
+  }
+  snapshot->notices = errors_;
+  if (source_) {
+    const auto more = source_->notices();
+    snapshot->notices.insert(snapshot->notices.end(), more.begin(), more.end());
+    snapshot->frameCount = source_->frameCount();
+    snapshot->droppedFrames = source_->droppedFrames();
+    snapshot->history = travel_->state();
+  }
+  if (snapshot->frames) {
+    for (auto& target : snapshot->targets) {
+      target.truth = truth_.at(target.target.name, snapshot->frame);
+    }
+    if (masksWanted_) {
+      snapshot->masks = masks(*snapshot);
+    }
+  }
+  addFigures(*snapshot);
+  log_.setFinished(atEnd_);
+  published_ = Clock::now();
+  publisher_.publish(std::move(snapshot));
+}
+
+void TrackingLoop::publishNowAndThen() {
+  if (Clock::now() - published_ >= kBetweenSnapshots) {
+    publish();
+  }
+}
+
+void TrackingLoop::addMaps(const std::stop_token& stop) {
+  mapsDue_ = false;
+  auto snapshot = std::make_shared<TrackSnapshot>(*publisher_.newest());
+  const auto goOn = [&] { return !stop.stop_requested() && commands_.empty(); };
+  travel_->addMaps(project_, *view_, *snapshot, goOn);
+  publisher_.publish(std::move(snapshot));
+}
+
+} // namespace dewpoint

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/camera_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace dewpoint {
+namespace {
+
+constexpr int kGrid = 8; ///< pixels between those looked at for the brightness
+constexpr int kDarkLevel = 24;
+constexpr double kBrightShare = 0.002;
+
+std::string words(const CameraReport& report) {
+  switch (report.trouble) {
+  case CameraTrouble::None:
+    break;
+  case CameraTrouble::NoImage:
+    return "no image";
+  case CameraTrouble::Covered:
+    return "covered or moved";
+  case CameraTrouble::Dark:
+    return "too dark";
+  case CameraTrouble::OutOfView:
+    return "out of view";
+  case CameraTrouble::PartlyHidden:
+    return "partly hidden";
+  case CameraTrouble::Hidden:
+    return "hidden";
+  case CameraTrouble::LookAlike:
+    return report.pixels >= 1.0 ? fmt::format("{:.0f} px beside a look-alike", report.pixels)
+                                : "at a look-alike";
+  case CameraTrouble::NoColor:
+    return "no color matches";
+  case CameraTrouble::Elsewhere:
+    return fmt::format("its color is {:.0f} px away", std::max(1.0, report.pixels));
+  case CameraTrouble::Unclear:
+    return "its color is seen, but not its shape";
+  }
+  return {};
+}
+
+} // namespace
+
+std::string reasonSentence(const std::vector<CameraReport>& reports,
+                           const std::vector<std::string>& cameraNames) {
+  std::string sentence;
+  for (std::size_t k = 0; k < reports.size(); ++k) {
+    const std::string what = words(reports[k]);
+    if (!what.empty()) {
+      const std::string name = k < cameraNames.size() && !cameraNames[k].empty()
+                                   ? cameraNames[k]
+                                   : std::to_string(k + 1);
+      sentence += fmt::format("{}camera {}: {}", sentence.empty() ? "" : "; ", name, what);
+    }
+  }
+  return sentence;
+}
+
+bool isDark(const cv::Mat& image) {
+  if (image.type() != CV_8UC3 || image.empty()) {
+    return false;
+  }
+  int bright = 0;
+  int all = 0;
+  for (int row = kGrid / 2; row < image.rows; row += kGrid) {
+    const auto* pixels = image.ptr<cv::Vec3b>(row);
+    for (int column = kGrid / 2; column < image.cols; column += kGrid) {
+      const cv::Vec3b& pixel = pixels[column];
+      bright += std::max({pixel[0], pixel[1], pixel[2]}) > kDarkLevel ? 1 : 0;
+      ++all;
+    }
+  }
+  return bright <= kBrightShare * all;
+}
+
+std::optional<double> distanceToNearest(const cv::Mat& mask, const Eigen::Vector2d& point) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int row = 0; row < mask.rows; ++row) {
+    const double down = row - point.y();
+    if (down * down >= nearest) {
+      continue; // no pixel of this row can be nearer
+    }
+    const auto* pixels = mask.ptr<std::uint8_t>(row);
+    for (int column = 0; column < mask.cols; ++column) {
+      if (pixels[column] != 0) {
+        const double across = column - point.x();
+        nearest = std::min(nearest, down * down + across * across);
+      }
+    }
+  }
+  return std::isfinite(nearest) ? std::optional(std::sqrt(nearest)) : std::nullopt;
+}
+
+} // namespace dewpoint

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+namespace dewpoint {
+
+/// A place that a method considered for a target.
+struct ProposedPlace {
+  enum class Kind {
+    Believed,  ///< a place it believed in before
+    New,       ///< proposed by the images of this frame
+    LookAlike, ///< another thing of the same looks: another target, or none
+  };
+  Kind kind = Kind::Believed;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< metres, world
+  double radius = 0.0;                             ///< metres
+  double probability = 0.0;                        ///< that the target is here
+  double logRatio = 0.0;                           ///< evidence of all cameras
+};
+
+/// What one camera says about places around a target: the log likelihood of a target whose middle
+/// is seen at each pixel, at the distance of the estimate.
+struct LikelihoodMap {
+  cv::Rect area;         ///< part of the image, pixels; empty when the target is not in view
+  cv::Mat logLikelihood; ///< CV_32F, one per pixel of the area
+  double least = 0.0;    ///< what stands for "surely not here"
+  double most = 0.0;     ///< what a fully visible target would have
+};
+
+} // namespace dewpoint

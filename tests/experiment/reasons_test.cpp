@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What method dewpoint says of why a target is not held, in scenarios of the suite.
+#include "core/experiment/scenario.h"
+#include "core/session/tracking_run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dewpoint {
+namespace {
+
+ScenarioRun scenario(const std::string& name, std::uint64_t seed) {
+  for (const ScenarioDeclaration& declaration : scenarioCatalog()) {
+    if (declaration.name == name) {
+      auto run = declaration.make(seed, Grade::Ideal);
+      EXPECT_TRUE(run);
+      return std::move(*run);
+    }
+  }
+  ADD_FAILURE() << name;
+  return {};
+}
+
+/// Tracks a scenario and hands out every moment.
+void track(const ScenarioRun& run, std::int64_t frames,
+           const std::function<void(const Moment&)>& look) {
+  Project project;
+  project.method = "dewpoint";
+  project.parameters = ParameterValues(methodParameters("dewpoint"));
+  const char* axes[] = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    ASSERT_TRUE(project.parameters.set(std::string("start_") + axes[axis], run.startCenter[axis]));
+    ASSERT_TRUE(
+        project.parameters.set(std::string("start_half_") + axes[axis], run.startHalf[axis]));
+  }
+  project.seed = run.seed;
+  project.targets = run.targets;
+  for (const Camera& camera : run.rig) {
+    project.cameras.push_back({camera, SourceKind::Simulation, "", 0});
+  }
+  auto tracking = TrackingRun::create(project, 1);
+  ASSERT_TRUE(tracking);
+  std::optional<Moment> previous;
+  for (std::int64_t frame = 0; frame < frames; ++frame) {
+    tracking->beginFrame(run.frames(frame));
+    tracking->iterate();
+    previous = tracking->moment(10, previous ? &*previous : nullptr);
+    look(*previous);
+  }
+}
+
+/// Trouble of each camera with the first target, by frame.
+using Troubles = std::vector<std::vector<CameraTrouble>>;
+Troubles troublesOf(const ScenarioRun& run, std::int64_t frames) {
+  Troubles troubles;
+  track(run, frames, [&](const Moment& moment) {
+    std::vector<CameraTrouble>& all = troubles.emplace_back();
+    for (const CameraReport& report : moment.targets[0].reasons) {
+      all.push_back(report.trouble);
+    }
+  });
+  return troubles;
+}
+
+std::int64_t frameOf(const ScenarioRun& run, ScenarioEvent::Kind kind) {
+  const auto event = std::ranges::find(run.events, kind, &ScenarioEvent::kind);
+  EXPECT_NE(event, run.events.end());
+  return event != run.events.end() ? event->frame : 0;
+}
+
+TEST(Reasons, ABlindCameraIsTooDarkAndTheOtherHasNoTrouble) {
+  const ScenarioRun run = scenario("S3-one-blind", 3);
+  const std::int64_t begin = frameOf(run, ScenarioEvent::Kind::BlackoutBegin);
+  const std::int64_t end = frameOf(run, ScenarioEvent::Kind::BlackoutEnd);
+  const int blind = std::ranges::find(run.events, begin, &ScenarioEvent::frame)->camera;
+  const Troubles troubles = troublesOf(run, end + 5);
+  for (std::int64_t frame = 10; frame < end + 5; ++frame) {
+    for (int camera = 0; camera < 2; ++camera) {
+      const bool dark = camera == blind && frame >= begin && frame < end;
+      EXPECT_EQ(troubles[std::size_t(frame)][std::size_t(camera)],
+                dark ? CameraTrouble::Dark : CameraTrouble::None)
+          << "frame " << frame << " camera " << camera;
+    }
+  }
+}
+
+TEST(Reasons, WhenAllAreBlindAllAreTooDark) {
+  const ScenarioRun run = scenario("S3-all-blind", 4);
+  const std::int64_t begin = frameOf(run, ScenarioEvent::Kind::BlackoutBegin);
+  const Troubles troubles = troublesOf(run, begin + 10);
+  for (std::int64_t frame = begin; frame < begin + 10; ++frame) {
+    EXPECT_EQ(troubles[std::size_t(frame)],
+              (std::vector<CameraTrouble>{CameraTrouble::Dark, CameraTrouble::Dark}));
+  }
+}
+
+TEST(Reasons, ATargetTakenAwayIsNotHeldAndEveryCameraSaysSo) {
+  const ScenarioRun run = scenario("S3-vanish", 5);
+  const std::int64_t gone = frameOf(run, ScenarioEvent::Kind::Vanish);
+  std::vector<Moment> moments;
+  track(run, gone + 40, [&](const Moment& moment) { moments.push_back(moment); });
+  EXPECT_EQ(moments[std::size_t(gone) - 1].targets[0].status, TargetStatus::Held);
+  const TargetMoment& late = moments.back().targets[0];
+  EXPECT_EQ(late.status, TargetStatus::Lost); // for more than a second
+  for (const CameraReport& report : late.reasons) {
+    EXPECT_NE(report.trouble, CameraTrouble::None);
+    EXPECT_NE(report.trouble, CameraTrouble::Dark);
+    EXPECT_NE(report.trouble, CameraTrouble::NoImage);
+  }
+  EXPECT_FALSE(reasonSentence(late.reasons, {"left", "right"}).empty());
+}
+
+TEST(Reasons, APlateInFrontOfOneCameraHidesAPart) {
+  const ScenarioRun run = scenario("S2-moving", 6);
+  const Troubles troubles = troublesOf(run, run.frameCount);
+  int hidden[2] = {0, 0};
+  const std::size_t begin = troubles.size() / 2; // the plate has arrived
+  for (std::size_t frame = begin; frame < troubles.size(); ++frame) {
+    for (std::size_t camera = 0; camera < 2; ++camera) {
+      const CameraTrouble trouble = troubles[frame][camera];
+      hidden[camera] +=
+          trouble == CameraTrouble::PartlyHidden || trouble == CameraTrouble::Hidden ? 1 : 0;
+    }
+  }
+  const int frames = static_cast<int>(troubles.size() - begin);
+  // One camera of the two has the plate before it; the other sees the ball.
+  EXPECT_GT(std::max(hidden[0], hidden[1]), frames * 8 / 10);
+  EXPECT_LT(std::min(hidden[0], hidden[1]), frames / 10);
+}
+
+} // namespace
+} // namespace dewpoint

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/selection/selection.h"
+
+#include <utility>
+
+namespace dewpoint {
+
+void Selection::setMoment(qint64 frame, double seconds, bool past) {
+  const bool changed = frame != moment_ || seconds != seconds_ || past != past_;
+  moment_ = frame;
+  seconds_ = seconds;
+  past_ = past;
+  if (changed) {
+    Q_EMIT momentChanged(frame, seconds);
+  }
+}
+
+void Selection::selectSpan(std::optional<FrameSpan> span) {
+  if (span && span->first > span->last) {
+    std::swap(span->first, span->last);
+  }
+  if (span != span_) {
+    span_ = span;
+    Q_EMIT spanChanged();
+  }
+}
+
+void Selection::selectTarget(int target) {
+  if (std::exchange(target_, target) != target) {
+    Q_EMIT targetSelected(target);
+  }
+}
+
+void Selection::selectCamera(int camera) {
+  if (std::exchange(camera_, camera) != camera) {
+    Q_EMIT cameraSelected(camera);
+  }
+}
+
+void Selection::clear() {
+  selectSpan(std::nullopt);
+  selectTarget(-1);
+  selectCamera(-1);
+  setMoment(-1, 0.0, false);
+}
+
+} // namespace dewpoint

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include <optional>
+
+namespace dewpoint {
+
+/// A stretch of frames, both ends included.
+struct FrameSpan {
+  qint64 first = 0;
+  qint64 last = 0;
+  bool operator==(const FrameSpan&) const = default;
+};
+
+/// What is selected, in all views at once: moment, span, target and camera. A view shows what the
+/// `...Changed` signals say and tells with `want...` and `select...` what the user points at; views
+/// never talk to each other. The window passes the wish for a moment on to the session and reports
+/// the moment once its images are there.
+class Selection : public QObject {
+  Q_OBJECT
+public:
+  explicit Selection(QObject* parent = nullptr) : QObject(parent) {}
+
+  /// Frame shown in all views; -1 before the first.
+  qint64 moment() const { return moment_; }
+  /// Its time, seconds.
+  double seconds() const { return seconds_; }
+  /// Whether that is an earlier moment than the run stands at, or an untracked one.
+  bool isPast() const { return past_; }
+  const std::optional<FrameSpan>& span() const { return span_; }
+  /// Index of the selected target or camera; -1: none.
+  int target() const { return target_; }
+  int camera() const { return camera_; }
+
+  /// The user points at a frame (timeline, plot, table).
+  void wantMoment(qint64 frame) { Q_EMIT momentWanted(frame); }
+  /// The user wants to see again where the run stands.
+  void wantNow() { Q_EMIT nowWanted(); }
+  /// The frame that is shown from now on: for the window.
+  void setMoment(qint64 frame, double seconds, bool past);
+
+  void selectSpan(std::optional<FrameSpan> span);
+  void selectTarget(int target);
+  void selectCamera(int camera);
+  /// Nothing is selected any more, and nothing shown.
+  void clear();
+
+Q_SIGNALS:
+  void momentWanted(qint64 frame);
+  void nowWanted();
+  void momentChanged(qint64 frame, double seconds);
+  void spanChanged();
+  void targetSelected(int target);
+  void cameraSelected(int camera);
+
+private:
+  qint64 moment_ = -1;
+  double seconds_ = 0.0;
+  bool past_ = false;
+  std::optional<FrameSpan> span_;
+  int target_ = -1;
+  int camera_ = -1;
+};
+
+} // namespace dewpoint
