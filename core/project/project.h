@@ -25,6 +25,14 @@ struct ProjectCamera {
   bool operator==(const ProjectCamera&) const = default;
 };
 
+/// A moment of the recording that a person named.
+struct ProjectMark {
+  std::int64_t frame = 0;
+  std::string name;
+
+  bool operator==(const ProjectMark&) const = default;
+};
+
 /// The document: everything a run needs, and nothing of its results.
 struct Project {
   std::filesystem::path file; ///< where it was loaded from; empty for the built-in demo
@@ -37,6 +45,7 @@ struct Project {
   std::vector<ProjectCamera> cameras;
   std::optional<std::filesystem::path> truth; ///< truth.csv, absolute
   std::string scene;                          ///< name or file of the simulated scene, or empty
+  std::vector<ProjectMark> marks;             ///< in the order of their frames
   std::string layout; ///< of the window's views, as the window wrote it; empty: its own arrangement
 
   bool operator==(const Project&) const = default;

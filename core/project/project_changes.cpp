@@ -23,6 +23,7 @@ ProjectChanges changesBetween(const Project& before, const Project& after) {
   changes.sources = !std::ranges::equal(before.cameras, after.cameras, sameSource) ||
                     before.framesPerSecond != after.framesPerSecond ||
                     before.truth != after.truth || before.scene != after.scene;
+  changes.marks = before.marks != after.marks;
   changes.calibration = !changes.sources && before.cameras != after.cameras;
   return changes;
 }

@@ -13,10 +13,11 @@ struct ProjectChanges {
   bool parameters = false;  ///< values under the same method
   bool targets = false;     ///< their number, order, names, colors or radii
   bool calibration = false; ///< of cameras that are otherwise the same
-  bool sources = false;     ///< which cameras there are, and where images and truth come from
+  bool marks = false;
+  bool sources = false; ///< which cameras there are, and where images and truth come from
 
   bool any() const {
-    return name || method || seed || parameters || targets || calibration || sources;
+    return name || method || seed || parameters || targets || calibration || sources || marks;
   }
 };
 

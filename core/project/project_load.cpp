@@ -209,6 +209,18 @@ void readParts(TableReader& reader, const std::string& file, Project& project) {
   }
 }
 
+void readMarks(TableReader& reader, const std::string& file, Project& project) {
+  for (const toml::table* table : reader.tables("mark")) {
+    TableReader one(*table, file, fmt::format("mark {}.", project.marks.size() + 1));
+    ProjectMark& mark = project.marks.emplace_back();
+    one.require("frame");
+    one.integer("frame", mark.frame, 0, std::numeric_limits<std::int64_t>::max());
+    one.text("name", mark.name);
+    reader.adopt(one.finish());
+  }
+  std::ranges::stable_sort(project.marks, {}, &ProjectMark::frame);
+}
+
 void readWindow(TableReader& reader, const std::string& file, Project& project) {
   if (const toml::table* table = reader.table("window")) {
     TableReader window(*table, file, "window.");
@@ -230,6 +242,7 @@ Result<Project> loadProject(const std::filesystem::path& file) {
   TableReader reader(*table, file.string(), "");
   readHead(reader, project.file.parent_path(), project);
   readParts(reader, file.string(), project);
+  readMarks(reader, file.string(), project);
   readWindow(reader, file.string(), project);
   if (auto error = reader.finish()) {
     return tl::make_unexpected(std::move(*error));

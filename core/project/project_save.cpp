@@ -86,6 +86,9 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
       text += cameraText(camera, folder);
     }
   }
+  for (const auto& mark : project.marks) {
+    text += fmt::format("\n[[mark]]\nframe = {}\nname = {}\n", mark.frame, quoted(mark.name));
+  }
   if (!project.layout.empty()) {
     text += "\n[window]   # how its views were laid out\nlayout = " + quoted(project.layout) + "\n";
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/camera_overlay.h"
 
+#include "core/geometry/sphere_image.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -65,6 +67,21 @@ CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
     overlay.truth = projector.project(*target.truth);
   }
   return overlay;
+}
+
+std::vector<ProposedOutline> proposedOutlines(const TrackSnapshot& snapshot, int camera,
+                                              const TargetSnapshot& target) {
+  std::vector<ProposedOutline> outlines;
+  if (!snapshot.rig || camera < 0 || camera >= static_cast<int>(snapshot.rig->size())) {
+    return outlines;
+  }
+  const SphereProjector projector((*snapshot.rig)[static_cast<std::size_t>(camera)]);
+  for (const ProposedPlace& proposed : target.proposals) {
+    if (const auto outline = projector.project(proposed.place, proposed.radius)) {
+      outlines.push_back({outline->center, outline->radius, proposed.kind, proposed.probability});
+    }
+  }
+  return outlines;
 }
 
 } // namespace dewpoint

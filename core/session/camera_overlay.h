@@ -27,6 +27,16 @@ struct CameraOverlay {
   std::optional<Eigen::Vector2d> truth;
 };
 
+/// A place that was considered for a target, as a circle in an image.
+struct ProposedOutline {
+  Eigen::Vector2d center;
+  double radius = 0.0; ///< pixels
+  ProposedPlace::Kind kind = ProposedPlace::Kind::Believed;
+  double probability = 0.0;
+};
+std::vector<ProposedOutline> proposedOutlines(const TrackSnapshot& snapshot, int camera,
+                                              const TargetSnapshot& target);
+
 /// Projects a target of a snapshot into camera `camera` of its rig.
 CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
                             const TargetSnapshot& target);
