@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The window at work: how long its event loop stalls while a person begins, and what four 640x480
+// views with particles and the bird's-eye view achieve. Needs a display (xvfb-run will do).
+#include "app/wiring/open_project.h"
+#include "app/wiring/quiet_libraries.h"
+#include "core/session/snapshot.h"
+#include "core/simulation/scene_renderer.h"
+#include "tests/ui/event_loop_probe.h"
+#include "ui/birdseye/birds_eye_view.h"
+#include "ui/camera/camera_view.h"
+#include "ui/mainwindow/main_window.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <fmt/format.h>
+#include <opencv2/videoio.hpp>
+
+#include <functional>
+
+namespace dewpoint {
+namespace {
+
+constexpr int kCameras = 4;
+constexpr int kFrames = 300;
+constexpr int kSettleMs = 3000;
+constexpr int kMeasureMs = 10000;
+constexpr int kPatienceMs = 60000;
+
+/// The demo's ball, seen by four 640x480 cameras around it.
+Scene fourCameraScene() {
+  Scene scene = demoScene();
+  scene.name = "four cameras";
+  scene.frameCount = kFrames;
+  scene.cameras.clear();
+  for (int k = 0; k < kCameras; ++k) {
+    const double angle = 0.4 + 1.57 * k;
+    Camera camera;
+    camera.name = fmt::format("camera {}", k + 1);
+    camera.intrinsics = {640, 480, 700.0, 700.0, 319.5, 239.5};
+    camera.cameraFromWorld =
+        lookAt({0.5 + 1.1 * std::cos(angle), 0.5 + 1.1 * std::sin(angle), 0.7}, {0.5, 0.5, 0.15});
+    scene.cameras.push_back(camera);
+  }
+  return scene;
+}
+
+/// Records it as MJPEG, what cheap cameras deliver.
+std::filesystem::path recordFour(const std::filesystem::path& folder) {
+  const Scene scene = fourCameraScene();
+  const SceneRenderer renderer(scene);
+  Project project = projectOfScene(scene, "");
+  for (int k = 0; k < kCameras; ++k) {
+    auto& camera = project.cameras[static_cast<std::size_t>(k)];
+    camera.source = SourceKind::Video;
+    camera.location = (folder / fmt::format("{}.avi", k)).string();
+    cv::VideoWriter writer(camera.location, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'),
+                           scene.framesPerSecond, {640, 480});
+    for (int frame = 0; frame < kFrames; ++frame) {
+      writer.write(renderer.render(k, frame));
+    }
+  }
+  const auto file = folder / "project.toml";
+  if (!saveProject(project, file)) {
+    std::exit(1);
+  }
+  return file;
+}
+
+/// Counts how often widgets are painted.
+class PaintCounter : public QObject {
+public:
+  bool eventFilter(QObject*, QEvent* event) override {
+    paints += event->type() == QEvent::Paint ? 1 : 0;
+    return false;
+  }
+  int paints = 0;
+};
+
+bool waitUntil(const std::function<bool()>& holds, int patienceMs) {
+  QElapsedTimer clock;
+  clock.start();
+  while (!holds() && clock.elapsed() < patienceMs) {
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents, 5);
+  }
+  return holds();
+}
+
+void wait(int milliseconds) {
+  waitUntil([] { return false; }, milliseconds);
+}
+
+class Bench {
+public:
+  int run() {
+    say("window shown", [this] {
+      window_.setTheme(Theme::Light);
+      window_.resize(1600, 1000);
+      window_.show();
+      wait(1000);
+    });
+    say("demo opened and played, 3 s", [this] {
+      window_.findChild<QToolButton*>("startDemo")->click();
+      wait(kSettleMs);
+    });
+    say("mask shown, paused, stepped, undone", [this] {
+      for (const char* id : {"actionShowMask", "actionPlay", "actionNextFrame", "actionNextFrame",
+                             "actionRestart", "actionShowMask", "actionPlay"}) {
+        window_.findChild<QAction*>(QLatin1String(id))->trigger();
+        wait(300);
+      }
+    });
+    say("other theme", [this] {
+      window_.setTheme(Theme::Dark);
+      wait(500);
+    });
+    say("project closed", [this] {
+      window_.findChild<QAction*>("actionCloseProject")->trigger();
+      wait(500);
+    });
+    QTemporaryDir folder;
+    const auto file = recordFour(folder.path().toStdString());
+    wait(100); // recording was no work of the window
+    probe_.takeLongest();
+    say("four 640x480 recordings opened", [&] {
+      window_.openProject(file);
+      waitUntil([this] { return window_.shown() && window_.shown()->frame > 5; }, kPatienceMs);
+      wait(1000);
+    });
+    fourViews();
+    return 0;
+  }
+
+private:
+  void say(const char* what, const std::function<void()>& act) {
+    act();
+    fmt::print("{:<44} longest stall {:6.0f} ms\n", what, probe_.takeLongest());
+  }
+
+  void fourViews() {
+    PaintCounter cameras;
+    PaintCounter birdsEye;
+    for (CameraView* view : window_.findChildren<CameraView*>()) {
+      view->installEventFilter(&cameras);
+    }
+    window_.findChild<BirdsEyeView*>()->installEventFilter(&birdsEye);
+    probe_.takeLongest();
+    wait(kMeasureMs / 2); // half the recording
+    const double seconds = 1e-3 * kMeasureMs / 2;
+    fmt::print("four 640x480 views at 30 frames/s, {:.0f} s\n", seconds);
+    fmt::print("  tracked                {:6.1f} /s\n", window_.shown()->framesPerSecond);
+    fmt::print("  each camera view drawn {:6.1f} /s\n", cameras.paints / seconds / kCameras);
+    fmt::print("  bird's-eye view drawn  {:6.1f} /s\n", birdsEye.paints / seconds);
+    fmt::print("  longest stall          {:6.0f} ms\n", probe_.takeLongest());
+  }
+
+  EventLoopProbe probe_;
+  MainWindow window_{&openProject};
+};
+
+} // namespace
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  dewpoint::quietLibraries();
+  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-bench"));
+  return dewpoint::Bench().run();
+}
