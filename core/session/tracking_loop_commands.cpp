@@ -116,6 +116,7 @@ void TrackingLoop::changeTargets(const std::vector<Target>& targets) {
   run_.emplace(std::move(*run));
   travel_->forgetCopies();
   tails_.assign(targets.size(), {});
+  recordedFrame_.reset(); // the new tails have nothing of this frame
   if (frames) {
     travel_->beforeFrame(frames, *run_);
     run_->beginFrame(frames);

@@ -129,12 +129,12 @@ Status Document::save() {
   return saveAs(project_->file);
 }
 
-Status Document::saveAs(const std::filesystem::path& file) {
+Status Document::saveAs(std::filesystem::path file) {
   if (auto status = saveProject(*project_, file); !status) {
     return status;
   }
   auto saved = std::make_shared<Project>(*project_);
-  saved->file = file;
+  saved->file = std::move(file);
   project_ = std::move(saved);
   unsaved_ = false;
   undoStack_->setClean();

@@ -51,7 +51,7 @@ public:
   void setLayout(const std::string& layout);
 
   Status save();
-  Status saveAs(const std::filesystem::path& file);
+  Status saveAs(std::filesystem::path file); ///< by value: it may be the project's own
 
 Q_SIGNALS:
   /// Another project is there.

@@ -14,7 +14,7 @@
 #include <QUndoStack>
 #include <QUuid>
 
-#include <algorithm>
+#include <utility>
 
 namespace dewpoint {
 
@@ -62,9 +62,7 @@ Recovery::Recovery(Document& document, std::filesystem::path folder, QObject* pa
   connect(&document_, &Document::fileChanged, this, &Recovery::forget);
 }
 
-Recovery::~Recovery() {
-  disconnect(&document_, nullptr, this, nullptr);
-}
+Recovery::~Recovery() = default; // the document may be gone already
 
 std::filesystem::path Recovery::copyOf(const QString& id) const {
   return folder_ / (id + kProject).toStdString();
@@ -99,9 +97,12 @@ void Recovery::write() {
                 Q_EMIT failed(failure);
               }
               lastFailure_ = failure;
-          if (failure.isEmpty()) {
-            Q_EMIT kept();
-          }
+              if (failure.isEmpty()) {
+                for (const RecoverableWork& work : std::exchange(taken_, {})) {
+                  discard(work);
+                }
+                Q_EMIT kept();
+              }
             },
             Qt::QueuedConnection);
       });
@@ -140,6 +141,7 @@ Result<Project> Recovery::recover(const RecoverableWork& work) {
   auto project = loadProject(work.file);
   if (project) {
     project->file = readTextFile(originOf(work.file)).value_or(std::string());
+    taken_.push_back(work);
   }
   return project;
 }

@@ -63,6 +63,7 @@ private:
   QString id_; ///< of this window
   std::unique_ptr<QLockFile> lock_;
   QTimer timer_;
+  std::vector<RecoverableWork> taken_; ///< thrown away once this window has its own copy
   QString lastFailure_;
   std::jthread writer_; ///< flushing takes long on some disks
 };

@@ -123,7 +123,7 @@ private:
   void askOpen();
   void askSaveAs();
   void save();
-  void saveTo(const std::filesystem::path& file);
+  void saveTo(std::filesystem::path file);
   void exportTrajectory();
   bool mayDiscard();
 

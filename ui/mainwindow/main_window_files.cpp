@@ -51,7 +51,7 @@ void MainWindow::askSaveAs() {
   }
 }
 
-void MainWindow::saveTo(const std::filesystem::path& file) {
+void MainWindow::saveTo(std::filesystem::path file) {
   keepLayout();
   if (auto status = document_->saveAs(file); !status) {
     messages_->showError(errorSentence(status.error()));

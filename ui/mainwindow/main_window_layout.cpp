@@ -142,6 +142,7 @@ void MainWindow::resetLayout() {
 
 void MainWindow::arrange() {
   for (QDockWidget* dock : findChildren<QDockWidget*>()) {
+    dock->setFloating(false);
     removeDockWidget(dock); // or splits and tabs would build on what was
   }
   addDockWidget(Qt::BottomDockWidgetArea, plotDock_);

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Beginning, finding one's way and coming back: start page, new projects, actions, recovery.
+#include "app/wiring/open_project.h"
+#include "core/calibration/calibration_file.h"
+#include "core/capture/frame_writer.h"
+#include "core/session/snapshot.h"
+#include "core/session/tracking_run.h"
+#include "core/simulation/scene_renderer.h"
+#include "ui/actions/action_registry.h"
+#include "ui/birdseye/birds_eye_view.h"
+#include "ui/document/document.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/start/recent_projects.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QDropEvent>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QUrl>
+
+#include <memory>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr int kPatienceMs =
+    DEWPOINT_PATIENCE_MS; ///< software OpenGL, a loaded machine, a sanitizer
+
+/// The first frames of the demo as a person would have them: two videos and a calibration file.
+void recordDemo(const std::filesystem::path& folder) {
+  Scene scene = demoScene();
+  scene.frameCount = 8;
+  const SceneRenderer renderer(scene);
+  for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
+    auto writer = FrameWriter::video((folder / (k == 0 ? "left.mkv" : "right.mkv")).string(),
+                                     scene.framesPerSecond);
+    QVERIFY(writer);
+    for (std::int64_t frame = 0; frame < scene.frameCount; ++frame) {
+      QVERIFY(writer->write(renderer.render(static_cast<int>(k), frame)));
+    }
+    QVERIFY(writer->finish());
+  }
+  QVERIFY(saveCalibration(scene.cameras, folder / "calibration.toml"));
+}
+
+} // namespace
+
+class DeskTest : public QObject {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void init();
+  void cleanup();
+  void theStartPageOpensTheDemoAndClosingReturnsToIt();
+  void twoVideosAndACalibrationMakeAProject();
+  void whatCannotBeMadeIsSaidAndNothingIsLost();
+  void droppedFilesAreOpened();
+  void aSavedProjectIsRecent();
+  void thePaletteFindsAnActionByKeyboardAlone();
+  void aShortcutCanBeChangedTakenAndReset();
+  void theLayoutBelongsToTheProject();
+  void namesAndSizesAreUndoable();
+  void workLeftBehindIsOffered();
+
+private:
+  template <class T> T* find(const char* name) {
+    T* found = window_->findChild<T*>(QLatin1String(name));
+    if (found == nullptr) {
+      qFatal("no child named %s", name);
+    }
+    return found;
+  }
+  QAction* action(const char* name) { return find<QAction>(name); }
+  QString file(const char* name) const { return folder_.filePath(QLatin1String(name)); }
+  bool waitFor(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatienceMs); }
+  bool isOpen(std::size_t cameras) {
+    return waitFor([&] {
+      return window_->shown() && window_->shown()->frame >= 0 &&
+             window_->shown()->rig->size() == cameras && find<QWidget>("start")->isHidden();
+    });
+  }
+  void openDemo() {
+    QTest::mouseClick(find<QToolButton>("startDemo"), Qt::LeftButton);
+    QVERIFY(isOpen(2));
+  }
+  void drop(const QStringList& files);
+
+  QTemporaryDir folder_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+void DeskTest::init() {
+  QSettings().clear();
+  window_ = std::make_unique<MainWindow>(&openProject);
+  window_->show();
+  window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+}
+
+void DeskTest::cleanup() {
+  window_.reset();
+}
+
+void DeskTest::drop(const QStringList& files) {
+  QMimeData data;
+  QList<QUrl> urls;
+  for (const QString& one : files) {
+    urls.append(QUrl::fromLocalFile(one));
+  }
+  data.setUrls(urls);
+  QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &enter);
+  QVERIFY(enter.isAccepted());
+  QDropEvent event({100.0, 100.0}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &event);
+}
+
+void DeskTest::theStartPageOpensTheDemoAndClosingReturnsToIt() {
+  QVERIFY(find<QWidget>("startPage")->isVisible());
+  QVERIFY(!action("actionPlay")->isEnabled());
+  QVERIFY(!find<QDockWidget>("birdsEyeDock")->isVisible());
+  openDemo();
+  QVERIFY(find<QDockWidget>("birdsEyeDock")->isVisible());
+  action("actionCloseProject")->trigger();
+  QVERIFY(waitFor([this] { return find<QWidget>("startPage")->isVisible(); }));
+  QVERIFY(!window_->shown());
+  QVERIFY(!find<QDockWidget>("birdsEyeDock")->isVisible());
+  openDemo(); // and again
+}
+
+void DeskTest::twoVideosAndACalibrationMakeAProject() {
+  recordDemo(folder_.path().toStdString());
+  drop({file("left.mkv"), file("right.mkv"), file("calibration.toml")});
+  QCOMPARE(find<QTableWidget>("newCameras")->rowCount(), 2);
+  QCOMPARE(find<QLabel>("newCalibrationFile")->text(), QStringLiteral("calibration.toml"));
+  QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
+  QVERIFY(isOpen(2));
+  const Project& project = window_->document().project();
+  QCOMPARE(project.cameras[0].camera.name, std::string("left"));
+  QCOMPARE(project.cameras[1].camera.intrinsics.height, 320); // the demo's second camera, by order
+  QVERIFY(window_->document().isUnsaved());
+  QVERIFY(window_->isWindowModified());
+  QVERIFY(find<QLabel>("messageText")->text().contains(QStringLiteral("order")));
+}
+
+void DeskTest::whatCannotBeMadeIsSaidAndNothingIsLost() {
+  action("actionNew")->trigger();
+  QVERIFY(!find<QPushButton>("newCreate")->isEnabled());
+  drop({file("left.mkv"), file("nowhere.mkv")});
+  QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
+  QVERIFY(waitFor([this] {
+    return find<QLabel>("messageText")->text().contains(QStringLiteral("nowhere.mkv"));
+  }));
+  QCOMPARE(find<QTableWidget>("newCameras")->rowCount(), 2);
+  QVERIFY(find<QPushButton>("newCreate")->isEnabled());
+  QTest::mouseClick(find<QPushButton>("newCancel"), Qt::LeftButton);
+  QVERIFY(find<QWidget>("startPage")->isVisible());
+}
+
+void DeskTest::droppedFilesAreOpened() {
+  const auto project = resolveProject("demo");
+  QVERIFY(saveProject(*project, file("demo.toml").toStdString()));
+  drop({file("demo.toml")});
+  QVERIFY(isOpen(2));
+  QCOMPARE(window_->document().project().file.filename().string(), std::string("demo.toml"));
+}
+
+void DeskTest::aSavedProjectIsRecent() {
+  openDemo();
+  QVERIFY(recentProjects().isEmpty()); // the demo is no file
+  const auto project = resolveProject("demo");
+  QVERIFY(saveProject(*project, file("mine.toml").toStdString()));
+  window_->openProject(file("mine.toml").toStdString());
+  QVERIFY(waitFor([this] { return recentProjects() == QStringList{file("mine.toml")}; }));
+  action("actionCloseProject")->trigger();
+  auto* recent = find<QListWidget>("startRecent");
+  QCOMPARE(recent->count(), 1);
+  recent->setCurrentRow(0);
+  QTest::keyClick(recent, Qt::Key_Return);
+  QVERIFY(isOpen(2));
+}
+
+void DeskTest::thePaletteFindsAnActionByKeyboardAlone() {
+  openDemo();
+  QVERIFY(!action("actionShowMask")->isChecked());
+  QTest::keyClick(window_.get(), Qt::Key_K, Qt::ControlModifier);
+  auto* search = find<QLineEdit>("paletteSearch");
+  QVERIFY(waitFor([&] { return search->isVisible(); }));
+  QTest::keyClicks(search, QStringLiteral("show mask"));
+  QTest::keyClick(search, Qt::Key_Return);
+  QVERIFY(waitFor([this] { return action("actionShowMask")->isChecked(); }));
+  QVERIFY(!search->isVisible());
+}
+
+void DeskTest::aShortcutCanBeChangedTakenAndReset() {
+  action("actionShortcuts")->trigger();
+  auto* tree = find<QTreeWidget>("shortcutTree");
+  auto* keys = find<QKeySequenceEdit>("shortcutKeys");
+  const auto choose = [&](const char* id) {
+    for (int i = 0; i < tree->topLevelItemCount(); ++i) {
+      QTreeWidgetItem* item = tree->topLevelItem(i);
+      if (item->data(0, Qt::UserRole).value<QObject*>() == action(id)) {
+        tree->setCurrentItem(item);
+        return;
+      }
+    }
+    QFAIL("not listed");
+  };
+  choose("actionRestart");
+  keys->setKeySequence(Qt::Key_M); // the mask's
+  Q_EMIT keys->editingFinished();
+  QCOMPARE(action("actionRestart")->shortcut(), QKeySequence(Qt::Key_M));
+  QVERIFY(action("actionShowMask")->shortcut().isEmpty());
+  QVERIFY(find<QLabel>("shortcutNote")->text().contains(QStringLiteral("Show mask")));
+  QVERIFY(action("actionRestart")->toolTip().contains(QStringLiteral("(M)")));
+
+  // It is the person's: the next window knows it.
+  MainWindow other(&openProject);
+  QCOMPARE(other.findChild<QAction*>("actionRestart")->shortcut(), QKeySequence(Qt::Key_M));
+
+  QTest::mouseClick(find<QPushButton>("shortcutResetAll"), Qt::LeftButton);
+  QCOMPARE(action("actionRestart")->shortcut(), QKeySequence(Qt::Key_R));
+  QCOMPARE(action("actionShowMask")->shortcut(), QKeySequence(Qt::Key_M));
+}
+
+void DeskTest::theLayoutBelongsToTheProject() {
+  const auto project = resolveProject("demo");
+  const auto place = file("layout.toml").toStdString();
+  QVERIFY(saveProject(*project, place));
+  window_->openProject(place);
+  QVERIFY(isOpen(2));
+  auto* birdsEye = find<QDockWidget>("birdsEyeDock");
+  birdsEye->setFloating(true);
+  action("actionSave")->trigger();
+  QVERIFY(!window_->document().isUnsaved());
+  window_ = std::make_unique<MainWindow>(&openProject);
+  window_->show();
+  window_->openProject(place);
+  QVERIFY(isOpen(2));
+  QVERIFY(find<QDockWidget>("birdsEyeDock")->isFloating());
+  action("actionResetLayout")->trigger();
+  QVERIFY(!find<QDockWidget>("birdsEyeDock")->isFloating());
+}
+
+void DeskTest::namesAndSizesAreUndoable() {
+  openDemo();
+  auto* name = find<QLineEdit>("targetName");
+  find<QDockWidget>("targetDock")->raise();
+  name->setText(QStringLiteral("my ball"));
+  QTest::keyClick(name, Qt::Key_Return);
+  QCOMPARE(window_->document().project().targets[0].name, std::string("my ball"));
+  // The session follows: what it publishes next is called so.
+  QVERIFY(waitFor([this] { return window_->shown()->targets.at(0).target.name == "my ball"; }));
+  QVERIFY(action("actionUndo")->text().contains(QStringLiteral("Rename target")));
+  action("actionUndo")->trigger();
+  QCOMPARE(name->text(), QStringLiteral("pink ball"));
+
+  action("actionRemoveTarget")->trigger();
+  QVERIFY(waitFor([this] { return window_->shown()->targets.empty(); }));
+  action("actionUndo")->trigger();
+  QVERIFY(waitFor([this] { return window_->shown()->targets.size() == 1; }));
+}
+
+void DeskTest::workLeftBehindIsOffered() {
+  // What an earlier window left: a copy, and where the project was loaded from.
+  const auto recovery = std::filesystem::path(folder_.path().toStdString()) / "recovery";
+  std::filesystem::create_directories(recovery);
+  auto project = *resolveProject("demo");
+  project.name = "half done";
+  QVERIFY(saveProject(project, recovery / "0123.toml"));
+  window_->useRecovery(recovery);
+  QVERIFY(find<QLabel>("messageText")->text().contains(QStringLiteral("half done")));
+  QTest::mouseClick(find<QPushButton>("messageAnswer0"), Qt::LeftButton);
+  QVERIFY(isOpen(2));
+  QCOMPARE(window_->document().project().name, std::string("half done"));
+  QVERIFY(window_->document().isUnsaved());
+  // This window has a copy of its own soon, and the old one is gone.
+  QVERIFY(waitFor([&] { return !std::filesystem::exists(recovery / "0123.toml"); }));
+}
+
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
+  QApplication::setApplicationName(QStringLiteral("desk"));
+  dewpoint::DeskTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "desk_test.moc"
