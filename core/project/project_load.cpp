@@ -6,8 +6,10 @@
 #include "core/project/project.h"
 #include "core/project/project_format.h"
 
+#include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <sstream>
 
 namespace dewpoint {
 namespace {
@@ -52,6 +54,56 @@ void readRange(TableReader& reader, const char* key, double& low, double& high) 
   }
 }
 
+/// "rrggbb rrggbb ...", as in HTML.
+std::vector<BgrColor> readColors(TableReader& reader, const char* key) {
+  std::string text;
+  reader.text(key, text);
+  std::vector<BgrColor> colors;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    unsigned value = 0;
+    const auto [end, failed] =
+        std::from_chars(word.data(), word.data() + word.size(), value, 16); // not locale's
+    if (failed != std::errc{} || end != word.data() + word.size() || word.size() != 6) {
+      reader.fail(ErrorCode::BadValue, key, "'" + word + "' is not a color as rrggbb");
+      return {};
+    }
+    colors.push_back({std::uint8_t(value), std::uint8_t(value >> 8), std::uint8_t(value >> 16)});
+  }
+  if (colors.size() > ColorSample::kMostColors) {
+    reader.fail(ErrorCode::BadValue, key, fmt::format("more than {}", ColorSample::kMostColors));
+  }
+  return colors;
+}
+
+ColorSample readSample(const toml::table& table, const std::string& file, std::string prefix,
+                       std::optional<Error>& error) {
+  TableReader reader(table, file, std::move(prefix));
+  ColorSample sample;
+  constexpr double kLargest = 1e5; ///< pixels of an image's side
+  reader.require("camera");
+  int camera = 1;
+  reader.integer("camera", camera, 1, 1000);
+  sample.camera = camera - 1;
+  reader.integer("frame", sample.frame, 0, std::numeric_limits<std::int64_t>::max());
+  double place[4] = {0.0, 0.0, 0.0, 0.0};
+  if (reader.has("box")) {
+    reader.numbers("box", place, 4, 0.0, kLargest);
+  } else {
+    reader.require("pixel");
+    reader.numbers("pixel", place, 2, 0.0, kLargest);
+  }
+  sample.x = place[0];
+  sample.y = place[1];
+  sample.width = place[2];
+  sample.height = place[3];
+  reader.boolean("excluded", sample.excluded);
+  reader.integer("area", sample.area, 0, std::numeric_limits<int>::max());
+  sample.colors = readColors(reader, "colors");
+  error = reader.finish();
+  return sample;
+}
+
 Target readTarget(const toml::table& table, const std::string& file, std::size_t index,
                   std::optional<Error>& error) {
   const std::string prefix = fmt::format("target {}.", index + 1);
@@ -66,6 +118,11 @@ Target readTarget(const toml::table& table, const std::string& file, std::size_t
   readRange(reader, "intensity", target.color.intensityMin, target.color.intensityMax);
   if (const auto good = checkColorRange(target.color); !good) {
     reader.fail(good.error().code, good.error().field, good.error().detail);
+  }
+  for (const toml::table* sample : reader.tables("sample")) {
+    target.samples.push_back(readSample(
+        *sample, file, fmt::format("{}sample {}.", prefix, target.samples.size() + 1), error));
+    reader.adopt(error);
   }
   error = reader.finish();
   return target;

@@ -17,17 +17,39 @@ std::string storedPath(const path& file, const path& folder) {
   return quoted((below ? relative : file).string());
 }
 
+std::string sampleText(const ColorSample& sample) {
+  std::string text =
+      fmt::format("[[target.sample]]\ncamera = {}\nframe = {}\n", sample.camera + 1, sample.frame);
+  text += sample.isBox() ? fmt::format("box = [{}, {}, {}, {}]   # x, y, width, height\n", sample.x,
+                                       sample.y, sample.width, sample.height)
+                         : fmt::format("pixel = [{}, {}]\n", sample.x, sample.y);
+  if (sample.excluded) {
+    text += "excluded = true\n";
+  }
+  text += fmt::format("area = {}\ncolors = \"", sample.area);
+  const char* space = "";
+  for (const auto& [blue, green, red] : sample.colors) {
+    text += fmt::format("{}{:02x}{:02x}{:02x}", space, red, green, blue);
+    space = " ";
+  }
+  return text + "\"\n";
+}
+
 std::string targetText(const Target& target) {
   const auto& color = target.color;
-  return fmt::format("\n[[target]]\n"
-                     "name = {}\n"
-                     "radius = {}          # m; 0: unknown\n"
-                     "hue = [{}, {}]       # degrees; from > to wraps through 0\n"
-                     "saturation = [{}, {}]\n"
-                     "intensity = [{}, {}]\n",
-                     quoted(target.name), target.radius, color.hueMin, color.hueMax,
-                     color.saturationMin, color.saturationMax, color.intensityMin,
-                     color.intensityMax);
+  std::string text =
+      fmt::format("\n[[target]]\n"
+                  "name = {}\n"
+                  "radius = {}          # m; 0: unknown\n"
+                  "hue = [{}, {}]       # degrees; from > to wraps through 0\n"
+                  "saturation = [{}, {}]\n"
+                  "intensity = [{}, {}]\n",
+                  quoted(target.name), target.radius, color.hueMin, color.hueMax,
+                  color.saturationMin, color.saturationMax, color.intensityMin, color.intensityMax);
+  for (const ColorSample& sample : target.samples) {
+    text += sampleText(sample);
+  }
+  return text;
 }
 
 std::string cameraText(const ProjectCamera& camera, const path& folder) {

@@ -5,6 +5,7 @@
 #include "core/base/thread_team.h"
 #include "core/capture/frame.h"
 #include "core/color/color_range.h"
+#include "core/color/color_sample.h"
 #include "core/geometry/camera.h"
 #include "core/observation/camera_evidence.h"
 #include "core/tracking/camera_report.h"
@@ -25,6 +26,8 @@ struct Target {
   std::string name;
   double radius = 0.0; ///< metres; 0 when unknown
   ColorRange color;
+  /// What the color was learned from, if it was; the trackers go by `color` alone.
+  std::vector<ColorSample> samples{};
 
   bool operator==(const Target&) const = default;
 };

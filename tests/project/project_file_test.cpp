@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text_file.h"
 #include "core/project/project.h"
+#include "core/project/project_changes.h"
 
 #include <gtest/gtest.h>
 
@@ -86,6 +87,50 @@ TEST(ProjectFile, SavedTwiceItIsTheSameBytes) {
   EXPECT_EQ(second->parameters, first->parameters);
   EXPECT_EQ(second->targets.front().color, first->targets.front().color);
   EXPECT_EQ(second->cameras.front().location, first->cameras.front().location);
+}
+
+constexpr const char* kSamples = R"([[target.sample]]
+camera = 2
+frame = 17
+pixel = [120.5, 88]
+area = 700
+colors = "ff0080 0a0b0c"
+[[target.sample]]
+camera = 1
+box = [10, 20, 30, 40]
+excluded = true
+)";
+
+TEST(ProjectFile, KeepsWhatAColorWasLearnedFrom) {
+  const std::string samples = std::string("intensity = [0.1, 0.9]\n") + kSamples;
+  const auto project = load(kGood, "intensity = [0.1, 0.9]\n", samples);
+  ASSERT_TRUE(project) << sentence(project.error());
+  const Target& target = project->targets.front();
+  ASSERT_EQ(target.samples.size(), 2U);
+  ColorSample click{.camera = 1, .frame = 17, .x = 120.5, .y = 88, .area = 700};
+  click.colors = {{0x80, 0x00, 0xff}, {0x0c, 0x0b, 0x0a}};
+  EXPECT_EQ(target.samples[0], click);
+  const ColorSample box{.excluded = true, .x = 10, .y = 20, .width = 30, .height = 40};
+  EXPECT_EQ(target.samples[1], box);
+  const auto file = fileNamed("saved.toml");
+  ASSERT_TRUE(saveProject(*project, file));
+  EXPECT_EQ(loadProject(file)->targets, project->targets);
+
+  Project without = *project;
+  without.targets.front().samples.pop_back();
+  EXPECT_TRUE(changesBetween(*project, without).targets);
+}
+
+TEST(ProjectFile, NamesTheSampleThatIsWrong) {
+  const auto fieldOf = [](std::string from, std::string to) {
+    std::string text = kSamples;
+    text.replace(text.find(from), from.size(), to);
+    return errorOf("intensity = [0.1, 0.9]\n", text).field;
+  };
+  EXPECT_EQ(fieldOf("0a0b0c", "0a0b0"), "target 1.sample 1.colors");
+  EXPECT_EQ(fieldOf("camera = 2", "camera = 0"), "target 1.sample 1.camera");
+  EXPECT_EQ(fieldOf("pixel = [120.5, 88]", ""), "target 1.sample 1.pixel");
+  EXPECT_EQ(fieldOf("30, 40", "30"), "target 1.sample 2.box");
 }
 
 TEST(ProjectFile, NamesTheKeyThatIsWrong) {

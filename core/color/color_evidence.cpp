@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/color/color_evidence.h"
+
+#include "core/color/color_region.h"
+#include "core/color/match_image.h"
+#include "core/color/range_fit.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint {
+namespace {
+
+/// Pixels around a region that are neither: blur and compression mix the colors there.
+constexpr int kRim = 3;
+/// An image still shows the sample when the region there has about its color, see colorDistance().
+constexpr double kStillThere = 4.0;
+/// How much larger or smaller than the sample the same thing may be in another view or moment.
+constexpr double kOtherSize = 4.0;
+
+struct Variant {
+  double amount, weight;
+};
+constexpr std::array<Variant, 7> kBrightness{
+    {{0.45, 0.05}, {0.6, 0.1}, {0.8, 0.2}, {1.0, 0.35}, {1.2, 0.15}, {1.45, 0.1}, {1.8, 0.05}}};
+constexpr std::array<Variant, 5> kFullness{
+    {{0.7, 0.1}, {0.85, 0.2}, {1.0, 0.4}, {1.15, 0.2}, {1.3, 0.1}}};
+constexpr std::array<Variant, 5> kTint{
+    {{-8.0, 0.1}, {-4.0, 0.2}, {0.0, 0.4}, {4.0, 0.2}, {8.0, 0.1}}};
+
+bool stillShows(const cv::Mat& image, const cv::Mat& region, const ColorSample& sample) {
+  std::vector<BgrColor> now;
+  for (int y = 0; y < image.rows; ++y) {
+    for (int x = 0; x < image.cols; ++x) {
+      if (region.at<std::uint8_t>(y, x) != 0) {
+        const auto& pixel = image.at<cv::Vec3b>(y, x);
+        now.push_back({pixel[0], pixel[1], pixel[2]});
+      }
+    }
+  }
+  const double growth = double(now.size()) / std::max(sample.area, 1);
+  return !now.empty() && !sample.colors.empty() && growth < kOtherSize &&
+         growth > 1.0 / kOtherSize &&
+         colorDistance(medianColor(now), medianColor(sample.colors)) < kStillThere;
+}
+
+void widen(cv::Mat& mask) {
+  const cv::Size size(2 * kRim + 1, 2 * kRim + 1);
+  cv::dilate(mask, mask, cv::getStructuringElement(cv::MORPH_ELLIPSE, size));
+}
+
+/// The largest thing that matches, if it can be the target by its size; else nothing.
+cv::Mat likelyTarget(const cv::Mat& image, const ColorRange& range, double area) {
+  const cv::Mat match = matchImage(image, ColorClassifier(range));
+  cv::Mat labels;
+  cv::Mat statistics;
+  cv::Mat centers;
+  const int count = cv::connectedComponentsWithStats(match, labels, statistics, centers);
+  int largest = 0;
+  for (int i = 1; i < count; ++i) {
+    if (largest == 0 ||
+        statistics.at<int>(i, cv::CC_STAT_AREA) > statistics.at<int>(largest, cv::CC_STAT_AREA)) {
+      largest = i;
+    }
+  }
+  cv::Mat mask = cv::Mat::zeros(image.size(), CV_8UC1);
+  if (largest > 0) {
+    const double found = statistics.at<int>(largest, cv::CC_STAT_AREA);
+    if (found > area / (kOtherSize * kOtherSize) && found < area * kOtherSize) {
+      mask.setTo(255, labels == largest);
+    }
+  }
+  return mask;
+}
+
+/// Where the clicks of one camera still show what was clicked; empty if nowhere.
+cv::Mat clickedTargets(const std::vector<ColorSample>& samples, int camera, const cv::Mat& image) {
+  cv::Mat mask;
+  for (const ColorSample& sample : samples) {
+    if (sample.camera != camera || sample.excluded) {
+      continue;
+    }
+    const cv::Mat region = regionOfSample(image, sample);
+    if (stillShows(image, region, sample)) {
+      mask = mask.empty() ? region : cv::Mat(mask | region);
+    }
+  }
+  return mask;
+}
+
+cv::Mat targetMask(const std::vector<ColorSample>& samples, int camera, const cv::Mat& image,
+                   const ColorRange& typical, double area) {
+  cv::Mat mask = clickedTargets(samples, camera, image);
+  if (mask.empty()) {
+    mask = likelyTarget(image, typical, area);
+  }
+  widen(mask);
+  return mask;
+}
+
+void addColors(const ColorSample& sample, double weight, HsiCounts& counts) {
+  for (const BgrColor& color : sample.colors) {
+    counts.add(color, weight / double(sample.colors.size()));
+  }
+}
+
+} // namespace
+
+std::vector<HsiColors> inOtherLight(const std::vector<HsiColors>& colors) {
+  std::vector<HsiColors> result;
+  result.reserve(colors.size() * kBrightness.size() * kFullness.size() * kTint.size());
+  for (const HsiColors& cell : colors) {
+    for (const Variant& light : kBrightness) {
+      for (const Variant& full : kFullness) {
+        for (const Variant& tint : kTint) {
+          HsiColors& varied = result.emplace_back(cell);
+          varied.color.intensity = std::min(1.0, cell.color.intensity * light.amount);
+          varied.color.saturation = std::min(1.0, cell.color.saturation * full.amount);
+          varied.color.hueDegrees = std::fmod(cell.color.hueDegrees + tint.amount + 360.0, 360.0);
+          varied.weight = cell.weight * light.weight * full.weight * tint.weight;
+        }
+      }
+    }
+  }
+  return result;
+}
+
+ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
+                            const std::vector<cv::Mat>& images) {
+  ColorEvidence evidence;
+  const auto shown = std::ranges::count(samples, false, &ColorSample::excluded);
+  for (const ColorSample& sample : samples) {
+    evidence.targetArea += sample.excluded ? 0.0 : double(sample.area) / double(shown);
+  }
+  const auto views = std::ranges::count(images, CV_8UC3, [](const cv::Mat& m) { return m.type(); });
+  // One target in every image, and each click counts the same: a far view is no less the target.
+  const double weight = std::max(evidence.targetArea, 1.0) * double(std::max<long>(views, 1));
+  HsiCounts target;
+  HsiCounts rest;
+  std::vector<BgrColor> sampled;
+  for (const ColorSample& sample : samples) {
+    if (sample.excluded) {
+      addColors(sample, weight, rest);
+    } else {
+      addColors(sample, weight / double(shown), target);
+      sampled.insert(sampled.end(), sample.colors.begin(), sample.colors.end());
+    }
+  }
+  if (!sampled.empty()) {
+    evidence.typicalColor = medianColor(std::move(sampled));
+  }
+  evidence.target = target.colors();
+  const ColorRange typical = evidence.target.empty() ? ColorRange{} : fitRange(evidence.target, {});
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    cv::Mat& mask = evidence.targetMasks.emplace_back();
+    if (images[i].type() == CV_8UC3) {
+      mask = targetMask(samples, int(i), images[i], typical, evidence.targetArea);
+      rest.add(images[i], mask);
+    }
+  }
+  evidence.rest = rest.colors();
+  evidence.targetWeight = target.total();
+  evidence.restWeight = rest.total();
+  return evidence;
+}
+
+} // namespace dewpoint

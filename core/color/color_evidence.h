@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/color/color_sample.h"
+#include "core/color/hsi_counts.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <vector>
+
+namespace dewpoint {
+
+/// What samples and images say about a color: what is target, and what is not. Weights are pixels.
+struct ColorEvidence {
+  std::vector<HsiColors> target;
+  std::vector<HsiColors> rest;
+  double targetWeight = 0.0;
+  double restWeight = 0.0;
+  double targetArea = 0.0; ///< pixels of the largest sample: how large the target is in an image
+  BgrColor typicalColor{}; ///< the median of what was sampled
+  /// Per camera, CV_8UC1: 255 where the target is or may be, so that it says nothing about the
+  /// rest. Empty where there is no image.
+  std::vector<cv::Mat> targetMasks;
+};
+
+/// Where the images still show what was clicked, the region grown from the click is the target, and
+/// else the one thing of its color that is about as large.
+ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
+                            const std::vector<cv::Mat>& images);
+
+/// The target's colors as other places and moments will show them: lighter and darker, paler and
+/// fuller, a little of another hue. The weight stays.
+std::vector<HsiColors> inOtherLight(const std::vector<HsiColors>& colors);
+
+} // namespace dewpoint

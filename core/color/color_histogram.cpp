@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/color/color_histogram.h"
+
+#include "core/color/hsi.h"
+#include "core/color/hsi_counts.h"
+
+#include <cmath>
+
+namespace dewpoint {
+
+ColorHistogram histogramOf(const std::vector<cv::Mat>& images) {
+  HsiCounts counts;
+  for (const cv::Mat& image : images) {
+    counts.add(image, cv::Mat());
+  }
+  ColorHistogram histogram;
+  double total = 0.0;
+  for (const HsiColors& cell : counts.colors()) {
+    total += cell.weight;
+    if (!std::isnan(cell.color.hueDegrees)) {
+      histogram.hue[std::size_t(std::lround(cell.color.hueDegrees)) % 360] += cell.weight;
+    }
+    histogram.saturation[std::size_t(std::lround(cell.color.saturation * 100.0))] += cell.weight;
+    histogram.intensity[std::size_t(std::lround(cell.color.intensity * 100.0))] += cell.weight;
+  }
+  const double scale = total > 0.0 ? 1.0 / total : 0.0;
+  for (double& share : histogram.hue) {
+    share *= scale;
+  }
+  for (double& share : histogram.saturation) {
+    share *= scale;
+  }
+  for (double& share : histogram.intensity) {
+    share *= scale;
+  }
+  return histogram;
+}
+
+} // namespace dewpoint

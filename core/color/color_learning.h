@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/color/color_range.h"
+#include "core/color/color_sample.h"
+
+#include <opencv2/core/mat.hpp>
+#include <opencv2/core/types.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace dewpoint {
+
+enum class HorizontalPlace : std::uint8_t { Left, Center, Right };
+enum class VerticalPlace : std::uint8_t { Top, Middle, Bottom };
+enum class ColorWord : std::uint8_t {
+  Black,
+  Gray,
+  White,
+  Brown,
+  Red,
+  Orange,
+  Yellow,
+  Green,
+  Turquoise,
+  Blue,
+  Purple,
+  Pink,
+};
+
+/// What a person would call a color.
+ColorWord colorWord(const BgrColor& color);
+
+/// Something that is not the target and matches its color too.
+struct LookAlikeRegion {
+  int camera = 0;
+  cv::Rect box;
+  double share = 0.0; ///< of the image's pixels
+  std::vector<cv::Point> outline;
+  HorizontalPlace horizontal = HorizontalPlace::Center; ///< thirds of the image
+  VerticalPlace vertical = VerticalPlace::Middle;
+  ColorWord color = ColorWord::Gray;
+};
+
+/// What a person can do about it.
+enum class Suggestion : std::uint8_t {
+  None,             ///< the color separates well
+  AddSamples,       ///< much of the target does not match: click its light and its dark side
+  ExcludeLookAlike, ///< one thing matches that could be told apart: Alt-click it
+  RemoveLookAlike,  ///< one thing of the same color: cover it or take it out of view
+  MoreLight,        ///< the target is nearly black
+  LessExposure,     ///< the target is nearly white: its color is lost
+  UseStrongerColor, ///< the target is nearly gray, and much else is
+  UseAnotherColor,  ///< much of the room has this color
+};
+
+/// How well a color range tells the target from the rest.
+struct ColorVerdict {
+  /// F1 score of the range, 0 to 1: of what matches and what is target, the share that is both.
+  /// The samples stand for the target, what is around them in the images for the rest.
+  double separability = 0.0;
+  double targetShare = 0.0;                ///< share of the sampled colors that match
+  double backgroundShare = 0.0;            ///< share of the other pixels that match too
+  std::vector<LookAlikeRegion> lookAlikes; ///< largest first, at most kMostLookAlikes
+  Suggestion suggestion = Suggestion::None;
+
+  static constexpr std::size_t kMostLookAlikes = 5;
+};
+
+struct LearnedColor {
+  ColorRange range;
+  ColorVerdict verdict;
+};
+
+/// The range of hue, saturation and intensity with the greatest F1 score between what was sampled
+/// and the rest of the images (one per camera of the project, empty where there is none). The
+/// sampled colors are also taken a little lighter, darker and paler, as other places of the room
+/// will show them. An excluded sample counts as much background as a target is large.
+/// BadValue when no sample shows the target.
+Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
+                                const std::vector<cv::Mat>& images);
+
+/// The verdict alone, on a range however made.
+ColorVerdict judgeColor(const ColorRange& range, const std::vector<ColorSample>& samples,
+                        const std::vector<cv::Mat>& images);
+
+} // namespace dewpoint

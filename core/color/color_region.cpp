@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/color/color_region.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace dewpoint {
+namespace {
+
+constexpr int kLevels = 256;
+constexpr double kLevelsPerUnit = 12.0; ///< so that distances up to 21 are told apart
+constexpr double kShareNoise = 0.02;    ///< of r/(r+g+b): material, compression
+constexpr double kGrayLevelNoise = 5.0; ///< of a channel
+constexpr double kShadingScale = 0.5;   ///< natural logarithm of the brightness
+constexpr double kDarkest = 20.0;       ///< sum of channels where brightness stops to say much
+constexpr int kSmallest = 12;           ///< pixels of a region
+constexpr double kLargestShare = 0.5;   ///< of the image: more is no thing in it
+constexpr int kSeedReach = 2;           ///< pixels around the click whose median begins
+constexpr int kEdgeReach = 2;           ///< pixels across an outline over which its edge is seen
+constexpr int kCorrections = 2;
+
+BgrColor pixelAt(const cv::Mat& bgr, int x, int y) {
+  const std::uint8_t* pixel = bgr.ptr<std::uint8_t>(y) + 3 * std::ptrdiff_t{x};
+  return {pixel[0], pixel[1], pixel[2]};
+}
+
+/// Distances of all pixels to one color, in levels.
+cv::Mat levelsFrom(const cv::Mat& bgr, const BgrColor& color) {
+  cv::Mat levels(bgr.size(), CV_8UC1);
+  for (int y = 0; y < bgr.rows; ++y) {
+    std::uint8_t* row = levels.ptr<std::uint8_t>(y);
+    for (int x = 0; x < bgr.cols; ++x) {
+      const double level = colorDistance(pixelAt(bgr, x, y), color) * kLevelsPerUnit;
+      row[x] = static_cast<std::uint8_t>(std::min(level, kLevels - 1.0));
+    }
+  }
+  return levels;
+}
+
+const std::array<cv::Point, 4> kNeighbors{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+
+/// The least level that must be allowed to come from the click to each pixel; kLevels where the
+/// flood did not come, because it had become too large.
+cv::Mat floodLevels(const cv::Mat& levels, cv::Point click) {
+  cv::Mat flood(levels.size(), CV_16UC1, cv::Scalar(kLevels));
+  std::vector<std::vector<cv::Point>> waiting(kLevels);
+  const cv::Rect frame({0, 0}, levels.size());
+  const auto limit = static_cast<std::size_t>(kLargestShare * static_cast<double>(levels.total()));
+  flood.at<std::uint16_t>(click) = 0;
+  waiting[0].push_back(click);
+  std::size_t area = 0;
+  for (int level = 0; level < kLevels && area < limit; ++level) {
+    auto& queue = waiting[static_cast<std::size_t>(level)];
+    while (!queue.empty()) {
+      const cv::Point at = queue.back();
+      queue.pop_back();
+      ++area;
+      for (const cv::Point step : kNeighbors) {
+        const cv::Point next = at + step;
+        if (!frame.contains(next) || flood.at<std::uint16_t>(next) != kLevels) {
+          continue;
+        }
+        const int there = std::max<int>(level, levels.at<std::uint8_t>(next));
+        flood.at<std::uint16_t>(next) = static_cast<std::uint16_t>(there);
+        waiting[static_cast<std::size_t>(there)].push_back(next);
+      }
+    }
+  }
+  return flood;
+}
+
+/// Per level: area of the region, length of its outline in pixel edges, and the steps across it.
+struct NestedRegions {
+  std::array<double, kLevels + 1> area{}, outline{}, contrast{};
+
+  void addEdge(int from, int to, double step) { // an outline from level `from` until `to`
+    outline[std::size_t(from)] += 1.0;
+    outline[std::size_t(to)] -= 1.0;
+    contrast[std::size_t(from)] += step;
+    contrast[std::size_t(to)] -= step;
+  }
+  void accumulate() {
+    for (std::size_t i = 1; i <= kLevels; ++i) {
+      area[i] += area[i - 1];
+      outline[i] += outline[i - 1];
+      contrast[i] += contrast[i - 1];
+    }
+  }
+  /// The strength of the edge along the outline, less where it is ragged.
+  double score(std::size_t level) const {
+    const double compact = 4.0 * std::numbers::pi * area[level] / (outline[level] * outline[level]);
+    return contrast[level] / outline[level] * std::sqrt(std::min(1.0, compact));
+  }
+};
+
+std::uint8_t clampedLevel(const cv::Mat& levels, cv::Point at) {
+  return levels.at<std::uint8_t>(std::clamp(at.y, 0, levels.rows - 1),
+                                 std::clamp(at.x, 0, levels.cols - 1));
+}
+
+NestedRegions nestedRegions(const cv::Mat& levels, const cv::Mat& flood) {
+  NestedRegions regions;
+  const cv::Rect frame({0, 0}, levels.size());
+  for (int y = 0; y < flood.rows; ++y) {
+    for (int x = 0; x < flood.cols; ++x) {
+      const cv::Point at{x, y};
+      const int here = flood.at<std::uint16_t>(at);
+      if (here == kLevels) {
+        continue;
+      }
+      regions.area[std::size_t(here)] += 1.0;
+      for (const cv::Point step : kNeighbors) {
+        const cv::Point next = at + step;
+        if (!frame.contains(next)) {
+          regions.addEdge(here, kLevels, 0.0); // the image's end is no edge
+        } else if (const int there = flood.at<std::uint16_t>(next); there > here) {
+          const int inside = clampedLevel(levels, at - (kEdgeReach - 1) * step);
+          const int outside = clampedLevel(levels, at + kEdgeReach * step);
+          regions.addEdge(here, there, std::max(0, outside - inside));
+        }
+      }
+    }
+  }
+  regions.accumulate();
+  return regions;
+}
+
+/// What is inside an outline is part of it: highlights, writing.
+void fillHoles(cv::Mat& mask) {
+  std::vector<std::vector<cv::Point>> outlines;
+  cv::findContours(mask.clone(), outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  cv::drawContours(mask, outlines, -1, cv::Scalar(255), cv::FILLED);
+}
+
+cv::Mat regionFrom(const cv::Mat& bgr, cv::Point click, const BgrColor& color) {
+  const cv::Mat levels = levelsFrom(bgr, color);
+  const cv::Mat flood = floodLevels(levels, click);
+  const NestedRegions regions = nestedRegions(levels, flood);
+  const double limit = kLargestShare * static_cast<double>(bgr.total());
+  std::size_t best = 0;
+  double bestScore = -1.0;
+  for (std::size_t level = 0; level + 1 < kLevels; ++level) {
+    if (regions.area[level] >= kSmallest && regions.area[level] < limit &&
+        regions.outline[level] > 0.0 && regions.score(level) > bestScore) {
+      best = level;
+      bestScore = regions.score(level);
+    }
+  }
+  cv::Mat mask = bestScore < 0.0 ? cv::Mat(flood < kLevels) : cv::Mat(flood <= double(best));
+  fillHoles(mask);
+  return mask;
+}
+
+std::vector<BgrColor> colorsIn(const cv::Mat& bgr, const cv::Mat& mask) {
+  std::vector<BgrColor> colors;
+  for (int y = 0; y < mask.rows; ++y) {
+    for (int x = 0; x < mask.cols; ++x) {
+      if (mask.at<std::uint8_t>(y, x) != 0) {
+        colors.push_back(pixelAt(bgr, x, y));
+      }
+    }
+  }
+  return colors;
+}
+
+/// `count` of them, evenly picked by brightness, so that light and shade are all there.
+std::vector<BgrColor> evenlyPicked(std::vector<BgrColor> colors, std::size_t count) {
+  std::ranges::sort(colors, {}, [](const BgrColor& color) {
+    return std::pair(int(color[0]) + color[1] + color[2], color);
+  });
+  if (colors.size() <= count) {
+    return colors;
+  }
+  std::vector<BgrColor> picked;
+  for (std::size_t i = 0; i < count; ++i) {
+    picked.push_back(colors[(2 * i + 1) * colors.size() / (2 * count)]);
+  }
+  return picked;
+}
+
+} // namespace
+
+double colorDistance(const BgrColor& one, const BgrColor& other) {
+  const double sum = double(one[0]) + one[1] + one[2];
+  const double otherSum = double(other[0]) + other[1] + other[2];
+  const double noise = kGrayLevelNoise / std::max(sum, 1.0);
+  const double otherNoise = kGrayLevelNoise / std::max(otherSum, 1.0);
+  double square = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double share = one[i] / std::max(sum, 1.0) - other[i] / std::max(otherSum, 1.0);
+    square += share * share;
+  }
+  square /= kShareNoise * kShareNoise + noise * noise + otherNoise * otherNoise;
+  const double shading = std::log((sum + kDarkest) / (otherSum + kDarkest)) / kShadingScale;
+  return std::sqrt(square + shading * shading);
+}
+
+BgrColor medianColor(std::vector<BgrColor> colors) {
+  BgrColor median{};
+  const auto middle = colors.begin() + std::ptrdiff_t(colors.size() / 2);
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::ranges::nth_element(colors, middle, {}, [i](const BgrColor& color) { return color[i]; });
+    median[i] = (*middle)[i];
+  }
+  return median;
+}
+
+cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within) {
+  const cv::Rect frame({0, 0}, bgr.size());
+  const cv::Rect part = within.empty() ? frame : within & frame;
+  cv::Mat smooth;
+  cv::medianBlur(bgr(part), smooth, 3);
+  const cv::Point at = click - part.tl();
+  const cv::Rect seed =
+      cv::Rect(at.x - kSeedReach, at.y - kSeedReach, 2 * kSeedReach + 1, 2 * kSeedReach + 1) &
+      cv::Rect({0, 0}, part.size());
+  BgrColor color =
+      medianColor(colorsIn(smooth(seed), cv::Mat(seed.size(), CV_8UC1, cv::Scalar(255))));
+  cv::Mat region;
+  for (int i = 0; i <= kCorrections; ++i) {
+    region = regionFrom(smooth, at, color);
+    color = medianColor(colorsIn(smooth, region));
+  }
+  cv::Mat mask = cv::Mat::zeros(bgr.size(), CV_8UC1);
+  region.copyTo(mask(part));
+  return mask;
+}
+
+cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& place) {
+  const cv::Point at(static_cast<int>(std::lround(place.x + place.width / 2.0)),
+                     static_cast<int>(std::lround(place.y + place.height / 2.0)));
+  if (!cv::Rect({0, 0}, bgr.size()).contains(at)) {
+    return cv::Mat::zeros(bgr.size(), CV_8UC1);
+  }
+  const cv::Rect box = place.isBox()
+                           ? cv::Rect(static_cast<int>(place.x), static_cast<int>(place.y),
+                                      static_cast<int>(std::ceil(place.width)),
+                                      static_cast<int>(std::ceil(place.height)))
+                           : cv::Rect{};
+  return growRegion(bgr, at, box);
+}
+
+Result<ColorSample> takeSample(const cv::Mat& bgr, ColorSample place) {
+  if (bgr.empty() || bgr.type() != CV_8UC3) {
+    return failure(ErrorCode::BadValue, {}, "image", "a color image is expected");
+  }
+  const bool inside = place.x >= 0.0 && place.y >= 0.0 && place.x + place.width <= bgr.cols &&
+                      place.y + place.height <= bgr.rows && place.width >= 0.0 &&
+                      place.height >= 0.0 && std::lround(place.x) < bgr.cols &&
+                      std::lround(place.y) < bgr.rows;
+  if (!inside) { // NaN comes here too
+    return failure(ErrorCode::BadValue, {}, place.isBox() ? "box" : "pixel",
+                   std::to_string(bgr.cols) + "x" + std::to_string(bgr.rows) +
+                       " pixels are in the image");
+  }
+  auto colors = colorsIn(bgr, regionOfSample(bgr, place));
+  place.area = static_cast<int>(colors.size());
+  place.colors = evenlyPicked(std::move(colors), ColorSample::kMostColors);
+  return place;
+}
+
+} // namespace dewpoint

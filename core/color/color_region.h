@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/color/color_sample.h"
+
+#include <opencv2/core/types.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace dewpoint {
+
+/// How unlike two colors are to something that is lit unevenly: in units of noise for what light
+/// does not change (the shares of red, green and blue), and of half a natural logarithm for what it
+/// does. 0 for equal colors; about 1 for neighboring pixels of one thing, 5 for another thing.
+double colorDistance(const BgrColor& one, const BgrColor& other);
+
+/// The thing at a pixel: CV_8UC1 of the image's size, 255 on it.
+///
+/// Regions around the pixel are grown for every tolerance at once, by the least colorDistance that
+/// has to be crossed to get somewhere (a flood from the click). Of these nested regions the one is
+/// taken whose outline shows the strongest edge and is not ragged; as with maximally stable
+/// regions (Matas et al., BMVC 2002) no tolerance has to be chosen. The click is then corrected:
+/// the region's median color replaces that of the pixel. Highlights inside are filled.
+///
+/// `within` bounds it (a dragged box); empty: the image.
+cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within = {});
+
+/// The region of a sample's place in an image, as takeSample() grew it.
+cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& place);
+
+/// The median per channel. At least one color.
+BgrColor medianColor(std::vector<BgrColor> colors);
+
+} // namespace dewpoint

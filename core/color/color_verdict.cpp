@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/color/color_verdict.h"
+
+#include "core/color/color_region.h"
+#include "core/color/hsi.h"
+#include "core/color/match_image.h"
+#include "core/color/range_fit.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace dewpoint {
+namespace {
+
+/// A thing that matters as a look-alike: this share of the target's size, and no speckle.
+constexpr double kLookAlikeShare = 0.1;
+constexpr double kSmallestLookAlike = 9.0; ///< pixels
+constexpr double kGood = 0.9;              ///< F1 score from which on nothing needs to be done
+constexpr double kFewMatch = 0.75;         ///< of the target
+constexpr double kDark = 0.08;             ///< intensity
+constexpr double kBright = 0.94;           ///< intensity, with kPale
+constexpr double kPale = 0.12;             ///< saturation
+constexpr double kTellable = 3.0;          ///< colorDistance()
+constexpr double kOneThing = 0.5;          ///< of all that matches beside the target
+
+template <class Place> Place third(double at, double size) {
+  return static_cast<Place>(std::clamp(static_cast<int>(3.0 * at / size), 0, 2));
+}
+
+BgrColor meanColor(const cv::Mat& image, const cv::Mat& mask) {
+  const cv::Scalar mean = cv::mean(image, mask);
+  BgrColor color{};
+  for (int i = 0; i < 3; ++i) {
+    color[std::size_t(i)] = cv::saturate_cast<std::uint8_t>(mean[i]);
+  }
+  return color;
+}
+
+struct FoundRegion {
+  LookAlikeRegion region;
+  double area = 0.0;
+  BgrColor color{};
+};
+
+FoundRegion described(int camera, const cv::Mat& image, const cv::Mat& labels, int label,
+                      const cv::Mat& statistics, const cv::Mat& centers) {
+  FoundRegion found;
+  found.area = statistics.at<int>(label, cv::CC_STAT_AREA);
+  LookAlikeRegion& region = found.region;
+  region.camera = camera;
+  region.box = {
+      statistics.at<int>(label, cv::CC_STAT_LEFT), statistics.at<int>(label, cv::CC_STAT_TOP),
+      statistics.at<int>(label, cv::CC_STAT_WIDTH), statistics.at<int>(label, cv::CC_STAT_HEIGHT)};
+  region.share = found.area / double(image.total());
+  region.horizontal = third<HorizontalPlace>(centers.at<double>(label, 0), image.cols);
+  region.vertical = third<VerticalPlace>(centers.at<double>(label, 1), image.rows);
+  const cv::Mat mask = labels(region.box) == label;
+  std::vector<std::vector<cv::Point>> outlines;
+  cv::findContours(mask, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE, region.box.tl());
+  region.outline =
+      *std::ranges::max_element(outlines, {}, [](const auto& outline) { return outline.size(); });
+  found.color = meanColor(image(region.box), mask);
+  region.color = colorWord(found.color);
+  return found;
+}
+
+void addRegions(int camera, const cv::Mat& image, const cv::Mat& targetMask,
+                const ColorClassifier& classifier, double smallest,
+                std::vector<FoundRegion>& found) {
+  cv::Mat match = matchImage(image, classifier);
+  match.setTo(0, targetMask);
+  // Parts of one thing that touch but for a pixel are one thing to a person.
+  cv::morphologyEx(match, match, cv::MORPH_CLOSE, cv::Mat::ones(3, 3, CV_8UC1));
+  cv::Mat labels;
+  cv::Mat statistics;
+  cv::Mat centers;
+  const int count = cv::connectedComponentsWithStats(match, labels, statistics, centers);
+  for (int i = 1; i < count; ++i) {
+    if (statistics.at<int>(i, cv::CC_STAT_AREA) >= smallest) {
+      found.push_back(described(camera, image, labels, i, statistics, centers));
+    }
+  }
+}
+
+Suggestion suggestionFor(const ColorVerdict& verdict, const ColorEvidence& evidence,
+                         const std::vector<FoundRegion>& found) {
+  const BgrColor& color = evidence.typicalColor;
+  const Hsi typical = hsiFromBgr(color[0], color[1], color[2]);
+  if (typical.intensity < kDark) {
+    return Suggestion::MoreLight;
+  }
+  if (typical.intensity > kBright && typical.saturation < kPale) {
+    return Suggestion::LessExposure;
+  }
+  if (verdict.separability >= kGood) {
+    return Suggestion::None;
+  }
+  if (verdict.targetShare < kFewMatch && found.empty()) {
+    return Suggestion::AddSamples;
+  }
+  if (typical.saturation < kPale) {
+    return Suggestion::UseStrongerColor;
+  }
+  double all = 0.0;
+  for (const FoundRegion& region : found) {
+    all += region.area;
+  }
+  if (!found.empty() && found.front().area > kOneThing * all) {
+    return colorDistance(found.front().color, color) > kTellable ? Suggestion::ExcludeLookAlike
+                                                                 : Suggestion::RemoveLookAlike;
+  }
+  return found.empty() ? Suggestion::AddSamples : Suggestion::UseAnotherColor;
+}
+
+} // namespace
+
+ColorWord colorWord(const BgrColor& bgr) {
+  const Hsi color = hsiFromBgr(bgr[0], bgr[1], bgr[2]);
+  if (color.intensity < 0.12) {
+    return ColorWord::Black;
+  }
+  if (std::isnan(color.hueDegrees) || color.saturation < 0.12) {
+    return color.intensity > 0.8 ? ColorWord::White : ColorWord::Gray;
+  }
+  struct Until {
+    double hue;
+    ColorWord word;
+  };
+  static constexpr std::array<Until, 9> kWords{{{14.0, ColorWord::Red},
+                                                {42.0, ColorWord::Orange},
+                                                {68.0, ColorWord::Yellow},
+                                                {160.0, ColorWord::Green},
+                                                {195.0, ColorWord::Turquoise},
+                                                {258.0, ColorWord::Blue},
+                                                {292.0, ColorWord::Purple},
+                                                {346.0, ColorWord::Pink},
+                                                {360.0, ColorWord::Red}}};
+  const auto word = std::ranges::find_if(
+      kWords, [&](const Until& until) { return color.hueDegrees <= until.hue; });
+  const bool warm = color.hueDegrees < 50.0;
+  return warm && color.hueDegrees > 8.0 && color.intensity < 0.4 ? ColorWord::Brown : word->word;
+}
+
+ColorVerdict verdictOn(const ColorRange& range, const ColorEvidence& evidence,
+                       const std::vector<cv::Mat>& images) {
+  const RangeScore score = scoreRange(range, evidence.target, evidence.rest);
+  ColorVerdict verdict;
+  verdict.separability = score.f1;
+  verdict.targetShare = evidence.targetWeight > 0.0 ? score.target / evidence.targetWeight : 0.0;
+  verdict.backgroundShare = evidence.restWeight > 0.0 ? score.rest / evidence.restWeight : 0.0;
+  std::vector<FoundRegion> found;
+  const ColorClassifier classifier(range);
+  const double smallest = std::max(kSmallestLookAlike, kLookAlikeShare * evidence.targetArea);
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    if (!evidence.targetMasks[i].empty()) {
+      addRegions(int(i), images[i], evidence.targetMasks[i], classifier, smallest, found);
+    }
+  }
+  std::ranges::stable_sort(found, std::greater(), &FoundRegion::area);
+  verdict.suggestion = suggestionFor(verdict, evidence, found);
+  found.resize(std::min(found.size(), ColorVerdict::kMostLookAlikes));
+  for (FoundRegion& region : found) {
+    verdict.lookAlikes.push_back(std::move(region.region));
+  }
+  return verdict;
+}
+
+} // namespace dewpoint
