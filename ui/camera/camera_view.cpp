@@ -122,9 +122,10 @@ void CameraView::paintEvent(QPaintEvent*) {
   painter.drawImage(QRectF(corner, shown), scaledImage(device));
 
   painter.setClipRect(QRectF(corner, shown));
-  const ImagePlacement placement{corner, shown.width() / image.width()};
+  placement_ = {corner, shown.width() / image.width()};
+  imageSize_ = image;
   for (std::size_t i = 0; i < snapshot_->targets.size(); ++i) {
-    paintOverlay(painter, cameraOverlay(*snapshot_, camera_, snapshot_->targets[i]), placement,
+    paintOverlay(painter, cameraOverlay(*snapshot_, camera_, snapshot_->targets[i]), placement_,
                  targetColor(static_cast<int>(i)));
   }
 }

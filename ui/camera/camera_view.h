@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/camera/overlay_painter.h"
 #include "ui/settings/theme.h"
 
 #include <QImage>
@@ -28,6 +29,9 @@ public:
   void show(TrackSnapshotPtr snapshot);
   void setMaskShown(bool shown);
   HoldState state() const { return state_; }
+  /// Where the image was drawn last, and its size in pixels; an empty size before there was one.
+  const ImagePlacement& placement() const { return placement_; }
+  const QSize& imageSize() const { return imageSize_; }
 
   QSize sizeHint() const override { return {400, 300}; }
   QSize minimumSizeHint() const override { return {120, 90}; }
@@ -48,6 +52,8 @@ private:
   TrackSnapshotPtr snapshot_;
   bool maskShown_ = false;
   HoldState state_ = HoldState::NoImages;
+  ImagePlacement placement_;
+  QSize imageSize_;
   QImage scaled_;
   // Kept alive here: the address of a freed frame may come back as that of the next one.
   FramePtr scaledFrom_; ///< the frame in scaled_

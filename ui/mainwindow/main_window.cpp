@@ -9,7 +9,9 @@
 #include "ui/bridge/error_sentence.h"
 #include "ui/bridge/session_bridge.h"
 #include "ui/camera/camera_view.h"
+#include "ui/color/color_panel.h"
 #include "ui/document/document.h"
+#include "ui/inspector/target_panel.h"
 #include "ui/mainwindow/message_bar.h"
 #include "ui/mainwindow/status_figures.h"
 #include "ui/plots/convergence_plot.h"
@@ -157,6 +159,7 @@ void MainWindow::showSnapshot(const TrackSnapshotPtr& snapshot) {
     view->show(snapshot);
   }
   birdsEye_->show(snapshot);
+  color_->setSnapshot(snapshot);
   figures_->show(*snapshot);
   snapshot->state == PlayState::Playing
       ? actions_->rename(action("actionPlay"), QT_TRANSLATE_NOOP("Actions", "Pause"), "pause")
@@ -179,6 +182,14 @@ void MainWindow::showNotices(const TrackSnapshot& snapshot) {
     messages_->showNotice(errorSentence(snapshot.notices.back()));
   }
   noticesShown_ = snapshot.notices.size();
+}
+
+void MainWindow::trackLearned(int target) {
+  targets_->choose(target);
+  action("actionShowMask")->setChecked(true);
+  if (bridge_ != nullptr && shown_ && shown_->state == PlayState::Paused) {
+    bridge_->session().play();
+  }
 }
 
 void MainWindow::togglePlay() {
@@ -224,7 +235,7 @@ void MainWindow::updateEnabled() {
   for (const char* id : {"actionPlay", "actionNextFrame", "actionNextIteration", "actionRestart",
                          "actionRestartNewSeed", "actionShowMask", "actionSave", "actionSaveAs",
                          "actionExportTrajectory", "actionCloseProject", "actionRemoveTarget",
-                         "actionResetLayout"}) {
+                         "actionAddTarget", "actionLearnColor", "actionResetLayout"}) {
     action(id)->setEnabled(running);
   }
   action("actionOpen")->setEnabled(!loader_->isOpening());

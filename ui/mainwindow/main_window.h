@@ -22,6 +22,7 @@ namespace dewpoint {
 class BirdsEyeView;
 class CameraView;
 class CameraPanel;
+class ColorPanel;
 class ConvergencePlot;
 class Document;
 class MessageBar;
@@ -118,6 +119,7 @@ private:
   void updateTitle();
   void updateEnabled();
 
+  void trackLearned(int target);
   void togglePlay();
   void restart(bool newSeed);
   void askOpen();
@@ -141,6 +143,8 @@ private:
   NewProjectPage* newProject_ = nullptr;
   CommandPalette* palette_ = nullptr;
   TargetPanel* targets_ = nullptr;
+  ColorPanel* color_ = nullptr;
+  QDockWidget* colorDock_ = nullptr;
   CameraPanel* cameras_ = nullptr;
   QDockWidget* targetDock_ = nullptr;
   QDockWidget* cameraListDock_ = nullptr;

@@ -7,6 +7,7 @@
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/bridge/session_bridge.h"
 #include "ui/camera/camera_view.h"
+#include "ui/color/color_panel.h"
 #include "ui/document/document.h"
 #include "ui/inspector/target_panel.h"
 #include "ui/mainwindow/main_window.h"
@@ -46,7 +47,8 @@ void MainWindow::makeMenus() {
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecentMenu(recent); });
   project->insertMenu(action("actionOpenDemo"), recent);
   add(tr("&Edit"), "menuEdit",
-      {"actionUndo", "actionRedo", nullptr, "actionRemoveTarget", nullptr, "actionShortcuts"});
+      {"actionUndo", "actionRedo", nullptr, "actionLearnColor", "actionAddTarget",
+       "actionRemoveTarget", nullptr, "actionShortcuts"});
   add(tr("&Run"), "menuRun",
       {"actionPlay", "actionNextFrame", "actionNextIteration", nullptr, "actionRestart",
        "actionRestartNewSeed"});
@@ -83,6 +85,17 @@ void MainWindow::connectActions() {
   on(action("actionRedo"), [history] { history->redo(); });
   connect(history, &QUndoStack::indexChanged, this, &MainWindow::sayHistory);
   sayHistory();
+  connect(action("actionLearnColor"), &QAction::toggled, this, [this](bool learning) {
+    color_->setPicking(learning);
+    if (learning) {
+      colorDock_->raise();
+    }
+  });
+  on(action("actionAddTarget"), [this] {
+    color_->setTarget(-1);
+    color_->setPicking(true);
+    colorDock_->raise();
+  });
   on(action("actionRemoveTarget"), [this] { targets_->removeChosen(); });
   on(action("actionPlay"), [this] { togglePlay(); });
   on(action("actionNextFrame"), [this] { bridge_->session().stepFrame(); });

@@ -6,6 +6,7 @@
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/bridge/session_bridge.h"
 #include "ui/camera/camera_view.h"
+#include "ui/color/color_panel.h"
 #include "ui/document/document.h"
 #include "ui/inspector/camera_panel.h"
 #include "ui/inspector/target_panel.h"
@@ -94,6 +95,19 @@ void MainWindow::makeInspector() {
   cameraListDock_ = makeDock(
       QStringLiteral("cameraListDock"), [] { return tr("Cameras"); }, cameras_);
   connect(cameras_, &CameraPanel::calibrationWanted, this, &MainWindow::loadCalibrationOf);
+  color_ = new ColorPanel(*document_, this);
+  auto* colorScroll = new QScrollArea(this);
+  colorScroll->setObjectName(QStringLiteral("colorScroll"));
+  colorScroll->setWidgetResizable(true);
+  colorScroll->setFrameShape(QFrame::NoFrame);
+  colorScroll->setWidget(color_);
+  colorDock_ = makeDock(
+      QStringLiteral("colorDock"), [] { return tr("Color"); }, colorScroll);
+  connect(color_, &ColorPanel::failed, this,
+          [this](const QString& sentence) { messages_->showError(sentence); });
+  connect(color_, &ColorPanel::pickingChanged, action("actionLearnColor"), &QAction::setChecked);
+  connect(color_, &ColorPanel::learned, this, &MainWindow::trackLearned);
+  connect(targets_, &TargetPanel::targetChosen, color_, &ColorPanel::setTarget);
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
 }
 
@@ -117,6 +131,7 @@ void MainWindow::makeCameraDocks() {
     bar->setState(view->state());
     connect(view, &CameraView::stateChanged, bar, &DockTitle::setState);
     view->setMaskShown(action("actionShowMask")->isChecked());
+    color_->attach(static_cast<int>(i), view);
     cameraDocks_.push_back(dock);
     cameraViews_.push_back(view);
   }
@@ -165,7 +180,7 @@ void MainWindow::arrange() {
   splitDockWidget(birdsEyeDock_, parameterDock_, Qt::Horizontal);
   splitDockWidget(parameterDock_, historyDock_, Qt::Vertical); // before there are tabs
   // The inspector: one tab for each kind of thing that can be looked into.
-  for (QDockWidget* dock : {targetDock_, cameraListDock_}) {
+  for (QDockWidget* dock : {targetDock_, colorDock_, cameraListDock_}) {
     tabifyDockWidget(parameterDock_, dock);
   }
   showViews(bridge_ != nullptr);
@@ -224,6 +239,7 @@ void MainWindow::makeToolBar() {
                                     action("actionRestart"),
                                     action("actionRestartNewSeed"),
                                     nullptr,
+                                    action("actionLearnColor"),
                                     action("actionShowMask"),
                                     nullptr,
                                     action("actionUndo"),

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPolygonF>
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+namespace dewpoint {
+
+class CameraView;
+
+/// Lies over a camera view: lets a person point at things in its image, and outlines regions of it.
+class PickLayer : public QWidget {
+  Q_OBJECT
+public:
+  explicit PickLayer(CameraView* view);
+
+  /// Whether a plain click picks; with Shift or Alt it always does.
+  void setPicking(bool picking);
+  /// Regions of the image, in pixels, with a word each.
+  struct Region {
+    QPolygonF outline;
+    QString text;
+  };
+  void setRegions(std::vector<Region> regions);
+
+Q_SIGNALS:
+  /// A click (an empty size) or a dragged box, in pixels of the image.
+  void picked(const QRectF& region, Qt::KeyboardModifiers modifiers);
+  /// A plain click while nothing is being picked: the view was chosen.
+  void chosen();
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+private:
+  std::optional<QPointF> pixelAt(QPointF position) const;
+  QPointF positionOf(QPointF pixel) const;
+
+  CameraView* view_;
+  bool picking_ = false;
+  std::vector<Region> regions_;
+  std::optional<QPointF> pressed_; ///< widget
+  QPointF now_;
+};
+
+} // namespace dewpoint

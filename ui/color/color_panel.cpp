@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/color/color_panel.h"
+
+#include "core/color/color_histogram.h"
+#include "core/project/project.h"
+#include "ui/camera/camera_view.h"
+#include "ui/camera/pick_layer.h"
+#include "ui/color/color_picker.h"
+#include "ui/color/color_teacher.h"
+#include "ui/color/verdict_text.h"
+#include "ui/document/document.h"
+#include "ui/settings/retranslation.h"
+#include "ui/settings/theme.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QShortcut>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr qint64 kSurveyMs = 1000;
+
+} // namespace
+
+ColorPanel::ColorPanel(Document& document, QWidget* parent)
+    : QWidget(parent), document_(document), teacher_(new ColorTeacher(document, this)),
+      name_(new QLabel(this)), learn_(new QToolButton(this)), picker_(new ColorPicker(this)),
+      verdict_(new QLabel(this)), samplesTitle_(new QLabel(this)), samples_(new QListWidget(this)),
+      remove_(new QPushButton(this)) {
+  setObjectName(QStringLiteral("colorPanel"));
+  learn_->setObjectName(QStringLiteral("colorLearn"));
+  learn_->setCheckable(true);
+  learn_->setFocusPolicy(Qt::StrongFocus);
+  verdict_->setObjectName(QStringLiteral("colorVerdict"));
+  verdict_->setWordWrap(true);
+  verdict_->setTextFormat(Qt::PlainText);
+  samples_->setObjectName(QStringLiteral("colorSamples"));
+  samples_->setMaximumHeight(96);
+  remove_->setObjectName(QStringLiteral("colorRemoveSample"));
+  QFont bold = name_->font();
+  bold.setWeight(QFont::DemiBold);
+  name_->setFont(bold);
+  auto* head = new QHBoxLayout;
+  head->setSpacing(8);
+  head->addWidget(name_, 1);
+  head->addWidget(learn_);
+  auto* sampleHead = new QHBoxLayout;
+  sampleHead->addWidget(samplesTitle_, 1);
+  sampleHead->addWidget(remove_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  column->addLayout(head);
+  column->addWidget(verdict_);
+  column->addWidget(picker_, 1);
+  column->addLayout(sampleHead);
+  column->addWidget(samples_);
+  connect(learn_, &QToolButton::toggled, this, &ColorPanel::setPicking);
+  connect(picker_, &ColorPicker::rangeEdited, this, &ColorPanel::editRange);
+  connect(picker_, &ColorPicker::editingFinished, this, [this] {
+    document_.endMerging();
+    teacher_->judge();
+  });
+  connect(remove_, &QPushButton::clicked, this, &ColorPanel::removeSample);
+  connect(samples_, &QListWidget::currentRowChanged, this,
+          [this](int row) { remove_->setEnabled(row >= 0); });
+  auto* del = new QShortcut(QKeySequence::Delete, samples_);
+  del->setContext(Qt::WidgetShortcut);
+  connect(del, &QShortcut::activated, this, &ColorPanel::removeSample);
+  connect(&document_, &Document::replaced, this, [this] { setTarget(0); });
+  connect(&document_, &Document::targetsChanged, this, &ColorPanel::refresh);
+  connectTeacher();
+  inEveryLanguage(this, [this] { say(); });
+}
+
+void ColorPanel::connectTeacher() {
+  connect(teacher_, &ColorTeacher::learned, this, [this](int target) {
+    target_ = target;
+    setPicking(false);
+    refresh();
+    Q_EMIT learned(target);
+  });
+  connect(teacher_, &ColorTeacher::judged, this, &ColorPanel::showVerdict);
+  connect(teacher_, &ColorTeacher::failed, this, &ColorPanel::failed);
+  connect(teacher_, &ColorTeacher::busyChanged, this, [this](bool busy) {
+    if (busy) {
+      verdict_->setText(tr("Looking at the images…"));
+    }
+  });
+}
+
+void ColorPanel::say() {
+  learn_->setText(tr("Learn"));
+  learn_->setToolTip(tr("Then click the target in any camera image, or drag a box on it. "
+                        "Shift-click adds a sample, Alt-click excludes what is not the target."));
+  samplesTitle_->setText(tr("Learned from"));
+  samples_->setAccessibleName(tr("Samples the color was learned from"));
+  samples_->setToolTip(tr("Shift-click in an image adds one, Alt-click excludes one"));
+  remove_->setText(tr("Remove"));
+  remove_->setToolTip(tr("Forget the chosen sample and learn from the rest (Del)"));
+  refresh();
+}
+
+void ColorPanel::attach(int camera, CameraView* view) {
+  auto* layer = new PickLayer(view);
+  layer->setPicking(picking_ || document_.project().targets.empty());
+  layers_.emplace_back(camera, layer);
+  connect(layer, &QObject::destroyed, this, [this, layer] {
+    std::erase_if(layers_, [layer](const auto& one) { return one.second == layer; });
+  });
+  connect(layer, &PickLayer::chosen, this, [this, camera] { Q_EMIT cameraChosen(camera); });
+  connect(layer, &PickLayer::picked, this,
+          [this, camera](const QRectF& region, Qt::KeyboardModifiers modifiers) {
+            pickedIn(camera, region, modifiers);
+          });
+}
+
+void ColorPanel::pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers) {
+  teacher_->setSnapshot(snapshot_);
+  teacher_->setTarget(target_);
+  teacher_->point(camera, region,
+                  modifiers.testFlag(Qt::AltModifier)     ? ColorTeacher::Lesson::Exclude
+                  : modifiers.testFlag(Qt::ShiftModifier) ? ColorTeacher::Lesson::Add
+                                                          : ColorTeacher::Lesson::Replace);
+}
+
+void ColorPanel::setPicking(bool picking) {
+  if (picking_ != picking) {
+    picking_ = picking;
+    Q_EMIT pickingChanged(picking);
+  }
+  const QSignalBlocker quiet(learn_);
+  learn_->setChecked(picking);
+  for (const auto& [camera, layer] : layers_) {
+    layer->setPicking(picking || document_.project().targets.empty());
+  }
+}
+
+void ColorPanel::setTarget(int target) {
+  target_ = target;
+  judged_ = false;
+  refresh();
+}
+
+void ColorPanel::refresh() {
+  const auto& targets = document_.project().targets;
+  const bool any = target_ >= 0 && target_ < static_cast<int>(targets.size());
+  name_->setText(any               ? QString::fromStdString(targets[std::size_t(target_)].name)
+                 : targets.empty() ? tr("No target yet")
+                                   : tr("A new target"));
+  picker_->setEnabled(any);
+  if (any) {
+    const Target& target = targets[static_cast<std::size_t>(target_)];
+    if (!(target.color == picker_->range())) {
+      judged_ = false;
+    }
+    picker_->setRange(target.color);
+  }
+  refreshSamples();
+  if (!judged_) {
+    verdict_->setText(any ? tr("Drag ring and bars, or press Learn and click the target.")
+                          : tr("Click the thing to follow in any camera image."));
+    for (const auto& [camera, layer] : layers_) {
+      layer->setRegions({});
+    }
+  }
+  setPicking(picking_);
+}
+
+void ColorPanel::refreshSamples() {
+  const auto& project = document_.project();
+  const int row = samples_->currentRow();
+  const QSignalBlocker quiet(samples_);
+  samples_->clear();
+  if (target_ >= 0 && target_ < static_cast<int>(project.targets.size())) {
+    for (const ColorSample& sample : project.targets[static_cast<std::size_t>(target_)].samples) {
+      const auto camera = static_cast<std::size_t>(sample.camera);
+      const QString name = camera < project.cameras.size()
+                               ? QString::fromStdString(project.cameras[camera].camera.name)
+                               : QString::number(sample.camera + 1);
+      const QString frame = QString::number(sample.frame + 1);
+      samples_->addItem(sample.excluded ? tr("not this: %1, frame %2").arg(name, frame)
+                                        : tr("%1, frame %2").arg(name, frame));
+    }
+  }
+  samples_->setCurrentRow(std::min(row, samples_->count() - 1));
+  remove_->setEnabled(samples_->currentRow() >= 0);
+  const bool some = samples_->count() > 0;
+  samples_->setVisible(some);
+  samplesTitle_->setVisible(some);
+  remove_->setVisible(some);
+}
+
+void ColorPanel::removeSample() {
+  teacher_->setSnapshot(snapshot_);
+  teacher_->setTarget(target_);
+  teacher_->removeSample(samples_->currentRow());
+}
+
+void ColorPanel::editRange(const ColorRange& range) {
+  const auto index = static_cast<std::size_t>(target_);
+  (void)document_.edit(
+      tr("Change color range"), [&](Project& project) { project.targets.at(index).color = range; },
+      "color of target " + std::to_string(target_));
+}
+
+void ColorPanel::showVerdict(const ColorVerdict& verdict) {
+  judged_ = true;
+  std::vector<QString> cameras;
+  for (const auto& camera : document_.project().cameras) {
+    cameras.push_back(QString::fromStdString(camera.camera.name));
+  }
+  verdict_->setText(verdictText(verdict, cameras));
+  for (const auto& [camera, layer] : layers_) {
+    std::vector<PickLayer::Region> regions;
+    for (const LookAlikeRegion& region : verdict.lookAlikes) {
+      if (region.camera == camera) {
+        QPolygonF outline;
+        for (const cv::Point& point : region.outline) {
+          outline << QPointF(point.x, point.y);
+        }
+        regions.push_back({outline, tr("matches too")});
+      }
+    }
+    layer->setRegions(std::move(regions));
+  }
+}
+
+void ColorPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
+  snapshot_ = snapshot;
+  teacher_->setSnapshot(snapshot);
+  if (isVisible() && (!sinceSurvey_.isValid() || sinceSurvey_.elapsed() > kSurveyMs)) {
+    sinceSurvey_.start();
+    surveyImages();
+  }
+}
+
+void ColorPanel::surveyImages() {
+  if (surveying_ || !snapshot_ || !snapshot_->frames) {
+    return;
+  }
+  surveying_ = true;
+  survey_ = std::jthread([this, frames = snapshot_->frames] {
+    std::vector<cv::Mat> images;
+    for (const FramePtr& frame : frames->frames) {
+      if (frame) {
+        images.push_back(frame->image);
+      }
+    }
+    auto histogram = std::make_shared<const ColorHistogram>(histogramOf(images));
+    QMetaObject::invokeMethod(
+        this,
+        [this, histogram] {
+          surveying_ = false;
+          picker_->setHistogram(*histogram);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+} // namespace dewpoint

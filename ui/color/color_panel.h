@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/color/color_learning.h"
+#include "core/session/snapshot.h"
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+#include <memory>
+#include <thread>
+#include <vector>
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QToolButton;
+
+namespace dewpoint {
+
+class CameraView;
+class ColorPicker;
+class ColorTeacher;
+class Document;
+class PickLayer;
+struct ColorHistogram;
+
+/// The color of the chosen target: picker, samples it was learned from, and what to expect of it.
+class ColorPanel : public QWidget {
+  Q_OBJECT
+public:
+  explicit ColorPanel(Document& document, QWidget* parent = nullptr);
+
+  /// From now on a person can point at things in this view; views that are gone are forgotten.
+  void attach(int camera, CameraView* view);
+  void setSnapshot(const TrackSnapshotPtr& snapshot);
+  /// The target whose color is shown; -1: the next click makes a new one.
+  void setTarget(int target);
+  /// Whether a plain click in a view teaches the color.
+  void setPicking(bool picking);
+  bool isPicking() const { return picking_; }
+
+Q_SIGNALS:
+  void pickingChanged(bool picking);
+  /// A color was learned from images: time to track it.
+  void learned(int target);
+  void cameraChosen(int camera);
+  void failed(const QString& sentence);
+
+private:
+  void say();
+  void refresh();
+  void refreshSamples();
+  void connectTeacher();
+  void pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
+  void editRange(const ColorRange& range);
+  void showVerdict(const ColorVerdict& verdict);
+  void surveyImages();
+  void removeSample();
+
+  Document& document_;
+  ColorTeacher* teacher_;
+  QLabel* name_;
+  QToolButton* learn_;
+  ColorPicker* picker_;
+  QLabel* verdict_;
+  QLabel* samplesTitle_;
+  QListWidget* samples_;
+  QPushButton* remove_;
+  std::vector<std::pair<int, PickLayer*>> layers_;
+  TrackSnapshotPtr snapshot_;
+  int target_ = 0;
+  bool picking_ = false;
+  bool judged_ = false; ///< the verdict is about the range shown
+  QElapsedTimer sinceSurvey_;
+  bool surveying_ = false;
+  std::jthread survey_;
+};
+
+} // namespace dewpoint

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/color/color_range.h"
+
+#include <QWidget>
+
+#include <array>
+
+class QDoubleSpinBox;
+class QLabel;
+
+namespace dewpoint {
+
+class HueRing;
+class RangeBar;
+struct ColorHistogram;
+
+/// A color range to be looked at and changed: by hand on ring and bars, exactly by numbers.
+class ColorPicker : public QWidget {
+  Q_OBJECT
+public:
+  explicit ColorPicker(QWidget* parent = nullptr);
+
+  /// Shows a range without announcing it.
+  void setRange(const ColorRange& range);
+  const ColorRange& range() const { return range_; }
+  void setHistogram(const ColorHistogram& histogram);
+
+Q_SIGNALS:
+  void rangeEdited(const dewpoint::ColorRange& range);
+  /// A drag has ended: what comes next is another step.
+  void editingFinished();
+
+private:
+  QDoubleSpinBox* addBox(const char* name, double maximum, double step, int decimals,
+                         const QString& suffix);
+  void say();
+  void show();
+  void take(const ColorRange& range);
+
+  ColorRange range_;
+  HueRing* ring_;
+  RangeBar* saturation_;
+  RangeBar* intensity_;
+  std::array<QLabel*, 3> labels_{};
+  std::array<QDoubleSpinBox*, 6> boxes_{}; ///< hue, saturation, intensity: from, to
+};
+
+} // namespace dewpoint

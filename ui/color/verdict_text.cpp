@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/color/verdict_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include <cmath>
+
+namespace dewpoint {
+
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Verdict", text);
+}
+
+/// Where in the image: nine whole phrases, because languages put them together differently.
+QString placeName(HorizontalPlace horizontal, VerticalPlace vertical) {
+  static constexpr const char* kPlaces[3][3] = {
+      {QT_TRANSLATE_NOOP("Verdict", "at the top left"), QT_TRANSLATE_NOOP("Verdict", "at the top"),
+       QT_TRANSLATE_NOOP("Verdict", "at the top right")},
+      {QT_TRANSLATE_NOOP("Verdict", "at the left"), QT_TRANSLATE_NOOP("Verdict", "in the middle"),
+       QT_TRANSLATE_NOOP("Verdict", "at the right")},
+      {QT_TRANSLATE_NOOP("Verdict", "at the bottom left"),
+       QT_TRANSLATE_NOOP("Verdict", "at the bottom"),
+       QT_TRANSLATE_NOOP("Verdict", "at the bottom right")}};
+  return tr(kPlaces[static_cast<int>(vertical)][static_cast<int>(horizontal)]);
+}
+
+QString separationSentence(double separability) {
+  const int percent = static_cast<int>(std::lround(100.0 * separability));
+  const char* text =
+      separability >= 0.9   ? QT_TRANSLATE_NOOP("Verdict", "Stands out well: %1 of 100.")
+      : separability >= 0.7 ? QT_TRANSLATE_NOOP("Verdict", "Stands out: %1 of 100.")
+      : separability >= 0.4 ? QT_TRANSLATE_NOOP("Verdict", "Hard to tell apart: %1 of 100.")
+                            : QT_TRANSLATE_NOOP("Verdict", "Hardly stands out: %1 of 100.");
+  return tr(text).arg(percent);
+}
+
+QString suggestionSentence(Suggestion suggestion) {
+  switch (suggestion) {
+  case Suggestion::AddSamples:
+    return tr("Much of the target does not match: Shift-click its light and its dark side.");
+  case Suggestion::ExcludeLookAlike:
+    return tr("Alt-click what matches too: it can be told apart.");
+  case Suggestion::RemoveLookAlike:
+    return tr("Cover what has the same color, or take it out of view.");
+  case Suggestion::MoreLight:
+    return tr("The target is nearly black here: more light would help.");
+  case Suggestion::LessExposure:
+    return tr("The target is nearly white here: a shorter exposure would help.");
+  case Suggestion::UseStrongerColor:
+    return tr("The target is nearly gray: a stronger color would help.");
+  case Suggestion::UseAnotherColor:
+    return tr("Much of the room has this color: another one would help.");
+  case Suggestion::None:
+    break;
+  }
+  return {};
+}
+
+} // namespace
+
+QString colorName(ColorWord color) {
+  static constexpr const char* kNames[] = {
+      QT_TRANSLATE_NOOP("Verdict", "black"),     QT_TRANSLATE_NOOP("Verdict", "gray"),
+      QT_TRANSLATE_NOOP("Verdict", "white"),     QT_TRANSLATE_NOOP("Verdict", "brown"),
+      QT_TRANSLATE_NOOP("Verdict", "red"),       QT_TRANSLATE_NOOP("Verdict", "orange"),
+      QT_TRANSLATE_NOOP("Verdict", "yellow"),    QT_TRANSLATE_NOOP("Verdict", "green"),
+      QT_TRANSLATE_NOOP("Verdict", "turquoise"), QT_TRANSLATE_NOOP("Verdict", "blue"),
+      QT_TRANSLATE_NOOP("Verdict", "purple"),    QT_TRANSLATE_NOOP("Verdict", "pink")};
+  return tr(kNames[static_cast<int>(color)]);
+}
+
+QString verdictText(const ColorVerdict& verdict, const std::vector<QString>& cameras) {
+  QStringList sentences{separationSentence(verdict.separability)};
+  sentences << tr("%1 % of the background matches too.")
+                   .arg(QLocale().toString(100.0 * verdict.backgroundShare, 'f', 2));
+  if (!verdict.lookAlikes.empty()) {
+    const LookAlikeRegion& region = verdict.lookAlikes.front();
+    const auto camera = static_cast<std::size_t>(region.camera);
+    sentences << tr("Something %1 %2 of %3 matches too.")
+                     .arg(colorName(region.color), placeName(region.horizontal, region.vertical),
+                          camera < cameras.size() ? cameras[camera] : QString());
+  }
+  if (const QString suggestion = suggestionSentence(verdict.suggestion); !suggestion.isEmpty()) {
+    sentences << suggestion;
+  }
+  return sentences.join(QLatin1Char(' '));
+}
+
+} // namespace dewpoint
