@@ -231,6 +231,29 @@
         <source>Stop following the target that is chosen</source>
         <translation>Das gewählte Ziel nicht mehr verfolgen</translation>
     </message>
+    <message>
+        <source>Learn the color</source>
+        <translation>Farbe lernen</translation>
+    </message>
+    <message>
+        <source>Then click the target in a camera image: its color is learned</source>
+        <translation>Danach das Ziel in einem Kamerabild anklicken: Seine Farbe wird gelernt</translation>
+    </message>
+    <message>
+        <source>Add a target</source>
+        <translation>Ziel hinzufügen</translation>
+    </message>
+    <message>
+        <source>Follow one more thing: click it in a camera image</source>
+        <translation>Noch etwas verfolgen: es in einem Kamerabild anklicken</translation>
+    </message>
+</context>
+<context>
+    <name>ColorTeacher</name>
+    <message>
+        <source>target %1</source>
+        <translation>Ziel %1</translation>
+    </message>
 </context>
 <context>
     <name>Error</name>
@@ -496,6 +519,148 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>Verdict</name>
+    <message>
+        <source>at the top left</source>
+        <translation>oben links</translation>
+    </message>
+    <message>
+        <source>at the top</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>at the top right</source>
+        <translation>oben rechts</translation>
+    </message>
+    <message>
+        <source>at the left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>in the middle</source>
+        <translation>in der Mitte</translation>
+    </message>
+    <message>
+        <source>at the right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>at the bottom left</source>
+        <translation>unten links</translation>
+    </message>
+    <message>
+        <source>at the bottom</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>at the bottom right</source>
+        <translation>unten rechts</translation>
+    </message>
+    <message>
+        <source>Stands out well: %1 of 100.</source>
+        <translation>Hebt sich gut ab: %1 von 100.</translation>
+    </message>
+    <message>
+        <source>Stands out: %1 of 100.</source>
+        <translation>Hebt sich ab: %1 von 100.</translation>
+    </message>
+    <message>
+        <source>Hard to tell apart: %1 of 100.</source>
+        <translation>Schwer zu unterscheiden: %1 von 100.</translation>
+    </message>
+    <message>
+        <source>Hardly stands out: %1 of 100.</source>
+        <translation>Hebt sich kaum ab: %1 von 100.</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>Schwarzes</translation>
+    </message>
+    <message>
+        <source>gray</source>
+        <translation>Graues</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>Weißes</translation>
+    </message>
+    <message>
+        <source>brown</source>
+        <translation>Braunes</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>Rotes</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>Oranges</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>Gelbes</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>Grünes</translation>
+    </message>
+    <message>
+        <source>turquoise</source>
+        <translation>Türkises</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>Blaues</translation>
+    </message>
+    <message>
+        <source>purple</source>
+        <translation>Violettes</translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation>Rosafarbenes</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint</name>
+    <message>
+        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
+        <translation>Vieles am Ziel passt nicht: Umschalt-Klick auf seine helle und seine dunkle Seite.</translation>
+    </message>
+    <message>
+        <source>Alt-click what matches too: it can be told apart.</source>
+        <translation>Alt-Klick auf das, was auch passt: Es lässt sich unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Cover what has the same color, or take it out of view.</source>
+        <translation>Bedecken Sie, was dieselbe Farbe hat, oder nehmen Sie es aus dem Bild.</translation>
+    </message>
+    <message>
+        <source>The target is nearly black here: more light would help.</source>
+        <translation>Das Ziel ist hier fast schwarz: Mehr Licht würde helfen.</translation>
+    </message>
+    <message>
+        <source>The target is nearly white here: a shorter exposure would help.</source>
+        <translation>Das Ziel ist hier fast weiß: Eine kürzere Belichtung würde helfen.</translation>
+    </message>
+    <message>
+        <source>The target is nearly gray: a stronger color would help.</source>
+        <translation>Das Ziel ist fast grau: Eine kräftigere Farbe würde helfen.</translation>
+    </message>
+    <message>
+        <source>Much of the room has this color: another one would help.</source>
+        <translation>Vieles im Raum hat diese Farbe: Eine andere würde helfen.</translation>
+    </message>
+    <message>
+        <source>%1 % of the background matches too.</source>
+        <translation>%1 % des Hintergrunds passen auch.</translation>
+    </message>
+    <message>
+        <source>Something %1 %2 of %3 matches too.</source>
+        <translation>Etwas %1 %2 in %3 passt auch.</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::BirdsEyeView</name>
     <message>
         <source>Bird&apos;s-eye view</source>
@@ -628,6 +793,155 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>No images yet. Press play (Space), or open a project (Ctrl+O).</source>
         <translation>Noch keine Bilder. Wiedergabe starten (Leertaste) oder ein Projekt öffnen (Strg+O).</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ColorPanel</name>
+    <message>
+        <source>Looking at the images…</source>
+        <translation>Die Bilder werden betrachtet …</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>Lernen</translation>
+    </message>
+    <message>
+        <source>Then click the target in any camera image, or drag a box on it. Shift-click adds a sample, Alt-click excludes what is not the target.</source>
+        <translation>Danach das Ziel in irgendeinem Kamerabild anklicken oder einen Rahmen darauf ziehen. Umschalt-Klick fügt eine Probe hinzu, Alt-Klick schließt aus, was nicht das Ziel ist.</translation>
+    </message>
+    <message>
+        <source>Learned from</source>
+        <translation>Gelernt aus</translation>
+    </message>
+    <message>
+        <source>Samples the color was learned from</source>
+        <translation>Proben, aus denen die Farbe gelernt wurde</translation>
+    </message>
+    <message>
+        <source>Shift-click in an image adds one, Alt-click excludes one</source>
+        <translation>Umschalt-Klick in einem Bild fügt eine hinzu, Alt-Klick schließt eine aus</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Forget the chosen sample and learn from the rest (Del)</source>
+        <translation>Die gewählte Probe vergessen und aus den übrigen lernen (Entf)</translation>
+    </message>
+    <message>
+        <source>No target yet</source>
+        <translation>Noch kein Ziel</translation>
+    </message>
+    <message>
+        <source>A new target</source>
+        <translation>Ein neues Ziel</translation>
+    </message>
+    <message>
+        <source>Drag ring and bars, or press Learn and click the target.</source>
+        <translation>Ring und Balken ziehen, oder Lernen drücken und das Ziel anklicken.</translation>
+    </message>
+    <message>
+        <source>Click the thing to follow in any camera image.</source>
+        <translation>In irgendeinem Kamerabild auf das klicken, was verfolgt werden soll.</translation>
+    </message>
+    <message>
+        <source>not this: %1, frame %2</source>
+        <translation>dies nicht: %1, Bild %2</translation>
+    </message>
+    <message>
+        <source>%1, frame %2</source>
+        <translation>%1, Bild %2</translation>
+    </message>
+    <message>
+        <source>Change color range</source>
+        <translation>Farbbereich ändern</translation>
+    </message>
+    <message>
+        <source>matches too</source>
+        <translation>passt auch</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ColorPicker</name>
+    <message>
+        <source>&amp;Hue</source>
+        <translation>&amp;Farbton</translation>
+    </message>
+    <message>
+        <source>&amp;Saturation</source>
+        <translation>&amp;Sättigung</translation>
+    </message>
+    <message>
+        <source>&amp;Intensity</source>
+        <translation>&amp;Intensität</translation>
+    </message>
+    <message>
+        <source>First hue, 0 to 360 degrees; above the last hue the range goes through red</source>
+        <translation>Erster Farbton, 0 bis 360 Grad; über dem letzten Farbton geht der Bereich durch Rot</translation>
+    </message>
+    <message>
+        <source>Last hue, 0 to 360 degrees</source>
+        <translation>Letzter Farbton, 0 bis 360 Grad</translation>
+    </message>
+    <message>
+        <source>Least saturation, 0 to 1</source>
+        <translation>Kleinste Sättigung, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Greatest saturation, 0 to 1</source>
+        <translation>Größte Sättigung, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Least intensity, 0 to 1</source>
+        <translation>Kleinste Intensität, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Greatest intensity, 0 to 1</source>
+        <translation>Größte Intensität, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Drag the ends or the middle; with the keyboard, Tab chooses and the arrows move (with Shift ten times as far)</source>
+        <translation>Enden oder Mitte ziehen; mit der Tastatur wählt Tab, und die Pfeile bewegen (mit Umschalt zehnmal so weit)</translation>
+    </message>
+    <message>
+        <source>Range of hues</source>
+        <translation>Bereich der Farbtöne</translation>
+    </message>
+    <message>
+        <source>Range of saturation</source>
+        <translation>Bereich der Sättigung</translation>
+    </message>
+    <message>
+        <source>Range of intensity</source>
+        <translation>Bereich der Intensität</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ColorTeacher</name>
+    <message>
+        <source>This camera shows no image to learn from.</source>
+        <translation>Diese Kamera zeigt kein Bild, aus dem gelernt werden kann.</translation>
+    </message>
+    <message>
+        <source>Click the target first; then exclude what is not it.</source>
+        <translation>Erst das Ziel anklicken; dann ausschließen, was es nicht ist.</translation>
+    </message>
+    <message>
+        <source>Exclude color</source>
+        <translation>Farbe ausschließen</translation>
+    </message>
+    <message>
+        <source>Add color sample</source>
+        <translation>Farbprobe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Learn color</source>
+        <translation>Farbe lernen</translation>
+    </message>
+    <message>
+        <source>Remove color sample</source>
+        <translation>Farbprobe entfernen</translation>
     </message>
 </context>
 <context>
@@ -874,6 +1188,10 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>The cameras have the calibration of %1 now.</source>
         <translation>Die Kameras haben jetzt die Kalibrierung aus %1.</translation>
+    </message>
+    <message>
+        <source>Color</source>
+        <translation>Farbe</translation>
     </message>
 </context>
 <context>

@@ -231,6 +231,29 @@
         <source>Stop following the target that is chosen</source>
         <translation>Dejar de seguir el objetivo elegido</translation>
     </message>
+    <message>
+        <source>Learn the color</source>
+        <translation>Aprender el color</translation>
+    </message>
+    <message>
+        <source>Then click the target in a camera image: its color is learned</source>
+        <translation>Después haga clic en el objetivo en una imagen: se aprende su color</translation>
+    </message>
+    <message>
+        <source>Add a target</source>
+        <translation>Añadir un objetivo</translation>
+    </message>
+    <message>
+        <source>Follow one more thing: click it in a camera image</source>
+        <translation>Seguir una cosa más: haga clic en ella en una imagen</translation>
+    </message>
+</context>
+<context>
+    <name>ColorTeacher</name>
+    <message>
+        <source>target %1</source>
+        <translation>objetivo %1</translation>
+    </message>
 </context>
 <context>
     <name>Error</name>
@@ -496,6 +519,148 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>Verdict</name>
+    <message>
+        <source>at the top left</source>
+        <translation>arriba a la izquierda</translation>
+    </message>
+    <message>
+        <source>at the top</source>
+        <translation>arriba</translation>
+    </message>
+    <message>
+        <source>at the top right</source>
+        <translation>arriba a la derecha</translation>
+    </message>
+    <message>
+        <source>at the left</source>
+        <translation>a la izquierda</translation>
+    </message>
+    <message>
+        <source>in the middle</source>
+        <translation>en el centro</translation>
+    </message>
+    <message>
+        <source>at the right</source>
+        <translation>a la derecha</translation>
+    </message>
+    <message>
+        <source>at the bottom left</source>
+        <translation>abajo a la izquierda</translation>
+    </message>
+    <message>
+        <source>at the bottom</source>
+        <translation>abajo</translation>
+    </message>
+    <message>
+        <source>at the bottom right</source>
+        <translation>abajo a la derecha</translation>
+    </message>
+    <message>
+        <source>Stands out well: %1 of 100.</source>
+        <translation>Destaca bien: %1 de 100.</translation>
+    </message>
+    <message>
+        <source>Stands out: %1 of 100.</source>
+        <translation>Destaca: %1 de 100.</translation>
+    </message>
+    <message>
+        <source>Hard to tell apart: %1 of 100.</source>
+        <translation>Difícil de distinguir: %1 de 100.</translation>
+    </message>
+    <message>
+        <source>Hardly stands out: %1 of 100.</source>
+        <translation>Apenas destaca: %1 de 100.</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>negro</translation>
+    </message>
+    <message>
+        <source>gray</source>
+        <translation>gris</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>blanco</translation>
+    </message>
+    <message>
+        <source>brown</source>
+        <translation>marrón</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>rojo</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>naranja</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>amarillo</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>verde</translation>
+    </message>
+    <message>
+        <source>turquoise</source>
+        <translation>turquesa</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>azul</translation>
+    </message>
+    <message>
+        <source>purple</source>
+        <translation>morado</translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation>rosa</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint</name>
+    <message>
+        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
+        <translation>Gran parte del objetivo no coincide: Mayús-clic en su lado claro y en su lado oscuro.</translation>
+    </message>
+    <message>
+        <source>Alt-click what matches too: it can be told apart.</source>
+        <translation>Alt-clic en lo que también coincide: se puede distinguir.</translation>
+    </message>
+    <message>
+        <source>Cover what has the same color, or take it out of view.</source>
+        <translation>Cubra lo que tiene el mismo color o sáquelo de la imagen.</translation>
+    </message>
+    <message>
+        <source>The target is nearly black here: more light would help.</source>
+        <translation>El objetivo es casi negro aquí: más luz ayudaría.</translation>
+    </message>
+    <message>
+        <source>The target is nearly white here: a shorter exposure would help.</source>
+        <translation>El objetivo es casi blanco aquí: una exposición más corta ayudaría.</translation>
+    </message>
+    <message>
+        <source>The target is nearly gray: a stronger color would help.</source>
+        <translation>El objetivo es casi gris: un color más vivo ayudaría.</translation>
+    </message>
+    <message>
+        <source>Much of the room has this color: another one would help.</source>
+        <translation>Gran parte de la sala tiene este color: otro ayudaría.</translation>
+    </message>
+    <message>
+        <source>%1 % of the background matches too.</source>
+        <translation>El %1 % del fondo también coincide.</translation>
+    </message>
+    <message>
+        <source>Something %1 %2 of %3 matches too.</source>
+        <translation>Algo %1 %2 de %3 también coincide.</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::BirdsEyeView</name>
     <message>
         <source>Bird&apos;s-eye view</source>
@@ -628,6 +793,155 @@ en %4, %5, %6 m</translation>
     <message>
         <source>No images yet. Press play (Space), or open a project (Ctrl+O).</source>
         <translation>Aún no hay imágenes. Pulse reproducir (Espacio) o abra un proyecto (Ctrl+O).</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ColorPanel</name>
+    <message>
+        <source>Looking at the images…</source>
+        <translation>Mirando las imágenes…</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>Aprender</translation>
+    </message>
+    <message>
+        <source>Then click the target in any camera image, or drag a box on it. Shift-click adds a sample, Alt-click excludes what is not the target.</source>
+        <translation>Después haga clic en el objetivo en cualquier imagen, o arrastre un recuadro sobre él. Mayús-clic añade una muestra, Alt-clic excluye lo que no es el objetivo.</translation>
+    </message>
+    <message>
+        <source>Learned from</source>
+        <translation>Aprendido de</translation>
+    </message>
+    <message>
+        <source>Samples the color was learned from</source>
+        <translation>Muestras de las que se aprendió el color</translation>
+    </message>
+    <message>
+        <source>Shift-click in an image adds one, Alt-click excludes one</source>
+        <translation>Mayús-clic en una imagen añade una, Alt-clic excluye una</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Forget the chosen sample and learn from the rest (Del)</source>
+        <translation>Olvidar la muestra elegida y aprender de las demás (Supr)</translation>
+    </message>
+    <message>
+        <source>No target yet</source>
+        <translation>Aún sin objetivo</translation>
+    </message>
+    <message>
+        <source>A new target</source>
+        <translation>Un objetivo nuevo</translation>
+    </message>
+    <message>
+        <source>Drag ring and bars, or press Learn and click the target.</source>
+        <translation>Arrastre el anillo y las barras, o pulse Aprender y haga clic en el objetivo.</translation>
+    </message>
+    <message>
+        <source>Click the thing to follow in any camera image.</source>
+        <translation>Haga clic en cualquier imagen sobre lo que quiere seguir.</translation>
+    </message>
+    <message>
+        <source>not this: %1, frame %2</source>
+        <translation>esto no: %1, fotograma %2</translation>
+    </message>
+    <message>
+        <source>%1, frame %2</source>
+        <translation>%1, fotograma %2</translation>
+    </message>
+    <message>
+        <source>Change color range</source>
+        <translation>Cambiar el intervalo de color</translation>
+    </message>
+    <message>
+        <source>matches too</source>
+        <translation>también coincide</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ColorPicker</name>
+    <message>
+        <source>&amp;Hue</source>
+        <translation>&amp;Tono</translation>
+    </message>
+    <message>
+        <source>&amp;Saturation</source>
+        <translation>&amp;Saturación</translation>
+    </message>
+    <message>
+        <source>&amp;Intensity</source>
+        <translation>&amp;Intensidad</translation>
+    </message>
+    <message>
+        <source>First hue, 0 to 360 degrees; above the last hue the range goes through red</source>
+        <translation>Primer tono, de 0 a 360 grados; por encima del último tono el intervalo pasa por el rojo</translation>
+    </message>
+    <message>
+        <source>Last hue, 0 to 360 degrees</source>
+        <translation>Último tono, de 0 a 360 grados</translation>
+    </message>
+    <message>
+        <source>Least saturation, 0 to 1</source>
+        <translation>Saturación mínima, de 0 a 1</translation>
+    </message>
+    <message>
+        <source>Greatest saturation, 0 to 1</source>
+        <translation>Saturación máxima, de 0 a 1</translation>
+    </message>
+    <message>
+        <source>Least intensity, 0 to 1</source>
+        <translation>Intensidad mínima, de 0 a 1</translation>
+    </message>
+    <message>
+        <source>Greatest intensity, 0 to 1</source>
+        <translation>Intensidad máxima, de 0 a 1</translation>
+    </message>
+    <message>
+        <source>Drag the ends or the middle; with the keyboard, Tab chooses and the arrows move (with Shift ten times as far)</source>
+        <translation>Arrastre los extremos o el centro; con el teclado, Tab elige y las flechas mueven (con Mayús diez veces más)</translation>
+    </message>
+    <message>
+        <source>Range of hues</source>
+        <translation>Intervalo de tonos</translation>
+    </message>
+    <message>
+        <source>Range of saturation</source>
+        <translation>Intervalo de saturación</translation>
+    </message>
+    <message>
+        <source>Range of intensity</source>
+        <translation>Intervalo de intensidad</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ColorTeacher</name>
+    <message>
+        <source>This camera shows no image to learn from.</source>
+        <translation>Esta cámara no muestra ninguna imagen de la que aprender.</translation>
+    </message>
+    <message>
+        <source>Click the target first; then exclude what is not it.</source>
+        <translation>Primero haga clic en el objetivo; después excluya lo que no lo es.</translation>
+    </message>
+    <message>
+        <source>Exclude color</source>
+        <translation>Excluir color</translation>
+    </message>
+    <message>
+        <source>Add color sample</source>
+        <translation>Añadir muestra de color</translation>
+    </message>
+    <message>
+        <source>Learn color</source>
+        <translation>Aprender color</translation>
+    </message>
+    <message>
+        <source>Remove color sample</source>
+        <translation>Quitar muestra de color</translation>
     </message>
 </context>
 <context>
@@ -874,6 +1188,10 @@ en %4, %5, %6 m</translation>
     <message>
         <source>The cameras have the calibration of %1 now.</source>
         <translation>Las cámaras tienen ahora la calibración de %1.</translation>
+    </message>
+    <message>
+        <source>Color</source>
+        <translation>Color</translation>
     </message>
 </context>
 <context>

@@ -231,6 +231,29 @@
         <source>Stop following the target that is chosen</source>
         <translation>選んだターゲットの追跡をやめます</translation>
     </message>
+    <message>
+        <source>Learn the color</source>
+        <translation>色を学習</translation>
+    </message>
+    <message>
+        <source>Then click the target in a camera image: its color is learned</source>
+        <translation>続けてカメラ画像のターゲットをクリックすると、その色を学習します</translation>
+    </message>
+    <message>
+        <source>Add a target</source>
+        <translation>ターゲットを追加</translation>
+    </message>
+    <message>
+        <source>Follow one more thing: click it in a camera image</source>
+        <translation>もう1つ追跡します。カメラ画像でクリックしてください</translation>
+    </message>
+</context>
+<context>
+    <name>ColorTeacher</name>
+    <message>
+        <source>target %1</source>
+        <translation>ターゲット %1</translation>
+    </message>
 </context>
 <context>
     <name>Error</name>
@@ -496,6 +519,148 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
+    <name>Verdict</name>
+    <message>
+        <source>at the top left</source>
+        <translation>左上</translation>
+    </message>
+    <message>
+        <source>at the top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>at the top right</source>
+        <translation>右上</translation>
+    </message>
+    <message>
+        <source>at the left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>in the middle</source>
+        <translation>中央</translation>
+    </message>
+    <message>
+        <source>at the right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>at the bottom left</source>
+        <translation>左下</translation>
+    </message>
+    <message>
+        <source>at the bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>at the bottom right</source>
+        <translation>右下</translation>
+    </message>
+    <message>
+        <source>Stands out well: %1 of 100.</source>
+        <translation>よく見分けられます: 100点中%1点。</translation>
+    </message>
+    <message>
+        <source>Stands out: %1 of 100.</source>
+        <translation>見分けられます: 100点中%1点。</translation>
+    </message>
+    <message>
+        <source>Hard to tell apart: %1 of 100.</source>
+        <translation>見分けにくい色です: 100点中%1点。</translation>
+    </message>
+    <message>
+        <source>Hardly stands out: %1 of 100.</source>
+        <translation>ほとんど見分けられません: 100点中%1点。</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>黒い物</translation>
+    </message>
+    <message>
+        <source>gray</source>
+        <translation>灰色の物</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>白い物</translation>
+    </message>
+    <message>
+        <source>brown</source>
+        <translation>茶色の物</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>赤い物</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>オレンジ色の物</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>黄色い物</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>緑の物</translation>
+    </message>
+    <message>
+        <source>turquoise</source>
+        <translation>青緑の物</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>青い物</translation>
+    </message>
+    <message>
+        <source>purple</source>
+        <translation>紫の物</translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation>ピンクの物</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint</name>
+    <message>
+        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
+        <translation>ターゲットの多くが一致しません。明るい側と暗い側を Shift クリックしてください。</translation>
+    </message>
+    <message>
+        <source>Alt-click what matches too: it can be told apart.</source>
+        <translation>一致している別の物を Alt クリックすると区別できます。</translation>
+    </message>
+    <message>
+        <source>Cover what has the same color, or take it out of view.</source>
+        <translation>同じ色の物を覆うか、画面の外に出してください。</translation>
+    </message>
+    <message>
+        <source>The target is nearly black here: more light would help.</source>
+        <translation>ターゲットがほぼ黒く写っています。明るくすると良くなります。</translation>
+    </message>
+    <message>
+        <source>The target is nearly white here: a shorter exposure would help.</source>
+        <translation>ターゲットがほぼ白く写っています。露光を短くすると良くなります。</translation>
+    </message>
+    <message>
+        <source>The target is nearly gray: a stronger color would help.</source>
+        <translation>ターゲットがほぼ灰色です。もっと鮮やかな色が良いでしょう。</translation>
+    </message>
+    <message>
+        <source>Much of the room has this color: another one would help.</source>
+        <translation>部屋の多くがこの色です。別の色が良いでしょう。</translation>
+    </message>
+    <message>
+        <source>%1 % of the background matches too.</source>
+        <translation>背景の %1 % も一致します。</translation>
+    </message>
+    <message>
+        <source>Something %1 %2 of %3 matches too.</source>
+        <translation>%3 の%2にある%1も一致します。</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::BirdsEyeView</name>
     <message>
         <source>Bird&apos;s-eye view</source>
@@ -628,6 +793,155 @@ at %4, %5, %6 m</source>
     <message>
         <source>No images yet. Press play (Space), or open a project (Ctrl+O).</source>
         <translation>まだ画像がありません。再生する（スペース）か、プロジェクトを開いてください（Ctrl+O）。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ColorPanel</name>
+    <message>
+        <source>Looking at the images…</source>
+        <translation>画像を調べています…</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>学習</translation>
+    </message>
+    <message>
+        <source>Then click the target in any camera image, or drag a box on it. Shift-click adds a sample, Alt-click excludes what is not the target.</source>
+        <translation>続けてカメラ画像のターゲットをクリックするか、枠をドラッグします。Shift クリックで見本を追加、Alt クリックでターゲットでないものを除外します。</translation>
+    </message>
+    <message>
+        <source>Learned from</source>
+        <translation>学習に使った見本</translation>
+    </message>
+    <message>
+        <source>Samples the color was learned from</source>
+        <translation>色の学習に使った見本</translation>
+    </message>
+    <message>
+        <source>Shift-click in an image adds one, Alt-click excludes one</source>
+        <translation>画像で Shift クリックすると追加、Alt クリックすると除外します</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>取り除く</translation>
+    </message>
+    <message>
+        <source>Forget the chosen sample and learn from the rest (Del)</source>
+        <translation>選んだ見本を忘れ、残りから学習します（Del）</translation>
+    </message>
+    <message>
+        <source>No target yet</source>
+        <translation>ターゲットなし</translation>
+    </message>
+    <message>
+        <source>A new target</source>
+        <translation>新しいターゲット</translation>
+    </message>
+    <message>
+        <source>Drag ring and bars, or press Learn and click the target.</source>
+        <translation>リングやバーをドラッグするか、「学習」を押してターゲットをクリックしてください。</translation>
+    </message>
+    <message>
+        <source>Click the thing to follow in any camera image.</source>
+        <translation>カメラ画像で追跡したいものをクリックしてください。</translation>
+    </message>
+    <message>
+        <source>not this: %1, frame %2</source>
+        <translation>除外: %1、フレーム %2</translation>
+    </message>
+    <message>
+        <source>%1, frame %2</source>
+        <translation>%1、フレーム %2</translation>
+    </message>
+    <message>
+        <source>Change color range</source>
+        <translation>色の範囲を変更</translation>
+    </message>
+    <message>
+        <source>matches too</source>
+        <translation>これも一致</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ColorPicker</name>
+    <message>
+        <source>&amp;Hue</source>
+        <translation>色相(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Saturation</source>
+        <translation>彩度(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Intensity</source>
+        <translation>輝度(&amp;I)</translation>
+    </message>
+    <message>
+        <source>First hue, 0 to 360 degrees; above the last hue the range goes through red</source>
+        <translation>最初の色相（0〜360度）。最後の色相より大きいと赤をまたぎます</translation>
+    </message>
+    <message>
+        <source>Last hue, 0 to 360 degrees</source>
+        <translation>最後の色相（0〜360度）</translation>
+    </message>
+    <message>
+        <source>Least saturation, 0 to 1</source>
+        <translation>最小の彩度（0〜1）</translation>
+    </message>
+    <message>
+        <source>Greatest saturation, 0 to 1</source>
+        <translation>最大の彩度（0〜1）</translation>
+    </message>
+    <message>
+        <source>Least intensity, 0 to 1</source>
+        <translation>最小の輝度（0〜1）</translation>
+    </message>
+    <message>
+        <source>Greatest intensity, 0 to 1</source>
+        <translation>最大の輝度（0〜1）</translation>
+    </message>
+    <message>
+        <source>Drag the ends or the middle; with the keyboard, Tab chooses and the arrows move (with Shift ten times as far)</source>
+        <translation>両端または中央をドラッグします。キーボードでは Tab で選び、矢印で動かします（Shift で10倍）</translation>
+    </message>
+    <message>
+        <source>Range of hues</source>
+        <translation>色相の範囲</translation>
+    </message>
+    <message>
+        <source>Range of saturation</source>
+        <translation>彩度の範囲</translation>
+    </message>
+    <message>
+        <source>Range of intensity</source>
+        <translation>輝度の範囲</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ColorTeacher</name>
+    <message>
+        <source>This camera shows no image to learn from.</source>
+        <translation>このカメラには学習に使える画像がありません。</translation>
+    </message>
+    <message>
+        <source>Click the target first; then exclude what is not it.</source>
+        <translation>まずターゲットをクリックし、その後で違うものを除外してください。</translation>
+    </message>
+    <message>
+        <source>Exclude color</source>
+        <translation>色を除外</translation>
+    </message>
+    <message>
+        <source>Add color sample</source>
+        <translation>色見本を追加</translation>
+    </message>
+    <message>
+        <source>Learn color</source>
+        <translation>色を学習</translation>
+    </message>
+    <message>
+        <source>Remove color sample</source>
+        <translation>色見本を取り除く</translation>
     </message>
 </context>
 <context>
@@ -873,6 +1187,10 @@ at %4, %5, %6 m</source>
     <message>
         <source>The cameras have the calibration of %1 now.</source>
         <translation>カメラは %1 のキャリブレーションを使います。</translation>
+    </message>
+    <message>
+        <source>Color</source>
+        <translation>色</translation>
     </message>
 </context>
 <context>

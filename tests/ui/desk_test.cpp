@@ -8,6 +8,10 @@
 #include "core/simulation/scene_renderer.h"
 #include "ui/actions/action_registry.h"
 #include "ui/birdseye/birds_eye_view.h"
+#include "ui/camera/camera_view.h"
+#include "ui/camera/pick_layer.h"
+#include "ui/color/hue_ring.h"
+#include "ui/color/range_bar.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/start/recent_projects.h"
@@ -75,6 +79,8 @@ private Q_SLOTS:
   void theLayoutBelongsToTheProject();
   void namesAndSizesAreUndoable();
   void workLeftBehindIsOffered();
+  void oneClickLearnsAColorAndTracksIt();
+  void thePickerIsDraggedByHandAndByKeys();
 
 private:
   template <class T> T* find(const char* name) {
@@ -290,6 +296,79 @@ void DeskTest::workLeftBehindIsOffered() {
   QVERIFY(window_->document().isUnsaved());
   // This window has a copy of its own soon, and the old one is gone.
   QVERIFY(waitFor([&] { return !std::filesystem::exists(recovery / "0123.toml"); }));
+}
+
+void DeskTest::oneClickLearnsAColorAndTracksIt() {
+  recordDemo(folder_.path().toStdString());
+  drop({file("left.mkv"), file("right.mkv"), file("calibration.toml")});
+  QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
+  QVERIFY(isOpen(2));
+  QVERIFY(window_->document().project().targets.empty());
+
+  // The ball of the demo's first frame, as the first camera sees it: (0.5, 0.5, 0.15) m.
+  const auto at = Projector(demoRig()[0]).project({0.5, 0.5, 0.15});
+  auto* view = find<CameraView>("cameraView0");
+  QVERIFY(waitFor([&] { return !view->imageSize().isEmpty(); }));
+  const QPointF place = view->placement().corner +
+                        (QPointF(at->x(), at->y()) + QPointF(0.5, 0.5)) * view->placement().scale;
+  auto* layer = find<PickLayer>("cameraView0Pick");
+  QTest::mouseClick(layer, Qt::LeftButton, Qt::NoModifier, place.toPoint());
+  QVERIFY(waitFor([this] { return window_->document().project().targets.size() == 1; }));
+  QVERIFY(action("actionShowMask")->isChecked()); // all cameras show what was learned
+  QVERIFY(waitFor([this] {
+    const auto& targets = window_->shown()->targets;
+    return !targets.empty() && targets[0].estimate.valid && window_->shown()->frame > 2;
+  }));
+  // 35 mm: the ball's radius; the path of eight frames is shorter.
+  const Eigen::Vector3d mean = window_->shown()->targets[0].estimate.mean;
+  QVERIFY((mean - Eigen::Vector3d(0.5, 0.5, 0.15)).norm() < 0.035);
+  QVERIFY(find<QLabel>("colorVerdict")->text().contains(QStringLiteral("of 100")));
+  QCOMPARE(find<QListWidget>("colorSamples")->count(), 1);
+
+  // One more sample by Shift-click; taken away again, and all of it undone.
+  QTest::mouseClick(layer, Qt::LeftButton, Qt::ShiftModifier, place.toPoint() + QPoint(3, 3));
+  QVERIFY(waitFor([this] { return find<QListWidget>("colorSamples")->count() == 2; }));
+  find<QListWidget>("colorSamples")->setCurrentRow(1);
+  QTest::mouseClick(find<QPushButton>("colorRemoveSample"), Qt::LeftButton);
+  QVERIFY(waitFor([this] { return find<QListWidget>("colorSamples")->count() == 1; }));
+  for (int i = 0; i < 3; ++i) {
+    action("actionUndo")->trigger();
+  }
+  QVERIFY(window_->document().project().targets.empty());
+}
+
+void DeskTest::thePickerIsDraggedByHandAndByKeys() {
+  openDemo();
+  find<QDockWidget>("colorDock")->raise();
+  auto* ring = find<HueRing>("hueRing");
+  QVERIFY(waitFor([&] { return ring->isVisible() && ring->width() > 100; }));
+  const auto color = [this] { return window_->document().project().targets[0].color; };
+  const ColorRange before = color();
+  // The first end lies at the hue's angle, counterclockwise from the right, half a ring inside.
+  const auto point = [&](double hue) {
+    const double radius = std::min(ring->width(), ring->height()) / 2.0 - 19.0;
+    const double angle = hue * 3.14159265 / 180.0;
+    return QPointF(ring->width() / 2.0 + radius * std::cos(angle),
+                   ring->height() / 2.0 - radius * std::sin(angle))
+        .toPoint();
+  };
+  QTest::mousePress(ring, Qt::LeftButton, Qt::NoModifier, point(before.hueMin));
+  for (int step = 1; step <= 10; ++step) {
+    QTest::mouseMove(ring, point(before.hueMin - 2.0 * step));
+  }
+  QTest::mouseRelease(ring, Qt::LeftButton, Qt::NoModifier, point(before.hueMin - 20.0));
+  QVERIFY(std::abs(color().hueMin - (before.hueMin - 20.0)) < 2.0); // a pixel is about a degree
+  QCOMPARE(color().hueMax, before.hueMax);
+  action("actionUndo")->trigger(); // the whole drag is one step
+  QCOMPARE(color().hueMin, before.hueMin);
+
+  auto* bar = find<RangeBar>("saturationBar");
+  bar->setFocus(Qt::TabFocusReason);
+  QTest::keyClick(bar, Qt::Key_Right);
+  QVERIFY(std::abs(color().saturationMin - (before.saturationMin + 0.01)) < 1e-9);
+  QTest::keyClick(bar, Qt::Key_Tab);
+  QTest::keyClick(bar, Qt::Key_Left, Qt::ShiftModifier);
+  QVERIFY(std::abs(color().saturationMax - (before.saturationMax - 0.1)) < 1e-9);
 }
 
 } // namespace dewpoint

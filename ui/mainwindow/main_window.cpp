@@ -186,6 +186,7 @@ void MainWindow::showNotices(const TrackSnapshot& snapshot) {
 
 void MainWindow::trackLearned(int target) {
   targets_->choose(target);
+  colorDock_->raise();
   action("actionShowMask")->setChecked(true);
   if (bridge_ != nullptr && shown_ && shown_->state == PlayState::Paused) {
     bridge_->session().play();

@@ -81,7 +81,7 @@ void MainWindow::makeInspector() {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(276);
+  scroll->setMinimumWidth(324); // room for the names of all tabs
   scroll->setWidget(parameters_);
   parameterDock_ = makeDock(
       QStringLiteral("parameterDock"), [] { return tr("Parameters"); }, scroll);
