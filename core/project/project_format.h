@@ -10,7 +10,7 @@
 namespace dewpoint {
 
 /// The version of the project file that this program writes.
-inline constexpr std::int64_t kProjectFormat = 1;
+inline constexpr std::int64_t kProjectFormat = 2;
 
 /// The key of a camera's source in the project file.
 inline constexpr std::array<std::pair<const char*, SourceKind>, 4> kSourceKeys{{

@@ -5,6 +5,7 @@
 #include "core/calibration/camera_calibration.h"
 #include "core/project/project.h"
 #include "core/project/project_format.h"
+#include "core/project/project_migration.h"
 
 #include <charconv>
 #include <cstdlib>
@@ -289,9 +290,14 @@ void readWindow(TableReader& reader, const std::string& file, Project& project) 
 } // namespace
 
 Result<Project> loadProject(const std::filesystem::path& file) {
-  const auto table = readTomlFile(file);
+  auto table = readTomlFile(file);
   if (!table) {
     return tl::make_unexpected(table.error());
+  }
+  // A newer format is refused below, with the line where it stands.
+  if (const auto format = (*table)["format"].value<std::int64_t>();
+      format && *format >= 1 && *format < kProjectFormat) {
+    migrateProject(*table, *format);
   }
   Project project;
   project.file = std::filesystem::absolute(file);

@@ -133,6 +133,17 @@ TEST(ProjectFile, NamesTheSampleThatIsWrong) {
   EXPECT_EQ(fieldOf("30, 40", "30"), "target 1.sample 2.box");
 }
 
+// kGood is of format 1, as the first versions wrote it.
+TEST(ProjectFile, AnOlderFormatIsReadAndWrittenAsThePresentOne) {
+  const auto old = load(kGood);
+  ASSERT_TRUE(old) << sentence(old.error());
+  const std::string text = projectText(*old, "/");
+  EXPECT_NE(text.find("format = 2"), std::string::npos);
+  const auto again = load(text);
+  ASSERT_TRUE(again) << sentence(again.error());
+  EXPECT_EQ(projectText(*again, "/"), text);
+}
+
 TEST(ProjectFile, NamesTheKeyThatIsWrong) {
   EXPECT_EQ(errorOf("video =", "vidoe =").field, "camera 1.vidoe")
       << "a typing mistake is shown, not the source that is missing because of it";
