@@ -137,11 +137,11 @@ TEST(ProjectFile, NamesTheSampleThatIsWrong) {
 TEST(ProjectFile, AnOlderFormatIsReadAndWrittenAsThePresentOne) {
   const auto old = load(kGood);
   ASSERT_TRUE(old) << sentence(old.error());
-  const std::string text = projectText(*old, "/");
+  const std::string text = projectText(*old, fileNamed("").parent_path());
   EXPECT_NE(text.find("format = 2"), std::string::npos);
   const auto again = load(text);
   ASSERT_TRUE(again) << sentence(again.error());
-  EXPECT_EQ(projectText(*again, "/"), text);
+  EXPECT_EQ(projectText(*again, fileNamed("").parent_path()), text);
 }
 
 TEST(ProjectFile, NamesTheKeyThatIsWrong) {
