@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
   addSimulateCommand(app, exitCode);
   addExperimentCommand(app, exitCode);
   addSuiteCommand(app, exitCode);
+  addExportCommand(app, exitCode);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

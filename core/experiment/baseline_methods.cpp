@@ -3,6 +3,7 @@
 
 #include "core/experiment/baseline_camshift.h"
 #include "core/experiment/baseline_tracker.h"
+#include "core/experiment/smoothed_method.h"
 
 #include <algorithm>
 #include <array>
@@ -54,6 +55,7 @@ Result<ParameterValues> parametersFor(const std::string& method, const ScenarioR
 
 std::vector<std::string> suiteMethods() {
   std::vector<std::string> names = methodNames(); // the default, dewpoint, first
+  names.insert(names.begin() + 1, kSmoothedMethod);
   for (const Baseline& baseline : baselines()) {
     names.emplace_back(baseline.name);
   }
@@ -67,11 +69,12 @@ Result<std::unique_ptr<MultiTracker>> makeSuiteTracker(const std::string& method
       return std::make_unique<BaselineTracker>(baseline.setup, run.rig, run.targets);
     }
   }
-  const auto parameters = parametersFor(method, run);
+  const std::string tracked = method == kSmoothedMethod ? methodNames().front() : method;
+  const auto parameters = parametersFor(tracked, run);
   if (!parameters) {
     return tl::make_unexpected(parameters.error());
   }
-  return makeMultiTracker(method, *parameters, run.rig, run.targets);
+  return makeMultiTracker(tracked, *parameters, run.rig, run.targets);
 }
 
 } // namespace dewpoint

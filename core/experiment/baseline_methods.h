@@ -10,12 +10,12 @@
 
 namespace dewpoint {
 
-/// All methods of the suite, in the order of its tables: the ones a project may choose, ours first,
-/// then `triangulation`, `triangulation-kalman` and `camshift`.
+/// All methods of the suite, in the order of its tables: the ones a project may choose, ours first
+/// (and smoothed after the run), then `triangulation`, `triangulation-kalman` and `camshift`.
 std::vector<std::string> suiteMethods();
 
-/// A tracker of one of suiteMethods() that knows what a method may know of the run; NotFound for
-/// another name.
+/// A tracker of one of suiteMethods() that knows what a method may know of the run (for the
+/// smoothed one that which it is made from); NotFound for another name.
 Result<std::unique_ptr<MultiTracker>> makeSuiteTracker(const std::string& method,
                                                        const ScenarioRun& run);
 

@@ -81,6 +81,11 @@ std::int64_t endOfBlackout(const ScenarioRun& run, const ScenarioEvent& begin) {
   return run.frameCount;
 }
 
+bool isWithin(const ScenarioRun& run, const ScenarioEvent& blackout, std::int64_t frame) {
+  return blackout.kind == ScenarioEvent::Kind::BlackoutBegin && frame >= blackout.frame &&
+         frame < endOfBlackout(run, blackout);
+}
+
 void measureEvents(const ScenarioRun& run, const std::vector<TargetFrame>& frames, SuiteRow& row) {
   for (const ScenarioEvent& event : run.events) {
     if (hasToBeFoundAgain(event.kind)) {
@@ -142,6 +147,10 @@ void fillReliability(const std::vector<Forecast>& forecasts, SuiteResult& result
   }
 }
 
+bool isInside95(const StateError& sample) {
+  return normalizedErrorSquared(sample) <= kChiSquared95ThreeDof; // false if it is unusable
+}
+
 void fillConsistency(const std::vector<StateError>& samples, SuiteRow& row) {
   const Consistency fit = consistency(samples);
   row.nees = fit.nees.value;
@@ -174,9 +183,13 @@ void SuiteRecorder::add(const std::vector<TargetEstimate>& estimates) {
 
 bool SuiteRecorder::allBlind(std::int64_t frame) const {
   return std::ranges::any_of(run_.events, [&](const ScenarioEvent& event) {
-    return event.kind == ScenarioEvent::Kind::BlackoutBegin && event.camera < 0 &&
-           frame >= event.frame && frame < endOfBlackout(run_, event);
+    return event.camera < 0 && isWithin(run_, event, frame);
   });
+}
+
+bool SuiteRecorder::anyBlind(std::int64_t frame) const {
+  return std::ranges::any_of(
+      run_.events, [&](const ScenarioEvent& event) { return isWithin(run_, event, frame); });
 }
 
 std::vector<TargetFrame> SuiteRecorder::framesOf(std::size_t truth, std::size_t estimate) const {
@@ -246,6 +259,7 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
   std::vector<StateError> states;
   std::vector<Forecast> forecasts;
   Proportion lost;
+  Proportion blindInside;
   const auto estimateOf = estimateOfTruth();
   for (std::size_t target = 0; target < estimateOf.size(); ++target) {
     const auto frames = framesOf(target, estimateOf[target]);
@@ -265,6 +279,10 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
       forecasts.push_back(
           {estimate.existence,
            frames[k].truth.has_value() && (estimate.mean - *frames[k].truth).norm() < kFollowGate});
+      if (frames[k].truth && anyBlind(frames[k].frame)) {
+        ++blindInside.total;
+        blindInside.count += error && isInside95({*error, estimate.covariance}) ? 1 : 0;
+      }
       if (error && k >= begin) {
         errors.push_back(*error);
         states.push_back({*error, estimate.covariance});
@@ -277,6 +295,9 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
   fillTracks(trackFrames(), row);
   if (lost.total > 0) {
     row.lostPercent = 100.0 * lost.value();
+  }
+  if (blindInside.total > 0) {
+    row.blackoutCoverage95Percent = 100.0 * blindInside.value();
   }
   row.usPerFrame = usPerFrame;
   row.frames = static_cast<double>(estimates_.size());

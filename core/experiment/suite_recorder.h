@@ -36,6 +36,7 @@ private:
   std::vector<TargetFrame> framesOf(std::size_t truth, std::size_t estimate) const;
   std::vector<TrackFrame> trackFrames() const;
   bool allBlind(std::int64_t frame) const;
+  bool anyBlind(std::int64_t frame) const;
 
   const ScenarioRun& run_;
   std::string method_;

@@ -129,6 +129,9 @@ std::span<const SuiteColumn> suiteColumns() {
                   "expected calibration error of P(exists), ten bins"},
       SuiteColumn{"blackout_rmse_mm", &SuiteRow::blackoutRmseMm,
                   "RMS error while a camera (or all) is black; inf: nothing declared then"},
+      SuiteColumn{"blackout_coverage95_percent", &SuiteRow::blackoutCoverage95Percent,
+                  "truths inside the stated 95 % ellipsoid while a camera (or all) is black; what "
+                  "is not declared counts as outside"},
       SuiteColumn{"largest_step_mm", &SuiteRow::largestStepMm,
                   "largest step of the error, mean of five frames before and after, where a camera "
                   "drops out or returns"},

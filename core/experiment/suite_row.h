@@ -63,6 +63,7 @@ struct SuiteRow {
   Figure identitySwitches;
   Figure existenceEce;
   Figure blackoutRmseMm;
+  Figure blackoutCoverage95Percent;
   Figure largestStepMm;
   Figure usPerFrame;
   Figure frames;

@@ -3,6 +3,7 @@
 
 #include "core/base/thread_team.h"
 #include "core/experiment/baseline_methods.h"
+#include "core/experiment/smoothed_method.h"
 
 #include <fmt/format.h>
 #include <opencv2/core/utility.hpp>
@@ -28,18 +29,21 @@ double threadSeconds() {
 struct Contestant {
   std::unique_ptr<MultiTracker> tracker;
   SuiteRecorder recorder;
+  bool smoothed = false; ///< all estimates are collected first
+  std::vector<std::vector<TargetEstimate>> estimates;
   double seconds = 0.0;
 };
 
 Result<std::vector<Contestant>> enter(const SuiteJob& job, const ScenarioRun& run) {
   std::vector<Contestant> contestants;
   for (const std::string& method : job.methods) {
+    const bool smoothed = method == kSmoothedMethod;
     auto tracker = makeSuiteTracker(method, run);
     if (!tracker) {
       return tl::make_unexpected(tracker.error());
     }
     (*tracker)->restart(run.seed);
-    contestants.push_back({std::move(*tracker), SuiteRecorder(run, method), 0.0});
+    contestants.push_back({std::move(*tracker), SuiteRecorder(run, method), smoothed, {}, 0.0});
   }
   return contestants;
 }
@@ -51,7 +55,20 @@ void advance(Contestant& contestant, const FrameSetPtr& frames, ThreadTeam& team
     contestant.tracker->iterate(team);
   }
   contestant.seconds += threadSeconds() - begin;
-  contestant.recorder.add(contestant.tracker->estimates());
+  if (contestant.smoothed) {
+    contestant.estimates.push_back(contestant.tracker->estimates());
+  } else {
+    contestant.recorder.add(contestant.tracker->estimates());
+  }
+}
+
+void finish(Contestant& contestant, double framesPerSecond) {
+  const double begin = threadSeconds();
+  const auto all = smoothedEstimates(contestant.estimates, framesPerSecond);
+  contestant.seconds += threadSeconds() - begin;
+  for (const auto& estimates : all) {
+    contestant.recorder.add(estimates);
+  }
 }
 
 /// The results of one job, one per method; nothing when it was stopped.
@@ -75,7 +92,10 @@ Result<std::vector<SuiteResult>> runJob(const SuiteJob& job, const std::function
     }
   }
   std::vector<SuiteResult> results;
-  for (const Contestant& contestant : *contestants) {
+  for (Contestant& contestant : *contestants) {
+    if (contestant.smoothed) {
+      finish(contestant, run->framesPerSecond);
+    }
     const auto frameCount = static_cast<double>(std::max<std::int64_t>(1, run->frameCount));
     results.push_back(contestant.recorder.result(1e6 * contestant.seconds / frameCount));
   }

@@ -81,6 +81,7 @@ const std::vector<TableColumn>& tableColumns() {
       {"converged<br>at all", [](const SuiteCell& c) { return countText(c.converged); }},
       {"frames to<br>re-acquire", medianText<&SuiteRow::framesToReacquire>},
       {"while blind<br>mm", medianText<&SuiteRow::blackoutRmseMm>},
+      {"in 95 %<br>while blind %", meanText<&SuiteRow::blackoutCoverage95Percent>},
       {"step<br>mm", medianText<&SuiteRow::largestStepMm>},
       {"NEES", medianText<&SuiteRow::nees>},
       {"in 95 %<br>ellipsoid %", meanText<&SuiteRow::coverage95Percent>},

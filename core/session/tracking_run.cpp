@@ -32,6 +32,7 @@ TrajectoryHeader trajectoryHeader(const Project& project) {
     header.cameras.push_back(
         {camera.camera.name, camera.camera.center(), camera.camera.opticalAxis()});
   }
+  header.hasSeen = project.method == methodNames().front(); // no other method tells
   return header;
 }
 
@@ -123,7 +124,10 @@ std::vector<TrajectorySample> TrackingRun::samples() const {
     const auto& estimate = estimates()[k];
     samples.push_back({seconds(frames_->time), frames_->index, targets_[k].name, estimate.mean,
                        estimate.covariance, estimate.effectiveSampleSize, estimate.camerasSeeing,
-                       estimate.valid});
+                       estimate.valid, std::nullopt});
+    if (estimate.seen) {
+      samples.back().seen = SeenPlace{estimate.seen->mean, estimate.seen->covariance};
+    }
   }
   return samples;
 }

@@ -88,6 +88,14 @@ PlaceEvidence PlaceEvidence::between(const Gaussian3& before, const Gaussian3& a
           shrink * (known * (after.mean - before.mean))};
 }
 
+Gaussian3 PlaceEvidence::alone(const Eigen::Vector3d& predicted) const {
+  Gaussian3 result;
+  const Eigen::Matrix3d covariance = information.inverse();
+  result.covariance = 0.5 * (covariance + covariance.transpose());
+  result.mean = predicted + result.covariance * vector;
+  return result;
+}
+
 Gaussian3 PlaceEvidence::after(const Gaussian3& before) const {
   Gaussian3 result;
   const Eigen::Matrix3d covariance = (before.covariance.inverse() + information).inverse();

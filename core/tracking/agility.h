@@ -56,6 +56,9 @@ struct PlaceEvidence {
   }
   /// The same with `factor` times the covariance.
   PlaceEvidence widened(double factor) const { return {information / factor, vector / factor}; }
+  /// What is known after the look if nothing was before: the place as the look alone shows it, for
+  /// the predicted one that the evidence is relative to.
+  Gaussian3 alone(const Eigen::Vector3d& predicted) const;
   /// What is known after the look, if `before` was known.
   Gaussian3 after(const Gaussian3& before) const;
   /// Squared Mahalanobis distance of the look from what was known before.

@@ -211,6 +211,7 @@ void conditionOn(Hypothesis& hypothesis, const Prediction& prediction, const Mea
                              blur * blur + shade * shade)
           .seenFrom(hypothesis.place() - found.before.mean)
           .widened(widening(hypothesis, found.fit));
+  hypothesis.seen = evidence.alone(hypothesis.place());
   const double off = evidence.squaredDistance(hypothesis.belief.covariance.topLeftCorner<3, 3>());
   if (off > kAbrupt * kAbrupt) {
     hypothesis.belief.covariance = prediction.covariance; // it moved as it had not before

@@ -31,6 +31,7 @@ struct Hypothesis {
   double sizeMisfit = 0.0;      ///< OutlineFit's when it was first found, if the radius is known
   int looks = 0;                ///< frames it has been looked at
   bool measured = false;        ///< the outline was found at the last look
+  Gaussian3 seen;               ///< if so, what that look alone says of the place
   Agility agility;              ///< how it has moved of late
   /// By how much the cameras have disagreed of late, against what is assumed of an outline's edges.
   double disagreement = 1.0;

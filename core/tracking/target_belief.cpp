@@ -190,6 +190,7 @@ Hypothesis TargetBelief::born(const OutlineFit& fit, SphereObservation& observat
   hypothesis.bestLogRatio = observation.bestLogRatio(fit.center, Eigen::Vector3d::Zero());
   hypothesis.measured = true;
   hypothesis.sizeMisfit = target_.radius > 0.0 ? fit.sizeMisfit : 0.0;
+  hypothesis.seen = {fit.center, fit.covariance};
   drawParticles(hypothesis, observation, settings_.fewestParticles, key, team);
   return hypothesis;
 }

@@ -66,6 +66,9 @@ TargetEstimate TargetBelief::estimate(SphereObservation& observation) const {
     return result;
   }
   result.covariance = likeliest->belief.covariance.topLeftCorner<3, 3>();
+  if (likeliest->measured) {
+    result.seen = likeliest->seen;
+  }
   const double near = stillNear(*likeliest);
   result.existence = std::min(1.0, likeliest->probability) * (1.0 - doubt_) * near;
   result.radius = likeliest->radius;

@@ -6,6 +6,7 @@
 #include "core/capture/frame.h"
 #include "core/color/color_range.h"
 #include "core/color/color_sample.h"
+#include "core/filter/gaussian.h"
 #include "core/geometry/camera.h"
 #include "core/observation/camera_evidence.h"
 #include "core/tracking/camera_report.h"
@@ -16,6 +17,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,10 +41,13 @@ struct TargetEstimate {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< m²
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
-  int camerasSeeing = 0;   ///< cameras with target color at the projected mean
-  bool valid = false;      ///< seen by two cameras (by the only one, if there is one)
-  double existence = 0.0;  ///< probability that the target is where the estimate says
-  double radius = 0.0;     ///< metres, of the target as known or as estimated; 0 when neither
+  int camerasSeeing = 0;  ///< cameras with target color at the projected mean
+  bool valid = false;     ///< seen by two cameras (by the only one, if there is one)
+  double existence = 0.0; ///< probability that the target is where the estimate says
+  double radius = 0.0;    ///< metres, of the target as known or as estimated; 0 when neither
+  /// What the images of this frame alone say of the place (m, m²), with errors of its own; nothing
+  /// if the target was not found in them, or the method does not tell.
+  std::optional<Gaussian3> seen;
   bool degenerate = false; ///< no particle had a usable weight; all were kept as equal
   /// What each camera says about the mean, in the order of the rig; empty when the method cannot
   /// tell, or has no place to ask about.

@@ -4,11 +4,19 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace dewpoint {
+
+/// What the images of one frame alone say of a place, without what was known before: a measurement
+/// with errors of its own. World frame, metres; covariance in m².
+struct SeenPlace {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+};
 
 /// One target at one frame. World frame, metres, seconds; covariance in m².
 struct TrajectorySample {
@@ -20,6 +28,7 @@ struct TrajectorySample {
   double effectiveSampleSize = 0.0;
   int cameras = 0;
   bool valid = true;
+  std::optional<SeenPlace> seen; ///< nothing: not seen in this frame, or not known
 };
 
 /// Where a camera stood, so that an error can be split along and across its optical axis.
@@ -33,6 +42,7 @@ struct TrajectoryCamera {
 struct TrajectoryHeader {
   std::vector<std::pair<std::string, std::string>> entries; ///< method, seed, parameters, version
   std::vector<TrajectoryCamera> cameras;
+  bool hasSeen = false; ///< the file has columns for `seen`
 };
 
 struct Trajectory {

@@ -149,6 +149,7 @@ private:
 
   Status readColumns(Cells cells) {
     columns_ = std::move(cells);
+    trajectory_.header.hasSeen = column("seen_x_m").has_value();
     for (const char* name : {"x_m", "y_m", "z_m"})
       if (!column(name))
         return missing(name, "this column is needed");
@@ -161,7 +162,6 @@ private:
     TrajectorySample sample;
     sample.time = std::numeric_limits<double>::quiet_NaN();
     sample.frame = kNoFrame;
-    auto& c = sample.covariance;
     int valid = 1;
     Status status;
     const auto number = [&](const char* name, auto& value) {
@@ -171,23 +171,28 @@ private:
     };
     number("time_s", sample.time);
     number("frame", sample.frame);
-    number("x_m", sample.position.x());
-    number("y_m", sample.position.y());
-    number("z_m", sample.position.z());
-    number("cov_xx_m2", c(0, 0));
-    number("cov_xy_m2", c(0, 1));
-    number("cov_xz_m2", c(0, 2));
-    number("cov_yy_m2", c(1, 1));
-    number("cov_yz_m2", c(1, 2));
-    number("cov_zz_m2", c(2, 2));
+    const auto place = [&](const std::string& before, Eigen::Vector3d& p, Eigen::Matrix3d& c) {
+      number((before + "x_m").c_str(), p.x());
+      number((before + "y_m").c_str(), p.y());
+      number((before + "z_m").c_str(), p.z());
+      number((before + "cov_xx_m2").c_str(), c(0, 0));
+      number((before + "cov_xy_m2").c_str(), c(0, 1));
+      number((before + "cov_xz_m2").c_str(), c(0, 2));
+      number((before + "cov_yy_m2").c_str(), c(1, 1));
+      number((before + "cov_yz_m2").c_str(), c(1, 2));
+      number((before + "cov_zz_m2").c_str(), c(2, 2));
+      c = c.selfadjointView<Eigen::Upper>().toDenseMatrix();
+    };
+    place("", sample.position, sample.covariance);
     number("ess", sample.effectiveSampleSize);
     number("cameras", sample.cameras);
     number("valid", valid);
+    if (const auto index = column("seen_x_m"); index && !cells[*index].empty()) {
+      SeenPlace& seen = sample.seen.emplace();
+      place("seen_", seen.position, seen.covariance);
+    }
     if (!status)
       return status;
-    c(1, 0) = c(0, 1);
-    c(2, 0) = c(0, 2);
-    c(2, 1) = c(1, 2);
     sample.valid = valid != 0;
     if (const auto index = column("target"))
       sample.target = cells[*index];

@@ -2,6 +2,7 @@
 #include "core/trajectory/trajectory_writer.h"
 
 #include "core/base/text_file.h"
+#include "core/trajectory/csv_text.h"
 
 #include <fmt/format.h>
 
@@ -14,30 +15,10 @@ namespace {
 
 constexpr std::string_view kColumns =
     "time_s,frame,target,x_m,y_m,z_m,cov_xx_m2,cov_xy_m2,cov_xz_m2,cov_yy_m2,cov_yz_m2,cov_zz_m2,"
-    "ess,cameras,valid\n";
-
-/// Line ends and other control characters would break the file's lines: they become spaces.
-std::string oneLine(std::string_view text) {
-  std::string line(text);
-  for (char& c : line)
-    if (static_cast<unsigned char>(c) < 0x20)
-      c = ' ';
-  return line;
-}
-
-std::string inQuotes(std::string_view text) {
-  std::string result = "\"";
-  for (char c : oneLine(text))
-    result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + '"';
-}
-
-/// Quoted only where the CSV rules (RFC 4180) or our comment sign need it.
-std::string cell(std::string_view text) {
-  const bool plain = text.find_first_of(",\"#") == std::string_view::npos &&
-                     (text.empty() || (text.front() != ' ' && text.back() != ' '));
-  return plain ? oneLine(text) : inQuotes(text);
-}
+    "ess,cameras,valid";
+constexpr std::string_view kSeenColumns =
+    ",seen_x_m,seen_y_m,seen_z_m,seen_cov_xx_m2,seen_cov_xy_m2,seen_cov_xz_m2,seen_cov_yy_m2,"
+    "seen_cov_yz_m2,seen_cov_zz_m2";
 
 std::string headerText(const TrajectoryHeader& header) {
   std::string text = "# dewpoint trajectory\n# units: time s, position m, covariance m^2\n";
@@ -49,16 +30,25 @@ std::string headerText(const TrajectoryHeader& header) {
     text += fmt::format("# camera: {} center {} {} {} axis {} {} {}\n", inQuotes(camera.name),
                         c.x(), c.y(), c.z(), a.x(), a.y(), a.z());
   }
-  return text.append(kColumns);
+  text.append(kColumns).append(header.hasSeen ? kSeenColumns : "");
+  return text + '\n';
 }
 
-std::string rowText(const TrajectorySample& sample) {
-  const auto& p = sample.position;
-  const auto& c = sample.covariance;
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", sample.time, sample.frame,
-                     cell(sample.target), p.x(), p.y(), p.z(), c(0, 0), c(0, 1), c(0, 2), c(1, 1),
-                     c(1, 2), c(2, 2), sample.effectiveSampleSize, sample.cameras,
-                     sample.valid ? 1 : 0);
+std::string numbersText(const Eigen::Vector3d& p, const Eigen::Matrix3d& c) {
+  return fmt::format("{},{},{},{},{},{},{},{},{}", p.x(), p.y(), p.z(), c(0, 0), c(0, 1), c(0, 2),
+                     c(1, 1), c(1, 2), c(2, 2));
+}
+
+std::string rowText(const TrajectorySample& sample, bool hasSeen) {
+  std::string text =
+      fmt::format("{},{},{},{},{},{},{}", sample.time, sample.frame, csvCell(sample.target),
+                  numbersText(sample.position, sample.covariance), sample.effectiveSampleSize,
+                  sample.cameras, sample.valid ? 1 : 0);
+  if (hasSeen) {
+    text += sample.seen ? ',' + numbersText(sample.seen->position, sample.seen->covariance)
+                        : std::string(9, ',');
+  }
+  return text + '\n';
 }
 
 } // namespace
@@ -68,14 +58,14 @@ Result<TrajectoryWriter> TrajectoryWriter::create(const std::filesystem::path& p
   std::FILE* file = std::fopen(path.c_str(), "wbe");
   if (file == nullptr)
     return failure(ErrorCode::FileUnwritable, path.string(), "", std::strerror(errno));
-  TrajectoryWriter writer(path.string(), file);
+  TrajectoryWriter writer(path.string(), file, header.hasSeen);
   if (Status status = writer.put(headerText(header)); !status)
     return tl::make_unexpected(status.error());
   return writer;
 }
 
 Status TrajectoryWriter::write(const TrajectorySample& sample) {
-  return put(rowText(sample));
+  return put(rowText(sample, hasSeen_));
 }
 
 Status TrajectoryWriter::flush() {
@@ -110,7 +100,7 @@ tl::unexpected<Error> TrajectoryWriter::unwritable(int reason) const {
 Status writeTrajectory(const Trajectory& trajectory, const std::filesystem::path& path) {
   std::string text = headerText(trajectory.header);
   for (const auto& sample : trajectory.samples) {
-    text += rowText(sample);
+    text += rowText(sample, trajectory.header.hasSeen);
   }
   return writeTextFile(path, text);
 }

@@ -31,12 +31,14 @@ private:
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
-  TrajectoryWriter(std::string name, std::FILE* file) : name_(std::move(name)), file_(file) {}
+  TrajectoryWriter(std::string name, std::FILE* file, bool hasSeen)
+      : name_(std::move(name)), file_(file), hasSeen_(hasSeen) {}
   Status put(const std::string& text);
   tl::unexpected<Error> unwritable(int reason) const;
 
   std::string name_;
   std::unique_ptr<std::FILE, Close> file_;
+  bool hasSeen_;
 };
 
 /// Writes a whole trajectory at once; a file of that name is replaced, or stays as it was.

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/csv_text.h"
+
+namespace dewpoint {
+
+std::string oneLine(std::string_view text) {
+  std::string line(text);
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 0x20)
+      c = ' ';
+  return line;
+}
+
+std::string inQuotes(std::string_view text) {
+  std::string result = "\"";
+  for (char c : oneLine(text))
+    result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + '"';
+}
+
+std::string csvCell(std::string_view text) {
+  const bool plain = text.find_first_of(",\"#") == std::string_view::npos &&
+                     (text.empty() || (text.front() != ' ' && text.back() != ' '));
+  return plain ? oneLine(text) : inQuotes(text);
+}
+
+} // namespace dewpoint

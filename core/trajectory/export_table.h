@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/trajectory/export_options.h"
+#include "core/trajectory/trajectory.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dewpoint {
+
+/// One target in one row: lengths in the unit, and along the axes, of the table.
+struct ExportCell {
+  bool present = false; ///< otherwise nothing else is set
+  bool filled = false;  ///< interpolated over a gap
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  std::optional<Eigen::Matrix3d> covariance; ///< nothing: not known
+  double effectiveSampleSize = 0.0;
+  int cameras = 0;
+};
+
+/// What an export writes: a row per instant, a column per target.
+struct ExportTable {
+  std::vector<std::string> targets;
+  std::vector<double> times;                  ///< seconds, ascending, by row
+  std::vector<std::int64_t> frames;           ///< by row
+  std::vector<std::vector<ExportCell>> cells; ///< [target][row]
+  double rate = 0.0;                          ///< rows per second
+  bool covariance = false;                    ///< some cell has one
+  WorldAxes axes = WorldAxes::ZUp;
+  LengthUnit unit = LengthUnit::Meter;
+  bool header = true;
+  /// What the header says: version, project, method, seed, ..., smoothed, date.
+  std::vector<std::pair<std::string, std::string>> entries;
+
+  std::size_t rowCount() const { return times.size(); }
+  /// Target and row pairs without a position.
+  std::size_t gapCount() const;
+  /// "m" or "mm".
+  const char* unitName() const { return unit == LengthUnit::Meter ? "m" : "mm"; }
+};
+
+/// How a format wants a table to be where the person has not said.
+struct TableWishes {
+  WorldAxes axes = WorldAxes::ZUp;
+  LengthUnit unit = LengthUnit::Meter;
+  bool evenRows = false; ///< rows at equal distances in time
+};
+
+/// Picks, smooths, resamples, fills and turns. Places between recorded ones lie on the cubic
+/// through them whose slopes are those of the parabola through each three neighbors (exact for a
+/// ball in flight). NotFound names an unknown target; BadValue what is empty or not a number.
+Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOptions& options,
+                                    const TableWishes& wishes);
+
+} // namespace dewpoint

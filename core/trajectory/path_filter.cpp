@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/path_filter.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dewpoint {
+namespace {
+
+/// What is known of a path before anything is seen: little. Place in m (about the first seen one)
+/// and its derivatives, in m/s, m/s², ...
+constexpr double kFirstSigmas[kMostPathOrder] = {10.0, 10.0, 50.0, 500.0, 5000.0};
+
+/// Looks that only begin a path: they determine its derivatives.
+constexpr int kBeginning = kMostPathOrder;
+
+/// Place and derivatives of all axes: x y z vx vy vz ax ay az ...
+template <int Order> struct State {
+  static constexpr int kSize = 3 * Order;
+  using Vector = Eigen::Matrix<double, kSize, 1>;
+  using Matrix = Eigen::Matrix<double, kSize, kSize>;
+  Vector mean = Vector::Zero();
+  Matrix covariance = Matrix::Zero();
+};
+
+template <int Order> using Small = Eigen::Matrix<double, Order, Order>;
+
+/// The same matrix for each axis.
+template <int Order> typename State<Order>::Matrix forAllAxes(const Small<Order>& one) {
+  typename State<Order>::Matrix all = State<Order>::Matrix::Zero();
+  for (int i = 0; i < Order; ++i) {
+    for (int j = 0; j < Order; ++j) {
+      all.template block<3, 3>(3 * i, 3 * j).diagonal().setConstant(one(i, j));
+    }
+  }
+  return all;
+}
+
+constexpr double factorial(int n) {
+  return n < 2 ? 1.0 : n * factorial(n - 1);
+}
+
+/// Motion in a unit of time of its own, about that between two instants: otherwise powers of a
+/// short time would make matrices of numbers of very different size.
+template <int Order> class Motion {
+public:
+  Motion(std::span<const PathPoint> path, const PathModel& model)
+      : unit_(path.size() > 1
+                  ? (path.back().time - path.front().time) / static_cast<double>(path.size() - 1)
+                  : 1.0) {
+    strength_ = model.strength * std::pow(unit_, 2 * Order - 1);
+  }
+
+  State<Order> first(const Eigen::Vector3d& place) const {
+    State<Order> state;
+    state.mean.template head<3>() = place;
+    for (int i = 0; i < Order; ++i) {
+      const double sigma = kFirstSigmas[i] * std::pow(unit_, i);
+      state.covariance.template block<3, 3>(3 * i, 3 * i).diagonal().setConstant(sigma * sigma);
+    }
+    return state;
+  }
+
+  typename State<Order>::Matrix transition(double seconds) const {
+    const double t = seconds / unit_;
+    Small<Order> one = Small<Order>::Zero();
+    for (int i = 0; i < Order; ++i) {
+      for (int j = i; j < Order; ++j) {
+        one(i, j) = std::pow(t, j - i) / factorial(j - i);
+      }
+    }
+    return forAllAxes<Order>(one);
+  }
+
+  void predict(State<Order>& state, double seconds) const {
+    const auto step = transition(seconds);
+    state.mean = step * state.mean;
+    state.covariance = step * state.covariance * step.transpose() + noise(seconds / unit_);
+  }
+
+private:
+  /// What white noise in the highest derivative adds: the integral over s from 0 to t of strength
+  /// s^(a+b) / (a! b!), where a and b are how often it is integrated.
+  typename State<Order>::Matrix noise(double t) const {
+    Small<Order> one;
+    for (int i = 0; i < Order; ++i) {
+      for (int j = 0; j < Order; ++j) {
+        const int a = Order - 1 - i;
+        const int b = Order - 1 - j;
+        one(i, j) =
+            strength_ * std::pow(t, a + b + 1) / ((a + b + 1) * factorial(a) * factorial(b));
+      }
+    }
+    return forAllAxes<Order>(one);
+  }
+
+  double unit_; ///< seconds
+  double strength_;
+};
+
+/// How a seen place compares with the prediction.
+struct Innovation {
+  double squaredDistance = 0.0;
+  double logDeterminant = 0.0; ///< of its covariance
+};
+
+/// The update of a Kalman filter in Joseph's form, which keeps the covariance positive. Beyond the
+/// gate the state stays as it is.
+template <int Order>
+Innovation update(State<Order>& state, const SeenPlace& seen, double noiseFactor, double gate) {
+  const Eigen::Matrix3d noise = noiseFactor * seen.covariance;
+  const Eigen::Matrix3d spread = state.covariance.template topLeftCorner<3, 3>() + noise;
+  const Eigen::LLT<Eigen::Matrix3d> factor(spread);
+  const Eigen::Vector3d off = seen.position - state.mean.template head<3>();
+  Innovation result;
+  result.squaredDistance = off.dot(factor.solve(off));
+  result.logDeterminant = 2.0 * factor.matrixLLT().diagonal().array().log().sum();
+  if (result.squaredDistance > gate) {
+    return result;
+  }
+  using Matrix = typename State<Order>::Matrix;
+  const Eigen::Matrix<double, State<Order>::kSize, 3> gain =
+      factor.solve(state.covariance.template topRows<3>()).transpose();
+  state.mean += gain * off;
+  Matrix remaining = Matrix::Identity();
+  remaining.template leftCols<3>() -= gain;
+  state.covariance =
+      remaining * state.covariance * remaining.transpose() + gain * noise * gain.transpose();
+  state.covariance = 0.5 * (state.covariance + state.covariance.transpose().eval());
+  return result;
+}
+
+constexpr double kNoGate = std::numeric_limits<double>::infinity();
+
+/// Calls `look(index, innovation)` for each seen place behind the beginning.
+template <int Order, class Look>
+void forward(std::span<const PathPoint> path, const PathModel& model, double gate, Look look) {
+  const auto found =
+      std::ranges::find_if(path, [](const auto& point) { return point.seen.has_value(); });
+  if (found == path.end()) {
+    return;
+  }
+  const Motion<Order> motion(path, model);
+  State<Order> state = motion.first(found->seen->position);
+  double time = found->time;
+  int looks = 0;
+  for (auto k = static_cast<std::size_t>(found - path.begin()); k < path.size(); ++k) {
+    if (!path[k].seen) {
+      continue;
+    }
+    motion.predict(state, path[k].time - time);
+    time = path[k].time;
+    const bool begins = looks++ < kBeginning;
+    const Innovation innovation =
+        update(state, *path[k].seen, model.noiseFactor, begins ? kNoGate : gate);
+    if (!begins) {
+      look(k, innovation);
+    }
+  }
+}
+
+template <int Order>
+std::vector<PathEstimate> smooth(std::span<const PathPoint> path, const PathModel& model) {
+  const std::size_t count = path.size();
+  const Motion<Order> motion(path, model);
+  std::vector<State<Order>> filtered(count);
+  std::vector<State<Order>> predicted(count);
+  State<Order> state = motion.first(path.front().seen->position);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (k > 0) {
+      motion.predict(state, path[k].time - path[k - 1].time);
+    }
+    predicted[k] = state;
+    if (path[k].seen) {
+      update(state, *path[k].seen, model.noiseFactor, kNoGate);
+    }
+    filtered[k] = state;
+  }
+  // Särkkä (2013), theorem 8.2.
+  for (std::size_t k = count - 1; k-- > 0;) {
+    const auto step = motion.transition(path[k + 1].time - path[k].time);
+    State<Order>& here = filtered[k];
+    const typename State<Order>::Matrix gain =
+        predicted[k + 1].covariance.ldlt().solve(step * here.covariance).transpose();
+    here.mean += gain * (filtered[k + 1].mean - predicted[k + 1].mean);
+    here.covariance +=
+        gain * (filtered[k + 1].covariance - predicted[k + 1].covariance) * gain.transpose();
+    here.covariance = 0.5 * (here.covariance + here.covariance.transpose().eval());
+  }
+  std::vector<PathEstimate> result(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    result[k] = {filtered[k].mean.template head<3>(),
+                 filtered[k].covariance.template topLeftCorner<3, 3>()};
+  }
+  return result;
+}
+
+/// Calls what is given with the order as a constant.
+template <class Task> auto withOrder(int order, Task task) {
+  switch (order) {
+  case 2:
+    return task.template operator()<2>();
+  case 3:
+    return task.template operator()<3>();
+  case 4:
+    return task.template operator()<4>();
+  default:
+    return task.template operator()<5>();
+  }
+}
+
+} // namespace
+
+double pathLogLikelihood(std::span<const PathPoint> path, const PathModel& model, double gate) {
+  double sum = 0.0;
+  const auto add = [&](std::size_t, const Innovation& innovation) {
+    sum -= 0.5 * (innovation.logDeterminant + std::min(innovation.squaredDistance, gate) +
+                  3.0 * std::log(2.0 * std::numbers::pi));
+  };
+  withOrder(model.order, [&]<int Order>() { forward<Order>(path, model, gate, add); });
+  return sum;
+}
+
+std::vector<double> pathSurprises(std::span<const PathPoint> path, const PathModel& model,
+                                  double gate) {
+  std::vector<double> result(path.size());
+  const auto note = [&](std::size_t k, const Innovation& innovation) {
+    result[k] = innovation.squaredDistance;
+  };
+  withOrder(model.order, [&]<int Order>() { forward<Order>(path, model, gate, note); });
+  return result;
+}
+
+std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const PathModel& model) {
+  return withOrder(model.order, [&]<int Order>() { return smooth<Order>(path, model); });
+}
+
+std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const PathModel& model) {
+  std::vector<Eigen::Matrix3d> effects(path.size(), Eigen::Matrix3d::Zero());
+  std::vector<PathPoint> errors(path.begin(), path.end());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      if (path[k].seen) {
+        // The symmetric root changes little where the covariance does.
+        errors[k].seen->position =
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(path[k].seen->covariance)
+                .operatorSqrt()
+                .col(axis);
+      }
+    }
+    // The smoother is linear: smoothed errors are the errors of what is smoothed.
+    const auto after = smoothPath(errors, model);
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      effects[k] += after[k].position * after[k].position.transpose();
+    }
+  }
+  return effects;
+}
+
+} // namespace dewpoint

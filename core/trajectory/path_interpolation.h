@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <optional>
+
+namespace dewpoint {
+
+/// A place at a time.
+struct TimedPlace {
+  double time = 0.0;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+};
+
+/// The place between `begin` and `end`, which have different times: a cubic Hermite polynomial
+/// whose slopes are those of the parabolas through three neighbors; `before` and `after` may be
+/// missing.
+Eigen::Vector3d interpolated(const std::optional<TimedPlace>& before, const TimedPlace& begin,
+                             const TimedPlace& end, const std::optional<TimedPlace>& after,
+                             double time);
+
+} // namespace dewpoint

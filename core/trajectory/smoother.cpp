@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/smoother.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace dewpoint {
+namespace {
+
+constexpr std::size_t kFewestLooks = 5;
+constexpr std::size_t kMostLooksToFit = 2000;
+/// Squared standard deviations beyond which a look does not belong to the path (chi-square with
+/// three degrees of freedom: one in 10^8 does), and how many of those in a row are a new path.
+constexpr double kGate = 40.0;
+constexpr int kNewPathLooks = 3;
+/// Looks to either side that an outlier pulls along, and how often outliers are looked for.
+constexpr std::size_t kNeighbors = 10;
+constexpr int kMostPasses = 10;
+/// A filled place less sure than this is none, metres.
+constexpr double kUsefulSigma = 0.1;
+/// An estimate that is taken for a look is not better than this, metres: it has to be inverted.
+constexpr double kLeastSigma = 1e-5;
+
+using Path = std::vector<PathPoint>;
+
+double logLikelihood(std::span<const Path> paths, const PathModel& model) {
+  double sum = 0.0;
+  for (const Path& path : paths) {
+    sum += pathLogLikelihood(path, model, kGate);
+  }
+  return sum;
+}
+
+struct Fitted {
+  PathModel model;
+  double logLikelihood = 0.0;
+};
+
+/// Pattern search (Hooke and Jeeves 1961) over the logarithms of strength and noise factor.
+Fitted fitOrder(std::span<const Path> paths, int order) {
+  constexpr double kFirstStep = 2.0; // e² = 7.4-fold
+  constexpr double kLastStep = 0.06;
+  constexpr double kMostLog = 25.0;
+  const auto modelAt = [&](const std::array<double, 2>& logs) {
+    return PathModel{order, std::exp(logs[0]), std::exp(logs[1])};
+  };
+  std::array<double, 2> logs{2.0 * (order - 2), 0.0};
+  double best = logLikelihood(paths, modelAt(logs));
+  const auto tryMove = [&](std::size_t axis, double step) {
+    auto trial = logs;
+    trial[axis] += step;
+    const double found =
+        std::abs(trial[axis]) > kMostLog ? best : logLikelihood(paths, modelAt(trial));
+    if (found <= best) {
+      return false;
+    }
+    best = found;
+    logs = trial;
+    return true;
+  };
+  for (double step = kFirstStep; step > kLastStep; step *= 0.5) {
+    for (bool moved = true; moved;) {
+      moved = false;
+      for (std::size_t axis = 0; axis < logs.size(); ++axis) {
+        moved = tryMove(axis, step) || tryMove(axis, -step) || moved;
+      }
+    }
+  }
+  return {modelAt(logs), best};
+}
+
+bool isUsable(const SeenPlace& seen) {
+  return seen.position.allFinite() && seen.covariance.allFinite() &&
+         seen.covariance.llt().info() == Eigen::Success;
+}
+
+/// What one sample says of its frame alone.
+std::optional<SeenPlace> lookOf(const TrajectorySample& sample, bool hasSeen) {
+  if (!sample.valid) {
+    return std::nullopt;
+  }
+  std::optional<SeenPlace> look = sample.seen;
+  if (!hasSeen) {
+    look = SeenPlace{sample.position, sample.covariance};
+    look->covariance.diagonal().array() += kLeastSigma * kLeastSigma;
+  }
+  return look && isUsable(*look) ? look : std::nullopt;
+}
+
+/// One target's samples in the order of time, and what belongs together of them.
+class TargetSmoother {
+public:
+  TargetSmoother(std::vector<TrajectorySample*> samples, const SmootherOptions& options)
+      : samples_(std::move(samples)), options_(options) {
+    std::erase_if(samples_, [](const auto* sample) { return !std::isfinite(sample->time); });
+    std::ranges::stable_sort(samples_, {}, [](const auto* sample) { return sample->time; });
+    const bool hasSeen =
+        std::ranges::any_of(samples_, [](const auto* sample) { return sample->seen.has_value(); });
+    for (const auto* sample : samples_) {
+      points_.push_back({sample->time, lookOf(*sample, hasSeen)});
+    }
+  }
+
+  void run() {
+    const auto looks =
+        std::ranges::count_if(points_, [](const auto& point) { return point.seen.has_value(); });
+    if (looks < static_cast<std::ptrdiff_t>(kFewestLooks)) {
+      return;
+    }
+    std::vector<std::size_t> begins = beginsAfterGaps();
+    const PathModel model = fitPathModel(pathsFrom(begins));
+    begins = withoutStrayLooks(begins, model);
+    for (std::size_t k = 0; k < begins.size(); ++k) {
+      smoothPart(begins[k], k + 1 < begins.size() ? begins[k + 1] : points_.size(), model);
+    }
+  }
+
+private:
+  /// The points at which paths begin: at a look behind no look for too long.
+  std::vector<std::size_t> beginsAfterGaps() const {
+    std::vector<std::size_t> begins;
+    double last = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      if (points_[k].seen) {
+        if (points_[k].time - last > options_.longestGap) {
+          begins.push_back(k);
+        }
+        last = points_[k].time;
+      }
+    }
+    return begins;
+  }
+
+  std::vector<Path> pathsFrom(const std::vector<std::size_t>& begins) const {
+    std::vector<Path> paths;
+    for (std::size_t k = 0; k < begins.size(); ++k) {
+      const std::size_t end = k + 1 < begins.size() ? begins[k + 1] : points_.size();
+      paths.emplace_back(points_.begin() + static_cast<std::ptrdiff_t>(begins[k]),
+                         points_.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+    return paths;
+  }
+
+  /// Looks far from the path are dropped; where several in a row are, the target has jumped and a
+  /// new path begins.
+  std::vector<std::size_t> withoutStrayLooks(const std::vector<std::size_t>& begins,
+                                             PathModel model) {
+    model.noiseFactor = std::max(1.0, model.noiseFactor); // as stated, at least
+    std::vector<std::size_t> result;
+    for (std::size_t k = 0; k < begins.size(); ++k) {
+      const std::size_t end = k + 1 < begins.size() ? begins[k + 1] : points_.size();
+      std::size_t begin = begins[k];
+      while (begin < end) {
+        result.push_back(begin);
+        begin = dropStrayLooks(begin, end, model);
+      }
+    }
+    return result;
+  }
+
+  /// Where the next path begins; `end` if there is none before.
+  std::size_t dropStrayLooks(std::size_t begin, std::size_t end, const PathModel& model) {
+    const auto surprises =
+        pathSurprises(std::span(points_).subspan(begin, end - begin), model, kGate);
+    std::vector<std::size_t> stray;
+    for (std::size_t k = begin; k < end; ++k) {
+      if (!points_[k].seen) {
+        continue;
+      }
+      if (surprises[k - begin] <= kGate) {
+        drop(stray);
+        continue;
+      }
+      stray.push_back(k);
+      if (stray.size() == kNewPathLooks) {
+        return stray.front();
+      }
+    }
+    drop(stray);
+    return end;
+  }
+
+  void drop(std::vector<std::size_t>& looks) {
+    for (const std::size_t look : looks) {
+      points_[look].seen.reset();
+    }
+    looks.clear();
+  }
+
+  void smoothPart(std::size_t begin, std::size_t end, const PathModel& model) {
+    const auto part = std::span(points_).subspan(begin, end - begin);
+    auto estimates = smoothPath(part, model);
+    for (int pass = 0; pass < kMostPasses && dropOutliers(part, estimates, model); ++pass) {
+      estimates = smoothPath(part, model);
+    }
+    const auto shared = sharedErrors(part, model);
+    const double share = std::max(0.0, 1.0 - model.noiseFactor);
+    std::size_t last = 0;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      last = part[k].seen ? k : last;
+    }
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      TrajectorySample& sample = *samples_[begin + k];
+      if (k > last && !sample.valid) {
+        continue; // nobody says that the target is still there
+      }
+      sample.position = estimates[k].position;
+      sample.covariance = estimates[k].covariance + share * shared[k];
+      sample.valid = sample.valid || isUseful(sample.covariance);
+    }
+  }
+
+  /// Drops looks that are far from the path as seen from both sides; of neighboring ones only the
+  /// farthest, because it pulls the path away from the others. False if there was none.
+  static bool dropOutliers(std::span<PathPoint> part, const std::vector<PathEstimate>& estimates,
+                           const PathModel& model) {
+    std::vector<double> squares(part.size());
+    for (std::size_t k = 1; k < part.size(); ++k) { // the first one begins the path
+      if (part[k].seen) {
+        const Eigen::Vector3d off = part[k].seen->position - estimates[k].position;
+        squares[k] =
+            off.dot(part[k].seen->covariance.llt().solve(off)) / std::max(1.0, model.noiseFactor);
+      }
+    }
+    bool dropped = false;
+    for (std::size_t k = 1; k < part.size(); ++k) {
+      const std::size_t from = k - std::min(k, kNeighbors);
+      const std::size_t count = std::min(part.size() - from, 2 * kNeighbors + 1);
+      if (squares[k] > kGate &&
+          squares[k] >= std::ranges::max(std::span(squares).subspan(from, count))) {
+        part[k].seen.reset();
+        dropped = true;
+      }
+    }
+    return dropped;
+  }
+
+  static bool isUseful(const Eigen::Matrix3d& covariance) {
+    return covariance.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff() <
+           kUsefulSigma * kUsefulSigma;
+  }
+
+  std::vector<TrajectorySample*> samples_;
+  SmootherOptions options_;
+  std::vector<PathPoint> points_;
+};
+
+} // namespace
+
+PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths) {
+  std::vector<Path> used;
+  std::size_t left = kMostLooksToFit;
+  for (const Path& path : paths) {
+    const std::size_t count = std::min(left, path.size());
+    used.emplace_back(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(count));
+    left -= count;
+  }
+  Fitted best = fitOrder(used, 2);
+  for (int order = 3; order <= kMostPathOrder; ++order) {
+    const Fitted other = fitOrder(used, order);
+    best = other.logLikelihood > best.logLikelihood ? other : best;
+  }
+  return best.model;
+}
+
+Trajectory smoothed(const Trajectory& live, const SmootherOptions& options) {
+  Trajectory result = live;
+  std::map<std::string, std::vector<TrajectorySample*>> targets;
+  for (TrajectorySample& sample : result.samples) {
+    targets[sample.target].push_back(&sample);
+  }
+  for (auto& [name, samples] : targets) {
+    TargetSmoother(std::move(samples), options).run();
+  }
+  return result;
+}
+
+} // namespace dewpoint

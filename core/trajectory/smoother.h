@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/trajectory/path_filter.h"
+#include "core/trajectory/trajectory.h"
+
+#include <span>
+#include <vector>
+
+namespace dewpoint {
+
+struct SmootherOptions {
+  /// Gaps up to this length are filled, seconds; behind a longer one a new path begins.
+  double longestGap = 1.0;
+};
+
+/// How a target moved and how good its looks were, found by maximum likelihood over the run: the
+/// likeliest order of motion with its strength, and the factor on the covariances that the looks'
+/// scatter shows. At most the first 2,000 instants are used.
+PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths);
+
+/// The trajectory as it is known after the run: each target's estimates become those that all looks
+/// before and after allow, with their covariance. A live estimate knows only the past, and errors
+/// of neighboring ones are alike; so what each frame alone says (`seen`) is used instead, each look
+/// once. Frames without a look carry none: between two looks the ellipsoid grows and shrinks again,
+/// and such a frame becomes `valid` while it says something (standard deviation below 0.1 m). What
+/// the looks scatter less than they state is taken for an error that they share (light from one
+/// side, a calibration that is a little off): it stays in the covariance, no smoothing removes it.
+/// Where a file has no `seen`, valid estimates are taken as if their errors were independent.
+/// Estimates before the first look, and of targets with fewer than five, stay as they are.
+Trajectory smoothed(const Trajectory& live, const SmootherOptions& options = {});
+
+} // namespace dewpoint

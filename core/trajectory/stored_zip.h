@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dewpoint {
+
+/// A file within an archive.
+struct ZipEntry {
+  std::string name;
+  std::string bytes;
+};
+
+/// CRC-32 as ZIP has it (ISO 3309, polynomial 0xEDB88320 reflected).
+std::uint32_t crc32(std::string_view bytes);
+
+/// A ZIP archive without compression (APPNOTE 6.3), dated 1980-01-01 so that the same content gives
+/// the same bytes. BadValue beyond 4 GiB or 65,535 entries.
+Result<std::string> storedZip(const std::vector<ZipEntry>& entries);
+
+} // namespace dewpoint

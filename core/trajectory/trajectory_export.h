@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/trajectory/export_formats.h"
+#include "core/trajectory/export_options.h"
+#include "core/trajectory/trajectory.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace dewpoint {
+
+/// Called now and then with how much is done, 0 to 1; false ends the export.
+using ExportProgress = std::function<bool(double)>;
+
+struct ExportSummary {
+  std::vector<std::filesystem::path> files; ///< written, the main one last
+  std::size_t rows = 0;
+  std::size_t targets = 0;
+  std::size_t gaps = 0; ///< target and row pairs left empty
+  bool cancelled = false;
+};
+
+/// What an export would write.
+struct ExportPreview {
+  std::string units; ///< units and axes, one sentence
+  std::string size;  ///< targets, rows, rate, gaps, one sentence
+  std::string text;  ///< the first lines, or what the bytes hold
+};
+
+/// Writes the trajectory as `options.format` to `file` (formats of several files put the others
+/// beside it). Each file is written beside, flushed and renamed. FileUnwritable, and the errors of
+/// makeExportTable() and of the format.
+Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const ExportOptions& options,
+                                       const std::filesystem::path& file,
+                                       const ExportProgress& progress = {});
+
+/// The first `lineCount` lines as exportTrajectory() would write them.
+Result<ExportPreview> previewExport(const Trajectory& trajectory, const ExportOptions& options,
+                                    const std::filesystem::path& file, std::size_t lineCount = 14);
+
+/// Reads the trajectory of an export's source: a trajectory file, or a run's folder with one.
+Result<Trajectory> readExportSource(const std::filesystem::path& fileOrFolder);
+
+} // namespace dewpoint
