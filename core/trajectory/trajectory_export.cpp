@@ -142,6 +142,12 @@ Result<ExportPreview> previewExport(const Trajectory& trajectory, const ExportOp
   ExportPreview preview;
   preview.units = unitsSentence(encoded->table);
   preview.size = sizeSentence(encoded->table);
+  preview.axes = encoded->table.axes;
+  preview.unit = encoded->table.unit;
+  preview.targets = encoded->table.targets.size();
+  preview.rows = encoded->table.rowCount();
+  preview.gaps = encoded->table.gapCount();
+  preview.rate = encoded->table.rate;
   const std::string& bytes = encoded->files.back().bytes;
   preview.text = (*format)->binary ? described(**format, encoded->table, bytes.size(), lineCount)
                                    : firstLines(encoded->files.size() > 1 && (*format)->id == "tum"

@@ -29,6 +29,13 @@ struct ExportPreview {
   std::string units; ///< units and axes, one sentence
   std::string size;  ///< targets, rows, rate, gaps, one sentence
   std::string text;  ///< the first lines, or what the bytes hold
+  // The same as values, for who says it in another language.
+  WorldAxes axes = WorldAxes::ZUp;
+  LengthUnit unit = LengthUnit::Meter;
+  std::size_t targets = 0;
+  std::size_t rows = 0;
+  std::size_t gaps = 0;
+  double rate = 0.0; ///< rows per second
 };
 
 /// Writes the trajectory as `options.format` to `file` (formats of several files put the others

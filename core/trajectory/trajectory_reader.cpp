@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 
 namespace dewpoint {
 namespace {
@@ -166,7 +167,15 @@ private:
     Status status;
     const auto number = [&](const char* name, auto& value) {
       const auto index = column(name);
-      if (status && index && !parse(cells[*index], value))
+      if (!status || !index)
+        return;
+      if constexpr (std::is_floating_point_v<std::remove_reference_t<decltype(value)>>) {
+        if (cells[*index].empty()) {
+          value = std::numeric_limits<double>::quiet_NaN(); // not known, as in an export with gaps
+          return;
+        }
+      }
+      if (!parse(cells[*index], value))
         status = badNumber(name, cells[*index]);
     };
     number("time_s", sample.time);

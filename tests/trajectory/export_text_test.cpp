@@ -39,6 +39,15 @@ TEST(ExportText, TidyCsvIsReadByOurOwnReader) {
   EXPECT_EQ(read->samples[3].covariance, exportExample().samples[1].covariance);
 }
 
+TEST(ExportText, GapsAreReadByOurOwnReader) {
+  const ExportFolder folder;
+  ASSERT_TRUE(exportTrajectory(exportExample(), exportAs("csv"), folder / "a.csv"));
+  const auto read = readExportSource(folder / "a.csv");
+  ASSERT_TRUE(read) << sentence(read.error());
+  EXPECT_FALSE(read->samples[4].valid);
+  EXPECT_FALSE(read->samples[4].position.allFinite());
+}
+
 TEST(ExportText, WideCsvAsWrittenByHand) {
   ExportOptions options = exportAs("csv-wide");
   options.header = false;

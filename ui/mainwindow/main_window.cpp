@@ -235,8 +235,9 @@ void MainWindow::updateEnabled() {
   const bool running = bridge_ != nullptr;
   for (const char* id : {"actionPlay", "actionNextFrame", "actionNextIteration", "actionRestart",
                          "actionRestartNewSeed", "actionShowMask", "actionSave", "actionSaveAs",
-                         "actionExportTrajectory", "actionCloseProject", "actionRemoveTarget",
-                         "actionAddTarget", "actionLearnColor", "actionResetLayout"}) {
+                         "actionExportTrajectory", "actionSavePicture", "actionCloseProject",
+                         "actionRemoveTarget", "actionAddTarget", "actionLearnColor",
+                         "actionResetLayout"}) {
     action(id)->setEnabled(running);
   }
   action("actionOpen")->setEnabled(!loader_->isOpening());

@@ -127,6 +127,9 @@ private:
   void save();
   void saveTo(std::filesystem::path file);
   void exportTrajectory();
+  void addPictureMenu(QDockWidget* dock, QWidget* bar);
+  void choosePicture();
+  void savePictureOf(QDockWidget* dock);
   bool mayDiscard();
 
   ProjectLoader* loader_;

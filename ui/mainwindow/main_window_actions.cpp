@@ -37,10 +37,10 @@ void MainWindow::makeMenus() {
     }
     return menu;
   };
-  QMenu* project =
-      add(tr("&Project"), "menuProject",
-          {"actionNew", "actionOpen", "actionOpenDemo", nullptr, "actionSave", "actionSaveAs",
-           nullptr, "actionExportTrajectory", nullptr, "actionCloseProject", "actionQuit"});
+  QMenu* project = add(tr("&Project"), "menuProject",
+                       {"actionNew", "actionOpen", "actionOpenDemo", nullptr, "actionSave",
+                        "actionSaveAs", nullptr, "actionExportTrajectory", "actionSavePicture",
+                        nullptr, "actionCloseProject", "actionQuit"});
   auto* recent = new QMenu(tr("Open recent"), project);
   recent->setObjectName(QStringLiteral("menuRecent"));
   recent->setToolTipsVisible(true);
@@ -131,6 +131,7 @@ void MainWindow::connectActions() {
   on(action("actionSave"), [this] { save(); });
   on(action("actionSaveAs"), [this] { askSaveAs(); });
   on(action("actionExportTrajectory"), [this] { exportTrajectory(); });
+  on(action("actionSavePicture"), [this] { choosePicture(); });
   on(action("actionQuit"), [this] { close(); });
   const auto onTheme = [this, on](QAction* action, Theme theme) {
     on(action, [this, theme] {

@@ -62,21 +62,6 @@ void MainWindow::saveTo(std::filesystem::path file) {
   }
 }
 
-void MainWindow::exportTrajectory() {
-  const QString file = QFileDialog::getSaveFileName(
-      this, tr("Save the trajectory"), QStringLiteral("trajectory.csv"), tr("Tables (*.csv)"));
-  if (file.isEmpty() || bridge_ == nullptr) {
-    return;
-  }
-  const auto saved = bridge_->session().saveTrajectory(toPath(file));
-  if (!saved) {
-    messages_->showError(errorSentence(saved.error()));
-  } else {
-    messages_->showNotice(
-        tr("Saved %n samples to %1.", nullptr, static_cast<int>(*saved)).arg(file));
-  }
-}
-
 bool MainWindow::saveRun(const std::filesystem::path& folder) {
   if (bridge_ == nullptr) {
     return false;

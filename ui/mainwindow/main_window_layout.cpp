@@ -43,6 +43,7 @@ QDockWidget* MainWindow::makeDock(const QString& name, const std::function<QStri
           [dock](bool shown) { dock->setProperty("closedByChoice", !shown); });
   auto* bar = new DockTitle(dock);
   dock->setTitleBarWidget(bar);
+  addPictureMenu(dock, bar);
   connect(bar, &DockTitle::maximizeWanted, this, [this, dock] { toggleMaximized(dock); });
   return dock;
 }

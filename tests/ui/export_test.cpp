@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Taking the trajectory home from the window, while tracking goes on.
+#include "app/wiring/open_project.h"
+#include "core/base/text_file.h"
+#include "core/session/snapshot.h"
+#include "ui/birdseye/birds_eye_view.h"
+#include "ui/export/export_dialog.h"
+#include "ui/export/export_words.h"
+#include "ui/export/trajectory_figure.h"
+#include "ui/export/view_picture.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/message_bar.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSvgRenderer>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace dewpoint {
+
+class ExportTest : public QObject {
+  Q_OBJECT
+private Q_SLOTS:
+  void initTestCase();
+  void cleanupTestCase() { window_.reset(); }
+  void formatsHaveNames();
+  void isNotModal();
+  void previewFollowsTheChoices();
+  void writesInTheBackground();
+  void saysWhatFailed();
+  void drawsAFigure();
+  void takesPicturesOfEveryView();
+
+private:
+  template <class Field> Field* field(const char* name) const {
+    auto* found = dialog_->findChild<Field*>(QLatin1String(name));
+    Q_ASSERT(found != nullptr);
+    return found;
+  }
+  QString preview() const { return field<QPlainTextEdit>("exportPreview")->toPlainText(); }
+  void chooseFormat(std::string_view id) const {
+    field<QComboBox>("exportFormat")->setCurrentText(exportFormatName(id));
+  }
+
+  QTemporaryDir folder_;
+  std::unique_ptr<MainWindow> window_;
+  ExportDialog* dialog_ = nullptr;
+};
+
+namespace {
+
+Trajectory smallRun() {
+  Trajectory trajectory;
+  for (std::int64_t frame = 0; frame < 30; ++frame) {
+    TrajectorySample sample;
+    sample.frame = frame;
+    sample.time = static_cast<double>(frame) / 30.0;
+    sample.target = "ball";
+    sample.position = {std::cos(0.2 * static_cast<double>(frame)), 0.1, 0.5};
+    sample.covariance = 1e-4 * Eigen::Matrix3d::Identity();
+    sample.valid = frame < 10 || frame > 14;
+    trajectory.samples.push_back(sample);
+  }
+  return trajectory;
+}
+
+} // namespace
+
+void ExportTest::initTestCase() {
+  window_ = std::make_unique<MainWindow>(dewpoint::openProject);
+  window_->resize(1400, 900);
+  window_->show();
+  window_->openProject({});
+  QTRY_VERIFY_WITH_TIMEOUT(window_->shown() != nullptr && window_->shown()->frame > 20,
+                           DEWPOINT_PATIENCE_MS);
+  window_->findChild<QAction*>(QStringLiteral("actionExportTrajectory"))->trigger();
+  dialog_ = window_->findChild<ExportDialog*>();
+  QVERIFY(dialog_ != nullptr);
+  QVERIFY(QTest::qWaitForWindowExposed(dialog_));
+}
+
+void ExportTest::formatsHaveNames() {
+  for (const ExportFormat& format : exportFormats()) {
+    // In the language of the source the window says what the core says.
+    QCOMPARE(exportFormatName(format.id).toStdString(), std::string(format.title));
+  }
+}
+
+void ExportTest::isNotModal() {
+  QVERIFY(!dialog_->isModal());
+  const auto before = window_->shown()->frame;
+  QTRY_VERIFY_WITH_TIMEOUT(window_->shown()->frame > before, DEWPOINT_PATIENCE_MS);
+}
+
+void ExportTest::previewFollowsTheChoices() {
+  QTRY_VERIFY_WITH_TIMEOUT(preview().contains(QStringLiteral("time_s,frame,target,x_m")),
+                           DEWPOINT_PATIENCE_MS);
+  chooseFormat("trc");
+  QTRY_VERIFY_WITH_TIMEOUT(preview().startsWith(QStringLiteral("PathFileType")),
+                           DEWPOINT_PATIENCE_MS);
+  QVERIFY(field<QLabel>("exportUnits")->text().contains(QStringLiteral("Y points up")));
+  QVERIFY(field<QLineEdit>("exportFile")->text().endsWith(QStringLiteral("trajectory.trc")));
+  field<QComboBox>("exportUnit")->setCurrentIndex(2);
+  QTRY_VERIFY_WITH_TIMEOUT(preview().contains(QStringLiteral("\tmm\t")), DEWPOINT_PATIENCE_MS);
+  field<QDoubleSpinBox>("exportTo")->setValue(0.1);
+  QTRY_VERIFY_WITH_TIMEOUT(field<QLabel>("exportSize")->text().contains(QStringLiteral("rows: 4")),
+                           DEWPOINT_PATIENCE_MS);
+  field<QComboBox>("exportEstimates")->setCurrentIndex(1);
+  field<QComboBox>("exportUnit")->setCurrentIndex(0);
+  chooseFormat("csv");
+  QTRY_VERIFY_WITH_TIMEOUT(preview().contains(QStringLiteral("estimates: smoothed")),
+                           DEWPOINT_PATIENCE_MS);
+}
+
+void ExportTest::writesInTheBackground() {
+  for (const ExportFormat& format : exportFormats()) {
+    chooseFormat(format.id);
+    const QString file =
+        folder_.filePath(QStringLiteral("out-") + QString::fromUtf8(format.id.data()) +
+                         QString::fromUtf8(format.suffix.data()));
+    field<QLineEdit>("exportFile")->setText(file);
+    auto* start = field<QPushButton>("exportStart");
+    QTest::mouseClick(start, Qt::LeftButton);
+    QVERIFY(!start->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), DEWPOINT_PATIENCE_MS);
+    QVERIFY2(QFileInfo(file).size() > 0, qPrintable(file));
+    const QString said = window_->findChild<MessageBar*>()->text();
+    QVERIFY2(said.contains(file), qPrintable(said));
+  }
+}
+
+void ExportTest::saysWhatFailed() {
+  chooseFormat("csv");
+  field<QLineEdit>("exportFile")->setText(folder_.filePath(QStringLiteral("no/folder/a.csv")));
+  auto* start = field<QPushButton>("exportStart");
+  QTest::mouseClick(start, Qt::LeftButton);
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), DEWPOINT_PATIENCE_MS);
+  QVERIFY(window_->findChild<MessageBar*>()->text().contains(QStringLiteral("no/folder/a.csv")));
+}
+
+void ExportTest::drawsAFigure() {
+  const auto table = makeExportTable(smallRun(), {}, {});
+  QVERIFY(table);
+  const FigureWords words{QStringLiteral("title"), QStringLiteral("time (s)"),
+                          QStringLiteral("from above")};
+  const std::filesystem::path svg = folder_.filePath(QStringLiteral("f.svg")).toStdString();
+  QVERIFY(writeTrajectoryFigure(*table, words, svg));
+  QSvgRenderer renderer(QString::fromStdString(svg.string()));
+  QVERIFY(renderer.isValid());
+  QCOMPARE(renderer.viewBox(), QRect(0, 0, 1000, 707));
+  QVERIFY(readTextFile(svg)->find("from above") != std::string::npos);
+  const std::filesystem::path pdf = folder_.filePath(QStringLiteral("f.pdf")).toStdString();
+  QVERIFY(writeTrajectoryFigure(*table, words, pdf));
+  QVERIFY(readTextFile(pdf)->starts_with("%PDF-"));
+}
+
+void ExportTest::takesPicturesOfEveryView() {
+  int taken = 0;
+  for (QDockWidget* dock : window_->findChildren<QDockWidget*>()) {
+    if (!dock->isVisible() || dock->visibleRegion().isEmpty()) {
+      continue;
+    }
+    const QImage picture = pictureOf(dock->widget());
+    QVERIFY(picture.width() > 50 && picture.height() > 30);
+    const QString file = folder_.filePath(dock->objectName() + QStringLiteral(".png"));
+    QVERIFY(writePicture(picture, file.toStdString()));
+    QCOMPARE(QImage(file).size(), picture.size());
+    ++taken;
+  }
+  QVERIFY(taken >= 4); // two cameras, the bird's-eye view, the plot
+}
+
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
+  dewpoint::ExportTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "export_test.moc"

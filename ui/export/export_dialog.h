@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/export/export_worker.h"
+
+#include <QDialog>
+
+#include <functional>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPlainTextEdit;
+class QProgressBar;
+class QPushButton;
+class QTimer;
+
+namespace dewpoint {
+
+/// Takes the trajectory home: what, how, and what the file will look like. Not modal: tracking goes
+/// on, and the preview follows it. Exports run in the background; the result is said by signals.
+class ExportDialog : public QDialog {
+  Q_OBJECT
+public:
+  /// `trajectory` gives the run so far; called in the window's thread.
+  explicit ExportDialog(std::function<Trajectory()> trajectory, QWidget* parent = nullptr);
+
+  /// Takes the run as it is now and shows it.
+  void refresh();
+  /// Proposes a file in this folder.
+  void proposeIn(const QString& folder);
+  ExportOptions options() const;
+
+Q_SIGNALS:
+  void done(const QString& sentence);
+  void failed(const QString& sentence);
+
+protected:
+  void showEvent(QShowEvent* event) override;
+
+private:
+  void makeFields();
+  void arrangeFields();
+  void connectFields();
+  void retranslate();
+  void fillChoices();
+  void fillTargets();
+  void changed();
+  void formatChanged();
+  void askFile();
+  void start();
+  void startFigure();
+  void setRunning(bool running);
+  void showPreview(const ExportPreview& preview);
+  void showFinished(const ExportSummary& summary);
+  std::filesystem::path file() const;
+
+  std::function<Trajectory()> trajectorySource_;
+  ExportWorker::TrajectoryPtr trajectory_;
+  ExportWorker* worker_;
+  QTimer* soon_; ///< several changes in a row make one preview
+  QFormLayout* form_ = nullptr;
+  QComboBox* format_;
+  QListWidget* targets_;
+  QComboBox* estimates_;
+  QDoubleSpinBox* from_;
+  QDoubleSpinBox* to_;
+  QDoubleSpinBox* rate_;
+  QComboBox* gaps_;
+  QDoubleSpinBox* longestGap_;
+  QComboBox* axes_;
+  QComboBox* unit_;
+  QCheckBox* header_;
+  QPlainTextEdit* preview_;
+  QLabel* units_;
+  QLabel* size_;
+  QLineEdit* file_;
+  QPushButton* browse_;
+  QProgressBar* progress_;
+  QPushButton* cancel_;
+  QPushButton* figure_;
+  QPushButton* export_;
+  QPushButton* close_;
+};
+
+} // namespace dewpoint

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/view_picture.h"
+
+#include "core/base/text_file.h"
+#include "ui/birdseye/birds_eye_view.h"
+
+#include <QBuffer>
+#include <QPixmap>
+#include <QWidget>
+
+namespace dewpoint {
+
+QImage pictureOf(QWidget* view) {
+  auto* birdsEye = qobject_cast<BirdsEyeView*>(view);
+  const QImage picture = birdsEye == nullptr ? QImage() : birdsEye->currentPicture();
+  return picture.isNull() ? view->grab().toImage() : picture;
+}
+
+Status writePicture(const QImage& picture, const std::filesystem::path& file) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  if (!picture.save(&buffer, "PNG")) {
+    return failure(ErrorCode::FileUnwritable, file.string(), "", "there is no picture");
+  }
+  return writeTextFile(file, buffer.data().toStdString());
+}
+
+} // namespace dewpoint

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What leaves the window: the trajectory, and pictures of views.
+#include "core/project/project.h"
+#include "core/session/session.h"
+#include "ui/bridge/error_sentence.h"
+#include "ui/bridge/session_bridge.h"
+#include "ui/document/document.h"
+#include "ui/export/export_dialog.h"
+#include "ui/export/view_picture.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/message_bar.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QDir>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QMenu>
+
+namespace dewpoint {
+
+void MainWindow::exportTrajectory() {
+  auto* dialog = findChild<ExportDialog*>();
+  if (dialog == nullptr) {
+    const auto run = [this] {
+      return bridge_ == nullptr ? Trajectory() : bridge_->session().trajectory();
+    };
+    dialog = new ExportDialog(run, this);
+    connect(dialog, &ExportDialog::done, messages_, &MessageBar::showNotice);
+    connect(dialog, &ExportDialog::failed, messages_, &MessageBar::showError);
+    const auto project = document_->project().file;
+    if (!project.empty()) {
+      dialog->proposeIn(QString::fromStdString(project.parent_path().string()));
+    }
+  }
+  dialog->show();
+  dialog->raise();
+  dialog->activateWindow();
+}
+
+void MainWindow::addPictureMenu(QDockWidget* dock, QWidget* bar) {
+  // On the title: a right click into the view itself belongs to the view.
+  bar->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(bar, &QWidget::customContextMenuRequested, this, [this, dock, bar](QPoint place) {
+    QMenu menu;
+    menu.setObjectName(QStringLiteral("menuPicture"));
+    connect(menu.addAction(tr("Save picture as PNG…")), &QAction::triggered, this,
+            [this, dock] { savePictureOf(dock); });
+    connect(menu.addAction(tr("Copy picture")), &QAction::triggered, this,
+            [dock] { QApplication::clipboard()->setImage(pictureOf(dock->widget())); });
+    menu.exec(bar->mapToGlobal(place));
+  });
+}
+
+void MainWindow::choosePicture() {
+  QMenu menu;
+  menu.setObjectName(QStringLiteral("menuPictures"));
+  for (QDockWidget* dock : findChildren<QDockWidget*>()) {
+    if (dock->isVisible() && !dock->visibleRegion().isEmpty()) {
+      connect(menu.addAction(dock->windowTitle()), &QAction::triggered, this,
+              [this, dock] { savePictureOf(dock); });
+    }
+  }
+  menu.exec(mapToGlobal(rect().center()));
+}
+
+void MainWindow::savePictureOf(QDockWidget* dock) {
+  const QImage picture = pictureOf(dock->widget()); // as it is now, not after the question
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Save a picture of %1").arg(dock->windowTitle()),
+      QDir::home().filePath(dock->windowTitle() + QStringLiteral(".png")), tr("Pictures (*.png)"));
+  if (file.isEmpty()) {
+    return;
+  }
+  const Status written = writePicture(picture, file.toStdString());
+  if (written) {
+    messages_->showNotice(tr("Saved the picture %1.").arg(file));
+  } else {
+    messages_->showError(errorSentence(written.error()));
+  }
+}
+
+} // namespace dewpoint
