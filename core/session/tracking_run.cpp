@@ -124,7 +124,7 @@ std::vector<TrajectorySample> TrackingRun::samples() const {
     const auto& estimate = estimates()[k];
     samples.push_back({seconds(frames_->time), frames_->index, targets_[k].name, estimate.mean,
                        estimate.covariance, estimate.effectiveSampleSize, estimate.camerasSeeing,
-                       estimate.valid, std::nullopt});
+                       estimate.valid, std::nullopt, estimate.existence});
     if (estimate.seen) {
       samples.back().seen = SeenPlace{estimate.seen->mean, estimate.seen->covariance};
     }
