@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <fstream>
 #include <string>
 #include <thread>
@@ -31,7 +32,7 @@ void print(const char* what, std::vector<double> times) {
   const auto at = [&](double share) {
     return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))];
   };
-  fmt::print("{:34} {:4} times: median {:6.1f} ms, 95 % {:6.1f} ms, longest {:6.1f} ms\n", what,
+  fmt::print("{:30} {:4} times: median {:6.1f} ms, 95 % {:6.1f} ms, longest {:6.1f} ms\n", what,
              times.size(), at(0.5), at(0.95), times.back());
 }
 
@@ -77,13 +78,38 @@ SessionInputs inputsOf(const std::vector<std::string>& videos) {
   return inputs;
 }
 
-double timeToShow(Session& session, std::int64_t frame) {
+double cpuSeconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// Milliseconds from the wish to the first picture of the moment, and to the true one.
+struct Times {
+  std::vector<double> first;
+  std::vector<double> exact;
+};
+
+void show(Session& session, std::int64_t frame, Times& times) {
   const auto begin = Clock::now();
+  bool seen = false;
   session.showFrame(frame);
-  while (session.newest()->frame != frame) {
+  while (true) {
+    const auto snapshot = session.newest();
+    if (snapshot->frame == frame && !seen) {
+      seen = true;
+      times.first.push_back(millisecondsSince(begin));
+    }
+    if (snapshot->frame == frame && !snapshot->preview) {
+      times.exact.push_back(millisecondsSince(begin));
+      return;
+    }
     std::this_thread::sleep_for(std::chrono::microseconds(100));
   }
-  return millisecondsSince(begin);
+}
+
+void print(const char* what, const Times& times) {
+  fmt::print("{}\n", what);
+  print("  until the moment is shown", times.first);
+  print("  until its true images are", times.exact);
 }
 
 } // namespace
@@ -104,30 +130,35 @@ int main(int argc, char** argv) {
   fmt::print("{} frames tracked in {:.1f} s; history {:.0f} of {:.0f} MB, process {:.0f} MB\n",
              frames, millisecondsSince(begin) / 1e3, megabytes(history.bytes),
              megabytes(history.mostBytes), residentMegabytes());
-  std::vector<double> jumps;
+  const double cpu = cpuSeconds();
+  Times jumps;
   for (std::int64_t k = 1; k <= 200; ++k) {
-    jumps.push_back(timeToShow(session, k * 7919 % frames)); // a prime: all over the recording
+    show(session, k * 7919 % frames, jumps); // a prime: all over the recording
   }
   print("jumps all over the recording", jumps);
-  std::vector<double> ahead;
-  std::vector<double> back;
+  fmt::print("  processor time {:.1f} ms each\n",
+             1e3 * (cpuSeconds() - cpu) / static_cast<double>(jumps.exact.size()));
+  Times ahead;
+  Times back;
   const std::int64_t middle = frames / 2;
   for (std::int64_t k = 0; k < 200; ++k) {
-    ahead.push_back(timeToShow(session, std::min(frames - 1, middle + k)));
+    show(session, std::min(frames - 1, middle + k), ahead);
   }
   print("one frame ahead", ahead);
   for (std::int64_t k = 0; k < 200; ++k) {
-    back.push_back(timeToShow(session, std::max<std::int64_t>(0, middle - 300 - k)));
+    show(session, std::max<std::int64_t>(0, middle - 300 - k), back);
   }
   print("one frame back", back);
   const auto again = Clock::now();
   const std::int64_t from = frames - std::min<std::int64_t>(frames, 1000);
-  session.rerunFrom(from);
   std::uint64_t generation = 0;
   std::size_t position = 0;
   session.framesSince(generation, position);
-  while (session.trajectory().samples.size() != static_cast<std::size_t>(frames) ||
-         session.newest()->rerun || millisecondsSince(again) < 200.0) {
+  session.rerunFrom(from);
+  while (!session.framesSince(generation, position).restarted) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  while (session.trajectory().samples.size() != static_cast<std::size_t>(frames)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   fmt::print("{} frames tracked again in {:.1f} s; process {:.0f} MB\n", frames - from,

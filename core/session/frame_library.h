@@ -18,6 +18,9 @@ public:
   virtual void add(const FrameSetPtr& frames) = 0;
   /// The images of this frame; null when they are gone (live), or not there.
   virtual Result<FrameSetPtr> at(std::int64_t frame) = 0;
+  /// A quick look at a frame: in full when that takes no time, else small and scaled up (`exact` is
+  /// false then); null when there is none.
+  virtual FrameSetPtr glance(std::int64_t frame, bool& exact) = 0;
   /// The oldest frame that at() still has.
   virtual std::int64_t oldest() const = 0;
   /// The newest frame that at() has.
@@ -27,7 +30,8 @@ public:
   virtual void clear() = 0;
 };
 
-/// Frames of a recording, read again by seeking; those decoded last are kept, up to `mostBytes`.
+/// Frames of a recording, read again by seeking; those decoded last are kept, and small pictures of
+/// all that went by, up to `mostBytes`.
 /// When frames are asked for backwards, some earlier ones are decoded on the way. Moves the source.
 std::unique_ptr<FrameLibrary> recordedFrames(FrameSetSource& source, std::size_t mostBytes);
 

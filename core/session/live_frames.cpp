@@ -105,6 +105,11 @@ public:
     }
   }
 
+  FrameSetPtr glance(std::int64_t frame, bool& exact) override {
+    exact = true;
+    return at(frame).value_or(FrameSetPtr());
+  }
+
   std::int64_t oldest() const override {
     const std::lock_guard lock(mutex_);
     return kept_.empty() ? 0 : kept_.front().index;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/frame_library.h"
+#include "core/session/frame_previews.h"
 
 #include <algorithm>
 #include <list>
@@ -21,18 +22,23 @@ namespace {
 constexpr std::int64_t kReadBehind = 8;
 /// Steps back within this many frames are somebody going backwards, others are jumps.
 constexpr std::int64_t kStepBack = 4;
+/// This part of the memory is for small pictures.
+constexpr std::size_t kPreviewShare = 2;
 
 class RecordedFrames final : public FrameLibrary {
 public:
   RecordedFrames(FrameSetSource& source, std::size_t mostBytes)
-      : source_(source), most_(mostBytes) {}
+      : source_(source), most_(mostBytes), previews_(mostBytes / kPreviewShare) {}
 
   void add(const FrameSetPtr& frames) override {
+    if (frames) {
+      previews_.add(*frames);
+    }
     if (frames && found_.find(frames->index) == found_.end()) {
       order_.push_front(frames);
       found_[frames->index] = order_.begin();
       bytes_ += bytesOf(*frames);
-      while (bytes_ > most_ && order_.size() > 1) {
+      while (bytes_ > most_ - previews_.most() && order_.size() > 1) {
         bytes_ -= bytesOf(*order_.back());
         found_.erase(order_.back()->index);
         order_.pop_back();
@@ -66,14 +72,20 @@ public:
     return wanted;
   }
 
+  FrameSetPtr glance(std::int64_t frame, bool& exact) override {
+    exact = found_.contains(frame);
+    return exact ? *found_.at(frame) : previews_.at(frame);
+  }
+
   std::int64_t oldest() const override { return 0; }
   std::int64_t newest() const override { return source_.frameCount().value_or(0) - 1; }
-  std::size_t bytes() const override { return bytes_; }
+  std::size_t bytes() const override { return bytes_ + previews_.bytes(); }
   void clear() override {} // what was decoded stays what it is
 
 private:
   FrameSetSource& source_;
   std::size_t most_;
+  FramePreviews previews_;
   std::size_t bytes_ = 0;
   std::list<FrameSetPtr> order_; ///< the one used last first
   std::map<std::int64_t, std::list<FrameSetPtr>::iterator> found_;

@@ -68,9 +68,12 @@ struct TrackSnapshot {
   FrameSetPtr frames;         ///< null before the first frame
   std::vector<cv::Mat> masks; ///< per camera CV_8UC1, 255 = target color; empty unless wanted
   std::vector<TargetSnapshot> targets;
-  std::int64_t frame = -1;         ///< the one shown
-  bool past = false;               ///< an other frame is shown than the run stands at
-  bool tracked = false;            ///< the frame shown was tracked
+  std::int64_t frame = -1; ///< the one shown
+  bool past = false;       ///< an other frame is shown than the run stands at
+  bool tracked = false;    ///< the frame shown was tracked
+  /// The images are small ones kept for a quick look, scaled up; the true ones follow at once
+  /// unless another moment is asked for.
+  bool preview = false;
   HistoryState history;            ///< what else could be shown
   std::optional<RerunState> rerun; ///< while past frames are tracked again
   std::optional<std::int64_t> frameCount;

@@ -67,12 +67,17 @@ std::optional<std::int64_t> TimeTravel::following(std::int64_t frame) const {
   return frame < library_->newest() ? nearest(frame + 1) : std::nullopt;
 }
 
-Status TimeTravel::show(std::int64_t frame, TrackSnapshot& snapshot) {
-  const auto frames = library_->at(frame);
-  if (!frames) {
-    return tl::make_unexpected(frames.error());
+Status TimeTravel::show(std::int64_t frame, bool quickly, TrackSnapshot& snapshot) {
+  bool exact = true;
+  snapshot.frames = quickly ? library_->glance(frame, exact) : nullptr;
+  snapshot.preview = snapshot.frames != nullptr && !exact;
+  if (!snapshot.frames) {
+    auto frames = library_->at(frame);
+    if (!frames) {
+      return tl::make_unexpected(frames.error());
+    }
+    snapshot.frames = std::move(*frames);
   }
-  snapshot.frames = *frames;
   snapshot.frame = frame;
   snapshot.targets.clear();
   if (const Moment* moment = history_.at(frame)) {

@@ -32,8 +32,9 @@ public:
   std::optional<std::int64_t> nearest(std::int64_t frame) const;
   /// The next frame after this one that can be shown; nothing at the end.
   std::optional<std::int64_t> following(std::int64_t frame) const;
-  /// Fills in frames and targets of a snapshot with an earlier moment. False when it is gone.
-  Status show(std::int64_t frame, TrackSnapshot& snapshot);
+  /// Fills in frames and targets of a snapshot with an earlier moment; `quickly`: perhaps as a
+  /// preview.
+  Status show(std::int64_t frame, bool quickly, TrackSnapshot& snapshot);
   /// Range and memory of what can be shown.
   HistoryState state() const;
   const History& history() const { return history_; }

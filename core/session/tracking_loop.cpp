@@ -49,10 +49,15 @@ void TrackingLoop::run(const std::stop_token& stop) {
   publish();
   while (!stop.stop_requested()) {
     const bool playing = state_ == PlayState::Playing;
-    const auto due = rerun_ || mapsDue_ ? Clock::now() : nextFrameDue_;
-    const auto deadline = playing || mapsDue_ ? std::optional(due) : std::nullopt;
+    const bool more = mapsDue_ || exactDue_; // of the moment shown
+    const auto due = rerun_ || more ? Clock::now() : nextFrameDue_;
+    const auto deadline = playing || more ? std::optional(due) : std::nullopt;
     if (const auto command = commands_.pop(stop, deadline)) {
       obey(*command);
+      continue;
+    }
+    if (exactDue_) {
+      publish();
       continue;
     }
     if (mapsDue_) {

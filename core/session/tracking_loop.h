@@ -63,7 +63,8 @@ private:
   std::string differences(const Project& before) const;
 
   // Publishing.
-  void publish();
+  /// `quickly`: a preview will do if the images would take long.
+  void publish(bool quickly = false);
   /// Less often than a screen shows while tracking as fast as it goes.
   void publishNowAndThen();
   void showHead(TrackSnapshot& snapshot);
@@ -84,6 +85,7 @@ private:
   PlayState state_ = PlayState::Paused;
   bool masksWanted_ = false;
   bool mapsWanted_ = false;
+  bool exactDue_ = false;            ///< a preview is shown
   bool mapsDue_ = false;             ///< the moment shown has no likelihood maps yet
   bool atEnd_ = false;               ///< the input's end was reached
   std::int64_t next_ = 0;            ///< the frame to track next

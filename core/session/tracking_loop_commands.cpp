@@ -26,7 +26,7 @@ void TrackingLoop::obey(const Command& command) {
   obeyPlaying(command);
   obeyChange(command);
   obeyTravel(command);
-  publish();
+  publish(std::holds_alternative<command::ShowFrame>(command));
 }
 
 void TrackingLoop::obeyPlaying(const Command& command) {

@@ -69,20 +69,21 @@ void TrackingLoop::addFigures(TrackSnapshot& snapshot) const {
   snapshot.latency = log_.latency();
 }
 
-void TrackingLoop::publish() {
+void TrackingLoop::publish(bool quickly) {
   auto snapshot = std::make_shared<TrackSnapshot>();
   snapshot->rig = rig_;
   snapshot->seed = project_.seed;
   snapshot->state = state_;
   snapshot->past = view_.has_value();
   mapsDue_ = false;
+  exactDue_ = false;
   if (rerun_) {
     snapshot->rerun = rerun_->range;
   }
   if (run_) {
     Status shown;
     if (view_ && travel_) {
-      shown = travel_->show(*view_, *snapshot);
+      shown = travel_->show(*view_, quickly, *snapshot);
     }
     if (!shown) {
       errors_.push_back(shown.error());
@@ -96,9 +97,10 @@ void TrackingLoop::publish() {
         snapshot->targets.emplace_back().target = target;
       }
     } else {
-      mapsDue_ = mapsWanted_;
+      mapsDue_ = mapsWanted_ && !snapshot->preview;
     }
   }
+  exactDue_ = snapshot->preview;
   snapshot->notices = errors_;
   if (source_) {
     const auto more = source_->notices();
@@ -111,7 +113,7 @@ void TrackingLoop::publish() {
     for (auto& target : snapshot->targets) {
       target.truth = truth_.at(target.target.name, snapshot->frame);
     }
-    if (masksWanted_) {
+    if (masksWanted_ && !snapshot->preview) {
       snapshot->masks = masks(*snapshot);
     }
   }

@@ -59,6 +59,20 @@ Error errorOf(const std::string& from, const std::string& to) {
   return project ? Error{} : project.error();
 }
 
+TEST(ProjectFile, MarksComeBackInTheOrderOfTheirFrames) {
+  auto project = load(std::string(kGood) + "[[mark]]\nframe = 90\nname = \"lost\"\n"
+                                           "[[mark]]\nframe = 12\n");
+  ASSERT_TRUE(project) << sentence(project.error());
+  const std::vector<ProjectMark> expected{{12, ""}, {90, "lost"}};
+  EXPECT_EQ(project->marks, expected);
+  const auto file = fileNamed("again.toml");
+  ASSERT_TRUE(saveProject(*project, file));
+  const auto again = loadProject(file);
+  ASSERT_TRUE(again) << sentence(again.error());
+  EXPECT_EQ(again->marks, expected);
+  EXPECT_EQ(load(std::string(kGood) + "[[mark]]\nframe = -1\n").error().field, "mark 1.frame");
+}
+
 TEST(ProjectFile, ReadsEveryKey) {
   const auto project = load(kGood);
   ASSERT_TRUE(project) << sentence(project.error());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/recording.h"
 #include "core/session/frame_library.h"
+#include "core/session/frame_previews.h"
 #include "tests/capture/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -90,6 +91,31 @@ INSTANTIATE_TEST_SUITE_P(Codecs, CompressedVideo,
                            std::erase_if(name, [](char c) { return c == '.'; });
                            return name;
                          });
+
+TEST(FramePreviews, ShowTheFrameInSmallAndThinThemselves) {
+  FramePreviews previews(40000);
+  const auto set = [](std::int64_t index) {
+    FrameSet frames;
+    frames.index = index;
+    frames.frames = {std::make_shared<const Frame>(Frame{index, {}, numbered(index)}), nullptr};
+    return frames;
+  };
+  EXPECT_EQ(previews.at(0), nullptr);
+  for (int k = 0; k < 100; ++k) {
+    previews.add(set(k));
+    ASSERT_LE(previews.bytes(), 40000U);
+  }
+  for (const std::int64_t frame : {0, 33, 99}) {
+    const FrameSetPtr small = previews.at(frame);
+    ASSERT_NE(small, nullptr);
+    EXPECT_EQ(small->index, frame);
+    ASSERT_EQ(small->frames[0]->image.size(), cv::Size(kWidth, kHeight));
+    EXPECT_EQ(small->frames[1], nullptr);
+  }
+  // The first one is itself: only the JPEG of a little larger picture stands between.
+  EXPECT_LT(cv::norm(previews.at(0)->frames[0]->image, numbered(0), cv::NORM_L1) / kFrameBytes,
+            12.0);
+}
 
 FrameSetPtr liveFrame(std::int64_t index) {
   auto set = std::make_shared<FrameSet>();

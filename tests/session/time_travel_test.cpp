@@ -19,7 +19,7 @@ using test::sameBits;
 constexpr std::int64_t kFrames = 90;
 
 bool shows(const Session& session, std::int64_t frame) {
-  return eventually([&] { return session.newest()->frame == frame; });
+  return eventually([&] { return session.newest()->frame == frame && !session.newest()->preview; });
 }
 
 Trajectory playedToTheEnd(Session& session) {
@@ -171,6 +171,19 @@ INSTANTIATE_TEST_SUITE_P(Methods, TimeTravelTest,
                            return std::string(test.param.first) +
                                   (test.param.second < (std::size_t{50} << 20) ? "Small" : "");
                          });
+
+TEST(TimeTravel, APreviewStandsInWhileImagesAreDecoded) {
+  SessionInputs inputs = drawnInputs("barrera", kFrames);
+  inputs.historyBytes = std::size_t{2} << 20; // 512 KB for images: one frame set, and small ones
+  Session session(std::move(inputs));
+  playedToTheEnd(session);
+  for (std::int64_t frame = 5; frame < 80; frame += 25) {
+    session.showFrame(frame);
+    ASSERT_TRUE(shows(session, frame));
+    EXPECT_TRUE(samePixels(*session.newest()->frames, *DrawnRecording::frame(frame)));
+  }
+  EXPECT_LE(session.newest()->history.bytes, session.newest()->history.mostBytes + (1U << 20));
+}
 
 TEST(TimeTravel, AnUntrackedPartIsShownAndTrackedFrom) {
   Session session(drawnInputs("dewpoint", kFrames));

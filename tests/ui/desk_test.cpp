@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Beginning, finding one's way and coming back: start page, new projects, actions, recovery.
 #include "app/wiring/open_project.h"
-#include "core/calibration/calibration_file.h"
-#include "core/capture/frame_writer.h"
 #include "core/session/snapshot.h"
 #include "core/session/tracking_run.h"
-#include "core/simulation/scene_renderer.h"
+#include "tests/ui/recorded_demo.h"
 #include "ui/actions/action_registry.h"
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/camera/camera_view.h"
@@ -43,23 +41,6 @@ namespace {
 
 constexpr int kPatienceMs =
     DEWPOINT_PATIENCE_MS; ///< software OpenGL, a loaded machine, a sanitizer
-
-/// The first frames of the demo as a person would have them: two videos and a calibration file.
-void recordDemo(const std::filesystem::path& folder) {
-  Scene scene = demoScene();
-  scene.frameCount = 8;
-  const SceneRenderer renderer(scene);
-  for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
-    auto writer = FrameWriter::video((folder / (k == 0 ? "left.mkv" : "right.mkv")).string(),
-                                     scene.framesPerSecond);
-    QVERIFY(writer);
-    for (std::int64_t frame = 0; frame < scene.frameCount; ++frame) {
-      QVERIFY(writer->write(renderer.render(static_cast<int>(k), frame)));
-    }
-    QVERIFY(writer->finish());
-  }
-  QVERIFY(saveCalibration(scene.cameras, folder / "calibration.toml"));
-}
 
 } // namespace
 
@@ -149,7 +130,7 @@ void DeskTest::theStartPageOpensTheDemoAndClosingReturnsToIt() {
 }
 
 void DeskTest::twoVideosAndACalibrationMakeAProject() {
-  recordDemo(folder_.path().toStdString());
+  QVERIFY(recordDemo(folder_.path().toStdString()));
   drop({file("left.mkv"), file("right.mkv"), file("calibration.toml")});
   QCOMPARE(find<QTableWidget>("newCameras")->rowCount(), 2);
   QCOMPARE(find<QLabel>("newCalibrationFile")->text(), QStringLiteral("calibration.toml"));
@@ -299,7 +280,7 @@ void DeskTest::workLeftBehindIsOffered() {
 }
 
 void DeskTest::oneClickLearnsAColorAndTracksIt() {
-  recordDemo(folder_.path().toStdString());
+  QVERIFY(recordDemo(folder_.path().toStdString()));
   drop({file("left.mkv"), file("right.mkv"), file("calibration.toml")});
   QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
   QVERIFY(isOpen(2));

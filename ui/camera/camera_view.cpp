@@ -4,6 +4,8 @@
 #include "core/session/camera_overlay.h"
 #include "core/session/snapshot.h"
 #include "ui/bridge/image.h"
+#include "ui/bridge/reason_text.h"
+#include "ui/camera/evidence_painter.h"
 #include "ui/camera/overlay_painter.h"
 
 #include <QPaintEvent>
@@ -62,6 +64,11 @@ void CameraView::setMaskShown(bool shown) {
   update();
 }
 
+void CameraView::setEvidenceShown(bool shown) {
+  evidenceShown_ = shown;
+  update();
+}
+
 HoldState CameraView::stateNow() const {
   if (!snapshot_ || !snapshot_->frames) {
     return HoldState::NoImages;
@@ -69,10 +76,7 @@ HoldState CameraView::stateNow() const {
   if (!frameOf(snapshot_, camera_)) {
     return HoldState::Missing;
   }
-  const auto& targets = snapshot_->targets;
-  const bool held = !targets.empty() && std::all_of(targets.begin(), targets.end(),
-                                                    [](auto& t) { return t.estimate.valid; });
-  return held ? HoldState::Held : HoldState::Searching;
+  return snapshot_->targets.empty() ? HoldState::Searching : holdState(*snapshot_);
 }
 
 const QImage& CameraView::scaledImage(const QSize& devicePixels) {
@@ -125,6 +129,12 @@ void CameraView::paintEvent(QPaintEvent*) {
   placement_ = {corner, shown.width() / image.width()};
   imageSize_ = image;
   for (std::size_t i = 0; i < snapshot_->targets.size(); ++i) {
+    if (evidenceShown_) {
+      const auto& maps = snapshot_->targets[i].maps;
+      const auto own = static_cast<std::size_t>(camera_);
+      paintEvidence(painter, own < maps.size() ? maps[own] : LikelihoodMap{},
+                    proposedOutlines(*snapshot_, camera_, snapshot_->targets[i]), placement_);
+    }
     paintOverlay(painter, cameraOverlay(*snapshot_, camera_, snapshot_->targets[i]), placement_,
                  targetColor(static_cast<int>(i)));
   }

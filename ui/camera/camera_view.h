@@ -28,6 +28,8 @@ public:
   using QWidget::show;
   void show(TrackSnapshotPtr snapshot);
   void setMaskShown(bool shown);
+  /// Likelihood maps and the places that were considered.
+  void setEvidenceShown(bool shown);
   HoldState state() const { return state_; }
   /// Where the image was drawn last, and its size in pixels; an empty size before there was one.
   const ImagePlacement& placement() const { return placement_; }
@@ -51,6 +53,7 @@ private:
   int camera_;
   TrackSnapshotPtr snapshot_;
   bool maskShown_ = false;
+  bool evidenceShown_ = false;
   HoldState state_ = HoldState::NoImages;
   ImagePlacement placement_;
   QSize imageSize_;

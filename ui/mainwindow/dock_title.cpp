@@ -16,10 +16,11 @@ namespace dewpoint {
 
 DockTitle::DockTitle(QDockWidget* dock)
     : QWidget(dock), dock_(dock), name_(new QLabel(dock->windowTitle(), this)),
-      state_(new QLabel(this)), float_(new QToolButton(this)) {
+      state_(new QLabel(this)), reason_(new QLabel(this)), float_(new QToolButton(this)) {
   setObjectName(dock->objectName() + QStringLiteral("Title"));
   name_->setObjectName(objectName() + QStringLiteral("Name"));
   state_->setObjectName(objectName() + QStringLiteral("State"));
+  reason_->setObjectName(objectName() + QStringLiteral("Reason"));
   float_->setObjectName(objectName() + QStringLiteral("Float"));
   float_->setAutoRaise(true);
   float_->setIconSize({14, 14});
@@ -38,6 +39,7 @@ DockTitle::DockTitle(QDockWidget* dock)
   layout->setSpacing(8);
   layout->addWidget(name_);
   layout->addWidget(state_);
+  layout->addWidget(reason_);
   layout->addStretch();
   layout->addWidget(float_);
   connect(float_, &QToolButton::clicked, dock_,
@@ -50,6 +52,13 @@ void DockTitle::setState(HoldState state) {
   stateful_ = true;
   shown_ = state;
   applyPalette();
+}
+
+void DockTitle::setReason(const QString& reason) {
+  if (reason_->text() != reason) {
+    reason_->setText(reason);
+    reason_->setToolTip(reason);
+  }
 }
 
 void DockTitle::addTool(QWidget* tool) {

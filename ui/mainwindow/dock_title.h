@@ -19,6 +19,8 @@ public:
   explicit DockTitle(QDockWidget* dock);
 
   void setState(HoldState state);
+  /// Why the state is what it is, in a few words; empty: nothing to say.
+  void setReason(const QString& reason);
   /// Adds a widget (a small tool button) before the float button.
   void addTool(QWidget* tool);
 
@@ -36,6 +38,7 @@ private:
   QDockWidget* dock_;
   QLabel* name_;
   QLabel* state_;
+  QLabel* reason_;
   QToolButton* float_;
   HoldState shown_ = HoldState::NoImages;
   bool stateful_ = false;

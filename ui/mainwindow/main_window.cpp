@@ -18,6 +18,7 @@
 #include "ui/selection/selection.h"
 #include "ui/settings/parameter_panel.h"
 #include "ui/start/recent_projects.h"
+#include "ui/timeline/timeline.h"
 #include "ui/trajectory/trajectory_panel.h"
 
 #include <QAction>
@@ -86,7 +87,11 @@ void MainWindow::connectRun() {
   });
   connect(document_, &Document::methodChanged, this, [this] {
     if (bridge_ != nullptr) {
-      bridge_->session().setMethod(document_->project().method, document_->project().parameters);
+      const Project& project = document_->project();
+      // Whoever looks at an earlier moment wants to see the other method from there.
+      selection_->isPast() ? bridge_->session().setMethodFrom(selection_->moment(), project.method,
+                                                              project.parameters)
+                           : bridge_->session().setMethod(project.method, project.parameters);
     }
   });
   connect(document_, &Document::targetsChanged, this, [this] {
@@ -137,6 +142,7 @@ void MainWindow::adoptInputs(SessionInputs inputs) {
   showStart(false);
   makeCameraDocks();
   bridge_->session().setMasksWanted(action("actionShowMask")->isChecked());
+  bridge_->session().setLikelihoodMapsWanted(action("actionShowEvidence")->isChecked());
   updateEnabled();
   showSnapshot(bridge_->session().newest());
   if (const QString note = std::exchange(unsavedNote_, {}); !note.isEmpty()) {
@@ -157,8 +163,11 @@ void MainWindow::clearViews() {
   logPosition_ = 0;
   noticesShown_ = 0;
   figures_->clear();
+  frameGeneration_ = 0;
+  framePosition_ = 0;
   plot_->clear();
   trajectory_->follow({});
+  timeline_->clear();
   birdsEye_->show(TrackSnapshotPtr());
 }
 
@@ -172,12 +181,11 @@ void MainWindow::showSnapshot(const TrackSnapshotPtr& snapshot) {
   figures_->show(*snapshot);
   plot_->show(*snapshot);
   trajectory_->show(*snapshot);
-  selection_->setMoment(snapshot->frame, snapshot->frames ? seconds(snapshot->frames->time) : 0.0,
-                        snapshot->past);
   snapshot->state == PlayState::Playing
       ? actions_->rename(action("actionPlay"), QT_TRANSLATE_NOOP("Actions", "Pause"), "pause")
       : actions_->rename(action("actionPlay"), QT_TRANSLATE_NOOP("Actions", "Play"), "play");
   pullLog();
+  showMoment(*snapshot);
   showNotices(*snapshot);
   Q_EMIT snapshotShown(snapshot);
 }
@@ -247,11 +255,14 @@ void MainWindow::updateTitle() {
 
 void MainWindow::updateEnabled() {
   const bool running = bridge_ != nullptr;
-  for (const char* id : {"actionPlay", "actionNextFrame", "actionNextIteration", "actionRestart",
-                         "actionRestartNewSeed", "actionShowMask", "actionSave", "actionSaveAs",
-                         "actionExportTrajectory", "actionSavePicture", "actionCloseProject",
-                         "actionRemoveTarget", "actionAddTarget", "actionLearnColor",
-                         "actionResetLayout"}) {
+  for (const char* id : {"actionPlay",         "actionNextFrame",        "actionNextIteration",
+                         "actionRestart",      "actionRestartNewSeed",   "actionShowMask",
+                         "actionShowEvidence", "actionPreviousFrame",    "actionRerun",
+                         "actionAddMark",      "actionRemoveMark",       "actionPreviousMark",
+                         "actionNextMark",     "actionZoomToSpan",       "actionSave",
+                         "actionSaveAs",       "actionExportTrajectory", "actionCloseProject",
+                         "actionRemoveTarget", "actionSavePicture",      "actionAddTarget",
+                         "actionLearnColor",   "actionResetLayout"}) {
     action(id)->setEnabled(running);
   }
   action("actionOpen")->setEnabled(!loader_->isOpening());

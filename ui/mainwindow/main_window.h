@@ -37,6 +37,7 @@ struct Project;
 class SessionBridge;
 class StatusFigures;
 class TargetPanel;
+class Timeline;
 class ActionRegistry;
 class TrajectoryPanel;
 struct TrackSnapshot;
@@ -66,8 +67,8 @@ public:
   bool saveRun(const std::filesystem::path& folder);
 
   Document& document() { return *document_; }
-  Selection& selection() { return *selection_; }
   const Document& document() const { return *document_; }
+  Selection& selection() { return *selection_; }
   /// The newest snapshot shown; null before a project is open.
   TrackSnapshotPtr shown() const { return shown_; }
 
@@ -102,6 +103,9 @@ private:
   void openShortcuts();
   void sayHistory();
   void makeDocks();
+  void makeTimeline();
+  void connectTravel();
+  void showMoment(const TrackSnapshot& snapshot);
   void makeToolBar();
   void makeMenus();
   void connectActions();
@@ -147,6 +151,7 @@ private:
   BirdsEyeView* birdsEye_ = nullptr;
   PlotPanel* plot_ = nullptr;
   TrajectoryPanel* trajectory_ = nullptr;
+  Timeline* timeline_ = nullptr;
   ParameterPanel* parameters_ = nullptr;
   QStackedWidget* start_ = nullptr;
   StartPage* startPage_ = nullptr;
@@ -162,6 +167,7 @@ private:
   QDockWidget* birdsEyeDock_ = nullptr;
   QDockWidget* plotDock_ = nullptr;
   QDockWidget* trajectoryDock_ = nullptr;
+  QDockWidget* timelineDock_ = nullptr;
   QDockWidget* parameterDock_ = nullptr;
   QDockWidget* historyDock_ = nullptr;
   QDockWidget* maximized_ = nullptr;
@@ -171,6 +177,8 @@ private:
   TrackSnapshotPtr shown_;
   std::uint64_t logGeneration_ = 0;
   std::size_t logPosition_ = 0;
+  std::uint64_t frameGeneration_ = 0;
+  std::size_t framePosition_ = 0;
   std::size_t noticesShown_ = 0;
   Theme theme_ = Theme::System;
   bool playOnOpen_ = true;

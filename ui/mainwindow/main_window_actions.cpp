@@ -50,11 +50,14 @@ void MainWindow::makeMenus() {
       {"actionUndo", "actionRedo", nullptr, "actionLearnColor", "actionAddTarget",
        "actionRemoveTarget", nullptr, "actionShortcuts"});
   add(tr("&Run"), "menuRun",
-      {"actionPlay", "actionNextFrame", "actionNextIteration", nullptr, "actionRestart",
+      {"actionPlay", "actionNextFrame", "actionNextIteration", "actionPreviousFrame", nullptr,
+       "actionNow", "actionRerun", nullptr, "actionAddMark", "actionRemoveMark",
+       "actionPreviousMark", "actionNextMark", "actionZoomToSpan", nullptr, "actionRestart",
        "actionRestartNewSeed"});
   fillViewMenu(add(tr("&View"), "menuView",
-                   {"actionPalette", nullptr, "actionShowMask", nullptr, "actionLookFromAbove",
-                    "actionLookFromFront", "actionLookFree", nullptr, "actionResetLayout"}));
+                   {"actionPalette", nullptr, "actionShowMask", "actionShowEvidence", nullptr,
+                    "actionLookFromAbove", "actionLookFromFront", "actionLookFree", nullptr,
+                    "actionResetLayout"}));
 }
 
 void MainWindow::fillViewMenu(QMenu* view) {
@@ -102,6 +105,7 @@ void MainWindow::connectActions() {
   on(action("actionNextIteration"), [this] { bridge_->session().stepIteration(); });
   on(action("actionRestart"), [this] { restart(false); });
   on(action("actionRestartNewSeed"), [this] { restart(true); });
+  connectTravel();
   connect(action("actionShowMask"), &QAction::toggled, this, [this](bool shown) {
     if (bridge_ != nullptr) {
       bridge_->session().setMasksWanted(shown);

@@ -63,6 +63,7 @@ void MainWindow::makeDocks() {
   trajectoryDock_ = makeDock(
       QStringLiteral("trajectoryDock"), [] { return tr("Trajectory"); }, trajectory_);
 
+  makeTimeline();
   makeInspector();
   auto* history = new QUndoView(document_->undoStack(), this);
   history->setObjectName(QStringLiteral("historyList"));
@@ -139,6 +140,7 @@ void MainWindow::makeCameraDocks() {
     connect(view, &CameraView::stateChanged, bar, &DockTitle::setState);
     view->setMaskShown(action("actionShowMask")->isChecked());
     color_->attach(static_cast<int>(i), view);
+    view->setEvidenceShown(action("actionShowEvidence")->isChecked());
     cameraDocks_.push_back(dock);
     cameraViews_.push_back(view);
   }
@@ -168,6 +170,7 @@ void MainWindow::arrange() {
     removeDockWidget(dock); // or splits and tabs would build on what was
   }
   addDockWidget(Qt::BottomDockWidgetArea, plotDock_);
+  splitDockWidget(plotDock_, timelineDock_, Qt::Vertical);
   tabifyDockWidget(plotDock_, trajectoryDock_);
   plotDock_->raise();
   addDockWidget(Qt::LeftDockWidgetArea, birdsEyeDock_);
@@ -208,8 +211,10 @@ void MainWindow::shareSpace() {
     widths[1] = inner - widths.front();
   }
   resizeDocks(row, widths, Qt::Horizontal);
-  const int plotHeight = height() * 27 / 100;
-  resizeDocks({birdsEyeDock_, plotDock_}, {height() - plotHeight, plotHeight}, Qt::Vertical);
+  const int plotHeight = height() * 20 / 100;
+  const int timelineHeight = timelineDock_->sizeHint().height();
+  resizeDocks({birdsEyeDock_, plotDock_, timelineDock_},
+              {height() - plotHeight - timelineHeight, plotHeight, timelineHeight}, Qt::Vertical);
   QList<QDockWidget*> column(cameraDocks_.begin(), cameraDocks_.end());
   resizeDocks(column, QList<int>(column.size(), height() / 3), Qt::Vertical);
 }
@@ -242,8 +247,12 @@ void MainWindow::makeToolBar() {
   bar->setIconSize({20, 20});
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   const std::vector<QAction*> shown{action("actionPlay"),
+                                    action("actionPreviousFrame"),
                                     action("actionNextFrame"),
                                     action("actionNextIteration"),
+                                    nullptr,
+                                    action("actionNow"),
+                                    action("actionRerun"),
                                     nullptr,
                                     action("actionRestart"),
                                     action("actionRestartNewSeed"),

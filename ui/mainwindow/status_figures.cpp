@@ -2,6 +2,7 @@
 #include "ui/mainwindow/status_figures.h"
 
 #include "core/session/snapshot.h"
+#include "ui/bridge/reason_text.h"
 #include "ui/settings/retranslation.h"
 
 #include <QEvent>
@@ -15,8 +16,6 @@
 namespace dewpoint {
 
 namespace {
-
-constexpr qint64 kFramesUntilLost = 30; ///< one second of most cameras
 
 QString number(double value, int decimals) {
   return QLocale().toString(value, 'f', decimals);
@@ -59,8 +58,14 @@ QString sampleHint(const BudgetFigures& budget) {
              .arg(milliseconds(1e-3 * budget.milliseconds), number(100.0 * kept, 1));
 }
 
-QString playWord(PlayState state) {
-  switch (state) {
+QString playWord(const TrackSnapshot& snapshot) {
+  if (snapshot.rerun) {
+    return StatusFigures::tr("tracking again");
+  }
+  if (snapshot.past && snapshot.state == PlayState::Paused) {
+    return StatusFigures::tr("looking back");
+  }
+  switch (snapshot.state) {
   case PlayState::Playing:
     return StatusFigures::tr("playing");
   case PlayState::Paused:
@@ -89,6 +94,10 @@ StatusFigures::StatusFigures(QWidget* parent) : QWidget(parent) {
     *label = figure(name);
   }
   layout->addStretch();
+  reason_ = figure("statusReason");
+  reason_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  reason_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  layout->setStretchFactor(reason_, 4);
   held_ = figure("statusHeld");
   QFont bold = held_->font();
   bold.setWeight(QFont::DemiBold);
@@ -103,7 +112,9 @@ void StatusFigures::say() {
     label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 8);
     label->setToolTip(hint);
   };
-  explain(playing_, tr("playing"), tr("Playing, paused, or at the end"));
+  explain(
+      playing_, tr("tracking again"),
+      tr("Playing, paused, at the end, looking back at an earlier moment, or tracking it again"));
   explain(frame_, tr("frame 0000 / 0000"), tr("Frame shown, of all frames"));
   explain(rate_, tr("%1 /s").arg("0000.0"), tr("Frames tracked per second"));
   explain(time_, tr("%1 per iteration").arg("0000 µs"), timeHint({}));
@@ -113,7 +124,7 @@ void StatusFigures::say() {
   explain(position_, QStringLiteral("x −00.000  y −00.000  z −00.000 m"),
           tr("Estimated position of the first target in the room"));
   explain(held_, holdText(HoldState::Searching),
-          tr("Held: the cameras confirm the estimate. Lost: not so for 30 frames."));
+          tr("Held: the cameras confirm the estimate. Lost: not so for a second."));
   applyPalette();
 }
 
@@ -126,7 +137,7 @@ QLabel* StatusFigures::figure(const char* name) {
 
 void StatusFigures::clear() {
   state_ = HoldState::NoImages;
-  lastHeldFrame_ = -1;
+  reason_->clear();
   for (QLabel* label : {playing_, frame_, rate_, time_, sampleSize_, spread_, position_}) {
     label->setText(QStringLiteral("–"));
   }
@@ -134,7 +145,7 @@ void StatusFigures::clear() {
 }
 
 void StatusFigures::show(const TrackSnapshot& snapshot) {
-  playing_->setText(playWord(snapshot.state));
+  playing_->setText(playWord(snapshot));
   const QString frame = QString::number(snapshot.frame + 1); // people count from 1
   frame_->setText(snapshot.frameCount ? tr("frame %1 / %2").arg(frame).arg(*snapshot.frameCount)
                                       : tr("frame %1").arg(frame));
@@ -155,25 +166,13 @@ void StatusFigures::show(const TrackSnapshot& snapshot) {
                            .arg(number(estimate.mean.x(), 3), number(estimate.mean.y(), 3),
                                 number(estimate.mean.z(), 3)));
   }
-  state_ = stateOf(snapshot);
+  state_ = holdState(snapshot);
+  const TargetSnapshot* target = targetToExplain(snapshot, -1);
+  const bool mustSay = target != nullptr && target->status != TargetStatus::Held;
+  const QString reason = mustSay ? reasonText(target->reasons, cameraNames(snapshot)) : QString();
+  reason_->setText(reason);
+  reason_->setToolTip(reason);
   applyPalette();
-}
-
-HoldState StatusFigures::stateOf(const TrackSnapshot& snapshot) {
-  if (!snapshot.frames || snapshot.targets.empty()) {
-    return HoldState::NoImages;
-  }
-  if (snapshot.frame < lastHeldFrame_) {
-    lastHeldFrame_ = -1; // restarted
-  }
-  const bool held = std::all_of(snapshot.targets.begin(), snapshot.targets.end(),
-                                [](const auto& target) { return target.estimate.valid; });
-  if (held) {
-    lastHeldFrame_ = snapshot.frame;
-    return HoldState::Held;
-  }
-  return snapshot.frame - lastHeldFrame_ > kFramesUntilLost ? HoldState::Lost
-                                                            : HoldState::Searching;
 }
 
 void StatusFigures::changeEvent(QEvent* event) {

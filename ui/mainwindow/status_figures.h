@@ -31,7 +31,6 @@ protected:
 private:
   QLabel* figure(const char* name);
   void say();
-  HoldState stateOf(const TrackSnapshot& snapshot);
   void applyPalette();
 
   QLabel* playing_;
@@ -41,9 +40,9 @@ private:
   QLabel* sampleSize_;
   QLabel* spread_;
   QLabel* position_;
+  QLabel* reason_; ///< why it is not held
   QLabel* held_;
   HoldState state_ = HoldState::NoImages;
-  qint64 lastHeldFrame_ = -1;
 };
 
 } // namespace dewpoint

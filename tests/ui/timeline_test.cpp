@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Going through time in the real window: scrubbing with mouse and keys, marks, spans, tracking
+// again.
+#include "app/wiring/open_project.h"
+#include "core/session/session.h"
+#include "core/session/snapshot.h"
+#include "ui/birdseye/birds_eye_view.h"
+#include "ui/camera/camera_view.h"
+#include "ui/document/document.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/selection/selection.h"
+#include "ui/timeline/timeline.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+#include <QUndoStack>
+
+#include <map>
+#include <memory>
+
+namespace dewpoint {
+
+namespace {
+constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
+constexpr qint64 kTracked = 40; ///< frames tracked at first
+} // namespace
+
+class TimelineTest : public QObject {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void init();
+  void cleanup() { window_.reset(); }
+  void scrubbingShowsThatMomentInAllViews();
+  void keysGoByFramesSecondsAndToTheEnds();
+  void playGoesOnFromTheMomentShown();
+  void trackingAgainReplacesWhatFollows();
+  void marksAreStepsOfTheDocument();
+  void spansAreSelectedAndZoomedTo();
+  void titleSaysWhy();
+
+private:
+  const TrackSnapshot& shown() {
+    static const TrackSnapshot none;
+    return window_->shown() ? *window_->shown() : none;
+  }
+  bool waitFor(const std::function<bool()>& holds) {
+    return QTest::qWaitFor([&] { return window_->shown() && holds(); }, kPatienceMs);
+  }
+  bool showsFrame(qint64 frame) {
+    return waitFor(
+        [&] { return shown().frame == frame && window_->selection().moment() == frame; });
+  }
+  QImage picture(const char* view) {
+    return window_->findChild<QWidget*>(QLatin1String(view))->grab().toImage();
+  }
+  void trigger(const char* action) {
+    window_->findChild<QAction*>(QLatin1String(action))->trigger();
+  }
+
+  std::unique_ptr<MainWindow> window_;
+  Timeline* timeline_ = nullptr;
+};
+
+void TimelineTest::init() {
+  window_ = std::make_unique<MainWindow>(&openProject);
+  window_->setTheme(Theme::Light);
+  window_->show();
+  window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  window_->setPlayOnOpen(false);
+  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
+  window_->openProject(std::filesystem::path());
+  QVERIFY(opened.wait(kPatienceMs));
+  timeline_ = window_->findChild<Timeline*>(QStringLiteral("timeline"));
+  QVERIFY(timeline_ != nullptr);
+  QVERIFY(waitFor([this] { return shown().history.head == 0; }));
+  for (qint64 frame = 1; frame < kTracked; ++frame) {
+    trigger("actionNextFrame");
+  }
+  QVERIFY(waitFor([this] { return shown().history.head == kTracked - 1; }));
+}
+
+void TimelineTest::scrubbingShowsThatMomentInAllViews() {
+  QVERIFY(showsFrame(kTracked - 1));
+  const QImage now = picture("cameraView0");
+  QTest::mousePress(timeline_, Qt::LeftButton, {}, timeline_->positionOf(30));
+  QVERIFY(showsFrame(30));
+  QTest::mouseMove(timeline_, timeline_->positionOf(12));
+  QVERIFY(showsFrame(12));
+  QTest::mouseRelease(timeline_, Qt::LeftButton, {}, timeline_->positionOf(12));
+  QVERIFY(shown().past);
+  QVERIFY(shown().tracked);
+  QCOMPARE(shown().frames->index, 12);
+  QVERIFY(shown().targets.front().particles.rows() > 0);
+  const QImage then = picture("cameraView0");
+  QVERIFY(then != now);
+  QVERIFY(window_->findChild<QLabel>(QStringLiteral("statusFrame"))
+              ->text()
+              .contains(QStringLiteral("13"))); // people count from 1
+  trigger("actionNow");
+  QVERIFY(showsFrame(kTracked - 1));
+  QVERIFY(!shown().past);
+  QCOMPARE(picture("cameraView0"), now);
+  // The same moment again is the same picture.
+  QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(12));
+  QVERIFY(showsFrame(12));
+  QCOMPARE(picture("cameraView0"), then);
+}
+
+void TimelineTest::keysGoByFramesSecondsAndToTheEnds() {
+  timeline_->setFocus();
+  QTest::keyClick(timeline_, Qt::Key_Left);
+  QTest::keyClick(timeline_, Qt::Key_Left); // faster than the images come
+  QVERIFY(showsFrame(kTracked - 3));
+  QTest::keyClick(timeline_, Qt::Key_Right);
+  QVERIFY(showsFrame(kTracked - 2));
+  QTest::keyClick(timeline_, Qt::Key_PageUp); // the demo has 30 frames per second
+  QVERIFY(showsFrame(kTracked - 32));
+  QTest::keyClick(timeline_, Qt::Key_Home);
+  QVERIFY(showsFrame(0));
+  QTest::keyClick(timeline_, Qt::Key_PageDown);
+  QVERIFY(showsFrame(30));
+  QTest::keyClick(timeline_, Qt::Key_Left, Qt::ShiftModifier);
+  QVERIFY(showsFrame(29));
+  QVERIFY(window_->selection().span() == (FrameSpan{29, 30}));
+  QTest::keyClick(timeline_, Qt::Key_Escape);
+  QVERIFY(!window_->selection().span());
+  QTest::keyClick(timeline_, Qt::Key_End);
+  QVERIFY(showsFrame(kTracked - 1));
+  QTest::keyClick(window_.get(), Qt::Key_Comma);
+  QVERIFY(showsFrame(kTracked - 2));
+}
+
+void TimelineTest::playGoesOnFromTheMomentShown() {
+  QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(35));
+  QVERIFY(showsFrame(35));
+  QTest::keyClick(window_.get(), Qt::Key_Space);
+  QVERIFY(waitFor([this] { return shown().history.head > kTracked; })); // and goes on tracking
+}
+
+void TimelineTest::trackingAgainReplacesWhatFollows() {
+  const Eigen::Vector3d last = shown().targets.front().estimate.mean;
+  QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(20));
+  QVERIFY(showsFrame(20));
+  const Eigen::Vector3d then = shown().targets.front().estimate.mean;
+  QVERIFY(window_->document().setParameter("acceleration_sigma", 1.5));
+  trigger("actionRerun");
+  QVERIFY(
+      waitFor([this] { return !shown().past && !shown().rerun && shown().frame == kTracked - 1; }));
+  QVERIFY(shown().state == PlayState::Paused);
+  QVERIFY(shown().targets.front().estimate.mean != last); // other parameters
+  QCOMPARE(timeline_->model().records.size(), std::size_t{kTracked});
+  // The same parameters again, from the same place: the same as before.
+  window_->document().undoStack()->undo();
+  QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(19));
+  QVERIFY(showsFrame(19));
+  trigger("actionRerun");
+  QVERIFY(
+      waitFor([this] { return !shown().past && !shown().rerun && shown().frame == kTracked - 1; }));
+  QVERIFY(shown().targets.front().estimate.mean == last);
+  QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(20));
+  QVERIFY(showsFrame(20));
+  QVERIFY(shown().targets.front().estimate.mean == then);
+}
+
+void TimelineTest::marksAreStepsOfTheDocument() {
+  QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(17));
+  QVERIFY(showsFrame(17));
+  trigger("actionAddMark");
+  auto* name = window_->findChild<QLineEdit*>(QStringLiteral("markName"));
+  QVERIFY(name->isVisible());
+  QTest::keyClicks(name, QStringLiteral("throw"));
+  QTest::keyClick(name, Qt::Key_Return);
+  QVERIFY(!name->isVisible());
+  const auto& project = [this]() -> const Project& { return window_->document().project(); };
+  QCOMPARE(project().marks.size(), std::size_t{1});
+  QVERIFY(project().marks[0] == (ProjectMark{17, "throw"}));
+  trigger("actionNow");
+  QVERIFY(showsFrame(kTracked - 1));
+  trigger("actionPreviousMark");
+  QVERIFY(showsFrame(17));
+  window_->document().undoStack()->undo();
+  QCOMPARE(project().marks[0].name, std::string("Mark 1"));
+  window_->document().undoStack()->undo();
+  QVERIFY(project().marks.empty());
+  window_->document().undoStack()->redo();
+  QCOMPARE(timeline_->model().marks.size(), std::size_t{1});
+  trigger("actionRemoveMark");
+  QVERIFY(project().marks.empty());
+}
+
+void TimelineTest::spansAreSelectedAndZoomedTo() {
+  QSignalSpy spans(&window_->selection(), &Selection::spanChanged);
+  const int axis = 5;
+  const QPoint begin(timeline_->positionOf(5).x(), axis);
+  const QPoint end(timeline_->positionOf(25).x(), axis);
+  QTest::mousePress(timeline_, Qt::LeftButton, {}, begin);
+  QTest::mouseMove(timeline_, end);
+  QTest::mouseRelease(timeline_, Qt::LeftButton, {}, end);
+  QVERIFY(spans.count() > 0);
+  QVERIFY(window_->selection().span() == (FrameSpan{5, 25}));
+  const int before = timeline_->positionOf(25).x() - timeline_->positionOf(5).x();
+  trigger("actionZoomToSpan");
+  QVERIFY(timeline_->positionOf(25).x() - timeline_->positionOf(5).x() > before);
+}
+
+void TimelineTest::titleSaysWhy() {
+  // Until the ball of the demo is found, or where it is seen: reasons and words agree.
+  QVERIFY(showsFrame(kTracked - 1));
+  const auto& target = shown().targets.front();
+  for (std::size_t k = 0; k < target.reasons.size(); ++k) {
+    const auto* reason =
+        window_->findChild<QLabel*>(QStringLiteral("cameraDock%1TitleReason").arg(k));
+    QVERIFY(reason != nullptr);
+    QCOMPARE(reason->text().isEmpty(), target.reasons[k].trouble == CameraTrouble::None);
+  }
+}
+
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
+  dewpoint::TimelineTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "timeline_test.moc"

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/bridge/reason_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint {
+
+namespace {
+
+QString say(const char* text) {
+  return QCoreApplication::translate("Reason", text);
+}
+
+} // namespace
+
+HoldState holdState(TargetStatus status) {
+  return status == TargetStatus::Held   ? HoldState::Held
+         : status == TargetStatus::Lost ? HoldState::Lost
+                                        : HoldState::Searching;
+}
+
+HoldState holdState(const TrackSnapshot& snapshot) {
+  if (!snapshot.frames || snapshot.targets.empty()) {
+    return HoldState::NoImages;
+  }
+  const auto any = [&](TargetStatus status) {
+    return std::ranges::any_of(snapshot.targets,
+                               [&](const auto& target) { return target.status == status; });
+  };
+  return holdState(any(TargetStatus::Lost)        ? TargetStatus::Lost
+                   : any(TargetStatus::Searching) ? TargetStatus::Searching
+                                                  : TargetStatus::Held);
+}
+
+QString troubleText(const CameraReport& report) {
+  const int pixels = std::max(1, static_cast<int>(std::lround(report.pixels)));
+  switch (report.trouble) {
+  case CameraTrouble::None:
+    break;
+  case CameraTrouble::NoImage:
+    return say(QT_TRANSLATE_NOOP("Reason", "no image"));
+  case CameraTrouble::Covered:
+    return say(QT_TRANSLATE_NOOP("Reason", "covered or moved"));
+  case CameraTrouble::Dark:
+    return say(QT_TRANSLATE_NOOP("Reason", "too dark"));
+  case CameraTrouble::OutOfView:
+    return say(QT_TRANSLATE_NOOP("Reason", "out of view"));
+  case CameraTrouble::PartlyHidden:
+    return say(QT_TRANSLATE_NOOP("Reason", "partly hidden"));
+  case CameraTrouble::Hidden:
+    return say(QT_TRANSLATE_NOOP("Reason", "hidden"));
+  case CameraTrouble::LookAlike:
+    return report.pixels < 1.0
+               ? say(QT_TRANSLATE_NOOP("Reason", "at a look-alike"))
+               : say(QT_TRANSLATE_NOOP("Reason", "%1 px beside a look-alike")).arg(pixels);
+  case CameraTrouble::NoColor:
+    return say(QT_TRANSLATE_NOOP("Reason", "no color matches"));
+  case CameraTrouble::Elsewhere:
+    return say(QT_TRANSLATE_NOOP("Reason", "its color is %1 px away")).arg(pixels);
+  case CameraTrouble::Unclear:
+    return say(QT_TRANSLATE_NOOP("Reason", "its color, but not its shape"));
+  }
+  return {};
+}
+
+QString reasonText(const std::vector<CameraReport>& reports, const QStringList& cameraNames) {
+  QStringList parts;
+  for (std::size_t k = 0; k < reports.size(); ++k) {
+    const QString trouble = troubleText(reports[k]);
+    if (!trouble.isEmpty()) {
+      parts.append(QStringLiteral("%1: %2").arg(cameraNames.value(static_cast<int>(k)), trouble));
+    }
+  }
+  return parts.join(QStringLiteral(" · "));
+}
+
+QStringList cameraNames(const TrackSnapshot& snapshot) {
+  QStringList names;
+  for (std::size_t k = 0; snapshot.rig && k < snapshot.rig->size(); ++k) {
+    const QString name = QString::fromStdString((*snapshot.rig)[k].name);
+    names.append(name.isEmpty() ? say(QT_TRANSLATE_NOOP("Reason", "camera %1")).arg(k + 1) : name);
+  }
+  return names;
+}
+
+const TargetSnapshot* targetToExplain(const TrackSnapshot& snapshot, int preferred) {
+  const auto& targets = snapshot.targets;
+  if (targets.empty()) {
+    return nullptr;
+  }
+  if (preferred >= 0 && preferred < static_cast<int>(targets.size())) {
+    return &targets[static_cast<std::size_t>(preferred)];
+  }
+  const auto lost = std::ranges::find_if(
+      targets, [](const auto& target) { return target.status != TargetStatus::Held; });
+  return lost != targets.end() ? &*lost : &targets.front();
+}
+
+} // namespace dewpoint

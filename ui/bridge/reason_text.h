@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/snapshot.h"
+#include "ui/settings/theme.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace dewpoint {
+
+/// The state a view shows for a target's status.
+HoldState holdState(TargetStatus status);
+/// The worst of all targets: lost, searching, held; nothing to say without targets or images.
+HoldState holdState(const TrackSnapshot& snapshot);
+/// Why one camera does not confirm a target, in a few words ("hidden"); empty when it does.
+QString troubleText(const CameraReport& report);
+/// All cameras in one sentence: "left: hidden · right: 3 px beside a look-alike"; empty when none
+/// has any trouble.
+QString reasonText(const std::vector<CameraReport>& reports, const QStringList& cameraNames);
+/// Names of a snapshot's cameras, "camera 2" where there is none.
+QStringList cameraNames(const TrackSnapshot& snapshot);
+/// The target whose reasons are worth saying: `preferred` if it exists, else the first that is not
+/// held, else the first; null without any.
+const TargetSnapshot* targetToExplain(const TrackSnapshot& snapshot, int preferred);
+
+} // namespace dewpoint

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/timeline/timeline.h"
+
+#include "ui/bridge/reason_text.h"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr double kZoomStep = 1.25;
+constexpr double kWidestGutter = 160.0;
+constexpr qint64 kPatienceMs = 1500; ///< for a moment that was asked for
+
+} // namespace
+
+void Timeline::show(const TrackSnapshot& snapshot) {
+  model_.history = snapshot.history;
+  model_.rerun = snapshot.rerun;
+  model_.live = snapshot.frames != nullptr && !snapshot.frameCount.has_value();
+  QStringList targets;
+  for (const TargetSnapshot& target : snapshot.targets) {
+    targets.append(QString::fromStdString(target.target.name));
+  }
+  const QStringList cameras = cameraNames(snapshot);
+  if (targets != model_.targets || cameras != model_.cameras) {
+    model_.targets = targets;
+    model_.cameras = cameras;
+    place();
+  }
+  const qint64 oldest =
+      model_.records.empty() ? model_.history.first : model_.records.front().frame;
+  const qint64 first = model_.live ? std::min<qint64>(oldest, model_.history.first) : 0;
+  const qint64 last = model_.live ? model_.history.last : snapshot.frameCount.value_or(1) - 1;
+  scale_.setExtent(first, std::max(first, last));
+  if (wanted_ && *wanted_ == snapshot.frame) {
+    wanted_.reset();
+  }
+  if (!scale_.showsAll() && drag_ == Drag::None) {
+    scale_.reveal(std::max<qint64>(0, snapshot.frame));
+  }
+  update();
+}
+
+void Timeline::append(const std::vector<FrameRecord>& records, bool restarted) {
+  model_.append(records, restarted);
+  if (restarted || !records.empty()) {
+    update();
+  }
+}
+
+void Timeline::clear() {
+  const std::vector<ProjectMark> marks = model_.marks;
+  model_ = TimelineModel{};
+  model_.marks = marks;
+  scale_ = TimelineScale{};
+  wanted_.reset();
+  place();
+  update();
+}
+
+TimelineRows Timeline::rows() const {
+  int cameras = 0;
+  for (int k = 0; k < model_.cameras.size(); ++k) {
+    cameras += model_.hasDropouts(static_cast<std::size_t>(k)) ? 1 : 0;
+  }
+  return TimelineRows(size(), static_cast<int>(model_.targets.size()), cameras,
+                      QFontMetricsF(font()).height(), gutter_);
+}
+
+void Timeline::place() {
+  const QFontMetricsF metrics(font());
+  double widest = 40.0;
+  for (const QString& name : model_.targets + model_.cameras) {
+    widest = std::max(widest, metrics.horizontalAdvance(name) + 18.0);
+  }
+  gutter_ = std::min(kWidestGutter, widest + 20.0);
+  const QRectF axis = rows().axis;
+  scale_.setPixels(axis.left(), axis.width());
+}
+
+QPoint Timeline::positionOf(qint64 frame) const {
+  return QPointF(scale_.x(static_cast<double>(frame) + 0.5), rows().ribbon(0).center().y())
+      .toPoint();
+}
+
+void Timeline::step(qint64 frames) {
+  want(reached() + frames);
+}
+
+qint64 Timeline::reached() const {
+  // What was asked for a moment ago may not be shown yet; what never comes is forgotten.
+  const bool recent = wanted_ && sinceWanted_.isValid() && sinceWanted_.elapsed() < kPatienceMs;
+  return recent ? *wanted_ : std::max<qint64>(0, selection_.moment());
+}
+
+void Timeline::want(qint64 frame, bool extendSpan) {
+  const qint64 before = reached();
+  const qint64 first = model_.live ? model_.history.first : scale_.first();
+  frame = std::clamp(frame, first, scale_.last());
+  if (extendSpan) {
+    anchor_ = selection_.span() && anchor_ >= 0 ? anchor_ : before;
+    selection_.selectSpan(FrameSpan{anchor_, frame});
+  } else {
+    anchor_ = -1;
+  }
+  if (frame != before) {
+    wanted_ = frame;
+    sinceWanted_.start();
+    selection_.wantMoment(frame);
+  }
+}
+
+void Timeline::selectTo(qint64 frame) {
+  selection_.selectSpan(FrameSpan{anchor_, frame});
+}
+
+void Timeline::zoomToSpan() {
+  if (selection_.span()) {
+    scale_.show(selection_.span()->first, selection_.span()->last);
+    update();
+  }
+}
+
+void Timeline::zoomOut() {
+  scale_.showAll();
+  update();
+}
+
+bool Timeline::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    if (rows().footer.contains(help->pos())) {
+      QToolTip::showText(help->globalPos(),
+                         tr("Memory for going back in the run: images, particles and copies of the "
+                            "method. When it is full, older moments keep their estimates only."),
+                         this);
+    } else if (help->pos().x() >= gutter_ && !model_.targets.isEmpty()) {
+      QToolTip::showText(help->globalPos(), model_.describe(scale_.frameAt(help->pos().x())), this);
+    }
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+void Timeline::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), palette().color(QPalette::Window));
+  if (model_.history.last < 0) {
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(rect().adjusted(16, 0, -16, 0), Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("Nothing tracked yet: play (Space), then drag here through time."));
+    return;
+  }
+  paintTimeline(painter, model_, scale_, rows(), selection_, palette());
+  if (hasFocus()) {
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+  }
+}
+
+void Timeline::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  place();
+}
+
+void Timeline::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || model_.history.last < 0) {
+    return;
+  }
+  const qint64 frame = scale_.frameAt(event->position().x());
+  if (const auto mark = markAt(event->position())) {
+    want(model_.marks[*mark].frame);
+    return;
+  }
+  const bool inAxis = event->position().y() < rows().axis.bottom();
+  if (inAxis || event->modifiers().testFlag(Qt::ShiftModifier)) {
+    drag_ = Drag::Span;
+    anchor_ = frame;
+  } else {
+    drag_ = Drag::Moment;
+    want(frame);
+  }
+}
+
+void Timeline::mouseMoveEvent(QMouseEvent* event) {
+  const qint64 frame = scale_.frameAt(event->position().x());
+  if (drag_ == Drag::Moment) {
+    want(frame);
+  } else if (drag_ == Drag::Span) {
+    selectTo(frame);
+  }
+}
+
+void Timeline::mouseReleaseEvent(QMouseEvent* event) {
+  const qint64 frame = scale_.frameAt(event->position().x());
+  if (drag_ == Drag::Span && frame == anchor_) { // a click, no drag
+    selection_.selectSpan(std::nullopt);
+    want(frame);
+  }
+  drag_ = Drag::None;
+}
+
+void Timeline::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (const auto mark = markAt(event->position())) {
+    editName(*mark);
+  } else if (event->position().y() < rows().axis.bottom()) {
+    selection_.span() ? zoomToSpan() : zoomOut();
+  }
+}
+
+void Timeline::wheelEvent(QWheelEvent* event) {
+  const double notches = event->angleDelta().y() / 120.0;
+  const double sideways = event->angleDelta().x() / 120.0;
+  if (sideways != 0.0 || event->modifiers().testFlag(Qt::ShiftModifier)) {
+    const double by = sideways != 0.0 ? sideways : notches;
+    scale_.scroll(-0.1 * by * (scale_.end() - scale_.begin()));
+  } else {
+    scale_.zoom(std::pow(kZoomStep, notches), event->position().x());
+  }
+  event->accept();
+  update();
+}
+
+void Timeline::keyPressEvent(QKeyEvent* event) {
+  const bool extend = event->modifiers().testFlag(Qt::ShiftModifier);
+  const qint64 now = reached();
+  const auto second = std::max<qint64>(1, std::llround(model_.framesPerSecond));
+  const double middle = scale_.x(static_cast<double>(now) + 0.5);
+  switch (event->key()) {
+  case Qt::Key_Left:
+    return want(now - 1, extend);
+  case Qt::Key_Right:
+    return want(now + 1, extend);
+  case Qt::Key_PageUp:
+    return want(now - second, extend);
+  case Qt::Key_PageDown:
+    return want(now + second, extend);
+  case Qt::Key_Home:
+    return want(scale_.first(), extend);
+  case Qt::Key_End:
+    return extend ? want(std::max<qint64>(0, model_.history.head), true) : selection_.wantNow();
+  case Qt::Key_Plus:
+  case Qt::Key_Equal:
+    scale_.zoom(kZoomStep, middle);
+    return update();
+  case Qt::Key_Minus:
+    scale_.zoom(1.0 / kZoomStep, middle);
+    return update();
+  case Qt::Key_0:
+    return zoomOut();
+  case Qt::Key_Escape:
+    return selection_.selectSpan(std::nullopt);
+  default:
+    QWidget::keyPressEvent(event);
+  }
+}
+
+void Timeline::contextMenuEvent(QContextMenuEvent* event) {
+  if (event->reason() == QContextMenuEvent::Mouse && event->pos().x() >= gutter_) {
+    want(scale_.frameAt(event->pos().x()));
+  }
+  Q_EMIT menuWanted(event->reason() == QContextMenuEvent::Mouse
+                        ? event->globalPos()
+                        : mapToGlobal(positionOf(selection_.moment())));
+}
+
+} // namespace dewpoint

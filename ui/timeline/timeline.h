@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/timeline/timeline_model.h"
+#include "ui/timeline/timeline_painter.h"
+#include "ui/timeline/timeline_scale.h"
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+#include <optional>
+
+class QLineEdit;
+
+namespace dewpoint {
+
+class Document;
+
+/// The run along time: how surely each target was held, which cameras were missing, marks, the
+/// moment shown. Dragging goes through time, dragging in the axis (or with Shift) selects a span,
+/// the wheel zooms; arrows, Page, Home and End go by frames, seconds and to the ends.
+class Timeline : public QWidget {
+  Q_OBJECT
+public:
+  Timeline(Selection& selection, Document& document, QWidget* parent = nullptr);
+
+  using QWidget::show;
+  void show(const TrackSnapshot& snapshot);
+  void append(const std::vector<FrameRecord>& records, bool restarted);
+  void clear();
+
+  /// Goes by so many frames from the moment shown, or wanted.
+  void step(qint64 frames);
+  /// To the next (1) or previous (-1) mark.
+  void stepMark(int direction);
+  /// Marks the moment shown, as an undoable step, and asks for its name on the spot.
+  void addMark();
+  /// Takes away the mark at the moment shown; false when there is none.
+  bool removeMark();
+  void zoomToSpan();
+  void zoomOut();
+
+  const TimelineModel& model() const { return model_; }
+  /// Middle of a frame in the ribbon, widget coordinates.
+  QPoint positionOf(qint64 frame) const;
+
+  QSize sizeHint() const override { return {600, 110}; }
+  QSize minimumSizeHint() const override { return {240, 84}; }
+
+Q_SIGNALS:
+  /// A menu is wanted at this place of the screen, for the moment shown.
+  void menuWanted(const QPoint& place);
+
+protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+  TimelineRows rows() const;
+  void place();
+  /// The frame shown, or asked for just now.
+  qint64 reached() const;
+  void want(qint64 frame, bool extendSpan = false);
+  void selectTo(qint64 frame);
+  std::optional<std::size_t> markAt(const QPointF& point) const;
+  void takeMarks();
+  void editName(std::size_t mark);
+  void rename(qint64 frame, const QString& from, const QString& name);
+  void sayMoment();
+
+  Selection& selection_;
+  Document& document_;
+  TimelineModel model_;
+  TimelineScale scale_;
+  enum class Drag { None, Moment, Span };
+  Drag drag_ = Drag::None;
+  qint64 anchor_ = -1;           ///< where the span began
+  std::optional<qint64> wanted_; ///< asked for, but not shown yet
+  QElapsedTimer sinceWanted_;
+  QLineEdit* editor_;
+  double gutter_ = 90.0;
+};
+
+} // namespace dewpoint

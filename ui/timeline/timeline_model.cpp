@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/timeline/timeline_model.h"
+
+#include "ui/bridge/reason_text.h"
+#include "ui/settings/theme.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <iterator>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr std::int64_t kCoarsest = 512; ///< frames that one record may stand for
+
+} // namespace
+
+void TimelineModel::append(const std::vector<FrameRecord>& more, bool restarted) {
+  if (restarted) {
+    records.clear();
+    missing_ = 0;
+  }
+  for (const FrameRecord& record : more) {
+    while (!records.empty() && records.back().frame >= record.frame) {
+      records.pop_back();
+    }
+    records.push_back(record);
+    missing_ |= record.missingCameras;
+  }
+  if (records.size() > 1) {
+    const FrameRecord& first = records[records.size() - std::min<std::size_t>(records.size(), 60)];
+    const double span = records.back().time - first.time;
+    if (span > 0.0) {
+      framesPerSecond = static_cast<double>(records.back().frame - first.frame) / span;
+    }
+  }
+}
+
+const FrameRecord* TimelineModel::at(qint64 frame) const {
+  const auto next = std::upper_bound(
+      records.begin(), records.end(), frame,
+      [](qint64 number, const FrameRecord& record) { return number < record.frame; });
+  if (next == records.begin() || (next == records.end() && std::prev(next)->frame < frame)) {
+    return nullptr; // before the first, or not tracked yet
+  }
+  return frame - std::prev(next)->frame < kCoarsest ? &*std::prev(next) : nullptr;
+}
+
+double TimelineModel::secondsOf(qint64 frame) const {
+  const FrameRecord* record = at(frame);
+  const FrameRecord* known = record != nullptr  ? record
+                             : !records.empty() ? &records.back()
+                                                : nullptr;
+  return known != nullptr
+             ? known->time + static_cast<double>(frame - known->frame) / framesPerSecond
+             : static_cast<double>(frame) / framesPerSecond;
+}
+
+QString TimelineModel::describe(qint64 frame) const {
+  const QLocale locale;
+  QString text = QCoreApplication::translate("Timeline", "Frame %1, %2 s")
+                     .arg(locale.toString(frame + 1), locale.toString(secondsOf(frame), 'f', 2));
+  const FrameRecord* record = at(frame);
+  if (record == nullptr) {
+    return text + QLatin1Char('\n') + QCoreApplication::translate("Timeline", "not tracked");
+  }
+  for (std::size_t k = 0; k < record->targets.size(); ++k) {
+    const FrameRecord::Entry& entry = record->targets[k];
+    text += QStringLiteral("\n%1 %2 (%3)")
+                .arg(targets.value(static_cast<int>(k)), holdText(holdState(entry.status)),
+                     locale.toString(static_cast<double>(entry.existence), 'f', 2));
+    if (const QString reason = reasonText(entry.reasons, cameras); !reason.isEmpty()) {
+      text += QStringLiteral(" – ") + reason;
+    }
+  }
+  return text;
+}
+
+} // namespace dewpoint

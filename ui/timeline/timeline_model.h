@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+#include "core/session/snapshot.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <vector>
+
+namespace dewpoint {
+
+/// What a timeline shows, apart from the selection.
+struct TimelineModel {
+  std::vector<FrameRecord> records; ///< by rising frame; old ones in coarse steps
+  QStringList targets;
+  QStringList cameras;
+  std::vector<ProjectMark> marks;
+  HistoryState history;
+  std::optional<RerunState> rerun;
+  bool live = false;
+  double framesPerSecond = 30.0; ///< of the recording, by the time stamps of the records
+
+  /// Takes in what is new in the log; a frame that comes again takes the place of the old one.
+  void append(const std::vector<FrameRecord>& more, bool restarted);
+  /// The record of a frame, or of the last one before it within a coarse step; null when there is
+  /// none.
+  const FrameRecord* at(qint64 frame) const;
+  /// Time of a frame in seconds, from its record or by the rate.
+  double secondsOf(qint64 frame) const;
+  /// Whether any frame lacks the image of this camera.
+  bool hasDropouts(std::size_t camera) const { return (missing_ >> camera & 1U) != 0; }
+  /// "Frame 132, 4.400 s: ball held (0.99) · …".
+  QString describe(qint64 frame) const;
+
+private:
+  std::uint64_t missing_ = 0;
+};
+
+} // namespace dewpoint

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/timeline/timeline_painter.h"
+
+#include "ui/bridge/reason_text.h"
+#include "ui/settings/theme.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr double kGap = 3.0;
+constexpr double kLeastShare = 0.25; ///< of a ribbon's height, so that a small existence is seen
+
+/// What stands behind a ribbon's color, so that it is not color alone that tells.
+Qt::BrushStyle patternOf(TargetStatus status) {
+  return status == TargetStatus::Held   ? Qt::SolidPattern
+         : status == TargetStatus::Lost ? Qt::DiagCrossPattern
+                                        : Qt::BDiagPattern;
+}
+
+/// A stretch of one status; where several frames fall on one pixel, the worst is drawn.
+struct Stretch {
+  double begin = 0.0;
+  double end = 0.0;
+  TargetStatus status = TargetStatus::Held;
+  double existence = 1.0;
+};
+
+int badness(TargetStatus status) {
+  return status == TargetStatus::Held ? 0 : status == TargetStatus::Searching ? 1 : 2;
+}
+
+std::vector<Stretch> stretchesOf(const TimelineModel& model, const TimelineScale& scale,
+                                 std::size_t target) {
+  std::vector<Stretch> stretches;
+  const auto& records = model.records;
+  for (std::size_t k = 0; k < records.size(); ++k) {
+    const auto next = k + 1 < records.size() ? records[k + 1].frame : records[k].frame + 1;
+    if (static_cast<double>(next) < scale.begin() ||
+        static_cast<double>(records[k].frame) > scale.end() ||
+        target >= records[k].targets.size()) {
+      continue;
+    }
+    const FrameRecord::Entry& entry = records[k].targets[target];
+    const Stretch now{scale.x(static_cast<double>(records[k].frame)),
+                      scale.x(static_cast<double>(next)), entry.status,
+                      static_cast<double>(entry.existence)};
+    Stretch* last = stretches.empty() ? nullptr : &stretches.back();
+    const bool same = last != nullptr && last->status == now.status &&
+                      std::abs(last->existence - now.existence) < 0.02 &&
+                      now.begin - last->end < 0.5;
+    const bool narrow = last != nullptr && last->end - last->begin < 1.0;
+    if (same) {
+      last->end = now.end;
+    } else if (narrow) {
+      last->end = now.end;
+      last->existence = std::min(last->existence, now.existence);
+      last->status = badness(now.status) > badness(last->status) ? now.status : last->status;
+    } else {
+      stretches.push_back(now);
+    }
+  }
+  return stretches;
+}
+
+void paintRibbon(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
+                 const QRectF& row, std::size_t target, const QPalette& palette) {
+  painter.fillRect(row, palette.color(QPalette::Base));
+  for (const Stretch& stretch : stretchesOf(model, scale, target)) {
+    const QColor color = holdColor(holdState(stretch.status), palette);
+    const bool held = stretch.status == TargetStatus::Held;
+    const double share = held ? std::max(kLeastShare, stretch.existence) : 1.0;
+    const double begin = std::max(row.left(), stretch.begin);
+    const double end = std::min(row.right(), stretch.end);
+    const QRectF bar(begin, row.bottom() - share * row.height(), std::max(1.0, end - begin),
+                     share * row.height());
+    if (!held) {
+      QColor ground = color;
+      ground.setAlphaF(0.18F);
+      painter.fillRect(bar, ground);
+      painter.fillRect(QRectF(bar.left(), row.top(), bar.width(), 1.5), color);
+    }
+    painter.fillRect(bar, QBrush(color, patternOf(stretch.status)));
+  }
+}
+
+void paintDropouts(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
+                   const QRectF& row, std::size_t camera, const QPalette& palette) {
+  painter.fillRect(row, palette.color(QPalette::Base));
+  const QColor color = holdColor(HoldState::Missing, palette);
+  for (std::size_t k = 0; k < model.records.size(); ++k) {
+    const FrameRecord& record = model.records[k];
+    if ((record.missingCameras >> camera & 1U) != 0) {
+      const double begin = scale.x(static_cast<double>(record.frame));
+      const double end = scale.x(static_cast<double>(record.frame) + 1.0);
+      if (end >= row.left() && begin <= row.right()) {
+        painter.fillRect(QRectF(std::max(begin, row.left()), row.top(),
+                                std::max(1.5, std::min(end, row.right()) - begin), row.height()),
+                         color);
+      }
+    }
+  }
+}
+
+/// The smallest round step (1, 2, 5 times a power of ten seconds, or whole minutes) that leaves
+/// `room` pixels between labels.
+double roundStep(double pixelsPerSecond, double room) {
+  static constexpr std::array kSteps{0.01, 0.02, 0.05, 0.1, 0.2,  0.5,  1.0,   2.0,   5.0,
+                                     10.0, 15.0, 30.0, 60., 120., 300., 600.0, 1800., 3600.};
+  for (const double step : kSteps) {
+    if (step * pixelsPerSecond >= room) {
+      return step;
+    }
+  }
+  return kSteps.back();
+}
+
+QString clock(double seconds, double step) {
+  const QLocale locale;
+  const int decimals = step < 0.1 ? 2 : step < 1.0 ? 1 : 0;
+  const int minutes = static_cast<int>(seconds / 60.0);
+  if (minutes == 0) {
+    return QCoreApplication::translate("Timeline", "%1 s")
+        .arg(locale.toString(seconds, 'f', decimals));
+  }
+  return QStringLiteral("%1:%2").arg(minutes).arg(
+      locale.toString(seconds - 60.0 * minutes, 'f', decimals)
+          .rightJustified(decimals > 0 ? 3 + decimals : 2, QLatin1Char('0')));
+}
+
+void paintAxis(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
+               const TimelineRows& rows, const QPalette& palette) {
+  const double origin = model.secondsOf(scale.first());
+  const double perSecond = scale.pixelsPerFrame() * model.framesPerSecond;
+  const QFontMetricsF metrics(painter.font());
+  const double step =
+      roundStep(perSecond, metrics.horizontalAdvance(QStringLiteral("00:00.00")) + 24);
+  const double left = scale.x(static_cast<double>(scale.first()));
+  QColor line = palette.color(QPalette::Mid);
+  for (double at = std::ceil(origin / step) * step;; at += step) {
+    const double x = left + (at - origin) * perSecond;
+    if (x > rows.axis.right()) {
+      break;
+    }
+    if (x >= rows.axis.left() - 1.0) {
+      painter.setPen(line);
+      painter.drawLine(QPointF(x, rows.axis.bottom() - 5), QPointF(x, rows.axis.bottom()));
+      painter.setPen(palette.color(QPalette::PlaceholderText));
+      painter.drawText(QPointF(x + 3.0, rows.axis.bottom() - 5.0), clock(at, step));
+    }
+  }
+}
+
+void paintMarks(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
+                const TimelineRows& rows, const QPalette& palette) {
+  const QFontMetricsF metrics(painter.font());
+  const QColor color = palette.color(QPalette::Text);
+  for (const ProjectMark& mark : model.marks) {
+    const QRectF flag = markFlag(mark, scale, rows, metrics);
+    if (flag.right() < rows.axis.left() || flag.left() > rows.axis.right()) {
+      continue;
+    }
+    const double x = flag.left();
+    painter.setPen(QPen(color, 1.2));
+    painter.drawLine(QPointF(x, flag.top()), QPointF(x, rows.cameras.bottom()));
+    QPainterPath path(flag.topLeft());
+    path.lineTo(flag.right() - 5.0, flag.top());
+    path.lineTo(flag.right(), flag.center().y());
+    path.lineTo(flag.right() - 5.0, flag.bottom());
+    path.lineTo(flag.left(), flag.bottom());
+    path.closeSubpath();
+    painter.fillPath(path, palette.color(QPalette::ToolTipBase));
+    painter.drawPath(path);
+    painter.setPen(palette.color(QPalette::ToolTipText));
+    painter.drawText(flag.adjusted(4, 0, -6, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                     QString::fromStdString(mark.name));
+  }
+}
+
+void paintHead(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
+               const TimelineRows& rows, const Selection& selection, const QPalette& palette) {
+  const QRectF body = rows.ribbons.united(rows.cameras);
+  if (selection.isPast() && model.history.head >= 0) { // where the run stands meanwhile
+    const double x = scale.x(static_cast<double>(model.history.head) + 0.5);
+    painter.setPen(QPen(palette.color(QPalette::Text), 1.2, Qt::DashLine));
+    painter.drawLine(QPointF(x, rows.axis.bottom()), QPointF(x, body.bottom()));
+  }
+  if (selection.moment() < 0) {
+    return;
+  }
+  const double x = scale.x(static_cast<double>(selection.moment()) + 0.5);
+  if (x < rows.axis.left() - 1.0 || x > rows.axis.right() + 1.0) {
+    return;
+  }
+  painter.setPen(QPen(palette.color(QPalette::Base), 4.0));
+  painter.drawLine(QPointF(x, rows.axis.bottom()), QPointF(x, body.bottom()));
+  const QColor color = palette.color(QPalette::Highlight);
+  painter.setPen(QPen(color, 2.0));
+  painter.drawLine(QPointF(x, rows.axis.bottom() - 2.0), QPointF(x, body.bottom()));
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  const double y = rows.axis.bottom();
+  painter.drawPolygon(
+      QPolygonF({QPointF(x - 6.0, y - 8.0), QPointF(x + 6.0, y - 8.0), QPointF(x, y + 1.0)}));
+}
+
+void paintSpan(QPainter& painter, const TimelineScale& scale, const TimelineRows& rows,
+               const Selection& selection, const QPalette& palette) {
+  if (!selection.span()) {
+    return;
+  }
+  const double begin = scale.x(static_cast<double>(selection.span()->first));
+  const double end = scale.x(static_cast<double>(selection.span()->last) + 1.0);
+  QColor color = palette.color(QPalette::Highlight);
+  painter.setPen(QPen(color, 1.2));
+  color.setAlphaF(0.22F);
+  const QRectF area(begin, rows.axis.top(), end - begin, rows.cameras.bottom() - rows.axis.top());
+  painter.fillRect(area, color);
+  painter.drawLine(area.topLeft(), area.bottomLeft());
+  painter.drawLine(area.topRight(), area.bottomRight());
+}
+
+void paintNames(QPainter& painter, const TimelineModel& model, const TimelineRows& rows,
+                const QPalette& palette) {
+  const QFontMetricsF metrics(painter.font());
+  const double room = rows.axis.left() - 14.0;
+  const auto write = [&](const QRectF& row, const QString& name, const QColor& color) {
+    painter.setPen(color);
+    painter.drawText(QRectF(8.0, row.center().y() - metrics.height() / 2.0, room, metrics.height()),
+                     Qt::AlignLeft | Qt::AlignVCenter,
+                     metrics.elidedText(name, Qt::ElideRight, room));
+  };
+  for (int k = 0; k < model.targets.size(); ++k) {
+    write(rows.ribbon(k), model.targets[k], palette.color(QPalette::WindowText));
+  }
+  int row = 0;
+  for (int k = 0; k < model.cameras.size(); ++k) {
+    if (model.hasDropouts(static_cast<std::size_t>(k))) {
+      write(rows.camera(row++),
+            QCoreApplication::translate("Timeline", "✕ %1").arg(model.cameras[k]),
+            palette.color(QPalette::PlaceholderText));
+    }
+  }
+}
+
+void paintFooter(QPainter& painter, const TimelineModel& model, const TimelineRows& rows,
+                 const QPalette& palette) {
+  const QLocale locale;
+  const auto megabytes = [&](std::size_t bytes) {
+    return locale.toString(static_cast<double>(bytes) / (1 << 20), 'f', 0);
+  };
+  if (model.history.mostBytes == 0) {
+    return;
+  }
+  const double span =
+      model.secondsOf(model.history.last + 1) - model.secondsOf(model.history.first);
+  QString text = QCoreApplication::translate("Timeline", "history %1 of %2 MB")
+                     .arg(megabytes(model.history.bytes), megabytes(model.history.mostBytes));
+  if (model.live && model.history.last >= 0) {
+    text += QCoreApplication::translate("Timeline", ", the last %1 s")
+                .arg(locale.toString(span, 'f', 0));
+  }
+  if (model.rerun) {
+    text = QCoreApplication::translate("Timeline", "tracking again: frame %1 of %2 to %3")
+               .arg(model.history.head + 1)
+               .arg(model.rerun->from + 1)
+               .arg(model.rerun->to + 1) +
+           QStringLiteral(" · ") + text;
+  }
+  painter.setPen(palette.color(QPalette::PlaceholderText));
+  painter.drawText(rows.footer, Qt::AlignRight | Qt::AlignVCenter, text);
+}
+
+} // namespace
+
+TimelineRows::TimelineRows(const QSizeF& size, int targets, int cameraCount, double fontHeight,
+                           double gutter) {
+  const double width = size.width() - gutter - 10.0;
+  const double axisHeight = fontHeight + 8.0;
+  const double footerHeight = fontHeight + 4.0;
+  cameraHeight = fontHeight;
+  const double body = std::max(20.0, size.height() - axisHeight - footerHeight - 2.0 * kGap);
+  const double forRibbons = std::max(body - cameraCount * cameraHeight, 0.5 * body);
+  ribbonHeight = std::clamp(forRibbons / std::max(1, targets), 8.0, 28.0);
+  axis = QRectF(gutter, 0.0, width, axisHeight);
+  ribbons = QRectF(gutter, axis.bottom() + kGap, width, targets * ribbonHeight);
+  cameras = QRectF(gutter, ribbons.bottom(), width, cameraCount * cameraHeight);
+  footer = QRectF(gutter, size.height() - footerHeight, width, footerHeight);
+}
+
+QRectF TimelineRows::ribbon(int target) const {
+  return {ribbons.left(), ribbons.top() + target * ribbonHeight, ribbons.width(),
+          ribbonHeight - kGap};
+}
+
+QRectF TimelineRows::camera(int row) const {
+  return {cameras.left(), cameras.top() + row * cameraHeight + 0.25 * cameraHeight, cameras.width(),
+          0.5 * cameraHeight};
+}
+
+QRectF markFlag(const ProjectMark& mark, const TimelineScale& scale, const TimelineRows& rows,
+                const QFontMetricsF& metrics) {
+  const double x = scale.x(static_cast<double>(mark.frame) + 0.5);
+  const double width = metrics.horizontalAdvance(QString::fromStdString(mark.name)) + 14.0;
+  return {x, rows.axis.top() + 1.0, width, metrics.height() + 1.0};
+}
+
+void paintTimeline(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
+                   const TimelineRows& rows, const Selection& selection, const QPalette& palette) {
+  paintNames(painter, model, rows, palette);
+  paintFooter(painter, model, rows, palette);
+  painter.save();
+  painter.setClipRect(rows.axis.united(rows.cameras).adjusted(-7, 0, 7, 2));
+  paintAxis(painter, model, scale, rows, palette);
+  for (int k = 0; k < model.targets.size(); ++k) {
+    paintRibbon(painter, model, scale, rows.ribbon(k), static_cast<std::size_t>(k), palette);
+  }
+  int row = 0;
+  for (int k = 0; k < model.cameras.size(); ++k) {
+    const auto camera = static_cast<std::size_t>(k);
+    if (model.hasDropouts(camera)) {
+      paintDropouts(painter, model, scale, rows.camera(row++), camera, palette);
+    }
+  }
+  if (model.history.first > scale.first()) { // forgotten: known, but not to be shown any more
+    QColor veil = palette.color(QPalette::Window);
+    veil.setAlphaF(0.6F);
+    QRectF gone = rows.ribbons.united(rows.cameras);
+    gone.setRight(std::clamp(scale.x(static_cast<double>(model.history.first)), gone.left(),
+                             gone.right()));
+    painter.fillRect(gone, veil);
+  }
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintSpan(painter, scale, rows, selection, palette);
+  paintMarks(painter, model, scale, rows, palette);
+  paintHead(painter, model, scale, rows, selection, palette);
+  painter.restore();
+}
+
+} // namespace dewpoint

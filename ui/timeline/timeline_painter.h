@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/selection/selection.h"
+#include "ui/timeline/timeline_model.h"
+#include "ui/timeline/timeline_scale.h"
+
+#include <QFontMetricsF>
+#include <QPalette>
+#include <QRectF>
+
+class QPainter;
+
+namespace dewpoint {
+
+/// Where the rows of a timeline lie, in the units of the widget.
+struct TimelineRows {
+  explicit TimelineRows(const QSizeF& size, int targets, int cameras, double fontHeight,
+                        double gutter);
+
+  QRectF axis;    ///< time and marks, at the top; dragging here selects a span
+  QRectF ribbons; ///< of the targets, one below the other
+  QRectF cameras; ///< drop-outs, one thin row per camera that has any
+  QRectF footer;  ///< memory of the history
+  double ribbonHeight = 0.0;
+  double cameraHeight = 0.0;
+  QRectF ribbon(int target) const;
+  QRectF camera(int row) const;
+};
+
+/// Draws a timeline: ribbons (held: full; searching: hatched; lost: crossed), drop-outs, marks, the
+/// span, and the play head.
+void paintTimeline(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
+                   const TimelineRows& rows, const Selection& selection, const QPalette& palette);
+
+/// The part of the widget that a mark's flag takes.
+QRectF markFlag(const ProjectMark& mark, const TimelineScale& scale, const TimelineRows& rows,
+                const QFontMetricsF& metrics);
+
+} // namespace dewpoint

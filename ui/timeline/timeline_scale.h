@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QtGlobal>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint {
+
+/// Which frames lie where along a timeline: frame k takes the stretch from x(k) to x(k + 1).
+class TimelineScale {
+public:
+  /// Frames there are, both included.
+  void setExtent(qint64 first, qint64 last) {
+    const bool whole = showsAll();
+    first_ = first;
+    last_ = std::max(first, last);
+    whole ? showAll() : keepInside();
+  }
+  void setPixels(double left, double width) {
+    left_ = left;
+    width_ = std::max(1.0, width);
+  }
+  qint64 first() const { return first_; }
+  qint64 last() const { return last_; }
+  double begin() const { return begin_; }
+  double end() const { return begin_ + length_; }
+  double pixelsPerFrame() const { return width_ / length_; }
+
+  double x(double frame) const { return left_ + (frame - begin_) * pixelsPerFrame(); }
+  qint64 frameAt(double x) const {
+    const double frame = std::floor(begin_ + (x - left_) / pixelsPerFrame());
+    return std::clamp(static_cast<qint64>(frame), first_, last_);
+  }
+
+  bool showsAll() const { return length_ >= static_cast<double>(last_ - first_ + 1); }
+  void showAll() {
+    begin_ = static_cast<double>(first_);
+    length_ = static_cast<double>(last_ - first_ + 1);
+  }
+  void show(qint64 first, qint64 last) {
+    begin_ = static_cast<double>(first);
+    length_ = static_cast<double>(last - first + 1);
+    keepInside();
+  }
+  /// What lies at `x` stays there; `factor` above 1 shows more detail.
+  void zoom(double factor, double x) {
+    const double frame = begin_ + (x - left_) / pixelsPerFrame();
+    const double share = (x - left_) / width_;
+    length_ /= factor;
+    keepInside();
+    begin_ = frame - share * length_;
+    keepInside();
+  }
+  void scroll(double frames) {
+    begin_ += frames;
+    keepInside();
+  }
+  /// Scrolls as little as it takes to show a frame.
+  void reveal(qint64 frame) {
+    const double margin = std::min(0.05 * length_, 20.0);
+    const auto at = static_cast<double>(frame);
+    if (at < begin_ + margin) {
+      begin_ = at - margin;
+    } else if (at + 1.0 > end() - margin) {
+      begin_ = at + 1.0 + margin - length_;
+    }
+    keepInside();
+  }
+
+private:
+  static constexpr double kFewest = 10.0; ///< frames shown at the closest
+
+  void keepInside() {
+    const auto all = static_cast<double>(last_ - first_ + 1);
+    length_ = std::clamp(length_, std::min(kFewest, all), all);
+    begin_ =
+        std::clamp(begin_, static_cast<double>(first_), static_cast<double>(last_ + 1) - length_);
+  }
+
+  qint64 first_ = 0;
+  qint64 last_ = 0;
+  double begin_ = 0.0;
+  double length_ = 1.0;
+  double left_ = 0.0;
+  double width_ = 1.0;
+};
+
+} // namespace dewpoint
