@@ -56,14 +56,6 @@
         <translation>Das Projekt unter anderem Namen speichern</translation>
     </message>
     <message>
-        <source>Save trajectory as CSV…</source>
-        <translation>Trajektorie als CSV speichern…</translation>
-    </message>
-    <message>
-        <source>Save the trajectory so far as CSV</source>
-        <translation>Die bisherige Trajektorie als CSV speichern</translation>
-    </message>
-    <message>
         <source>Close project</source>
         <translation>Projekt schließen</translation>
     </message>
@@ -247,6 +239,186 @@
         <source>Follow one more thing: click it in a camera image</source>
         <translation>Noch etwas verfolgen: es in einem Kamerabild anklicken</translation>
     </message>
+    <message>
+        <source>Export trajectory…</source>
+        <translation>Bahn exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the trajectory so far for another program</source>
+        <translation>Die bisherige Bahn für ein anderes Programm schreiben</translation>
+    </message>
+    <message>
+        <source>Save a picture of a view…</source>
+        <translation>Bild einer Ansicht speichern…</translation>
+    </message>
+    <message>
+        <source>Save a camera image, the bird&apos;s-eye view or a plot as PNG</source>
+        <translation>Ein Kamerabild, die Vogelschau oder eine Kurve als PNG speichern</translation>
+    </message>
+    <message>
+        <source>Previous frame</source>
+        <translation>Voriges Bild</translation>
+    </message>
+    <message>
+        <source>Show the frame before this one as it was</source>
+        <translation>Das Bild davor zeigen, wie es war</translation>
+    </message>
+    <message>
+        <source>Back to now</source>
+        <translation>Zurück zum Jetzt</translation>
+    </message>
+    <message>
+        <source>Show again where the run stands</source>
+        <translation>Wieder zeigen, wo der Lauf steht</translation>
+    </message>
+    <message>
+        <source>Track again from here</source>
+        <translation>Ab hier erneut verfolgen</translation>
+    </message>
+    <message>
+        <source>Track again from the moment shown, with the method, parameters and colors of now; pausing stops it</source>
+        <translation>Ab dem gezeigten Moment erneut verfolgen, mit Verfahren, Parametern und Farben von jetzt; Pause hält an</translation>
+    </message>
+    <message>
+        <source>Mark this moment</source>
+        <translation>Diesen Moment markieren</translation>
+    </message>
+    <message>
+        <source>Put a named mark on the moment shown</source>
+        <translation>Dem gezeigten Moment eine benannte Marke geben</translation>
+    </message>
+    <message>
+        <source>Remove the mark</source>
+        <translation>Marke entfernen</translation>
+    </message>
+    <message>
+        <source>Take the mark away from the moment shown</source>
+        <translation>Die Marke vom gezeigten Moment nehmen</translation>
+    </message>
+    <message>
+        <source>Previous mark</source>
+        <translation>Vorige Marke</translation>
+    </message>
+    <message>
+        <source>Show the moment of the mark before this one</source>
+        <translation>Den Moment der vorigen Marke zeigen</translation>
+    </message>
+    <message>
+        <source>Next mark</source>
+        <translation>Nächste Marke</translation>
+    </message>
+    <message>
+        <source>Show the moment of the next mark</source>
+        <translation>Den Moment der nächsten Marke zeigen</translation>
+    </message>
+    <message>
+        <source>Zoom to the selected span</source>
+        <translation>Auf die gewählte Spanne zoomen</translation>
+    </message>
+    <message>
+        <source>Let the timeline show the selected span only</source>
+        <translation>Die Zeitleiste nur die gewählte Spanne zeigen lassen</translation>
+    </message>
+    <message>
+        <source>Show evidence</source>
+        <translation>Belege zeigen</translation>
+    </message>
+    <message>
+        <source>Show how likely the cameras find each place around the target, and which places were considered</source>
+        <translation>Zeigen, für wie wahrscheinlich die Kameras jeden Ort um das Ziel halten und welche Orte erwogen wurden</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Plot spread</source>
+        <translation>Streuung zeigen</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the particles along x, y and z</source>
+        <translation>Standardabweichung der Partikel entlang x, y und z</translation>
+    </message>
+    <message>
+        <source>Plot effective sample size</source>
+        <translation>Effektive Stichprobengröße zeigen</translation>
+    </message>
+    <message>
+        <source>How many particles the weighted ones are worth, and how many there are</source>
+        <translation>Wie viele Partikel die gewichteten wert sind und wie viele es gibt</translation>
+    </message>
+    <message>
+        <source>Plot likelihood</source>
+        <translation>Likelihood zeigen</translation>
+    </message>
+    <message>
+        <source>What each camera says of the estimate: its log likelihood</source>
+        <translation>Was jede Kamera zur Schätzung sagt: ihre Log-Likelihood</translation>
+    </message>
+    <message>
+        <source>Plot existence</source>
+        <translation>Existenz zeigen</translation>
+    </message>
+    <message>
+        <source>Probability that the target is at the estimate, by all cameras and by each alone</source>
+        <translation>Wahrscheinlichkeit, dass das Ziel an der Schätzung ist, nach allen Kameras und nach jeder allein</translation>
+    </message>
+    <message>
+        <source>Plot error</source>
+        <translation>Fehler zeigen</translation>
+    </message>
+    <message>
+        <source>Distance of the estimate from the truth, where it is known</source>
+        <translation>Abstand der Schätzung von der Wahrheit, wo sie bekannt ist</translation>
+    </message>
+    <message>
+        <source>Plot time per step</source>
+        <translation>Zeit pro Schritt zeigen</translation>
+    </message>
+    <message>
+        <source>Microseconds that each filter iteration took, per target</source>
+        <translation>Mikrosekunden, die jede Filteriteration je Ziel dauerte</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>Über die Zeit</translation>
+    </message>
+    <message>
+        <source>Plot over seconds instead of filter iterations</source>
+        <translation>Über Sekunden statt Filteriterationen auftragen</translation>
+    </message>
+    <message>
+        <source>Whole run</source>
+        <translation>Ganzer Lauf</translation>
+    </message>
+    <message>
+        <source>Plot the whole run again (double click does the same)</source>
+        <translation>Wieder den ganzen Lauf zeigen (ein Doppelklick tut dasselbe)</translation>
+    </message>
+    <message>
+        <source>Copy plots as CSV</source>
+        <translation>Kurven als CSV kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the numbers of the plots shown, as a table</source>
+        <translation>Die Zahlen der gezeigten Kurven als Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>Save plots as picture…</source>
+        <translation>Kurven als Bild speichern…</translation>
+    </message>
+    <message>
+        <source>Save the plots as shown, as SVG or PNG</source>
+        <translation>Die Kurven wie gezeigt als SVG oder PNG speichern</translation>
+    </message>
+    <message>
+        <source>Copy trajectory as CSV</source>
+        <translation>Bahn als CSV kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows of the trajectory, or all</source>
+        <translation>Die gewählten Zeilen der Bahn kopieren, oder alle</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -312,6 +484,69 @@
     <message>
         <source>wrong type of value</source>
         <translation>falsche Art von Wert</translation>
+    </message>
+</context>
+<context>
+    <name>Export</name>
+    <message>
+        <source>CSV, one row per target and time</source>
+        <translation>CSV, eine Zeile je Ziel und Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>CSV, one row per time (spreadsheets)</source>
+        <translation>CSV, eine Zeile je Zeitpunkt (Tabellen)</translation>
+    </message>
+    <message>
+        <source>TUM (evo)</source>
+        <translation>TUM (evo)</translation>
+    </message>
+    <message>
+        <source>TRC (OpenSim)</source>
+        <translation>TRC (OpenSim)</translation>
+    </message>
+    <message>
+        <source>C3D (motion capture)</source>
+        <translation>C3D (Bewegungserfassung)</translation>
+    </message>
+    <message>
+        <source>NPZ (NumPy)</source>
+        <translation>NPZ (NumPy)</translation>
+    </message>
+    <message>
+        <source>VTP (ParaView, paths)</source>
+        <translation>VTP (ParaView, Bahnen)</translation>
+    </message>
+    <message>
+        <source>PVD (ParaView, over time)</source>
+        <translation>PVD (ParaView, über die Zeit)</translation>
+    </message>
+    <message>
+        <source>JSON lines</source>
+        <translation>JSON-Zeilen</translation>
+    </message>
+    <message>
+        <source>Z points up, axes as in the project</source>
+        <translation>Z zeigt nach oben, Achsen wie im Projekt</translation>
+    </message>
+    <message>
+        <source>Y points up: x, y, z are y, z, x of the project</source>
+        <translation>Y zeigt nach oben: x, y, z sind y, z, x des Projekts</translation>
+    </message>
+    <message>
+        <source>Lengths in %1, times in s, covariances in %1². %2.</source>
+        <translation>Längen in %1, Zeiten in s, Kovarianzen in %1². %2.</translation>
+    </message>
+    <message>
+        <source>no gaps</source>
+        <translation>keine Lücken</translation>
+    </message>
+    <message>
+        <source>%1 places unknown</source>
+        <translation>%1 Orte unbekannt</translation>
+    </message>
+    <message>
+        <source>Targets: %1, rows: %2 at %3 per second, %4.</source>
+        <translation>Ziele: %1, Zeilen: %2 bei %3 pro Sekunde, %4.</translation>
     </message>
 </context>
 <context>
@@ -497,6 +732,158 @@
 From %2 to %3%4; default %5%4.</source>
         <translation>%1
 Von %2 bis %3%4; Vorgabe %5%4.</translation>
+    </message>
+</context>
+<context>
+    <name>PlotQuantity</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>Reason</name>
+    <message>
+        <source>no image</source>
+        <translation>kein Bild</translation>
+    </message>
+    <message>
+        <source>covered or moved</source>
+        <translation>verdeckt oder bewegt</translation>
+    </message>
+    <message>
+        <source>too dark</source>
+        <translation>zu dunkel</translation>
+    </message>
+    <message>
+        <source>out of view</source>
+        <translation>außer Sicht</translation>
+    </message>
+    <message>
+        <source>partly hidden</source>
+        <translation>teilweise verdeckt</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verdeckt</translation>
+    </message>
+    <message>
+        <source>at a look-alike</source>
+        <translation>bei einem Doppelgänger</translation>
+    </message>
+    <message>
+        <source>%1 px beside a look-alike</source>
+        <translation>%1 px neben einem Doppelgänger</translation>
+    </message>
+    <message>
+        <source>no color matches</source>
+        <translation>keine passende Farbe</translation>
+    </message>
+    <message>
+        <source>its color is %1 px away</source>
+        <translation>seine Farbe ist %1 px entfernt</translation>
+    </message>
+    <message>
+        <source>its color, but not its shape</source>
+        <translation>seine Farbe, aber nicht seine Form</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+</context>
+<context>
+    <name>RunPlots</name>
+    <message>
+        <source>all cameras</source>
+        <translation>alle Kameras</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>Effective sample size</source>
+        <translation>Effektive Stichprobengröße</translation>
+    </message>
+    <message>
+        <source>effective</source>
+        <translation>effektiv</translation>
+    </message>
+    <message>
+        <source>particles</source>
+        <translation>Partikel</translation>
+    </message>
+    <message>
+        <source>Log likelihood</source>
+        <translation>Log-Likelihood</translation>
+    </message>
+    <message>
+        <source>Existence</source>
+        <translation>Existenz</translation>
+    </message>
+    <message>
+        <source>Error against truth</source>
+        <translation>Fehler gegen die Wahrheit</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Time per step</source>
+        <translation>Zeit pro Schritt</translation>
+    </message>
+    <message>
+        <source>one iteration</source>
+        <translation>eine Iteration</translation>
+    </message>
+</context>
+<context>
+    <name>Timeline</name>
+    <message>
+        <source>Frame %1, %2 s</source>
+        <translation>Bild %1, %2 s</translation>
+    </message>
+    <message>
+        <source>not tracked</source>
+        <translation>nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>✕ %1</source>
+        <translation>✕ %1</translation>
+    </message>
+    <message>
+        <source>history %1 of %2 MB</source>
+        <translation>Verlauf %1 von %2 MB</translation>
+    </message>
+    <message>
+        <source>, the last %1 s</source>
+        <translation>, die letzten %1 s</translation>
+    </message>
+    <message>
+        <source>tracking again: frame %1 of %2 to %3</source>
+        <translation>verfolgt erneut: Bild %1 von %2 bis %3</translation>
     </message>
 </context>
 <context>
@@ -960,25 +1347,6 @@ bei %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ConvergencePlot</name>
-    <message>
-        <source>spread</source>
-        <translation>Streuung</translation>
-    </message>
-    <message>
-        <source>error against truth</source>
-        <translation>Fehler gegen die Wahrheit</translation>
-    </message>
-    <message>
-        <source>filter iteration</source>
-        <translation>Filteriteration</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-</context>
-<context>
     <name>dewpoint::DockTitle</name>
     <message>
         <source>Float this view, or put it back (double click the title: whole window)</source>
@@ -994,6 +1362,295 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Track by “%1”</source>
         <translation>Mit „%1“ verfolgen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ExportDialog</name>
+    <message>
+        <source>Export trajectory</source>
+        <translation>Bahn exportieren</translation>
+    </message>
+    <message>
+        <source>Write a figure</source>
+        <translation>Abbildung schreiben</translation>
+    </message>
+    <message>
+        <source>Figures (*.svg *.pdf)</source>
+        <translation>Abbildungen (*.svg *.pdf)</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>von oben</translation>
+    </message>
+    <message>
+        <source>The export was cancelled.</source>
+        <translation>Der Export wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Wrote the figure %1.</source>
+        <translation>Die Abbildung %1 wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Exported %1 rows to %2 files; the last is %3.</source>
+        <translation>%1 Zeilen in %2 Dateien exportiert; die letzte ist %3.</translation>
+    </message>
+    <message>
+        <source>Exported %1 rows to %2.</source>
+        <translation>%1 Zeilen nach %2 exportiert.</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Which program is to read it</source>
+        <translation>Welches Programm sie lesen soll</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Ziele</translation>
+    </message>
+    <message>
+        <source>Those with a mark are exported; all, if none has one</source>
+        <translation>Die angekreuzten werden exportiert; alle, wenn keines angekreuzt ist</translation>
+    </message>
+    <message>
+        <source>Estimates</source>
+        <translation>Schätzungen</translation>
+    </message>
+    <message>
+        <source>As they were known live, or as all frames before and after tell</source>
+        <translation>Wie sie live bekannt waren, oder wie alle Bilder davor und danach sie zeigen</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>First time, 0 to 1,000,000 s</source>
+        <translation>Erster Zeitpunkt, 0 bis 1.000.000 s</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Last time, 0 to 1,000,000 s</source>
+        <translation>Letzter Zeitpunkt, 0 bis 1.000.000 s</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Rows per second, 0.001 to 10,000; interpolated</source>
+        <translation>Zeilen pro Sekunde, 0,001 bis 10.000; interpoliert</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>Lücken</translation>
+    </message>
+    <message>
+        <source>What to write where the target is not known</source>
+        <translation>Was geschrieben wird, wo das Ziel nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>Longest gap</source>
+        <translation>Längste Lücke</translation>
+    </message>
+    <message>
+        <source>A longer gap is left, 0.01 to 60 s</source>
+        <translation>Eine längere Lücke bleibt, 0,01 bis 60 s</translation>
+    </message>
+    <message>
+        <source>World axes</source>
+        <translation>Weltachsen</translation>
+    </message>
+    <message>
+        <source>Which axis points up in the file</source>
+        <translation>Welche Achse in der Datei nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Längen</translation>
+    </message>
+    <message>
+        <source>Unit of positions in the file</source>
+        <translation>Einheit der Orte in der Datei</translation>
+    </message>
+    <message>
+        <source>the beginning</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>wie aufgenommen</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> per second</source>
+        <translation> pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Notes about the run</source>
+        <translation>Angaben zum Lauf</translation>
+    </message>
+    <message>
+        <source>Method, seed, parameters, units and axes as comments in the file</source>
+        <translation>Verfahren, Startwert, Parameter, Einheiten und Achsen als Kommentare in der Datei</translation>
+    </message>
+    <message>
+        <source>First lines of the file</source>
+        <translation>Erste Zeilen der Datei</translation>
+    </message>
+    <message>
+        <source>Units and axes</source>
+        <translation>Einheiten und Achsen</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>File to write</source>
+        <translation>Datei, die geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Choose the file to write</source>
+        <translation>Die Datei wählen, die geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop the export; what is there already stays as it was</source>
+        <translation>Den Export anhalten; was schon da ist, bleibt, wie es war</translation>
+    </message>
+    <message>
+        <source>Figure…</source>
+        <translation>Abbildung…</translation>
+    </message>
+    <message>
+        <source>Write a figure of it as SVG or PDF: x, y, z over time and from above</source>
+        <translation>Eine Abbildung als SVG oder PDF schreiben: x, y, z über der Zeit und von oben</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Write the file in the background</source>
+        <translation>Die Datei im Hintergrund schreiben</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close; an export that is under way goes on</source>
+        <translation>Schließen; ein laufender Export geht weiter</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>live</translation>
+    </message>
+    <message>
+        <source>smoothed after the run</source>
+        <translation>nach dem Lauf geglättet</translation>
+    </message>
+    <message>
+        <source>leave</source>
+        <translation>lassen</translation>
+    </message>
+    <message>
+        <source>fill</source>
+        <translation>füllen</translation>
+    </message>
+    <message>
+        <source>as usual in the format</source>
+        <translation>wie im Format üblich</translation>
+    </message>
+    <message>
+        <source>Z up</source>
+        <translation>Z nach oben</translation>
+    </message>
+    <message>
+        <source>Y up</source>
+        <translation>Y nach oben</translation>
+    </message>
+    <message>
+        <source>meters</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>millimeters</source>
+        <translation>Millimeter</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::GapList</name>
+    <message>
+        <source>Gaps of the trajectory</source>
+        <translation>Lücken der Bahn</translation>
+    </message>
+    <message>
+        <source>gap from</source>
+        <translation>Lücke von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frames</source>
+        <translation>
+            <numerusform>%n Bild</numerusform>
+            <numerusform>%n Bilder</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Seconds from the last held estimate before the gap to the first one after it</source>
+        <translation>Sekunden von der letzten gehaltenen Schätzung vor der Lücke bis zur ersten danach</translation>
     </message>
 </context>
 <context>
@@ -1027,21 +1684,6 @@ bei %4, %5, %6 m</translation>
         <translation>%1 gespeichert.</translation>
     </message>
     <message>
-        <source>Save the trajectory</source>
-        <translation>Die Trajektorie speichern</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tabellen (*.csv)</translation>
-    </message>
-    <message numerus="yes">
-        <source>Saved %n samples to %1.</source>
-        <translation>
-            <numerusform>%n Messpunkt in %1 gespeichert.</numerusform>
-            <numerusform>%n Messpunkte in %1 gespeichert.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Unsaved changes</source>
         <translation>Nicht gespeicherte Änderungen</translation>
     </message>
@@ -1052,10 +1694,6 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Bird&apos;s-eye view</source>
         <translation>Vogelperspektive</translation>
-    </message>
-    <message>
-        <source>Convergence</source>
-        <translation>Konvergenz</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -1192,6 +1830,42 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Color</source>
         <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Save picture as PNG…</source>
+        <translation>Bild als PNG speichern…</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save a picture of %1</source>
+        <translation>Ein Bild von %1 speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved the picture %1.</source>
+        <translation>Das Bild %1 wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Trajectory</source>
+        <translation>Bahn</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
+        <translation>Die Änderung gilt ab jetzt. „%1“ zeigt, was sie aus diesem Moment macht.</translation>
     </message>
 </context>
 <context>
@@ -1376,6 +2050,68 @@ bei %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::PlotPanel</name>
+    <message>
+        <source>Plots of the run</source>
+        <translation>Kurven des Laufs</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Choose the plots shown; copy or save them</source>
+        <translation>Gezeigte Kurven wählen; kopieren oder speichern</translation>
+    </message>
+    <message>
+        <source>Choose the plots shown</source>
+        <translation>Gezeigte Kurven wählen</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>The plots are on the clipboard as CSV.</source>
+        <translation>Die Kurven sind als CSV in der Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Save the plots</source>
+        <translation>Kurven speichern</translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg);;Pictures (*.png)</source>
+        <translation>Zeichnungen (*.svg);;Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>%1 konnte nicht geschrieben werden.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlotStack</name>
+    <message>
+        <source>frame %1, iteration %2, %3 s</source>
+        <translation>Bild %1, Iteration %2, %3 s</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>filter iteration</source>
+        <translation>Filteriteration</translation>
+    </message>
+    <message>
+        <source>Dewpoint plots</source>
+        <translation>Dewpoint-Kurven</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ShortcutEditor</name>
     <message>
         <source>Shortcuts</source>
@@ -1524,10 +2260,6 @@ bei %4, %5, %6 m</translation>
         <translation>am Ende</translation>
     </message>
     <message>
-        <source>Playing, paused, or at the end</source>
-        <translation>Läuft, angehalten oder am Ende</translation>
-    </message>
-    <message>
         <source>frame 0000 / 0000</source>
         <translation>Bild 0000 / 0000</translation>
     </message>
@@ -1596,16 +2328,28 @@ bei %4, %5, %6 m</translation>
         <translation>Effektive Stichprobengröße, von allen Partikeln. Das Verfahren „dewpoint“ nimmt so viele Partikel, wie es braucht und das Zeitbudget erlaubt.</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Lost: not so for 30 frames.</source>
-        <translation>Gehalten: Die Kameras bestätigen die Schätzung. Verloren: seit 30 Bildern nicht mehr.</translation>
-    </message>
-    <message>
         <source>No time budget is set.</source>
         <translation>Es ist kein Zeitbudget gesetzt.</translation>
     </message>
     <message>
         <source>Time budget %1: kept in %2 % of the iterations of this run</source>
         <translation>Zeitbudget %1: in %2 % der Iterationen dieses Laufs eingehalten</translation>
+    </message>
+    <message>
+        <source>tracking again</source>
+        <translation>verfolgt erneut</translation>
+    </message>
+    <message>
+        <source>looking back</source>
+        <translation>Rückblick</translation>
+    </message>
+    <message>
+        <source>Playing, paused, at the end, looking back at an earlier moment, or tracking it again</source>
+        <translation>Läuft, angehalten, am Ende, im Rückblick auf einen früheren Moment oder diesen erneut verfolgend</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate. Lost: not so for a second.</source>
+        <translation>Gehalten: Die Kameras bestätigen die Schätzung. Verloren: seit einer Sekunde nicht.</translation>
     </message>
 </context>
 <context>
@@ -1657,6 +2401,165 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Remove target</source>
         <translation>Ziel entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::Timeline</name>
+    <message>
+        <source>Memory for going back in the run: images, particles and copies of the method. When it is full, older moments keep their estimates only.</source>
+        <translation>Speicher, um im Lauf zurückzugehen: Bilder, Partikel und Kopien des Verfahrens. Ist er voll, behalten ältere Momente nur ihre Schätzungen.</translation>
+    </message>
+    <message>
+        <source>Nothing tracked yet: play (Space), then drag here through time.</source>
+        <translation>Noch nichts verfolgt: abspielen (Leertaste), dann hier durch die Zeit ziehen.</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Name of the mark</source>
+        <translation>Name der Marke</translation>
+    </message>
+    <message>
+        <source>Mark %1</source>
+        <translation>Marke %1</translation>
+    </message>
+    <message>
+        <source>Add a mark</source>
+        <translation>Marke setzen</translation>
+    </message>
+    <message>
+        <source>Remove a mark</source>
+        <translation>Marke entfernen</translation>
+    </message>
+    <message>
+        <source>Rename a mark</source>
+        <translation>Marke umbenennen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TrajectoryModel</name>
+    <message>
+        <source>● held</source>
+        <translation>● gehalten</translation>
+    </message>
+    <message>
+        <source>○ not held</source>
+        <translation>○ nicht gehalten</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>Seconds, of the frame</source>
+        <translation>Sekunden, des Bildes</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Frame, counted from 1</source>
+        <translation>Bild, ab 1 gezählt</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Name of the target</source>
+        <translation>Name des Ziels</translation>
+    </message>
+    <message>
+        <source>%1, m</source>
+        <translation>%1, m</translation>
+    </message>
+    <message>
+        <source>Position in the room, metres</source>
+        <translation>Ort im Raum, Meter</translation>
+    </message>
+    <message>
+        <source>σ%1, mm</source>
+        <translation>σ%1, mm</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the position, millimetres</source>
+        <translation>Standardabweichung des Ortes, Millimeter</translation>
+    </message>
+    <message>
+        <source>speed, m/s</source>
+        <translation>Geschw., m/s</translation>
+    </message>
+    <message>
+        <source>Speed, metres per second: fitted over five frames</source>
+        <translation>Geschwindigkeit, Meter pro Sekunde: über fünf Bilder angepasst</translation>
+    </message>
+    <message>
+        <source>cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Cameras that see the target</source>
+        <translation>Kameras, die das Ziel sehen</translation>
+    </message>
+    <message>
+        <source>existence</source>
+        <translation>Existenz</translation>
+    </message>
+    <message>
+        <source>Probability that the target is where the estimate says</source>
+        <translation>Wahrscheinlichkeit, dass das Ziel dort ist, wo die Schätzung sagt</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate</source>
+        <translation>Gehalten: die Kameras bestätigen die Schätzung</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TrajectoryPanel</name>
+    <message>
+        <source>Trajectory</source>
+        <translation>Bahn</translation>
+    </message>
+    <message>
+        <source>Speed and height over time</source>
+        <translation>Geschwindigkeit und Höhe über die Zeit</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows are on the clipboard as CSV.</source>
+        <translation>
+            <numerusform>%n Zeile liegt als CSV in der Zwischenablage.</numerusform>
+            <numerusform>%n Zeilen liegen als CSV in der Zwischenablage.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The trajectory appears here as soon as the target is tracked.</source>
+        <translation>Die Bahn erscheint hier, sobald das Ziel verfolgt wird.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n Messpunkt</numerusform>
+            <numerusform>%n Messpunkte</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -12,16 +12,6 @@
     </message>
 </context>
 <context>
-    <name>dewpoint::MainWindow</name>
-    <message numerus="yes">
-        <source>Saved %n samples to %1.</source>
-        <translation>
-            <numerusform>Saved %n sample to %1.</numerusform>
-            <numerusform>Saved %n samples to %1.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>dewpoint::TrajectoryPanel</name>
     <message numerus="yes">
         <source>%n rows are on the clipboard as CSV.</source>

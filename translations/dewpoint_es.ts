@@ -56,14 +56,6 @@
         <translation>Guardar el proyecto con otro nombre</translation>
     </message>
     <message>
-        <source>Save trajectory as CSV…</source>
-        <translation>Guardar la trayectoria como CSV…</translation>
-    </message>
-    <message>
-        <source>Save the trajectory so far as CSV</source>
-        <translation>Guardar como CSV la trayectoria hasta ahora</translation>
-    </message>
-    <message>
         <source>Close project</source>
         <translation>Cerrar el proyecto</translation>
     </message>
@@ -247,6 +239,186 @@
         <source>Follow one more thing: click it in a camera image</source>
         <translation>Seguir una cosa más: haga clic en ella en una imagen</translation>
     </message>
+    <message>
+        <source>Export trajectory…</source>
+        <translation>Exportar la trayectoria…</translation>
+    </message>
+    <message>
+        <source>Write the trajectory so far for another program</source>
+        <translation>Escribir la trayectoria hasta ahora para otro programa</translation>
+    </message>
+    <message>
+        <source>Save a picture of a view…</source>
+        <translation>Guardar una imagen de una vista…</translation>
+    </message>
+    <message>
+        <source>Save a camera image, the bird&apos;s-eye view or a plot as PNG</source>
+        <translation>Guardar una imagen de cámara, la vista de pájaro o una gráfica como PNG</translation>
+    </message>
+    <message>
+        <source>Previous frame</source>
+        <translation>Fotograma anterior</translation>
+    </message>
+    <message>
+        <source>Show the frame before this one as it was</source>
+        <translation>Mostrar el fotograma anterior tal como era</translation>
+    </message>
+    <message>
+        <source>Back to now</source>
+        <translation>Volver al presente</translation>
+    </message>
+    <message>
+        <source>Show again where the run stands</source>
+        <translation>Mostrar de nuevo el punto en que está la ejecución</translation>
+    </message>
+    <message>
+        <source>Track again from here</source>
+        <translation>Seguir de nuevo desde aquí</translation>
+    </message>
+    <message>
+        <source>Track again from the moment shown, with the method, parameters and colors of now; pausing stops it</source>
+        <translation>Seguir de nuevo desde el momento mostrado, con el método, los parámetros y los colores actuales; la pausa lo detiene</translation>
+    </message>
+    <message>
+        <source>Mark this moment</source>
+        <translation>Marcar este momento</translation>
+    </message>
+    <message>
+        <source>Put a named mark on the moment shown</source>
+        <translation>Poner una marca con nombre en el momento mostrado</translation>
+    </message>
+    <message>
+        <source>Remove the mark</source>
+        <translation>Quitar la marca</translation>
+    </message>
+    <message>
+        <source>Take the mark away from the moment shown</source>
+        <translation>Quitar la marca del momento mostrado</translation>
+    </message>
+    <message>
+        <source>Previous mark</source>
+        <translation>Marca anterior</translation>
+    </message>
+    <message>
+        <source>Show the moment of the mark before this one</source>
+        <translation>Mostrar el momento de la marca anterior</translation>
+    </message>
+    <message>
+        <source>Next mark</source>
+        <translation>Marca siguiente</translation>
+    </message>
+    <message>
+        <source>Show the moment of the next mark</source>
+        <translation>Mostrar el momento de la marca siguiente</translation>
+    </message>
+    <message>
+        <source>Zoom to the selected span</source>
+        <translation>Ampliar el tramo seleccionado</translation>
+    </message>
+    <message>
+        <source>Let the timeline show the selected span only</source>
+        <translation>Mostrar en la línea de tiempo solo el tramo seleccionado</translation>
+    </message>
+    <message>
+        <source>Show evidence</source>
+        <translation>Mostrar evidencias</translation>
+    </message>
+    <message>
+        <source>Show how likely the cameras find each place around the target, and which places were considered</source>
+        <translation>Mostrar lo probable que es para las cámaras cada lugar alrededor del objetivo y qué lugares se consideraron</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Plot spread</source>
+        <translation>Mostrar dispersión</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the particles along x, y and z</source>
+        <translation>Desviación típica de las partículas en x, y y z</translation>
+    </message>
+    <message>
+        <source>Plot effective sample size</source>
+        <translation>Mostrar tamaño efectivo de la muestra</translation>
+    </message>
+    <message>
+        <source>How many particles the weighted ones are worth, and how many there are</source>
+        <translation>Cuántas partículas valen las ponderadas y cuántas hay</translation>
+    </message>
+    <message>
+        <source>Plot likelihood</source>
+        <translation>Mostrar verosimilitud</translation>
+    </message>
+    <message>
+        <source>What each camera says of the estimate: its log likelihood</source>
+        <translation>Lo que dice cada cámara de la estimación: su log-verosimilitud</translation>
+    </message>
+    <message>
+        <source>Plot existence</source>
+        <translation>Mostrar existencia</translation>
+    </message>
+    <message>
+        <source>Probability that the target is at the estimate, by all cameras and by each alone</source>
+        <translation>Probabilidad de que el objetivo esté en la estimación, según todas las cámaras y según cada una</translation>
+    </message>
+    <message>
+        <source>Plot error</source>
+        <translation>Mostrar error</translation>
+    </message>
+    <message>
+        <source>Distance of the estimate from the truth, where it is known</source>
+        <translation>Distancia de la estimación a la verdad, donde se conoce</translation>
+    </message>
+    <message>
+        <source>Plot time per step</source>
+        <translation>Mostrar tiempo por paso</translation>
+    </message>
+    <message>
+        <source>Microseconds that each filter iteration took, per target</source>
+        <translation>Microsegundos que tardó cada iteración del filtro, por objetivo</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>En el tiempo</translation>
+    </message>
+    <message>
+        <source>Plot over seconds instead of filter iterations</source>
+        <translation>Representar en segundos en lugar de iteraciones del filtro</translation>
+    </message>
+    <message>
+        <source>Whole run</source>
+        <translation>Toda la ejecución</translation>
+    </message>
+    <message>
+        <source>Plot the whole run again (double click does the same)</source>
+        <translation>Mostrar de nuevo toda la ejecución (doble clic hace lo mismo)</translation>
+    </message>
+    <message>
+        <source>Copy plots as CSV</source>
+        <translation>Copiar gráficos como CSV</translation>
+    </message>
+    <message>
+        <source>Copy the numbers of the plots shown, as a table</source>
+        <translation>Copiar los números de los gráficos mostrados como tabla</translation>
+    </message>
+    <message>
+        <source>Save plots as picture…</source>
+        <translation>Guardar gráficos como imagen…</translation>
+    </message>
+    <message>
+        <source>Save the plots as shown, as SVG or PNG</source>
+        <translation>Guardar los gráficos como se muestran, en SVG o PNG</translation>
+    </message>
+    <message>
+        <source>Copy trajectory as CSV</source>
+        <translation>Copiar trayectoria como CSV</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows of the trajectory, or all</source>
+        <translation>Copiar las filas elegidas de la trayectoria, o todas</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -312,6 +484,69 @@
     <message>
         <source>wrong type of value</source>
         <translation>tipo de valor incorrecto</translation>
+    </message>
+</context>
+<context>
+    <name>Export</name>
+    <message>
+        <source>CSV, one row per target and time</source>
+        <translation>CSV, una fila por objetivo e instante</translation>
+    </message>
+    <message>
+        <source>CSV, one row per time (spreadsheets)</source>
+        <translation>CSV, una fila por instante (hojas de cálculo)</translation>
+    </message>
+    <message>
+        <source>TUM (evo)</source>
+        <translation>TUM (evo)</translation>
+    </message>
+    <message>
+        <source>TRC (OpenSim)</source>
+        <translation>TRC (OpenSim)</translation>
+    </message>
+    <message>
+        <source>C3D (motion capture)</source>
+        <translation>C3D (captura de movimiento)</translation>
+    </message>
+    <message>
+        <source>NPZ (NumPy)</source>
+        <translation>NPZ (NumPy)</translation>
+    </message>
+    <message>
+        <source>VTP (ParaView, paths)</source>
+        <translation>VTP (ParaView, trayectorias)</translation>
+    </message>
+    <message>
+        <source>PVD (ParaView, over time)</source>
+        <translation>PVD (ParaView, en el tiempo)</translation>
+    </message>
+    <message>
+        <source>JSON lines</source>
+        <translation>Líneas JSON</translation>
+    </message>
+    <message>
+        <source>Z points up, axes as in the project</source>
+        <translation>Z apunta hacia arriba, ejes como en el proyecto</translation>
+    </message>
+    <message>
+        <source>Y points up: x, y, z are y, z, x of the project</source>
+        <translation>Y apunta hacia arriba: x, y, z son y, z, x del proyecto</translation>
+    </message>
+    <message>
+        <source>Lengths in %1, times in s, covariances in %1². %2.</source>
+        <translation>Longitudes en %1, tiempos en s, covarianzas en %1². %2.</translation>
+    </message>
+    <message>
+        <source>no gaps</source>
+        <translation>sin huecos</translation>
+    </message>
+    <message>
+        <source>%1 places unknown</source>
+        <translation>%1 posiciones desconocidas</translation>
+    </message>
+    <message>
+        <source>Targets: %1, rows: %2 at %3 per second, %4.</source>
+        <translation>Objetivos: %1, filas: %2 a %3 por segundo, %4.</translation>
     </message>
 </context>
 <context>
@@ -497,6 +732,158 @@
 From %2 to %3%4; default %5%4.</source>
         <translation>%1
 De %2 a %3%4; por defecto %5%4.</translation>
+    </message>
+</context>
+<context>
+    <name>PlotQuantity</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>Reason</name>
+    <message>
+        <source>no image</source>
+        <translation>sin imagen</translation>
+    </message>
+    <message>
+        <source>covered or moved</source>
+        <translation>tapada o movida</translation>
+    </message>
+    <message>
+        <source>too dark</source>
+        <translation>demasiado oscuro</translation>
+    </message>
+    <message>
+        <source>out of view</source>
+        <translation>fuera de la vista</translation>
+    </message>
+    <message>
+        <source>partly hidden</source>
+        <translation>parcialmente oculto</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>oculto</translation>
+    </message>
+    <message>
+        <source>at a look-alike</source>
+        <translation>en un objeto parecido</translation>
+    </message>
+    <message>
+        <source>%1 px beside a look-alike</source>
+        <translation>a %1 px de un objeto parecido</translation>
+    </message>
+    <message>
+        <source>no color matches</source>
+        <translation>ningún color coincide</translation>
+    </message>
+    <message>
+        <source>its color is %1 px away</source>
+        <translation>su color está a %1 px</translation>
+    </message>
+    <message>
+        <source>its color, but not its shape</source>
+        <translation>su color, pero no su forma</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>RunPlots</name>
+    <message>
+        <source>all cameras</source>
+        <translation>todas las cámaras</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Dispersión</translation>
+    </message>
+    <message>
+        <source>Effective sample size</source>
+        <translation>Tamaño efectivo de la muestra</translation>
+    </message>
+    <message>
+        <source>effective</source>
+        <translation>efectivo</translation>
+    </message>
+    <message>
+        <source>particles</source>
+        <translation>partículas</translation>
+    </message>
+    <message>
+        <source>Log likelihood</source>
+        <translation>Log-verosimilitud</translation>
+    </message>
+    <message>
+        <source>Existence</source>
+        <translation>Existencia</translation>
+    </message>
+    <message>
+        <source>Error against truth</source>
+        <translation>Error frente a la verdad</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>distancia</translation>
+    </message>
+    <message>
+        <source>Time per step</source>
+        <translation>Tiempo por paso</translation>
+    </message>
+    <message>
+        <source>one iteration</source>
+        <translation>una iteración</translation>
+    </message>
+</context>
+<context>
+    <name>Timeline</name>
+    <message>
+        <source>Frame %1, %2 s</source>
+        <translation>Fotograma %1, %2 s</translation>
+    </message>
+    <message>
+        <source>not tracked</source>
+        <translation>sin seguimiento</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>✕ %1</source>
+        <translation>✕ %1</translation>
+    </message>
+    <message>
+        <source>history %1 of %2 MB</source>
+        <translation>historial %1 de %2 MB</translation>
+    </message>
+    <message>
+        <source>, the last %1 s</source>
+        <translation>, los últimos %1 s</translation>
+    </message>
+    <message>
+        <source>tracking again: frame %1 of %2 to %3</source>
+        <translation>siguiendo de nuevo: fotograma %1 de %2 a %3</translation>
     </message>
 </context>
 <context>
@@ -960,25 +1347,6 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ConvergencePlot</name>
-    <message>
-        <source>spread</source>
-        <translation>dispersión</translation>
-    </message>
-    <message>
-        <source>error against truth</source>
-        <translation>error frente a la verdad</translation>
-    </message>
-    <message>
-        <source>filter iteration</source>
-        <translation>iteración del filtro</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-</context>
-<context>
     <name>dewpoint::DockTitle</name>
     <message>
         <source>Float this view, or put it back (double click the title: whole window)</source>
@@ -994,6 +1362,295 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Track by “%1”</source>
         <translation>Seguir con «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ExportDialog</name>
+    <message>
+        <source>Export trajectory</source>
+        <translation>Exportar la trayectoria</translation>
+    </message>
+    <message>
+        <source>Write a figure</source>
+        <translation>Escribir una figura</translation>
+    </message>
+    <message>
+        <source>Figures (*.svg *.pdf)</source>
+        <translation>Figuras (*.svg *.pdf)</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>tiempo (s)</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>desde arriba</translation>
+    </message>
+    <message>
+        <source>The export was cancelled.</source>
+        <translation>La exportación se canceló.</translation>
+    </message>
+    <message>
+        <source>Wrote the figure %1.</source>
+        <translation>Se escribió la figura %1.</translation>
+    </message>
+    <message>
+        <source>Exported %1 rows to %2 files; the last is %3.</source>
+        <translation>Se exportaron %1 filas a %2 archivos; el último es %3.</translation>
+    </message>
+    <message>
+        <source>Exported %1 rows to %2.</source>
+        <translation>Se exportaron %1 filas a %2.</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>Which program is to read it</source>
+        <translation>Qué programa lo leerá</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Objetivos</translation>
+    </message>
+    <message>
+        <source>Those with a mark are exported; all, if none has one</source>
+        <translation>Se exportan los marcados; todos, si no hay ninguno marcado</translation>
+    </message>
+    <message>
+        <source>Estimates</source>
+        <translation>Estimaciones</translation>
+    </message>
+    <message>
+        <source>As they were known live, or as all frames before and after tell</source>
+        <translation>Como se conocían en vivo, o como las muestran todos los fotogramas anteriores y posteriores</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>First time, 0 to 1,000,000 s</source>
+        <translation>Primer instante, de 0 a 1.000.000 s</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>Last time, 0 to 1,000,000 s</source>
+        <translation>Último instante, de 0 a 1.000.000 s</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Frecuencia</translation>
+    </message>
+    <message>
+        <source>Rows per second, 0.001 to 10,000; interpolated</source>
+        <translation>Filas por segundo, de 0,001 a 10.000; interpoladas</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>Huecos</translation>
+    </message>
+    <message>
+        <source>What to write where the target is not known</source>
+        <translation>Qué escribir donde no se conoce el objetivo</translation>
+    </message>
+    <message>
+        <source>Longest gap</source>
+        <translation>Hueco más largo</translation>
+    </message>
+    <message>
+        <source>A longer gap is left, 0.01 to 60 s</source>
+        <translation>Un hueco más largo se deja, de 0,01 a 60 s</translation>
+    </message>
+    <message>
+        <source>World axes</source>
+        <translation>Ejes del mundo</translation>
+    </message>
+    <message>
+        <source>Which axis points up in the file</source>
+        <translation>Qué eje apunta hacia arriba en el archivo</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Longitudes</translation>
+    </message>
+    <message>
+        <source>Unit of positions in the file</source>
+        <translation>Unidad de las posiciones en el archivo</translation>
+    </message>
+    <message>
+        <source>the beginning</source>
+        <translation>el principio</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>el final</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>como se grabó</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> per second</source>
+        <translation> por segundo</translation>
+    </message>
+    <message>
+        <source>Notes about the run</source>
+        <translation>Notas sobre la ejecución</translation>
+    </message>
+    <message>
+        <source>Method, seed, parameters, units and axes as comments in the file</source>
+        <translation>Método, semilla, parámetros, unidades y ejes como comentarios en el archivo</translation>
+    </message>
+    <message>
+        <source>First lines of the file</source>
+        <translation>Primeras líneas del archivo</translation>
+    </message>
+    <message>
+        <source>Units and axes</source>
+        <translation>Unidades y ejes</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>File to write</source>
+        <translation>Archivo que se escribe</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Examinar…</translation>
+    </message>
+    <message>
+        <source>Choose the file to write</source>
+        <translation>Elegir el archivo que se escribe</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stop the export; what is there already stays as it was</source>
+        <translation>Detener la exportación; lo que ya hay queda como estaba</translation>
+    </message>
+    <message>
+        <source>Figure…</source>
+        <translation>Figura…</translation>
+    </message>
+    <message>
+        <source>Write a figure of it as SVG or PDF: x, y, z over time and from above</source>
+        <translation>Escribir una figura como SVG o PDF: x, y, z en el tiempo y desde arriba</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Write the file in the background</source>
+        <translation>Escribir el archivo en segundo plano</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Close; an export that is under way goes on</source>
+        <translation>Cerrar; una exportación en curso continúa</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>en vivo</translation>
+    </message>
+    <message>
+        <source>smoothed after the run</source>
+        <translation>suavizadas tras la ejecución</translation>
+    </message>
+    <message>
+        <source>leave</source>
+        <translation>dejar</translation>
+    </message>
+    <message>
+        <source>fill</source>
+        <translation>rellenar</translation>
+    </message>
+    <message>
+        <source>as usual in the format</source>
+        <translation>lo habitual en el formato</translation>
+    </message>
+    <message>
+        <source>Z up</source>
+        <translation>Z hacia arriba</translation>
+    </message>
+    <message>
+        <source>Y up</source>
+        <translation>Y hacia arriba</translation>
+    </message>
+    <message>
+        <source>meters</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>millimeters</source>
+        <translation>milímetros</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::GapList</name>
+    <message>
+        <source>Gaps of the trajectory</source>
+        <translation>Huecos de la trayectoria</translation>
+    </message>
+    <message>
+        <source>gap from</source>
+        <translation>hueco desde</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>hasta</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>duración</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>objetivo</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>fotograma %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frames</source>
+        <translation>
+            <numerusform>%n fotograma</numerusform>
+            <numerusform>%n fotogramas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Seconds from the last held estimate before the gap to the first one after it</source>
+        <translation>Segundos desde la última estimación segura antes del hueco hasta la primera después</translation>
     </message>
 </context>
 <context>
@@ -1027,21 +1684,6 @@ en %4, %5, %6 m</translation>
         <translation>Se guardó %1.</translation>
     </message>
     <message>
-        <source>Save the trajectory</source>
-        <translation>Guardar la trayectoria</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tablas (*.csv)</translation>
-    </message>
-    <message numerus="yes">
-        <source>Saved %n samples to %1.</source>
-        <translation>
-            <numerusform>Se guardó %n muestra en %1.</numerusform>
-            <numerusform>Se guardaron %n muestras en %1.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Unsaved changes</source>
         <translation>Cambios sin guardar</translation>
     </message>
@@ -1052,10 +1694,6 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Bird&apos;s-eye view</source>
         <translation>Vista de pájaro</translation>
-    </message>
-    <message>
-        <source>Convergence</source>
-        <translation>Convergencia</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -1192,6 +1830,42 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Color</source>
         <translation>Color</translation>
+    </message>
+    <message>
+        <source>Save picture as PNG…</source>
+        <translation>Guardar la imagen como PNG…</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Copiar la imagen</translation>
+    </message>
+    <message>
+        <source>Save a picture of %1</source>
+        <translation>Guardar una imagen de %1</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Imágenes (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved the picture %1.</source>
+        <translation>Se guardó la imagen %1.</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Trajectory</source>
+        <translation>Trayectoria</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Línea de tiempo</translation>
+    </message>
+    <message>
+        <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
+        <translation>El cambio vale a partir de ahora. «%1» muestra qué hace con este momento.</translation>
     </message>
 </context>
 <context>
@@ -1376,6 +2050,68 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::PlotPanel</name>
+    <message>
+        <source>Plots of the run</source>
+        <translation>Gráficos de la ejecución</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Choose the plots shown; copy or save them</source>
+        <translation>Elegir los gráficos mostrados; copiarlos o guardarlos</translation>
+    </message>
+    <message>
+        <source>Choose the plots shown</source>
+        <translation>Elegir los gráficos mostrados</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Cámara %1</translation>
+    </message>
+    <message>
+        <source>The plots are on the clipboard as CSV.</source>
+        <translation>Los gráficos están en el portapapeles como CSV.</translation>
+    </message>
+    <message>
+        <source>Save the plots</source>
+        <translation>Guardar los gráficos</translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg);;Pictures (*.png)</source>
+        <translation>Dibujos (*.svg);;Imágenes (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Se guardó %1.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>No se pudo escribir %1.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlotStack</name>
+    <message>
+        <source>frame %1, iteration %2, %3 s</source>
+        <translation>fotograma %1, iteración %2, %3 s</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>tiempo, s</translation>
+    </message>
+    <message>
+        <source>filter iteration</source>
+        <translation>iteración del filtro</translation>
+    </message>
+    <message>
+        <source>Dewpoint plots</source>
+        <translation>Gráficos de Dewpoint</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ShortcutEditor</name>
     <message>
         <source>Shortcuts</source>
@@ -1524,10 +2260,6 @@ en %4, %5, %6 m</translation>
         <translation>terminado</translation>
     </message>
     <message>
-        <source>Playing, paused, or at the end</source>
-        <translation>En marcha, en pausa o al final</translation>
-    </message>
-    <message>
         <source>frame 0000 / 0000</source>
         <translation>fotograma 0000 / 0000</translation>
     </message>
@@ -1596,16 +2328,28 @@ en %4, %5, %6 m</translation>
         <translation>Tamaño efectivo de la muestra, del total de partículas. El método «dewpoint» usa tantas partículas como necesita y permite el tiempo disponible.</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Lost: not so for 30 frames.</source>
-        <translation>Seguido: las cámaras confirman la estimación. Perdido: no desde hace 30 imágenes.</translation>
-    </message>
-    <message>
         <source>No time budget is set.</source>
         <translation>No hay límite de tiempo establecido.</translation>
     </message>
     <message>
         <source>Time budget %1: kept in %2 % of the iterations of this run</source>
         <translation>Límite de tiempo de %1: respetado en el %2 % de las iteraciones de esta ejecución</translation>
+    </message>
+    <message>
+        <source>tracking again</source>
+        <translation>siguiendo de nuevo</translation>
+    </message>
+    <message>
+        <source>looking back</source>
+        <translation>mirando atrás</translation>
+    </message>
+    <message>
+        <source>Playing, paused, at the end, looking back at an earlier moment, or tracking it again</source>
+        <translation>En marcha, en pausa, al final, mirando un momento anterior o siguiéndolo de nuevo</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate. Lost: not so for a second.</source>
+        <translation>Seguido: las cámaras confirman la estimación. Perdido: no desde hace un segundo.</translation>
     </message>
 </context>
 <context>
@@ -1657,6 +2401,165 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Remove target</source>
         <translation>Quitar el objetivo</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::Timeline</name>
+    <message>
+        <source>Memory for going back in the run: images, particles and copies of the method. When it is full, older moments keep their estimates only.</source>
+        <translation>Memoria para retroceder en la ejecución: imágenes, partículas y copias del método. Cuando se llena, los momentos antiguos solo conservan sus estimaciones.</translation>
+    </message>
+    <message>
+        <source>Nothing tracked yet: play (Space), then drag here through time.</source>
+        <translation>Aún no hay seguimiento: reproduzca (Espacio) y después arrastre aquí por el tiempo.</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Línea de tiempo</translation>
+    </message>
+    <message>
+        <source>Name of the mark</source>
+        <translation>Nombre de la marca</translation>
+    </message>
+    <message>
+        <source>Mark %1</source>
+        <translation>Marca %1</translation>
+    </message>
+    <message>
+        <source>Add a mark</source>
+        <translation>Añadir una marca</translation>
+    </message>
+    <message>
+        <source>Remove a mark</source>
+        <translation>Quitar una marca</translation>
+    </message>
+    <message>
+        <source>Rename a mark</source>
+        <translation>Renombrar una marca</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TrajectoryModel</name>
+    <message>
+        <source>● held</source>
+        <translation>● seguido</translation>
+    </message>
+    <message>
+        <source>○ not held</source>
+        <translation>○ no seguido</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>tiempo, s</translation>
+    </message>
+    <message>
+        <source>Seconds, of the frame</source>
+        <translation>Segundos, del fotograma</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>fotograma</translation>
+    </message>
+    <message>
+        <source>Frame, counted from 1</source>
+        <translation>Fotograma, contado desde 1</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>objetivo</translation>
+    </message>
+    <message>
+        <source>Name of the target</source>
+        <translation>Nombre del objetivo</translation>
+    </message>
+    <message>
+        <source>%1, m</source>
+        <translation>%1, m</translation>
+    </message>
+    <message>
+        <source>Position in the room, metres</source>
+        <translation>Posición en la sala, metros</translation>
+    </message>
+    <message>
+        <source>σ%1, mm</source>
+        <translation>σ%1, mm</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the position, millimetres</source>
+        <translation>Desviación típica de la posición, milímetros</translation>
+    </message>
+    <message>
+        <source>speed, m/s</source>
+        <translation>veloc., m/s</translation>
+    </message>
+    <message>
+        <source>Speed, metres per second: fitted over five frames</source>
+        <translation>Velocidad, metros por segundo: ajustada en cinco fotogramas</translation>
+    </message>
+    <message>
+        <source>cameras</source>
+        <translation>cámaras</translation>
+    </message>
+    <message>
+        <source>Cameras that see the target</source>
+        <translation>Cámaras que ven el objetivo</translation>
+    </message>
+    <message>
+        <source>existence</source>
+        <translation>existencia</translation>
+    </message>
+    <message>
+        <source>Probability that the target is where the estimate says</source>
+        <translation>Probabilidad de que el objetivo esté donde dice la estimación</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>estado</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate</source>
+        <translation>Seguido: las cámaras confirman la estimación</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TrajectoryPanel</name>
+    <message>
+        <source>Trajectory</source>
+        <translation>Trayectoria</translation>
+    </message>
+    <message>
+        <source>Speed and height over time</source>
+        <translation>Velocidad y altura en el tiempo</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>velocidad</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows are on the clipboard as CSV.</source>
+        <translation>
+            <numerusform>%n fila está en el portapapeles como CSV.</numerusform>
+            <numerusform>%n filas están en el portapapeles como CSV.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The trajectory appears here as soon as the target is tracked.</source>
+        <translation>La trayectoria aparece aquí en cuanto se sigue el objetivo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n muestra</numerusform>
+            <numerusform>%n muestras</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -56,14 +56,6 @@
         <translation>プロジェクトを別の名前で保存</translation>
     </message>
     <message>
-        <source>Save trajectory as CSV…</source>
-        <translation>軌跡を CSV で保存…</translation>
-    </message>
-    <message>
-        <source>Save the trajectory so far as CSV</source>
-        <translation>これまでの軌跡を CSV で保存</translation>
-    </message>
-    <message>
         <source>Close project</source>
         <translation>プロジェクトを閉じる</translation>
     </message>
@@ -247,6 +239,186 @@
         <source>Follow one more thing: click it in a camera image</source>
         <translation>もう1つ追跡します。カメラ画像でクリックしてください</translation>
     </message>
+    <message>
+        <source>Export trajectory…</source>
+        <translation>軌跡を書き出す…</translation>
+    </message>
+    <message>
+        <source>Write the trajectory so far for another program</source>
+        <translation>これまでの軌跡を他のプログラム用に書き出します</translation>
+    </message>
+    <message>
+        <source>Save a picture of a view…</source>
+        <translation>ビューの画像を保存…</translation>
+    </message>
+    <message>
+        <source>Save a camera image, the bird&apos;s-eye view or a plot as PNG</source>
+        <translation>カメラ画像、鳥瞰図、グラフを PNG で保存します</translation>
+    </message>
+    <message>
+        <source>Previous frame</source>
+        <translation>前のフレーム</translation>
+    </message>
+    <message>
+        <source>Show the frame before this one as it was</source>
+        <translation>ひとつ前のフレームを当時のまま表示します</translation>
+    </message>
+    <message>
+        <source>Back to now</source>
+        <translation>現在に戻る</translation>
+    </message>
+    <message>
+        <source>Show again where the run stands</source>
+        <translation>実行の現在位置を再び表示します</translation>
+    </message>
+    <message>
+        <source>Track again from here</source>
+        <translation>ここから再追跡</translation>
+    </message>
+    <message>
+        <source>Track again from the moment shown, with the method, parameters and colors of now; pausing stops it</source>
+        <translation>表示中の時点から、現在の手法・パラメータ・色で追跡し直します。一時停止で止まります</translation>
+    </message>
+    <message>
+        <source>Mark this moment</source>
+        <translation>この時点をマーク</translation>
+    </message>
+    <message>
+        <source>Put a named mark on the moment shown</source>
+        <translation>表示中の時点に名前付きのマークを付けます</translation>
+    </message>
+    <message>
+        <source>Remove the mark</source>
+        <translation>マークを外す</translation>
+    </message>
+    <message>
+        <source>Take the mark away from the moment shown</source>
+        <translation>表示中の時点のマークを外します</translation>
+    </message>
+    <message>
+        <source>Previous mark</source>
+        <translation>前のマーク</translation>
+    </message>
+    <message>
+        <source>Show the moment of the mark before this one</source>
+        <translation>前のマークの時点を表示します</translation>
+    </message>
+    <message>
+        <source>Next mark</source>
+        <translation>次のマーク</translation>
+    </message>
+    <message>
+        <source>Show the moment of the next mark</source>
+        <translation>次のマークの時点を表示します</translation>
+    </message>
+    <message>
+        <source>Zoom to the selected span</source>
+        <translation>選択した区間を拡大</translation>
+    </message>
+    <message>
+        <source>Let the timeline show the selected span only</source>
+        <translation>タイムラインに選択区間だけを表示します</translation>
+    </message>
+    <message>
+        <source>Show evidence</source>
+        <translation>根拠を表示</translation>
+    </message>
+    <message>
+        <source>Show how likely the cameras find each place around the target, and which places were considered</source>
+        <translation>対象の周囲の各位置をカメラがどれだけ確からしいと見るか、どの位置が候補になったかを表示します</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>グラフ</translation>
+    </message>
+    <message>
+        <source>Plot spread</source>
+        <translation>広がりを表示</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the particles along x, y and z</source>
+        <translation>x、y、z 方向の粒子の標準偏差</translation>
+    </message>
+    <message>
+        <source>Plot effective sample size</source>
+        <translation>有効サンプルサイズを表示</translation>
+    </message>
+    <message>
+        <source>How many particles the weighted ones are worth, and how many there are</source>
+        <translation>重み付き粒子が何個分に相当するかと、粒子の総数</translation>
+    </message>
+    <message>
+        <source>Plot likelihood</source>
+        <translation>尤度を表示</translation>
+    </message>
+    <message>
+        <source>What each camera says of the estimate: its log likelihood</source>
+        <translation>各カメラから見た推定の対数尤度</translation>
+    </message>
+    <message>
+        <source>Plot existence</source>
+        <translation>存在確率を表示</translation>
+    </message>
+    <message>
+        <source>Probability that the target is at the estimate, by all cameras and by each alone</source>
+        <translation>推定位置に対象がある確率（全カメラおよび各カメラ単独）</translation>
+    </message>
+    <message>
+        <source>Plot error</source>
+        <translation>誤差を表示</translation>
+    </message>
+    <message>
+        <source>Distance of the estimate from the truth, where it is known</source>
+        <translation>真値がわかる場合の、推定と真値の距離</translation>
+    </message>
+    <message>
+        <source>Plot time per step</source>
+        <translation>1 ステップの時間を表示</translation>
+    </message>
+    <message>
+        <source>Microseconds that each filter iteration took, per target</source>
+        <translation>対象ごとの各フィルタ反復にかかったマイクロ秒</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>時間軸</translation>
+    </message>
+    <message>
+        <source>Plot over seconds instead of filter iterations</source>
+        <translation>フィルタ反復ではなく秒で表示</translation>
+    </message>
+    <message>
+        <source>Whole run</source>
+        <translation>全体を表示</translation>
+    </message>
+    <message>
+        <source>Plot the whole run again (double click does the same)</source>
+        <translation>もう一度全体を表示（ダブルクリックでも可）</translation>
+    </message>
+    <message>
+        <source>Copy plots as CSV</source>
+        <translation>グラフを CSV でコピー</translation>
+    </message>
+    <message>
+        <source>Copy the numbers of the plots shown, as a table</source>
+        <translation>表示中のグラフの数値を表としてコピー</translation>
+    </message>
+    <message>
+        <source>Save plots as picture…</source>
+        <translation>グラフを画像として保存…</translation>
+    </message>
+    <message>
+        <source>Save the plots as shown, as SVG or PNG</source>
+        <translation>表示中のグラフを SVG または PNG で保存</translation>
+    </message>
+    <message>
+        <source>Copy trajectory as CSV</source>
+        <translation>軌跡を CSV でコピー</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows of the trajectory, or all</source>
+        <translation>軌跡の選択行（なければ全行）をコピー</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -312,6 +484,69 @@
     <message>
         <source>wrong type of value</source>
         <translation>値の型が違います</translation>
+    </message>
+</context>
+<context>
+    <name>Export</name>
+    <message>
+        <source>CSV, one row per target and time</source>
+        <translation>CSV（対象と時刻ごとに1行）</translation>
+    </message>
+    <message>
+        <source>CSV, one row per time (spreadsheets)</source>
+        <translation>CSV（時刻ごとに1行、表計算用）</translation>
+    </message>
+    <message>
+        <source>TUM (evo)</source>
+        <translation>TUM（evo）</translation>
+    </message>
+    <message>
+        <source>TRC (OpenSim)</source>
+        <translation>TRC（OpenSim）</translation>
+    </message>
+    <message>
+        <source>C3D (motion capture)</source>
+        <translation>C3D（モーションキャプチャ）</translation>
+    </message>
+    <message>
+        <source>NPZ (NumPy)</source>
+        <translation>NPZ（NumPy）</translation>
+    </message>
+    <message>
+        <source>VTP (ParaView, paths)</source>
+        <translation>VTP（ParaView、軌跡）</translation>
+    </message>
+    <message>
+        <source>PVD (ParaView, over time)</source>
+        <translation>PVD（ParaView、時系列）</translation>
+    </message>
+    <message>
+        <source>JSON lines</source>
+        <translation>JSON 行形式</translation>
+    </message>
+    <message>
+        <source>Z points up, axes as in the project</source>
+        <translation>Z が上向き、軸はプロジェクトと同じ</translation>
+    </message>
+    <message>
+        <source>Y points up: x, y, z are y, z, x of the project</source>
+        <translation>Y が上向き: x, y, z はプロジェクトの y, z, x</translation>
+    </message>
+    <message>
+        <source>Lengths in %1, times in s, covariances in %1². %2.</source>
+        <translation>長さは %1、時刻は s、共分散は %1²。%2。</translation>
+    </message>
+    <message>
+        <source>no gaps</source>
+        <translation>欠落なし</translation>
+    </message>
+    <message>
+        <source>%1 places unknown</source>
+        <translation>不明な位置 %1</translation>
+    </message>
+    <message>
+        <source>Targets: %1, rows: %2 at %3 per second, %4.</source>
+        <translation>対象: %1、行: %2（毎秒 %3）、%4。</translation>
     </message>
 </context>
 <context>
@@ -497,6 +732,158 @@
 From %2 to %3%4; default %5%4.</source>
         <translation>%1
 %2 から %3%4 まで。既定値は %5%4。</translation>
+    </message>
+</context>
+<context>
+    <name>PlotQuantity</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>Reason</name>
+    <message>
+        <source>no image</source>
+        <translation>画像なし</translation>
+    </message>
+    <message>
+        <source>covered or moved</source>
+        <translation>覆われたか動いた</translation>
+    </message>
+    <message>
+        <source>too dark</source>
+        <translation>暗すぎる</translation>
+    </message>
+    <message>
+        <source>out of view</source>
+        <translation>視野の外</translation>
+    </message>
+    <message>
+        <source>partly hidden</source>
+        <translation>一部が隠れている</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>隠れている</translation>
+    </message>
+    <message>
+        <source>at a look-alike</source>
+        <translation>似た物の位置</translation>
+    </message>
+    <message>
+        <source>%1 px beside a look-alike</source>
+        <translation>似た物から %1 px</translation>
+    </message>
+    <message>
+        <source>no color matches</source>
+        <translation>一致する色なし</translation>
+    </message>
+    <message>
+        <source>its color is %1 px away</source>
+        <translation>その色は %1 px 離れている</translation>
+    </message>
+    <message>
+        <source>its color, but not its shape</source>
+        <translation>色は合うが形が違う</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>カメラ %1</translation>
+    </message>
+</context>
+<context>
+    <name>RunPlots</name>
+    <message>
+        <source>all cameras</source>
+        <translation>全カメラ</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>広がり</translation>
+    </message>
+    <message>
+        <source>Effective sample size</source>
+        <translation>有効サンプルサイズ</translation>
+    </message>
+    <message>
+        <source>effective</source>
+        <translation>有効</translation>
+    </message>
+    <message>
+        <source>particles</source>
+        <translation>粒子</translation>
+    </message>
+    <message>
+        <source>Log likelihood</source>
+        <translation>対数尤度</translation>
+    </message>
+    <message>
+        <source>Existence</source>
+        <translation>存在確率</translation>
+    </message>
+    <message>
+        <source>Error against truth</source>
+        <translation>真値との誤差</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>距離</translation>
+    </message>
+    <message>
+        <source>Time per step</source>
+        <translation>1 ステップの時間</translation>
+    </message>
+    <message>
+        <source>one iteration</source>
+        <translation>1 反復</translation>
+    </message>
+</context>
+<context>
+    <name>Timeline</name>
+    <message>
+        <source>Frame %1, %2 s</source>
+        <translation>フレーム %1、%2 秒</translation>
+    </message>
+    <message>
+        <source>not tracked</source>
+        <translation>未追跡</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>✕ %1</source>
+        <translation>✕ %1</translation>
+    </message>
+    <message>
+        <source>history %1 of %2 MB</source>
+        <translation>履歴 %1 / %2 MB</translation>
+    </message>
+    <message>
+        <source>, the last %1 s</source>
+        <translation>、直近 %1 秒</translation>
+    </message>
+    <message>
+        <source>tracking again: frame %1 of %2 to %3</source>
+        <translation>再追跡中: フレーム %1 (%2～%3)</translation>
     </message>
 </context>
 <context>
@@ -960,25 +1347,6 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ConvergencePlot</name>
-    <message>
-        <source>spread</source>
-        <translation>広がり</translation>
-    </message>
-    <message>
-        <source>error against truth</source>
-        <translation>真値との誤差</translation>
-    </message>
-    <message>
-        <source>filter iteration</source>
-        <translation>フィルターの反復</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-</context>
-<context>
     <name>dewpoint::DockTitle</name>
     <message>
         <source>Float this view, or put it back (double click the title: whole window)</source>
@@ -994,6 +1362,294 @@ at %4, %5, %6 m</source>
     <message>
         <source>Track by “%1”</source>
         <translation>「%1」で追跡</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ExportDialog</name>
+    <message>
+        <source>Export trajectory</source>
+        <translation>軌跡の書き出し</translation>
+    </message>
+    <message>
+        <source>Write a figure</source>
+        <translation>図を書き出す</translation>
+    </message>
+    <message>
+        <source>Figures (*.svg *.pdf)</source>
+        <translation>図 (*.svg *.pdf)</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>時間 (s)</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>上から</translation>
+    </message>
+    <message>
+        <source>The export was cancelled.</source>
+        <translation>書き出しを中止しました。</translation>
+    </message>
+    <message>
+        <source>Wrote the figure %1.</source>
+        <translation>図 %1 を書き出しました。</translation>
+    </message>
+    <message>
+        <source>Exported %1 rows to %2 files; the last is %3.</source>
+        <translation>%1 行を %2 個のファイルに書き出しました。最後は %3 です。</translation>
+    </message>
+    <message>
+        <source>Exported %1 rows to %2.</source>
+        <translation>%1 行を %2 に書き出しました。</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>形式</translation>
+    </message>
+    <message>
+        <source>Which program is to read it</source>
+        <translation>どのプログラムで読むか</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>ターゲット</translation>
+    </message>
+    <message>
+        <source>Those with a mark are exported; all, if none has one</source>
+        <translation>印を付けたものを書き出します。印がなければすべて書き出します</translation>
+    </message>
+    <message>
+        <source>Estimates</source>
+        <translation>推定値</translation>
+    </message>
+    <message>
+        <source>As they were known live, or as all frames before and after tell</source>
+        <translation>追跡中に分かっていた値、または前後すべてのフレームから求めた値</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>First time, 0 to 1,000,000 s</source>
+        <translation>最初の時刻（0〜1,000,000 s）</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>Last time, 0 to 1,000,000 s</source>
+        <translation>最後の時刻（0〜1,000,000 s）</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>頻度</translation>
+    </message>
+    <message>
+        <source>Rows per second, 0.001 to 10,000; interpolated</source>
+        <translation>1秒あたりの行数（0.001〜10,000）。補間します</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>欠落</translation>
+    </message>
+    <message>
+        <source>What to write where the target is not known</source>
+        <translation>対象が不明な所に何を書くか</translation>
+    </message>
+    <message>
+        <source>Longest gap</source>
+        <translation>最長の欠落</translation>
+    </message>
+    <message>
+        <source>A longer gap is left, 0.01 to 60 s</source>
+        <translation>これより長い欠落は残します（0.01〜60 s）</translation>
+    </message>
+    <message>
+        <source>World axes</source>
+        <translation>世界座標軸</translation>
+    </message>
+    <message>
+        <source>Which axis points up in the file</source>
+        <translation>ファイルで上を向く軸</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>Unit of positions in the file</source>
+        <translation>ファイル内の位置の単位</translation>
+    </message>
+    <message>
+        <source>the beginning</source>
+        <translation>最初</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>最後</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>記録のまま</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> per second</source>
+        <translation> 回/秒</translation>
+    </message>
+    <message>
+        <source>Notes about the run</source>
+        <translation>実行の情報</translation>
+    </message>
+    <message>
+        <source>Method, seed, parameters, units and axes as comments in the file</source>
+        <translation>手法、シード、パラメータ、単位、軸をコメントとして書きます</translation>
+    </message>
+    <message>
+        <source>First lines of the file</source>
+        <translation>ファイルの先頭行</translation>
+    </message>
+    <message>
+        <source>Units and axes</source>
+        <translation>単位と軸</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大きさ</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>File to write</source>
+        <translation>書き出すファイル</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>参照…</translation>
+    </message>
+    <message>
+        <source>Choose the file to write</source>
+        <translation>書き出すファイルを選びます</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>進行状況</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Stop the export; what is there already stays as it was</source>
+        <translation>書き出しを中止します。すでにあるものはそのままです</translation>
+    </message>
+    <message>
+        <source>Figure…</source>
+        <translation>図…</translation>
+    </message>
+    <message>
+        <source>Write a figure of it as SVG or PDF: x, y, z over time and from above</source>
+        <translation>図を SVG または PDF で書き出します（x、y、z の時間変化と上から見た図）</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>書き出す</translation>
+    </message>
+    <message>
+        <source>Write the file in the background</source>
+        <translation>ファイルをバックグラウンドで書き出します</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Close; an export that is under way goes on</source>
+        <translation>閉じます。実行中の書き出しは続きます</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>追跡中の値</translation>
+    </message>
+    <message>
+        <source>smoothed after the run</source>
+        <translation>実行後に平滑化</translation>
+    </message>
+    <message>
+        <source>leave</source>
+        <translation>残す</translation>
+    </message>
+    <message>
+        <source>fill</source>
+        <translation>埋める</translation>
+    </message>
+    <message>
+        <source>as usual in the format</source>
+        <translation>形式の標準</translation>
+    </message>
+    <message>
+        <source>Z up</source>
+        <translation>Z が上</translation>
+    </message>
+    <message>
+        <source>Y up</source>
+        <translation>Y が上</translation>
+    </message>
+    <message>
+        <source>meters</source>
+        <translation>メートル</translation>
+    </message>
+    <message>
+        <source>millimeters</source>
+        <translation>ミリメートル</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::GapList</name>
+    <message>
+        <source>Gaps of the trajectory</source>
+        <translation>軌跡の途切れ</translation>
+    </message>
+    <message>
+        <source>gap from</source>
+        <translation>途切れの始め</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>終わり</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>対象</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>フレーム %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frames</source>
+        <translation>
+            <numerusform>%n フレーム</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Seconds from the last held estimate before the gap to the first one after it</source>
+        <translation>途切れ前の最後の追跡から、その後の最初の追跡までの秒数</translation>
     </message>
 </context>
 <context>
@@ -1027,20 +1683,6 @@ at %4, %5, %6 m</source>
         <translation>%1 を保存しました。</translation>
     </message>
     <message>
-        <source>Save the trajectory</source>
-        <translation>軌跡を保存</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>表 (*.csv)</translation>
-    </message>
-    <message numerus="yes">
-        <source>Saved %n samples to %1.</source>
-        <translation>
-            <numerusform>%n 個のサンプルを %1 に保存しました。</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Unsaved changes</source>
         <translation>保存されていない変更</translation>
     </message>
@@ -1051,10 +1693,6 @@ at %4, %5, %6 m</source>
     <message>
         <source>Bird&apos;s-eye view</source>
         <translation>鳥瞰図</translation>
-    </message>
-    <message>
-        <source>Convergence</source>
-        <translation>収束</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -1191,6 +1829,42 @@ at %4, %5, %6 m</source>
     <message>
         <source>Color</source>
         <translation>色</translation>
+    </message>
+    <message>
+        <source>Save picture as PNG…</source>
+        <translation>画像を PNG で保存…</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>画像をコピー</translation>
+    </message>
+    <message>
+        <source>Save a picture of %1</source>
+        <translation>%1 の画像を保存</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved the picture %1.</source>
+        <translation>画像 %1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>グラフ</translation>
+    </message>
+    <message>
+        <source>Trajectory</source>
+        <translation>軌跡</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>タイムライン</translation>
+    </message>
+    <message>
+        <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
+        <translation>変更は今後に適用されます。「%1」でこの時点からの結果を確かめられます。</translation>
     </message>
 </context>
 <context>
@@ -1375,6 +2049,68 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::PlotPanel</name>
+    <message>
+        <source>Plots of the run</source>
+        <translation>実行のグラフ</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>グラフ</translation>
+    </message>
+    <message>
+        <source>Choose the plots shown; copy or save them</source>
+        <translation>表示するグラフの選択、コピー、保存</translation>
+    </message>
+    <message>
+        <source>Choose the plots shown</source>
+        <translation>表示するグラフを選択</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>カメラ %1</translation>
+    </message>
+    <message>
+        <source>The plots are on the clipboard as CSV.</source>
+        <translation>グラフを CSV でクリップボードにコピーしました。</translation>
+    </message>
+    <message>
+        <source>Save the plots</source>
+        <translation>グラフを保存</translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg);;Pictures (*.png)</source>
+        <translation>図面 (*.svg);;画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>%1 を書き込めませんでした。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlotStack</name>
+    <message>
+        <source>frame %1, iteration %2, %3 s</source>
+        <translation>フレーム %1、反復 %2、%3 s</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>時間, s</translation>
+    </message>
+    <message>
+        <source>filter iteration</source>
+        <translation>フィルタ反復</translation>
+    </message>
+    <message>
+        <source>Dewpoint plots</source>
+        <translation>Dewpoint のグラフ</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ShortcutEditor</name>
     <message>
         <source>Shortcuts</source>
@@ -1523,10 +2259,6 @@ at %4, %5, %6 m</source>
         <translation>終了</translation>
     </message>
     <message>
-        <source>Playing, paused, or at the end</source>
-        <translation>再生中、一時停止中、または終わり</translation>
-    </message>
-    <message>
         <source>frame 0000 / 0000</source>
         <translation>フレーム 0000 / 0000</translation>
     </message>
@@ -1595,16 +2327,28 @@ at %4, %5, %6 m</source>
         <translation>全粒子に対する有効サンプル数。手法「dewpoint」は、必要なだけ、時間予算の許す範囲で粒子を使います。</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Lost: not so for 30 frames.</source>
-        <translation>追跡中：カメラが推定を裏づけています。喪失：30フレーム続けて裏づけがありません。</translation>
-    </message>
-    <message>
         <source>No time budget is set.</source>
         <translation>時間の上限は設定されていません。</translation>
     </message>
     <message>
         <source>Time budget %1: kept in %2 % of the iterations of this run</source>
         <translation>時間の上限 %1：この実行の反復の %2 % で守られました</translation>
+    </message>
+    <message>
+        <source>tracking again</source>
+        <translation>再追跡中</translation>
+    </message>
+    <message>
+        <source>looking back</source>
+        <translation>過去を表示中</translation>
+    </message>
+    <message>
+        <source>Playing, paused, at the end, looking back at an earlier moment, or tracking it again</source>
+        <translation>再生中、一時停止、終端、過去の時点を表示中、または再追跡中</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate. Lost: not so for a second.</source>
+        <translation>保持: カメラが推定を裏付けています。喪失: 1 秒以上裏付けがありません。</translation>
     </message>
 </context>
 <context>
@@ -1656,6 +2400,163 @@ at %4, %5, %6 m</source>
     <message>
         <source>Remove target</source>
         <translation>ターゲットを取り除く</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::Timeline</name>
+    <message>
+        <source>Memory for going back in the run: images, particles and copies of the method. When it is full, older moments keep their estimates only.</source>
+        <translation>実行をさかのぼるためのメモリ: 画像、パーティクル、手法の複製。いっぱいになると、古い時点は推定値だけが残ります。</translation>
+    </message>
+    <message>
+        <source>Nothing tracked yet: play (Space), then drag here through time.</source>
+        <translation>まだ追跡していません: 再生 (スペース) してから、ここをドラッグして時間を移動します。</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>タイムライン</translation>
+    </message>
+    <message>
+        <source>Name of the mark</source>
+        <translation>マークの名前</translation>
+    </message>
+    <message>
+        <source>Mark %1</source>
+        <translation>マーク %1</translation>
+    </message>
+    <message>
+        <source>Add a mark</source>
+        <translation>マークを追加</translation>
+    </message>
+    <message>
+        <source>Remove a mark</source>
+        <translation>マークを削除</translation>
+    </message>
+    <message>
+        <source>Rename a mark</source>
+        <translation>マークの名前を変更</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TrajectoryModel</name>
+    <message>
+        <source>● held</source>
+        <translation>● 追跡中</translation>
+    </message>
+    <message>
+        <source>○ not held</source>
+        <translation>○ 未追跡</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>時間, s</translation>
+    </message>
+    <message>
+        <source>Seconds, of the frame</source>
+        <translation>フレームの時刻（秒）</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>Frame, counted from 1</source>
+        <translation>1 から数えたフレーム番号</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>対象</translation>
+    </message>
+    <message>
+        <source>Name of the target</source>
+        <translation>対象の名前</translation>
+    </message>
+    <message>
+        <source>%1, m</source>
+        <translation>%1, m</translation>
+    </message>
+    <message>
+        <source>Position in the room, metres</source>
+        <translation>室内での位置（メートル）</translation>
+    </message>
+    <message>
+        <source>σ%1, mm</source>
+        <translation>σ%1, mm</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the position, millimetres</source>
+        <translation>位置の標準偏差（ミリメートル）</translation>
+    </message>
+    <message>
+        <source>speed, m/s</source>
+        <translation>速さ, m/s</translation>
+    </message>
+    <message>
+        <source>Speed, metres per second: fitted over five frames</source>
+        <translation>速さ（メートル毎秒、5 フレームに当てはめ）</translation>
+    </message>
+    <message>
+        <source>cameras</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Cameras that see the target</source>
+        <translation>対象が見えているカメラの数</translation>
+    </message>
+    <message>
+        <source>existence</source>
+        <translation>存在確率</translation>
+    </message>
+    <message>
+        <source>Probability that the target is where the estimate says</source>
+        <translation>推定どおりの位置に対象がある確率</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate</source>
+        <translation>追跡中: カメラが推定を裏付けている</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TrajectoryPanel</name>
+    <message>
+        <source>Trajectory</source>
+        <translation>軌跡</translation>
+    </message>
+    <message>
+        <source>Speed and height over time</source>
+        <translation>時間に対する速さと高さ</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速さ</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>速さ</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows are on the clipboard as CSV.</source>
+        <translation>
+            <numerusform>%n 行を CSV としてクリップボードにコピーしました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The trajectory appears here as soon as the target is tracked.</source>
+        <translation>対象の追跡が始まると、ここに軌跡が表示されます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n サンプル</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/session.h"
+#include "tests/session/fake_recording.h"
+
+#include <gtest/gtest.h>
+
+namespace dewpoint {
+namespace {
+
+using test::eventually;
+using test::inputs;
+using test::showsFrame;
+
+TEST(Session, TheLogIsReadInPiecesAndKnowsRestarts) {
+  Session session(inputs());
+  std::uint64_t generation = 0;
+  std::size_t position = 0;
+  ASSERT_TRUE(showsFrame(session));
+  EXPECT_TRUE(session.logSince(generation, position).restarted); // a new reader starts anew
+  session.stepFrame();
+  session.stepFrame();
+  ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 2; }));
+  auto piece = session.logSince(generation, position);
+  EXPECT_FALSE(piece.restarted);
+  ASSERT_EQ(piece.records.size(), 2U);
+  EXPECT_EQ(piece.records[1].iteration, 2);
+  EXPECT_EQ(piece.records[1].frame, 1);
+  const IterationRecord& record = piece.records[1];
+  EXPECT_DOUBLE_EQ(record.time, seconds(timeStamp(1.0 / 30.0))); // of frame 1 at 30 per second
+  EXPECT_EQ(record.particleCount, 100);
+  EXPECT_GT(record.microseconds, 0.0);
+  // The spread is the root of the trace of the covariance.
+  EXPECT_NEAR(record.spreadPerAxis.norm(), record.spread, 1e-9);
+  EXPECT_TRUE(record.held);
+  ASSERT_EQ(record.cameras.size(), 2U);
+  for (const CameraEvidence& camera : record.cameras) {
+    // The start lies on the disc, whose image is larger than the window: all 25 pixels match, so
+    // the likelihood is 25/25 and the odds against chance (1/25) are 25 to 1.
+    EXPECT_TRUE(camera.looked);
+    EXPECT_DOUBLE_EQ(camera.visible, 1.0);
+    EXPECT_DOUBLE_EQ(camera.logLikelihood, 0.0);
+    EXPECT_NEAR(camera.existence, 25.0 / 26.0, 1e-12);
+  }
+  EXPECT_TRUE(session.logSince(generation, position).records.empty());
+  session.restart(5);
+  session.stepFrame();
+  ASSERT_TRUE(
+      eventually([&] { return session.newest()->seed == 5 && session.newest()->iterations == 1; }));
+  piece = session.logSince(generation, position);
+  EXPECT_TRUE(piece.restarted);
+  EXPECT_EQ(piece.records.size(), 1U);
+  EXPECT_FALSE(session.logSince(generation, position).restarted);
+}
+
+TEST(Session, SamplesAreReadInPiecesAndTheLastFrameComesAgain) {
+  Session session(inputs());
+  ASSERT_TRUE(showsFrame(session));
+  std::uint64_t generation = 0;
+  std::size_t position = 0;
+  session.stepFrame();
+  session.stepFrame();
+  ASSERT_TRUE(eventually([&] { return session.trajectory().samples.size() == 2; }));
+  auto piece = session.samplesSince(generation, position);
+  EXPECT_TRUE(piece.restarted);
+  EXPECT_EQ(piece.first, 0U);
+  ASSERT_EQ(piece.samples.size(), 2U);
+  // One more iteration on the frame shown: its sample is another one.
+  const auto before = piece.samples.back().position;
+  session.stepIteration();
+  ASSERT_TRUE(eventually([&] { return session.trajectory().samples.back().position != before; }));
+  piece = session.samplesSince(generation, position);
+  EXPECT_FALSE(piece.restarted);
+  EXPECT_EQ(piece.first, 1U);
+  ASSERT_EQ(piece.samples.size(), 1U);
+  EXPECT_NE(piece.samples[0].position, before);
+  // Existence is the one of the estimate.
+  EXPECT_EQ(piece.samples[0].existence, session.newest()->targets[0].estimate.existence);
+  session.restart();
+  session.stepFrame();
+  ASSERT_TRUE(eventually([&] { return session.trajectory().samples.size() == 1; }));
+  piece = session.samplesSince(generation, position);
+  EXPECT_TRUE(piece.restarted);
+  EXPECT_EQ(piece.first, 0U);
+  EXPECT_EQ(piece.samples.size(), 1U);
+}
+
+} // namespace
+} // namespace dewpoint
