@@ -458,10 +458,6 @@
         <translation>Wie lange ein Ziel, das keine Kamera beurteilen kann, noch als vorhanden gilt.</translation>
     </message>
     <message>
-        <source>How long one iteration may take: fewer particles are used to keep to it. 0 sets no limit; with a limit a run depends on the speed of the machine and cannot be repeated bit by bit.</source>
-        <translation>Wie lange eine Iteration dauern darf: Um das einzuhalten, werden weniger Partikel benutzt. 0 setzt keine Grenze; mit einer Grenze hängt ein Lauf von der Geschwindigkeit des Rechners ab und lässt sich nicht Bit für Bit wiederholen.</translation>
-    </message>
-    <message>
         <source>How many particles each target uses at least, when they all agree.</source>
         <translation>Wie viele Partikel jedes Ziel mindestens benutzt, wenn alle einig sind.</translation>
     </message>
@@ -488,6 +484,10 @@
     <message>
         <source>Time budget</source>
         <translation>Zeitbudget</translation>
+    </message>
+    <message>
+        <source>How long one iteration may take: fewer particles are used, and searches are spread over several frames, to keep to it. 0 sets no limit; with a limit a run depends on the speed of the machine and cannot be repeated bit by bit.</source>
+        <translation>Wie lange eine Iteration dauern darf: Um das einzuhalten, werden weniger Partikel benutzt und Suchen über mehrere Bilder verteilt. 0 setzt keine Grenze; mit einer Grenze hängt ein Lauf von der Geschwindigkeit des Rechners ab und lässt sich nicht Bit für Bit wiederholen.</translation>
     </message>
 </context>
 <context>
@@ -1598,6 +1598,14 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Held: the cameras confirm the estimate. Lost: not so for 30 frames.</source>
         <translation>Gehalten: Die Kameras bestätigen die Schätzung. Verloren: seit 30 Bildern nicht mehr.</translation>
+    </message>
+    <message>
+        <source>No time budget is set.</source>
+        <translation>Es ist kein Zeitbudget gesetzt.</translation>
+    </message>
+    <message>
+        <source>Time budget %1: kept in %2 % of the iterations of this run</source>
+        <translation>Zeitbudget %1: in %2 % der Iterationen dieses Laufs eingehalten</translation>
     </message>
 </context>
 <context>

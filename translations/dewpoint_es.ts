@@ -458,10 +458,6 @@
         <translation>Cuánto tiempo se da por presente un objetivo que ninguna cámara puede juzgar.</translation>
     </message>
     <message>
-        <source>How long one iteration may take: fewer particles are used to keep to it. 0 sets no limit; with a limit a run depends on the speed of the machine and cannot be repeated bit by bit.</source>
-        <translation>Cuánto puede durar una iteración: para cumplirlo se usan menos partículas. 0 no pone límite; con un límite, la ejecución depende de la velocidad de la máquina y no se puede repetir bit a bit.</translation>
-    </message>
-    <message>
         <source>How many particles each target uses at least, when they all agree.</source>
         <translation>Cuántas partículas usa como mínimo cada objetivo, cuando todas coinciden.</translation>
     </message>
@@ -488,6 +484,10 @@
     <message>
         <source>Time budget</source>
         <translation>Límite de tiempo</translation>
+    </message>
+    <message>
+        <source>How long one iteration may take: fewer particles are used, and searches are spread over several frames, to keep to it. 0 sets no limit; with a limit a run depends on the speed of the machine and cannot be repeated bit by bit.</source>
+        <translation>Cuánto puede durar una iteración: para respetarlo se usan menos partículas y las búsquedas se reparten entre varios fotogramas. 0 no pone límite; con un límite, una ejecución depende de la velocidad del equipo y no se puede repetir bit a bit.</translation>
     </message>
 </context>
 <context>
@@ -1598,6 +1598,14 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Held: the cameras confirm the estimate. Lost: not so for 30 frames.</source>
         <translation>Seguido: las cámaras confirman la estimación. Perdido: no desde hace 30 imágenes.</translation>
+    </message>
+    <message>
+        <source>No time budget is set.</source>
+        <translation>No hay límite de tiempo establecido.</translation>
+    </message>
+    <message>
+        <source>Time budget %1: kept in %2 % of the iterations of this run</source>
+        <translation>Límite de tiempo de %1: respetado en el %2 % de las iteraciones de esta ejecución</translation>
     </message>
 </context>
 <context>

@@ -458,10 +458,6 @@
         <translation>どのカメラからも判断できない目標を、まだそこにあるとみなす時間。</translation>
     </message>
     <message>
-        <source>How long one iteration may take: fewer particles are used to keep to it. 0 sets no limit; with a limit a run depends on the speed of the machine and cannot be repeated bit by bit.</source>
-        <translation>1 回の反復にかけてよい時間。これを守るために粒子を減らします。0 では制限しません。制限すると、結果は計算機の速さに左右され、ビット単位では再現できなくなります。</translation>
-    </message>
-    <message>
         <source>How many particles each target uses at least, when they all agree.</source>
         <translation>すべての粒子がそろっているときに、各目標が使う粒子の最小数。</translation>
     </message>
@@ -488,6 +484,10 @@
     <message>
         <source>Time budget</source>
         <translation>時間の上限</translation>
+    </message>
+    <message>
+        <source>How long one iteration may take: fewer particles are used, and searches are spread over several frames, to keep to it. 0 sets no limit; with a limit a run depends on the speed of the machine and cannot be repeated bit by bit.</source>
+        <translation>1 回の反復にかけてよい時間です。これを守るために粒子を減らし、探索を複数のフレームに分けます。0 は上限なしです。上限があると、実行はマシンの速度に左右され、ビット単位では再現できません。</translation>
     </message>
 </context>
 <context>
@@ -1597,6 +1597,14 @@ at %4, %5, %6 m</source>
     <message>
         <source>Held: the cameras confirm the estimate. Lost: not so for 30 frames.</source>
         <translation>追跡中：カメラが推定を裏づけています。喪失：30フレーム続けて裏づけがありません。</translation>
+    </message>
+    <message>
+        <source>No time budget is set.</source>
+        <translation>時間の上限は設定されていません。</translation>
+    </message>
+    <message>
+        <source>Time budget %1: kept in %2 % of the iterations of this run</source>
+        <translation>時間の上限 %1：この実行の反復の %2 % で守られました</translation>
     </message>
 </context>
 <context>

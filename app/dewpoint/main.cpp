@@ -3,6 +3,7 @@
 #include "app/dewpoint/screenshot.h"
 #include "app/wiring/open_project.h"
 #include "app/wiring/quiet_libraries.h"
+#include "core/base/thread_precedence.h"
 #include "core/session/session.h"
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/document/recovery.h"
@@ -69,6 +70,7 @@ void describe(CLI::App& app, Options& options) {
 }
 
 int run(int argc, char** argv) {
+  dewpoint::setPrecedence(dewpoint::Precedence::Patient); // before any thread is made
   dewpoint::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv); // takes its own options out of argv
   QApplication::setApplicationName(QStringLiteral("dewpoint"));

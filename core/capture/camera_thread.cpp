@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/camera_thread.h"
 
+#include "core/base/thread_precedence.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -54,6 +56,7 @@ CameraThread::CameraThread(const LiveCamera& camera, LiveStreamFactory factory,
   shared_->zero = zero;
   shared_->openingSince = Clock::now();
   thread_ = std::jthread([shared = shared_](const std::stop_token& stop) {
+    setPrecedence(Precedence::Prompt); // frames are stamped here
     run(stop, *shared);
     std::scoped_lock lock(shared->mutex);
     shared->finished = true;

@@ -54,6 +54,14 @@ struct RerunState {
   std::int64_t to = 0;   ///< the last one
 };
 
+/// How well a run keeps to its time budget per iteration (parameter `time_budget`), since it was
+/// set or the run began.
+struct BudgetFigures {
+  double milliseconds = 0.0;   ///< 0: there is none
+  std::int64_t iterations = 0; ///< so far
+  std::int64_t late = 0;       ///< of them, those that took longer
+};
+
 /// Everything a view may show of one moment. Immutable once published.
 struct TrackSnapshot {
   std::shared_ptr<const CameraRig> rig;
@@ -70,6 +78,7 @@ struct TrackSnapshot {
   double framesPerSecond = 0.0;          ///< achieved
   double microsecondsPerIteration = 0.0; ///< running median
   Latency latency;
+  BudgetFigures budget;
   std::int64_t droppedFrames = 0;
   std::uint64_t seed = 0;
   PlayState state = PlayState::Paused;

@@ -3,6 +3,8 @@
 // tracking_loop_publish.cpp.
 #include "core/session/tracking_loop.h"
 
+#include "core/base/thread_precedence.h"
+
 #include <algorithm>
 
 namespace dewpoint {
@@ -40,6 +42,7 @@ TrackingLoop::TrackingLoop(SessionInputs inputs)
 }
 
 void TrackingLoop::run(const std::stop_token& stop) {
+  setPrecedence(Precedence::Prompt);
   if (source_ && run_) {
     takeFrame(); // shown, but not yet tracked
   }
@@ -143,6 +146,8 @@ bool TrackingLoop::iterateOnce() {
   }
   iterationTimes_.push_back(run_->iterate());
   log_.countIteration(1e-6 * iterationTimes_.back());
+  countAgainstBudget(1e-3 * iterationTimes_.back() *
+                     static_cast<double>(std::max<std::size_t>(1, run_->targets().size())));
   keepNewest(iterationTimes_, kTimesKept);
   frameFresh_ = false;
   log_.append(iterationRecords());
@@ -172,6 +177,18 @@ std::vector<IterationRecord> TrackingLoop::iterationRecords() const {
     records.push_back(std::move(record));
   }
   return records;
+}
+
+void TrackingLoop::countAgainstBudget(double milliseconds) {
+  const auto declared = project_.parameters.declarations();
+  const bool has = std::any_of(declared.begin(), declared.end(),
+                               [](const auto& one) { return one.key == "time_budget"; });
+  const double budget = has ? project_.parameters.at("time_budget") : 0.0;
+  if (budget != budget_.milliseconds) {
+    budget_ = {budget, 0, 0};
+  }
+  ++budget_.iterations;
+  budget_.late += milliseconds > budget ? 1 : 0;
 }
 
 void TrackingLoop::recordFrame() {

@@ -45,6 +45,8 @@ private:
   std::vector<IterationRecord> iterationRecords() const;
   /// The estimates of the frame shown, in place of earlier ones of the same frame.
   void recordFrame();
+  /// Counts an iteration that took so long, in milliseconds, against the budget of now.
+  void countAgainstBudget(double milliseconds);
   void reachEnd();
 
   // Going back.
@@ -101,6 +103,7 @@ private:
   std::vector<std::deque<Eigen::Vector3d>> tails_;
   std::deque<double> iterationTimes_;
   std::deque<Clock::time_point> frameTimes_;
+  BudgetFigures budget_;
   Clock::time_point nextFrameDue_ = Clock::now();
 };
 

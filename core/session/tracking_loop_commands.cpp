@@ -139,6 +139,7 @@ bool TrackingLoop::restart(std::optional<std::uint64_t> seed) {
     tail.clear();
   }
   iterationTimes_.clear();
+  budget_ = {};
   frameTimes_.clear();
   frameFresh_ = false;
   recordedFrame_.reset();

@@ -65,6 +65,7 @@ void TrackingLoop::addFigures(TrackSnapshot& snapshot) const {
         static_cast<double>(frameTimes_.size() - 1) / std::max(1e-9, span.count());
   }
   snapshot.microsecondsPerIteration = median(iterationTimes_);
+  snapshot.budget = budget_;
   snapshot.latency = log_.latency();
 }
 

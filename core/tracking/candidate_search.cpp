@@ -85,15 +85,21 @@ std::vector<CandidateSearch::Spot> CandidateSearch::spotsOf(std::size_t camera,
 
 std::vector<Candidate> CandidateSearch::find(SphereObservation& observation, bool radiusKnown,
                                              std::size_t limit) const {
-  const std::size_t cameras = observation.cameraCount();
-  std::vector<std::vector<Spot>> spots(cameras);
-  for (std::size_t camera = 0; camera < cameras; ++camera) {
+  std::vector<std::vector<Spot>> spots(observation.cameraCount());
+  for (std::size_t camera = 0; camera < spots.size(); ++camera) {
     LabelImage& labels = observation.labels(camera);
     if (!labels.empty()) {
       labels.requireAll();
       spots[camera] = spotsOf(camera, labels);
     }
   }
+  return placesOf(spots, observation, radiusKnown, limit);
+}
+
+std::vector<Candidate> CandidateSearch::placesOf(const std::vector<std::vector<Spot>>& spots,
+                                                 SphereObservation& observation, bool radiusKnown,
+                                                 std::size_t limit) const {
+  const std::size_t cameras = spots.size();
   const double known = observation.radius();
   struct Raw {
     Eigen::Vector3d center;

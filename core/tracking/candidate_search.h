@@ -21,6 +21,12 @@ struct Candidate {
 /// crossed pair by pair, and, for what only one camera sees, placed by their size.
 class CandidateSearch {
 public:
+  /// A round part of the color in one image.
+  struct Spot {
+    Ray ray;
+    double radiusPx = 0.0;
+  };
+
   explicit CandidateSearch(const CameraRig& rig);
 
   /// The best places, best first, at most `limit`, no two closer than a radius. A radius of the
@@ -28,16 +34,14 @@ public:
   /// with an arbitrary one. Makes the labels of the whole images.
   std::vector<Candidate> find(SphereObservation& observation, bool radiusKnown,
                               std::size_t limit) const;
+  /// The first part of it: what is round in one camera's image, all of whose labels are made.
+  std::vector<Spot> spotsOf(std::size_t camera, const LabelImage& labels) const;
+  /// The second part: the places, from one list of spots per camera.
+  std::vector<Candidate> placesOf(const std::vector<std::vector<Spot>>& spots,
+                                  SphereObservation& observation, bool radiusKnown,
+                                  std::size_t limit) const;
 
 private:
-  /// A round part of the color in one image.
-  struct Spot {
-    Ray ray;
-    double radiusPx = 0.0;
-  };
-
-  std::vector<Spot> spotsOf(std::size_t camera, const LabelImage& labels) const;
-
   std::vector<Unprojector> unprojectors_;
   std::vector<double> focals_; ///< pixels
 };

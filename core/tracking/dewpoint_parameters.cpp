@@ -19,8 +19,9 @@ std::vector<ParameterDeclaration> declare() {
        "distance): smaller takes more particles where they disagree; 0 always takes all of them.",
        false},
       {"time_budget", ParameterKind::Real, "Time budget", "ms", 0.0, 1000.0, 0.5, 0.0,
-       "How long one iteration may take: fewer particles are used to keep to it. 0 sets no limit; "
-       "with a limit a run depends on the speed of the machine and cannot be repeated bit by bit.",
+       "How long one iteration may take: fewer particles are used, and searches are spread over "
+       "several frames, to keep to it. 0 sets no limit; with a limit a run depends on the speed of "
+       "the machine and cannot be repeated bit by bit.",
        false},
       {"iterations_per_frame", ParameterKind::Integer, "Iterations per frame", "", 1.0, 500.0, 1.0,
        1.0, "How many filter iterations run on each frame.", false},

@@ -57,9 +57,11 @@ DewpointTracker::DewpointTracker(const DewpointTracker& other)
       frameCount_(other.frameCount_), nextLookAlike_(other.nextLookAlike_),
       streams_(other.streams_), backgrounds_(other.backgrounds_), search_(other.search_),
       frames_(other.frames_), lastTime_(other.lastTime_), key_(other.key_),
-      estimates_(other.estimates_), affordableParticles_(other.affordableParticles_) {
+      estimates_(other.estimates_), budget_(other.budget_), lookAroundFor_(other.lookAroundFor_),
+      nextLookAround_(other.nextLookAround_) {
   for (const Tracked& tracked : other.tracked_) {
-    tracked_.push_back({tracked.belief, SphereObservation(rig_), tracked.classifier});
+    // Searches that go on within a time budget begin anew: such a run cannot be repeated anyway.
+    tracked_.push_back({tracked.belief, SphereObservation(rig_), tracked.classifier, nullptr});
   }
 }
 
@@ -193,8 +195,8 @@ std::vector<LikelihoodMap> DewpointTracker::likelihoodMaps(std::size_t target, i
       estimate.radius > 0.0 ? estimate.radius : tracked_[target].belief.target().radius;
   DewpointTracker copy(*this); // making labels must not change what this one does next
   Tracked& own = copy.tracked_[target];
-  copy.showImages(own);
-  copy.explainOthers(own);
+  copy.showImages(own.observation, own.classifier);
+  copy.explainOthers(own.observation, own);
   for (std::size_t camera = 0; camera < rig_.size(); ++camera) {
     LabelImage& labels = own.observation.labels(camera);
     const auto outline = own.observation.projector(camera).project(estimate.mean, radius);

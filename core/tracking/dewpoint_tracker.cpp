@@ -2,7 +2,6 @@
 #include "core/tracking/dewpoint_tracker.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -17,18 +16,6 @@ constexpr double kTouching = 0.7;
 /// Around a target's outline nothing is learned: its shadow and reflection lie there.
 constexpr double kNotLearnedRadii = 1.4;
 constexpr double kOutlineMargin = 1.05;
-/// Look-alikes are looked for every so many frames, soon after the start for the first time.
-constexpr std::int64_t kLookAroundEvery = 4;
-constexpr std::int64_t kLookAroundPhase = 1;
-constexpr std::size_t kMostLookAlikes = 8;
-/// Evidence, as a share of the best, that makes a thing a look-alike.
-constexpr double kLookAlikeShare = 0.6;
-constexpr double kSureOfTarget = 0.9;
-constexpr double kWellSeen = 0.55; ///< share of the best evidence
-/// A look-alike that has less than this share of the best evidence, after some looks, is dropped:
-/// it was two things seen crosswise, or went behind another.
-constexpr double kFaint = 0.25;
-constexpr int kLooksOfGrace = 3;
 
 bool overlap(const Hypothesis& a, const Hypothesis& b) {
   return (a.place() - b.place()).norm() <= kTouching * (a.radius + b.radius);
@@ -42,7 +29,7 @@ DewpointTracker::DewpointTracker(const ParameterValues& parameters, const Camera
       search_(rig), estimates_(targets.size()) {
   for (const Target& target : targets) {
     tracked_.push_back(
-        {TargetBelief(target), SphereObservation(rig), ColorClassifier(target.color)});
+        {TargetBelief(target), SphereObservation(rig), ColorClassifier(target.color), nullptr});
   }
   restart(0);
 }
@@ -50,9 +37,9 @@ DewpointTracker::DewpointTracker(const ParameterValues& parameters, const Camera
 BeliefSettings DewpointTracker::settings() const {
   BeliefSettings settings;
   settings.mostParticles = static_cast<Eigen::Index>(parameters_.at("particles"));
-  if (affordableParticles_ > 0.0) {
-    settings.mostParticles = std::clamp<Eigen::Index>(
-        static_cast<Eigen::Index>(affordableParticles_), 10, settings.mostParticles);
+  if (const auto affordable = budget_.particles()) {
+    settings.mostParticles =
+        std::min(static_cast<Eigen::Index>(*affordable), settings.mostParticles);
   }
   settings.fewestParticles = std::min(static_cast<Eigen::Index>(parameters_.at("fewest_particles")),
                                       settings.mostParticles);
@@ -76,6 +63,7 @@ void DewpointTracker::configure(const ParameterValues& parameters) {
 void DewpointTracker::setTargets(const std::vector<Target>& targets) {
   tracked_.erase(tracked_.begin() + static_cast<std::ptrdiff_t>(targetCount_), tracked_.end());
   streams_.resize(targetCount_);
+  lookAround_.reset();
   for (std::size_t k = 0; k < std::min(targets.size(), targetCount_); ++k) {
     if (!(targets[k].color == tracked_[k].belief.target().color)) {
       // The color was picked in the light of now.
@@ -85,13 +73,16 @@ void DewpointTracker::setTargets(const std::vector<Target>& targets) {
     }
     tracked_[k].belief.setTarget(targets[k]);
     tracked_[k].classifier = ColorClassifier(targets[k].color);
+    tracked_[k].search.reset();
   }
 }
 
 void DewpointTracker::restart(std::uint64_t seed) {
   key_ = {seed, 0, 0};
   lastTime_.reset();
-  affordableParticles_ = 0.0;
+  budget_ = TimeBudget();
+  lookAround_.reset();
+  nextLookAround_ = 0;
   for (BackgroundModel& background : backgrounds_) {
     background.reset();
   }
@@ -101,6 +92,7 @@ void DewpointTracker::restart(std::uint64_t seed) {
   streams_.resize(targetCount_);
   std::iota(streams_.begin(), streams_.end(), 0U);
   for (std::size_t k = 0; k < targetCount_; ++k) {
+    tracked_[k].search.reset();
     tracked_[k].belief.configure(settings());
     tracked_[k].belief.restart(startVolume(parameters_), keyOf(k).seed);
   }
@@ -134,12 +126,13 @@ FramePtr DewpointTracker::frameOf(std::size_t camera) const {
   return frames_ && camera < frames_->frames.size() ? frames_->frames[camera] : nullptr;
 }
 
-void DewpointTracker::showImages(Tracked& tracked) {
+void DewpointTracker::showImages(SphereObservation& observation,
+                                 const ColorClassifier& classifier) {
   for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
     const FramePtr frame = frameOf(camera);
     const double offset = frame ? seconds(frame->captureTime - frames_->time) : 0.0;
-    tracked.observation.setImage(camera, frame ? frame->image : cv::Mat(), offset,
-                                 backgrounds_[camera], tracked.classifier);
+    observation.setImage(camera, frame ? frame->image : cv::Mat(), offset, backgrounds_[camera],
+                         classifier);
   }
 }
 
@@ -166,7 +159,7 @@ std::vector<OccupiedSphere> DewpointTracker::occupiedByOthers(std::size_t index)
   return occupied;
 }
 
-void DewpointTracker::explainOthers(Tracked& own) {
+void DewpointTracker::explainOthers(SphereObservation& observation, const Tracked& own) {
   const Hypothesis* mine = own.belief.confident();
   for (const Tracked& tracked : tracked_) {
     const Hypothesis* other = &tracked != &own ? tracked.belief.confident() : nullptr;
@@ -175,8 +168,8 @@ void DewpointTracker::explainOthers(Tracked& own) {
                        other->logRatio > kWellSeen * other->bestLogRatio &&
                        tracked.belief.target().color == own.belief.target().color;
     for (std::size_t camera = 0; plain && camera < backgrounds_.size(); ++camera) {
-      LabelImage& labels = own.observation.labels(camera);
-      const SphereProjector& projector = own.observation.projector(camera);
+      LabelImage& labels = observation.labels(camera);
+      const SphereProjector& projector = observation.projector(camera);
       const auto outline = projector.project(other->place(), other->radius);
       if (labels.empty() || !outline) {
         continue;
@@ -194,7 +187,8 @@ void DewpointTracker::explainOthers(Tracked& own) {
 }
 
 void DewpointTracker::iterate(ThreadTeam& team) {
-  const auto begin = std::chrono::steady_clock::now();
+  budget_.set(parameters_.at("time_budget"));
+  budget_.begin();
   for (std::size_t k = 0; k < tracked_.size(); ++k) {
     tracked_[k].belief.configure(settings());
     if (key_.iteration == 0) {
@@ -208,15 +202,10 @@ void DewpointTracker::iterate(ThreadTeam& team) {
     yieldToTargets(tracked_[k]);
   }
   for (const std::size_t k : surestFirst()) {
-    showImages(tracked_[k]);
-    explainOthers(tracked_[k]);
-    tracked_[k].belief.update(tracked_[k].observation, search_, occupiedByOthers(k), keyOf(k),
-                              team);
-    if (k >= targetCount_) {
-      yieldToTargets(tracked_[k]);
-    }
+    updateBelief(k, team);
   }
   resolveConflicts();
+  budget_.endOfLooks(parameters_.at("particles"));
   if (key_.iteration == 0) {
     watchLookAlikes(team);
     ++frameCount_;
@@ -229,8 +218,31 @@ void DewpointTracker::iterate(ThreadTeam& team) {
     lastTime_ = frames_ ? frames_->time : TimeStamp{};
   }
   ++key_.iteration;
-  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-  keepToBudget(took.count());
+}
+
+void DewpointTracker::updateBelief(std::size_t index, ThreadTeam& team) {
+  Tracked& tracked = tracked_[index];
+  showImages(tracked.observation, tracked.classifier);
+  explainOthers(tracked.observation, tracked);
+  const auto findNow = [this](SphereObservation& observation, bool radiusKnown, std::size_t limit) {
+    return search_.find(observation, radiusKnown, limit);
+  };
+  bool searched = false;
+  const auto findInSlices = [&](SphereObservation&, bool, std::size_t limit) {
+    searched = true;
+    if (!tracked.search) {
+      tracked.search = beginSearch(tracked);
+    }
+    return goOn(tracked.search, limit, true);
+  };
+  const PlaceSearch search = budget_.limited() ? PlaceSearch(findInSlices) : PlaceSearch(findNow);
+  tracked.belief.update(tracked.observation, search, occupiedByOthers(index), keyOf(index), team);
+  if (!searched) {
+    tracked.search.reset(); // what a search found in old images is of no use later
+  }
+  if (index >= targetCount_) {
+    yieldToTargets(tracked);
+  }
 }
 
 void DewpointTracker::yieldToTargets(Tracked& lookAlike) {
@@ -256,90 +268,6 @@ void DewpointTracker::resolveConflicts() {
       }
       (first->logRatio >= second->logRatio ? tracked_[b] : tracked_[a]).belief.yield();
     }
-  }
-}
-
-bool DewpointTracker::allTargetsSure() const {
-  return std::all_of(tracked_.begin(), tracked_.begin() + static_cast<std::ptrdiff_t>(targetCount_),
-                     [](const Tracked& tracked) {
-                       const Hypothesis* best = tracked.belief.best();
-                       return best != nullptr && best->probability > kSureOfTarget &&
-                              best->logRatio > kWellSeen * best->bestLogRatio;
-                     });
-}
-
-void DewpointTracker::forgetLostLookAlikes() {
-  for (std::size_t k = tracked_.size(); k-- > targetCount_;) {
-    const Hypothesis* seen = tracked_[k].belief.confident();
-    const bool faint = seen != nullptr && seen->looks > kLooksOfGrace &&
-                       seen->logRatio < kFaint * seen->bestLogRatio;
-    if (seen == nullptr || faint) {
-      tracked_.erase(tracked_.begin() + static_cast<std::ptrdiff_t>(k));
-      streams_.erase(streams_.begin() + static_cast<std::ptrdiff_t>(k));
-    }
-  }
-}
-
-bool DewpointTracker::hasTwins(std::size_t target) const {
-  const Target& own = tracked_[target].belief.target();
-  for (std::size_t k = 0; k < targetCount_; ++k) {
-    const Target& other = tracked_[k].belief.target();
-    if (k != target && other.color == own.color && other.radius == own.radius) {
-      return true;
-    }
-  }
-  return false;
-}
-
-void DewpointTracker::watchLookAlikes(ThreadTeam& team) {
-  forgetLostLookAlikes();
-  for (std::size_t k = 0; k < targetCount_; ++k) {
-    tracked_[k].belief.forgo(occupiedByOthers(k));
-    tracked_[k].belief.decide(hasTwins(k));
-  }
-  if (frameCount_ % kLookAroundEvery != kLookAroundPhase || targetCount_ == 0 ||
-      !allTargetsSure()) {
-    return;
-  }
-  for (std::size_t k = 0; k < targetCount_; ++k) {
-    const Target target = tracked_[k].belief.target(); // a copy: things are added
-    const bool again = std::any_of(
-        tracked_.begin(), tracked_.begin() + static_cast<std::ptrdiff_t>(k),
-        [&](const Tracked& other) { return other.belief.target().color == target.color; });
-    if (!again) {
-      findLookAlikes(target, team);
-    }
-  }
-}
-
-void DewpointTracker::findLookAlikes(const Target& looks, ThreadTeam& team) {
-  if (tracked_.size() >= targetCount_ + kMostLookAlikes) {
-    return;
-  }
-  Tracked probe{TargetBelief(looks), SphereObservation(rig_), ColorClassifier(looks.color)};
-  probe.belief.configure(settings());
-  probe.belief.setSearching(false);
-  showImages(probe);
-  explainOthers(probe); // else two things seen crosswise would make a third
-  probe.observation.setRadius(looks.radius);
-  const auto occupied = occupiedByOthers(tracked_.size());
-  for (const Candidate& candidate :
-       search_.find(probe.observation, looks.radius > 0.0, kMostLookAlikes)) {
-    probe.observation.setRadius(candidate.radius);
-    const double best = probe.observation.bestLogRatio(candidate.center, Eigen::Vector3d::Zero());
-    const bool taken = std::any_of(occupied.begin(), occupied.end(), [&](const auto& sphere) {
-      return (sphere.center - candidate.center).norm() < sphere.radius + candidate.radius;
-    });
-    if (taken || candidate.logRatio < kLookAlikeShare * best) {
-      continue;
-    }
-    streams_.push_back(nextLookAlike_++);
-    tracked_.push_back(std::move(probe));
-    Tracked& added = tracked_.back();
-    showImages(added); // its labels refer to the classifier, which has moved
-    added.belief.adopt(candidate.center, candidate.radius, added.observation,
-                       keyOf(tracked_.size() - 1), team);
-    return; // one at a time
   }
 }
 
@@ -369,21 +297,9 @@ void DewpointTracker::learnBackgrounds() {
         hidden.push_back({outline->center, kNotLearnedRadii * outline->radius + 2.0});
       }
     }
-    backgrounds_[camera].learn(frame->image, hidden);
+    budget_.spend(TimeBudget::Part::Learning,
+                  [&] { backgrounds_[camera].learn(frame->image, hidden); });
   }
-}
-
-void DewpointTracker::keepToBudget(double milliseconds) {
-  const double budget = parameters_.at("time_budget");
-  if (budget <= 0.0 || milliseconds <= 0.0) {
-    affordableParticles_ = 0.0;
-    return;
-  }
-  const double most = parameters_.at("particles");
-  const double now = affordableParticles_ > 0.0 ? affordableParticles_ : most;
-  // Down at once, up slowly: a budget is to be kept, not met on average.
-  const double factor = std::clamp(0.8 * budget / milliseconds, 0.25, 1.1);
-  affordableParticles_ = std::clamp(now * factor, 10.0, most);
 }
 
 void DewpointTracker::particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,

@@ -3,8 +3,11 @@
 
 #include "core/observation/background_model.h"
 #include "core/tracking/multi_tracker.h"
+#include "core/tracking/sliced_search.h"
 #include "core/tracking/target_belief.h"
+#include "core/tracking/time_budget.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -41,7 +44,9 @@ private:
     TargetBelief belief;
     SphereObservation observation;
     ColorClassifier classifier;
+    std::unique_ptr<SlicedSearch> search; ///< within a time budget, while it goes on
   };
+  static constexpr double kWellSeen = 0.55; ///< share of the best evidence
 
   /// A copy; its labels are made anew when they are needed.
   DewpointTracker(const DewpointTracker& other);
@@ -50,12 +55,14 @@ private:
   double secondsSinceLastFrame() const;
   /// Null when there is none.
   FramePtr frameOf(std::size_t camera) const;
-  void showImages(Tracked& tracked);
+  void showImages(SphereObservation& observation, const ColorClassifier& classifier);
   CameraReport explain(std::size_t target, std::size_t camera,
                        const std::optional<OccupiedSphere>& expected) const;
   std::optional<double> gapToLookAlike(std::size_t target, std::size_t camera,
                                        const SphereImage& outline) const;
-  void explainOthers(Tracked& own);
+  /// Marks what belongs to others than `own`.
+  void explainOthers(SphereObservation& observation, const Tracked& own);
+  void updateBelief(std::size_t index, ThreadTeam& team);
   std::vector<OccupiedSphere> occupiedByOthers(std::size_t index) const;
   std::vector<std::size_t> surestFirst() const;
   /// A look-alike that came to lie on a target that is plainly there was the target itself.
@@ -68,11 +75,21 @@ private:
   bool allTargetsSure() const;
   /// Whether another target has the same looks.
   bool hasTwins(std::size_t target) const;
+  bool isFirstOfItsColor(std::size_t target) const;
+  Tracked thingLike(const Target& looks) const;
+  bool isNewLookAlike(const Candidate& candidate, SphereObservation& observation,
+                      double logRatio) const;
+  void addLookAlike(Tracked thing, const Candidate& place, ThreadTeam& team);
   void findLookAlikes(const Target& looks, ThreadTeam& team);
+  /// Within a time budget searches go on for several frames, on the images they began with.
+  std::unique_ptr<SlicedSearch> beginSearch(const Tracked& own);
+  /// The places when the search is done, which it then is no more; until then none.
+  std::vector<Candidate> goOn(std::unique_ptr<SlicedSearch>& search, std::size_t limit,
+                              bool urgent);
+  void lookAroundInSlices(ThreadTeam& team);
   /// Before the labels of a frame: the backgrounds in the light of now.
   void followLight();
   void learnBackgrounds();
-  void keepToBudget(double milliseconds);
   RandomKey keyOf(std::size_t index) const;
 
   ParameterValues parameters_;
@@ -88,7 +105,10 @@ private:
   std::optional<TimeStamp> lastTime_;
   RandomKey key_;
   std::vector<TargetEstimate> estimates_;
-  double affordableParticles_ = 0.0; ///< by the time budget; 0: no limit
+  TimeBudget budget_;
+  std::unique_ptr<SlicedSearch> lookAround_;
+  std::size_t lookAroundFor_ = 0;   ///< the target it looks for the likes of
+  std::int64_t nextLookAround_ = 0; ///< not before this frame
 };
 
 } // namespace dewpoint

@@ -205,7 +205,7 @@ void TargetBelief::adopt(const Eigen::Vector3d& place, double radius,
   hypotheses_.front().probability = kSure;
 }
 
-void TargetBelief::giveBirth(SphereObservation& observation, const CandidateSearch& search,
+void TargetBelief::giveBirth(SphereObservation& observation, const PlaceSearch& search,
                              const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
                              ThreadTeam& team, std::vector<double>& logMasses) {
   const bool radiusKnown = target_.radius > 0.0;
@@ -214,7 +214,7 @@ void TargetBelief::giveBirth(SphereObservation& observation, const CandidateSear
   // Saturation protects a target that is partly hidden from a look-alike that is not. Where nothing
   // is believed yet there is nothing to protect, and what fits better is likelier to be the target.
   const double saturated = hypotheses_.empty() ? 1.0 - kFirstShare : 1.0;
-  for (const Candidate& candidate : search.find(observation, radiusKnown, kCandidates)) {
+  for (const Candidate& candidate : search(observation, radiusKnown, kCandidates)) {
     OutlinePrior prior;
     prior.center = candidate.center;
     prior.radius = candidate.radius;
@@ -276,7 +276,7 @@ void TargetBelief::mergeAndPrune() {
   hypotheses_ = std::move(kept);
 }
 
-void TargetBelief::update(SphereObservation& observation, const CandidateSearch& search,
+void TargetBelief::update(SphereObservation& observation, const PlaceSearch& search,
                           const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
                           ThreadTeam& team) {
   hypotheses_ = predicted_;

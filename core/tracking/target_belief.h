@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -29,6 +30,11 @@ struct OccupiedSphere {
   double radius = 0.0;
 };
 
+/// Finds places where the target may be in the images of an observation: as
+/// CandidateSearch::find().
+using PlaceSearch = std::function<std::vector<Candidate>(SphereObservation& observation,
+                                                         bool radiusKnown, std::size_t limit)>;
+
 /// What is believed about one target: whether it is there at all, and where it may be. A Bernoulli
 /// filter (Ristic, Vo, Vo and Farina 2013) over the hypotheses: each frame they survive, are looked
 /// at, and compete with each other, with new ones proposed from the images and with "not there".
@@ -49,7 +55,7 @@ public:
   void predict(double interval, const RandomKey& key);
   /// One iteration on the images of the frame; a further one on the same frame does not count the
   /// same evidence twice.
-  void update(SphereObservation& observation, const CandidateSearch& search,
+  void update(SphereObservation& observation, const PlaceSearch& search,
               const std::vector<OccupiedSphere>& occupied, const RandomKey& key, ThreadTeam& team);
   /// Believes in this place from now on.
   void adopt(const Eigen::Vector3d& place, double radius, SphereObservation& observation,
@@ -89,7 +95,7 @@ private:
   void lookAtAll(SphereObservation& observation, const RandomKey& key, ThreadTeam& team,
                  std::vector<double>& logMasses);
   bool mustSearch(const std::vector<double>& logMasses) const;
-  void giveBirth(SphereObservation& observation, const CandidateSearch& search,
+  void giveBirth(SphereObservation& observation, const PlaceSearch& search,
                  const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
                  ThreadTeam& team, std::vector<double>& logMasses);
   Hypothesis born(const OutlineFit& fit, SphereObservation& observation, const RandomKey& key,

@@ -49,6 +49,25 @@ TEST(Session, ShowsTheFirstFramePausedAndUntracked) {
   EXPECT_TRUE(session.trajectory().samples.empty());
 }
 
+// A day per iteration is kept by any machine, a femtosecond by none.
+TEST(Session, CountsHowOftenTheTimeBudgetIsKept) {
+  Session without(inputs());
+  played(without);
+  EXPECT_EQ(without.newest()->budget.milliseconds, 0.0);
+  for (const double budget : {1000.0, 1e-12}) {
+    Project project = test::twoCameraProject();
+    project.method = "dewpoint";
+    project.parameters = ParameterValues(methodParameters("dewpoint"));
+    EXPECT_TRUE(project.parameters.set("time_budget", budget));
+    Session session(inputs({}, project));
+    played(session);
+    const BudgetFigures figures = session.newest()->budget;
+    EXPECT_EQ(figures.milliseconds, budget);
+    EXPECT_EQ(figures.iterations, 12);
+    EXPECT_EQ(figures.late, budget > 1.0 ? 0 : 12);
+  }
+}
+
 TEST(Session, PlaysToTheEndWithOneSamplePerFrame) {
   Session session(inputs());
   const auto trajectory = played(session);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/observation/sphere_evidence.h"
 #include "core/tracking/candidate_search.h"
+#include "core/tracking/sliced_search.h"
 #include "tests/observation/drawn_spheres.h"
 
 #include <gtest/gtest.h>
@@ -40,6 +41,15 @@ public:
     return search_.find(observation_, radius > 0.0, limit);
   }
   SphereObservation& observation() { return observation_; }
+  const CandidateSearch& search() const { return search_; }
+  /// The same search in pieces, not yet begun.
+  SlicedSearch inPieces(double radius = kRadius) {
+    SlicedSearch sliced(rig_, {"ball", radius, drawn::kRed}, nullptr);
+    for (std::size_t k = 0; k < rig_.size(); ++k) {
+      sliced.observation().setImage(k, images_[k], 0.0, backgrounds_[k], classifier_);
+    }
+    return sliced;
+  }
 
 private:
   CameraRig rig_;
@@ -138,6 +148,52 @@ TEST(CandidateSearch, AThingOfAnotherSizeConvincesNoTwoCameras) {
   for (const Candidate& candidate : scene.find()) {
     EXPECT_LT(candidate.logRatio, 1.2 * SphereEvidence::best());
   }
+}
+
+void expectSamePlaces(const std::vector<Candidate>& found, const std::vector<Candidate>& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    EXPECT_EQ(found[k].center, expected[k].center);
+    EXPECT_EQ(found[k].radius, expected[k].radius);
+    EXPECT_EQ(found[k].logRatio, expected[k].logRatio);
+  }
+}
+
+TEST(SlicedSearch, FindsTheSameAtOnceWithoutABudget) {
+  SearchScene scene(2);
+  scene.show({Ball{drawn::kMiddle, kRadius},
+              Ball{drawn::kMiddle + Eigen::Vector3d(0.15, 0.0, 0.0), kRadius}});
+  SlicedSearch sliced = scene.inPieces();
+  TimeBudget noLimit;
+  ASSERT_TRUE(sliced.advance(scene.search(), noLimit, 10, false));
+  expectSamePlaces(sliced.places(), scene.find());
+}
+
+// A budget of a femtosecond leaves time for nothing but what is urgent: one piece at a time. Each
+// of two images has four bands of labels and its spots, then come the places: eleven.
+TEST(SlicedSearch, FindsTheSameInPieces) {
+  SearchScene scene(2);
+  scene.show({Ball{drawn::kMiddle, kRadius}});
+  SlicedSearch sliced = scene.inPieces();
+  TimeBudget budget;
+  budget.set(1e-12);
+  for (int piece = 1; piece <= 11; ++piece) {
+    budget.begin();
+    EXPECT_EQ(sliced.advance(scene.search(), budget, 10, true), piece == 11) << piece;
+  }
+  expectSamePlaces(sliced.places(), scene.find());
+  ASSERT_FALSE(sliced.places().empty());
+}
+
+TEST(SlicedSearch, WaitsForTime) {
+  SearchScene scene(2);
+  scene.show({Ball{drawn::kMiddle, kRadius}});
+  SlicedSearch sliced = scene.inPieces();
+  TimeBudget budget;
+  budget.set(1e-12);
+  budget.begin();
+  EXPECT_FALSE(sliced.advance(scene.search(), budget, 10, false));
+  EXPECT_TRUE(sliced.observation().labels(0).covered().empty());
 }
 
 } // namespace

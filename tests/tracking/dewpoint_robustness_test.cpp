@@ -255,6 +255,44 @@ TEST(DewpointRobustness, ATimeBudgetReducesTheParticles) {
   EXPECT_EQ(run.estimate().particleCount, 4000);
 }
 
+// The same budget: what it leaves of a search is a piece per frame, eleven in all for two cameras
+// (SlicedSearch), and what that finds is at most eleven frames old when the search begins anew.
+TEST(DewpointRobustness, ATargetIsFoundWithoutTimeAsWell) {
+  DrawnRun run(rigAround(2), {redBall()}, {{"time_budget", 1e-6}});
+  for (int frame = 0; frame < 12; ++frame) {
+    run.show({Ball{drawn::kMiddle}});
+  }
+  EXPECT_TRUE(run.estimate().valid);
+  const Eigen::Vector3d elsewhere = drawn::kMiddle + Eigen::Vector3d(0.2, 0.1, 0.0);
+  for (int frame = 0; frame < 24; ++frame) {
+    run.show({Ball{elsewhere}});
+  }
+  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_LT((run.estimate().mean - elsewhere).norm(), 10e-3);
+}
+
+// A budget of a second is never reached; searches take the other way nevertheless, and keep a ball
+// apart from a look-alike that it passes.
+TEST(DewpointRobustness, LookAlikesAreFoundWithinABudget) {
+  const auto passing = [](int frame) { // 45 cm in 90 frames, through the place of the other
+    return Eigen::Vector3d(drawn::kMiddle + Eigen::Vector3d(-0.2 + 0.005 * frame, 0.0, 0.0));
+  };
+  const Eigen::Vector3d other = drawn::kMiddle + Eigen::Vector3d(0.05, 0.12, 0.0);
+  DrawnRun run(rigAround(2), {redBall()},
+               {{"time_budget", 1000.0},
+                {"start_half_x", 0.05},
+                {"start_half_y", 0.05},
+                {"start_half_z", 0.05},
+                {"start_x", passing(0).x()},
+                {"start_y", passing(0).y()},
+                {"start_z", passing(0).z()}});
+  for (int frame = 0; frame < 80; ++frame) {
+    run.show({Ball{passing(frame)}, Ball{other}});
+  }
+  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_LT((run.estimate().mean - passing(79)).norm(), 10e-3);
+}
+
 /// How many particles a ball that is well seen gets.
 int particlesWhenSure(drawn::Changes changes) {
   DrawnRun run(rigAround(2), {redBall()}, changes);

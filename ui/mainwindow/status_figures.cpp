@@ -45,6 +45,20 @@ QString timeHint(const Latency& latency) {
                   milliseconds(latency.longest));
 }
 
+QString sampleHint(const BudgetFigures& budget) {
+  const QString hint = StatusFigures::tr(
+      "Effective sample size, of all particles. Method “dewpoint” uses as many particles as it "
+      "needs and as the time budget allows.");
+  if (budget.milliseconds <= 0.0 || budget.iterations == 0) {
+    return hint + QLatin1Char('\n') + StatusFigures::tr("No time budget is set.");
+  }
+  const double kept =
+      1.0 - static_cast<double>(budget.late) / static_cast<double>(budget.iterations);
+  return hint + QLatin1Char('\n') +
+         StatusFigures::tr("Time budget %1: kept in %2 % of the iterations of this run")
+             .arg(milliseconds(1e-3 * budget.milliseconds), number(100.0 * kept, 1));
+}
+
 QString playWord(PlayState state) {
   switch (state) {
   case PlayState::Playing:
@@ -93,9 +107,7 @@ void StatusFigures::say() {
   explain(frame_, tr("frame 0000 / 0000"), tr("Frame shown, of all frames"));
   explain(rate_, tr("%1 /s").arg("0000.0"), tr("Frames tracked per second"));
   explain(time_, tr("%1 per iteration").arg("0000 µs"), timeHint({}));
-  explain(sampleSize_, tr("ESS %1 / %2").arg("0000", "0000"),
-          tr("Effective sample size, of all particles. Method “dewpoint” uses as many particles as "
-             "it needs and as the time budget allows."));
+  explain(sampleSize_, tr("ESS %1 / %2").arg("0000", "0000"), sampleHint({}));
   explain(spread_, tr("spread %1").arg("0000 mm"),
           tr("Root mean square distance of the particles to their mean"));
   explain(position_, QStringLiteral("x −00.000  y −00.000  z −00.000 m"),
@@ -135,6 +147,7 @@ void StatusFigures::show(const TrackSnapshot& snapshot) {
   time_->setToolTip(timeHint(snapshot.latency));
   if (!snapshot.targets.empty() && snapshot.iterations > 0) {
     const TargetEstimate& estimate = snapshot.targets.front().estimate;
+    sampleSize_->setToolTip(sampleHint(snapshot.budget));
     sampleSize_->setText(
         tr("ESS %1 / %2").arg(number(estimate.effectiveSampleSize, 0)).arg(estimate.particleCount));
     spread_->setText(tr("spread %1").arg(length(estimate.spread())));

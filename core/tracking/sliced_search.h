@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/candidate_search.h"
+#include "core/tracking/time_budget.h"
+#include "core/tracking/tracker.h"
+
+#include <vector>
+
+namespace dewpoint {
+
+/// A CandidateSearch cut into pieces that are done over several frames, as a time budget allows,
+/// all on the images of the frame it began with. What it finds is as old as that frame.
+class SlicedSearch {
+public:
+  SlicedSearch(const CameraRig& rig, const Target& looks, FrameSetPtr frames);
+
+  /// To be shown the images before the first advance().
+  SphereObservation& observation() { return observation_; }
+  const ColorClassifier& classifier() const { return classifier_; }
+
+  /// Goes on as far as there is time, by a piece at least when it is urgent; whether it is done.
+  bool advance(const CandidateSearch& search, TimeBudget& budget, std::size_t limit, bool urgent);
+  /// As CandidateSearch::find(), when done.
+  const std::vector<Candidate>& places() const { return places_; }
+
+private:
+  bool labelsDone() const;
+  void labelBand();
+
+  FrameSetPtr frames_; ///< keeps the images
+  SphereObservation observation_;
+  ColorClassifier classifier_;
+  double radius_;
+  std::size_t camera_ = 0; ///< at work on this one; when past the last, places are next
+  std::vector<std::vector<CandidateSearch::Spot>> spots_;
+  std::vector<Candidate> places_;
+};
+
+} // namespace dewpoint
