@@ -27,6 +27,8 @@ constexpr double kRingMatch = -9.0;
 constexpr double kTemper = 0.12;
 /// Outlines of fewer pixels count less.
 constexpr double kFullArea = 60.0;
+/// The blurred rim of another outline is its own as well.
+constexpr double kOthersMargin = 1.05;
 
 struct Spoke {
   double x;
@@ -128,6 +130,25 @@ double SphereEvidence::logRatio(const LabelImage& labels, const SphereImage& out
   }
   const double area = std::numbers::pi * outline.radius * outline.radius;
   return kTemper * std::min(1.0, area / kFullArea) * sum;
+}
+
+double SphereEvidence::ringOfOthers(const LabelImage& labels, const SphereImage& outline,
+                                    const std::vector<SphereImage>& others) {
+  const Sampler sampler(labels, outline);
+  int explained = 0;
+  for (const Spoke& spoke : spokes()) {
+    const Eigen::Vector2d sample =
+        outline.center + kRing * outline.radius * Eigen::Vector2d(spoke.x, spoke.y);
+    const bool covered = std::any_of(others.begin(), others.end(), [&](const SphereImage& other) {
+      return (sample - other.center).norm() <= kOthersMargin * other.radius + 1.0;
+    });
+    explained += covered && sampler.at(spoke, kEdge) == PixelLabel::Target &&
+                         sampler.at(spoke, kRing) == PixelLabel::Target
+                     ? 1
+                     : 0;
+  }
+  const double area = std::numbers::pi * outline.radius * outline.radius;
+  return -kTemper * std::min(1.0, area / kFullArea) * kRingMatch * explained;
 }
 
 double SphereEvidence::matchShare(const LabelImage& labels, const SphereImage& outline) {

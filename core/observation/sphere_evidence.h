@@ -26,6 +26,10 @@ public:
   /// Log likelihood ratio of an outline in the labels, whose part around it must be covered. Less
   /// for outlines of few pixels, where the samples repeat each other.
   static double logRatio(const LabelImage& labels, const SphereImage& outline);
+  /// By how much the ratio rises when what other outlines cover is taken to be theirs: a matching
+  /// sample in the ring then says nothing against this one.
+  static double ringOfOthers(const LabelImage& labels, const SphereImage& outline,
+                             const std::vector<SphereImage>& others);
   /// Share of the samples inside the outline that match, 0 to 1.
   static double matchShare(const LabelImage& labels, const SphereImage& outline);
 };

@@ -113,6 +113,26 @@ double SphereObservation::logRatio(const Eigen::Vector3d& center, const Eigen::V
   return sum;
 }
 
+double SphereObservation::ringOfOthers(const Eigen::Vector3d& center,
+                                       const std::vector<OutlineSphere>& others) const {
+  double sum = 0.0;
+  for (const View& view : views_) {
+    const auto outline = view.projector.project(center, radius_);
+    if (view.labels.empty() || !outline || outline->radius >= kLargestRadiusPx) {
+      continue;
+    }
+    std::vector<SphereImage> covering;
+    for (const OutlineSphere& other : others) {
+      const auto its = view.projector.project(other.center, other.radius);
+      if (its && (its->center - outline->center).norm() > outline->radius) {
+        covering.push_back(*its);
+      }
+    }
+    sum += SphereEvidence::ringOfOthers(view.labels, *outline, covering);
+  }
+  return sum;
+}
+
 double SphereObservation::bestLogRatio(const Eigen::Vector3d& center,
                                        const Eigen::Vector3d& velocity) const {
   double sum = 0.0;

@@ -15,6 +15,12 @@
 
 namespace dewpoint {
 
+/// A sphere whose outlines cover pixels.
+struct OutlineSphere {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< metres, world
+  double radius = 0.0;                              ///< metres
+};
+
 /// All cameras' evidence for one target, a sphere of one color: the observation model of method
 /// `dewpoint`. States: columns 0 to 2 are x, y, z (metres, world frame), 3 to 5 the velocity (m/s),
 /// by which a place is moved to the instant a camera looked.
@@ -46,6 +52,11 @@ public:
 
   /// The log likelihood ratio of one place, labels made as needed.
   double logRatio(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
+  /// By how much that ratio rises when what other spheres cover is theirs, in each camera in which
+  /// their middle lies outside this place's outline: one inside it is the same thing seen
+  /// crosswise. The labels of the place are made.
+  double ringOfOthers(const Eigen::Vector3d& center,
+                      const std::vector<OutlineSphere>& others) const;
   /// What it would be if every camera in whose image the place lies saw the target fully.
   double bestLogRatio(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) const;
   /// What each camera says about one place: SphereEvidence and the share of the outline filled.

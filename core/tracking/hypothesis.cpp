@@ -30,6 +30,8 @@ constexpr double kAbrupt = 4.0;
 constexpr double kPartlySeen = 0.25;
 /// Evidence, as a share of the best, that leaves nothing to look for farther off.
 constexpr double kClear = 0.7;
+/// Evidence, as a share of the best, that shows that what a hypothesis covers is its own.
+constexpr double kExplaining = 0.55;
 /// Evidence of the five samples along one spoke and its opposite, which a straight edge that hides
 /// half of the target takes or leaves together.
 constexpr double kFewSamples = 6.0;
@@ -221,6 +223,19 @@ void conditionOn(Hypothesis& hypothesis, const Prediction& prediction, const Mea
 }
 
 } // namespace
+
+double ringOfOthers(const std::vector<Hypothesis>& all, std::size_t own,
+                    SphereObservation& observation) {
+  std::vector<OutlineSphere> others;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    // Against the best of this place: what one camera alone sees does not explain away another.
+    if (k != own && all[k].logRatio > kExplaining * all[own].bestLogRatio) {
+      others.push_back({all[k].place(), all[k].radius});
+    }
+  }
+  observation.setRadius(all[own].radius);
+  return observation.ringOfOthers(all[own].place(), others);
+}
 
 double evidenceVolume(double radius) {
   const double edge = 0.3 * radius;

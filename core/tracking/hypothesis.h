@@ -65,6 +65,11 @@ void drawParticles(Hypothesis& hypothesis, SphereObservation& observation, Eigen
 double look(Hypothesis& hypothesis, SphereObservation& observation, Eigen::Index count,
             const RandomKey& key, ThreadTeam& team);
 
+/// By how much the evidence of one of several hypotheses rises when what the others cover, of those
+/// that are well seen, is theirs: a twin behind its rim then says nothing against it.
+double ringOfOthers(const std::vector<Hypothesis>& all, std::size_t own,
+                    SphereObservation& observation);
+
 /// The volume, in m³, within which a sphere of this radius has about the same evidence.
 double evidenceVolume(double radius);
 

@@ -28,9 +28,6 @@ constexpr double kLeastLogRatio = 2.0; ///< evidence worth a hypothesis
 constexpr double kSearchSigma = 0.03;  ///< metres per iteration of the search cloud
 constexpr double kWellSeen = 0.55;     ///< share of the best evidence that leaves no doubt
 constexpr double kSure = 0.98;
-/// Share of the evidence beyond the saturation that tells several new places apart: samples err
-/// together (another ball behind the rim of this one), so it is worth less than it says.
-constexpr double kFirstShare = 0.4;
 /// Frames after which one of several things that all look just like the target is taken for it.
 constexpr int kLooksToDecide = 5;
 /// Two spheres of radii a and b cannot be closer than a + b; estimates may err a little.
@@ -211,9 +208,7 @@ void TargetBelief::giveBirth(SphereObservation& observation, const PlaceSearch& 
   const bool radiusKnown = target_.radius > 0.0;
   observation.setRadius(target_.radius);
   const double birth = absence() * kBirth;
-  // Saturation protects a target that is partly hidden from a look-alike that is not. Where nothing
-  // is believed yet there is nothing to protect, and what fits better is likelier to be the target.
-  const double saturated = hypotheses_.empty() ? 1.0 - kFirstShare : 1.0;
+  const bool first = hypotheses_.empty();
   for (const Candidate& candidate : search(observation, radiusKnown, kCandidates)) {
     OutlinePrior prior;
     prior.center = candidate.center;
@@ -238,10 +233,24 @@ void TargetBelief::giveBirth(SphereObservation& observation, const PlaceSearch& 
     if (known || excluded || logRatio < kLeastLogRatio) {
       continue;
     }
-    Hypothesis hypothesis = born(fit, observation, key, team);
+    hypotheses_.push_back(born(fit, observation, key, team));
     logMasses.push_back(std::log(birth * birthDensity(fit.center) * evidenceVolume(fit.radius)) +
-                        logRatio - saturated * excess(hypothesis));
-    hypotheses_.push_back(std::move(hypothesis));
+                        logRatio - excess(hypotheses_.back()));
+  }
+  if (first) {
+    compareNewborn(observation, logMasses);
+  }
+}
+
+void TargetBelief::compareNewborn(SphereObservation& observation,
+                                  std::vector<double>& logMasses) const {
+  // Saturation protects a target that is partly hidden from a look-alike that is not. Where nothing
+  // is believed yet there is nothing to protect, and what fits better is likelier to be the target.
+  for (std::size_t k = 0; k < hypotheses_.size(); ++k) {
+    const Hypothesis& one = hypotheses_[k];
+    const double full =
+        std::min(one.logRatio + ringOfOthers(hypotheses_, k, observation), one.bestLogRatio);
+    logMasses[k] += full - (one.logRatio - excess(one));
   }
 }
 

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
+#include <cmath>
+
 namespace dewpoint {
 namespace {
 
@@ -128,6 +130,31 @@ TEST_F(SphereEvidenceTest, AnExplainedTwinBesideDoesNotCountAsTooLarge) {
   labelsOf(image);
   labels_.explain({twin.center, 1.05 * twin.radius}, {kOutline.center, 1.05 * kOutline.radius});
   EXPECT_GT(SphereEvidence::logRatio(labels_, kOutline), 0.8 * SphereEvidence::best());
+}
+
+// The same twin, not marked: what it takes away in the ring is given back, to within what a clean
+// ring would add at those samples; 1.2 each by the table, times 0.12.
+TEST_F(SphereEvidenceTest, TheRingOfATwinBesideIsGivenBack) {
+  cv::Mat image = discImage(kOutline);
+  const SphereImage twin{kOutline.center + Eigen::Vector2d(41.0, 0.0), 20.0};
+  cv::circle(image, {121, 60}, 20, cv::Scalar(0, 0, 230), cv::FILLED);
+  const double alone = logRatio(image);
+  const double ring = SphereEvidence::ringOfOthers(labels_, kOutline, {twin});
+  const double samples = ring / (0.12 * 9.0);
+  EXPECT_GE(samples, 1.0);
+  EXPECT_NEAR(samples, std::round(samples), 1e-9);
+  EXPECT_NEAR(alone + ring, SphereEvidence::best() - 0.12 * 1.2 * samples, 1e-9);
+}
+
+TEST_F(SphereEvidenceTest, OnlyMatchingSamplesUnderOthersAreGivenBack) {
+  labelsOf(discImage(kOutline));
+  const SphereImage twin{kOutline.center + Eigen::Vector2d(41.0, 0.0), 20.0};
+  EXPECT_EQ(SphereEvidence::ringOfOthers(labels_, kOutline, {twin}), 0.0); // it is not there
+  labelsOf(discImage({kOutline.center, 30.0}));
+  EXPECT_EQ(SphereEvidence::ringOfOthers(labels_, kOutline, {}), 0.0);
+  EXPECT_EQ(SphereEvidence::ringOfOthers(labels_, kOutline,
+                                         {{kOutline.center + Eigen::Vector2d(0, 80), 9.0}}),
+            0.0);
 }
 
 TEST_F(SphereEvidenceTest, OutsideTheImageNone) {

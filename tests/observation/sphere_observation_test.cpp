@@ -55,6 +55,20 @@ TEST_F(SphereObservationTest, SumsOverTheCameras) {
   EXPECT_EQ(observation_.camerasSeeing(ball_.center, kStill), 2);
 }
 
+// A ball half a radius larger fills the whole ring. A neighbor whose middle lies inside its outline
+// is the same ball seen crosswise and takes nothing of that away.
+TEST_F(SphereObservationTest, TheSameThingSeenCrosswiseExplainsNothing) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    show(k, {Ball{ball_.center, 1.5 * ball_.radius}});
+  }
+  EXPECT_LT(observation_.logRatio(ball_.center, kStill), SphereEvidence::best());
+  EXPECT_EQ(observation_.ringOfOthers(ball_.center, {}), 0.0);
+  const Eigen::Vector3d inside = ball_.center + Eigen::Vector3d(0.5 * ball_.radius, 0.0, 0.0);
+  EXPECT_EQ(observation_.ringOfOthers(ball_.center, {{inside, 1.5 * ball_.radius}}), 0.0);
+  const Eigen::Vector3d beside = ball_.center + Eigen::Vector3d(0.0, 0.0, 2.0 * ball_.radius);
+  EXPECT_GT(observation_.ringOfOthers(ball_.center, {{beside, 1.5 * ball_.radius}}), 0.0);
+}
+
 TEST_F(SphereObservationTest, ACameraWithoutAUsableImageIsLeftOut) {
   remove(0);
   EXPECT_NEAR(observation_.logRatio(ball_.center, kStill), 2.0 * SphereEvidence::best(), 1e-9);
