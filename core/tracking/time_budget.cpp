@@ -10,7 +10,7 @@ constexpr std::size_t kRemembered = 15; ///< times of a part
 /// Share of the budget that particles may fill: the rest is for what can wait, and for surprises.
 constexpr double kLooksShare = 0.6;
 /// Nothing is begun that is expected to end later than this share of the budget.
-constexpr double kFullShare = 0.9;
+constexpr double kFullShare = 0.8;
 /// Down at once, up slowly: a budget is to be kept, not met on average.
 constexpr double kFastestFall = 0.25;
 constexpr double kFastestRise = 1.1;
