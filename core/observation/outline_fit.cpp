@@ -146,6 +146,7 @@ struct CameraEquations {
   Matrix4 matrix = Matrix4::Zero();
   Vector4 vector = Vector4::Zero();
   int edges = 0;
+  double sizeMisfit = 0.0;
 };
 
 CameraEquations equationsOf(const OutlineView& view, const Eigen::Vector3d& center, double radius,
@@ -180,7 +181,9 @@ CameraEquations equationsOf(const OutlineView& view, const Eigen::Vector3d& cent
     ++result.edges;
   }
   result.matrix -= cross * cross.transpose() / offsetInformation;
-  result.vector -= cross * (offsetVector / offsetInformation);
+  const double offset = offsetVector / offsetInformation;
+  result.vector -= cross * offset;
+  result.sizeMisfit = offset * offset / (offsetSigma * offsetSigma);
   return result;
 }
 
@@ -194,6 +197,7 @@ void compareCameras(const std::vector<CameraEquations>& cameras, const Vector4& 
       continue;
     }
     ++seeing;
+    fit.sizeMisfit += camera.sizeMisfit;
     const Eigen::Vector3d left = (camera.vector - camera.matrix * step).head<3>();
     Eigen::Matrix3d own = camera.matrix.topLeftCorner<3, 3>();
     own.diagonal().array() += kLeastOwnShare * own.trace();

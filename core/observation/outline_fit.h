@@ -33,6 +33,9 @@ struct OutlineFit {
   /// if the edges' errors are as assumed; far more when a camera is not where it is thought to be.
   double disagreement = 0.0;
   int freedoms = 0; ///< 0 when only one camera sees the outline
+  /// How much larger or smaller than expected the outline is: the sum over the cameras of the
+  /// squared common offset of the edges, in its standard deviations.
+  double sizeMisfit = 0.0;
 };
 
 /// What is known before the look.

@@ -28,6 +28,7 @@ struct Hypothesis {
   double probability = 0.0;     ///< that the target is here
   double logRatio = 0.0;        ///< evidence of the last look, all cameras
   double bestLogRatio = 0.0;    ///< what it would be if every camera there saw it fully
+  double sizeMisfit = 0.0;      ///< OutlineFit's when it was first found, if the radius is known
   int looks = 0;                ///< frames it has been looked at
   bool measured = false;        ///< the outline was found at the last look
   Agility agility;              ///< how it has moved of late

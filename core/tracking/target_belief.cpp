@@ -28,6 +28,8 @@ constexpr double kLeastLogRatio = 2.0; ///< evidence worth a hypothesis
 constexpr double kSearchSigma = 0.03;  ///< metres per iteration of the search cloud
 constexpr double kWellSeen = 0.55;     ///< share of the best evidence that leaves no doubt
 constexpr double kSure = 0.98;
+/// An outline of another size speaks against a first place up to this many squared deviations.
+constexpr double kMostMisfit = 20.0;
 /// Frames after which one of several things that all look just like the target is taken for it.
 constexpr int kLooksToDecide = 5;
 /// Two spheres of radii a and b cannot be closer than a + b; estimates may err a little.
@@ -187,6 +189,7 @@ Hypothesis TargetBelief::born(const OutlineFit& fit, SphereObservation& observat
   hypothesis.logRatio = observation.logRatio(fit.center, Eigen::Vector3d::Zero());
   hypothesis.bestLogRatio = observation.bestLogRatio(fit.center, Eigen::Vector3d::Zero());
   hypothesis.measured = true;
+  hypothesis.sizeMisfit = target_.radius > 0.0 ? fit.sizeMisfit : 0.0;
   drawParticles(hypothesis, observation, settings_.fewestParticles, key, team);
   return hypothesis;
 }
@@ -250,7 +253,8 @@ void TargetBelief::compareNewborn(SphereObservation& observation,
     const Hypothesis& one = hypotheses_[k];
     const double full =
         std::min(one.logRatio + ringOfOthers(hypotheses_, k, observation), one.bestLogRatio);
-    logMasses[k] += full - (one.logRatio - excess(one));
+    const double size = 0.5 * std::min(one.sizeMisfit, kMostMisfit);
+    logMasses[k] += full - size - (one.logRatio - excess(one));
   }
 }
 

@@ -98,7 +98,7 @@ private:
   void giveBirth(SphereObservation& observation, const PlaceSearch& search,
                  const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
                  ThreadTeam& team, std::vector<double>& logMasses);
-  /// Of the first hypotheses all evidence counts, without that of their neighbors.
+  /// Of the first hypotheses all evidence counts, without that of their neighbors, and their size.
   void compareNewborn(SphereObservation& observation, std::vector<double>& logMasses) const;
   Hypothesis born(const OutlineFit& fit, SphereObservation& observation, const RandomKey& key,
                   ThreadTeam& team);

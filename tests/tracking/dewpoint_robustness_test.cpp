@@ -255,8 +255,25 @@ TEST(DewpointRobustness, ATimeBudgetReducesTheParticles) {
   EXPECT_EQ(run.estimate().particleCount, 4000);
 }
 
-// The same budget: what it leaves of a search is a piece per frame, eleven in all for two cameras
-// (SlicedSearch), and what that finds is at most eleven frames old when the search begins anew.
+// The samples of the evidence lie at 0.8 and 1.25 radii: both balls show all of it. The smaller one
+// lies where the search starts.
+TEST(DewpointRobustness, AThingALittleSmallerIsNotTakenForTheBall) {
+  const Eigen::Vector3d ball = drawn::kMiddle + Eigen::Vector3d(0.12, 0.05, 0.0);
+  const Ball smaller{drawn::kMiddle, 0.85 * 0.035};
+  DrawnRun run(rigAround(2), {redBall()},
+               {{"start_x", drawn::kMiddle.x()},
+                {"start_y", drawn::kMiddle.y()},
+                {"start_z", drawn::kMiddle.z()}});
+  for (int frame = 0; frame < 5; ++frame) {
+    run.show({Ball{ball}, smaller});
+  }
+  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_LT((run.estimate().mean - ball).norm(), 5e-3);
+}
+
+// The same budget as before: what it leaves of a search is a piece per frame, eleven in all for two
+// cameras (SlicedSearch), and what that finds is at most eleven frames old when the search begins
+// anew.
 TEST(DewpointRobustness, ATargetIsFoundWithoutTimeAsWell) {
   DrawnRun run(rigAround(2), {redBall()}, {{"time_budget", 1e-6}});
   for (int frame = 0; frame < 12; ++frame) {
