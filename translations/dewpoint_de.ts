@@ -247,6 +247,98 @@
         <source>Follow one more thing: click it in a camera image</source>
         <translation>Noch etwas verfolgen: es in einem Kamerabild anklicken</translation>
     </message>
+    <message>
+        <source>Plots</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Plot spread</source>
+        <translation>Streuung zeigen</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the particles along x, y and z</source>
+        <translation>Standardabweichung der Partikel entlang x, y und z</translation>
+    </message>
+    <message>
+        <source>Plot effective sample size</source>
+        <translation>Effektive Stichprobengröße zeigen</translation>
+    </message>
+    <message>
+        <source>How many particles the weighted ones are worth, and how many there are</source>
+        <translation>Wie viele Partikel die gewichteten wert sind und wie viele es gibt</translation>
+    </message>
+    <message>
+        <source>Plot likelihood</source>
+        <translation>Likelihood zeigen</translation>
+    </message>
+    <message>
+        <source>What each camera says of the estimate: its log likelihood</source>
+        <translation>Was jede Kamera zur Schätzung sagt: ihre Log-Likelihood</translation>
+    </message>
+    <message>
+        <source>Plot existence</source>
+        <translation>Existenz zeigen</translation>
+    </message>
+    <message>
+        <source>Probability that the target is at the estimate, by all cameras and by each alone</source>
+        <translation>Wahrscheinlichkeit, dass das Ziel an der Schätzung ist, nach allen Kameras und nach jeder allein</translation>
+    </message>
+    <message>
+        <source>Plot error</source>
+        <translation>Fehler zeigen</translation>
+    </message>
+    <message>
+        <source>Distance of the estimate from the truth, where it is known</source>
+        <translation>Abstand der Schätzung von der Wahrheit, wo sie bekannt ist</translation>
+    </message>
+    <message>
+        <source>Plot time per step</source>
+        <translation>Zeit pro Schritt zeigen</translation>
+    </message>
+    <message>
+        <source>Microseconds that each filter iteration took, per target</source>
+        <translation>Mikrosekunden, die jede Filteriteration je Ziel dauerte</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>Über die Zeit</translation>
+    </message>
+    <message>
+        <source>Plot over seconds instead of filter iterations</source>
+        <translation>Über Sekunden statt Filteriterationen auftragen</translation>
+    </message>
+    <message>
+        <source>Whole run</source>
+        <translation>Ganzer Lauf</translation>
+    </message>
+    <message>
+        <source>Plot the whole run again (double click does the same)</source>
+        <translation>Wieder den ganzen Lauf zeigen (ein Doppelklick tut dasselbe)</translation>
+    </message>
+    <message>
+        <source>Copy plots as CSV</source>
+        <translation>Kurven als CSV kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the numbers of the plots shown, as a table</source>
+        <translation>Die Zahlen der gezeigten Kurven als Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>Save plots as picture…</source>
+        <translation>Kurven als Bild speichern…</translation>
+    </message>
+    <message>
+        <source>Save the plots as shown, as SVG or PNG</source>
+        <translation>Die Kurven wie gezeigt als SVG oder PNG speichern</translation>
+    </message>
+    <message>
+        <source>Copy trajectory as CSV</source>
+        <translation>Bahn als CSV kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows of the trajectory, or all</source>
+        <translation>Die gewählten Zeilen der Bahn kopieren, oder alle</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -497,6 +589,76 @@
 From %2 to %3%4; default %5%4.</source>
         <translation>%1
 Von %2 bis %3%4; Vorgabe %5%4.</translation>
+    </message>
+</context>
+<context>
+    <name>PlotQuantity</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>RunPlots</name>
+    <message>
+        <source>all cameras</source>
+        <translation>alle Kameras</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>Effective sample size</source>
+        <translation>Effektive Stichprobengröße</translation>
+    </message>
+    <message>
+        <source>effective</source>
+        <translation>effektiv</translation>
+    </message>
+    <message>
+        <source>particles</source>
+        <translation>Partikel</translation>
+    </message>
+    <message>
+        <source>Log likelihood</source>
+        <translation>Log-Likelihood</translation>
+    </message>
+    <message>
+        <source>Existence</source>
+        <translation>Existenz</translation>
+    </message>
+    <message>
+        <source>Error against truth</source>
+        <translation>Fehler gegen die Wahrheit</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Time per step</source>
+        <translation>Zeit pro Schritt</translation>
+    </message>
+    <message>
+        <source>one iteration</source>
+        <translation>eine Iteration</translation>
     </message>
 </context>
 <context>
@@ -960,25 +1122,6 @@ bei %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ConvergencePlot</name>
-    <message>
-        <source>spread</source>
-        <translation>Streuung</translation>
-    </message>
-    <message>
-        <source>error against truth</source>
-        <translation>Fehler gegen die Wahrheit</translation>
-    </message>
-    <message>
-        <source>filter iteration</source>
-        <translation>Filteriteration</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-</context>
-<context>
     <name>dewpoint::DockTitle</name>
     <message>
         <source>Float this view, or put it back (double click the title: whole window)</source>
@@ -994,6 +1137,48 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Track by “%1”</source>
         <translation>Mit „%1“ verfolgen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::GapList</name>
+    <message>
+        <source>Gaps of the trajectory</source>
+        <translation>Lücken der Bahn</translation>
+    </message>
+    <message>
+        <source>gap from</source>
+        <translation>Lücke von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frames</source>
+        <translation>
+            <numerusform>%n Bild</numerusform>
+            <numerusform>%n Bilder</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Seconds from the last held estimate before the gap to the first one after it</source>
+        <translation>Sekunden von der letzten gehaltenen Schätzung vor der Lücke bis zur ersten danach</translation>
     </message>
 </context>
 <context>
@@ -1052,10 +1237,6 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Bird&apos;s-eye view</source>
         <translation>Vogelperspektive</translation>
-    </message>
-    <message>
-        <source>Convergence</source>
-        <translation>Konvergenz</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -1192,6 +1373,14 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Color</source>
         <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Trajectory</source>
+        <translation>Bahn</translation>
     </message>
 </context>
 <context>
@@ -1373,6 +1562,68 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>How the targets are tracked: “dewpoint” is the surest and most accurate, “barrera” the particle filter of Barrera et al. (2005). Tracking starts anew.</source>
         <translation>Wie die Ziele verfolgt werden: „dewpoint“ ist am sichersten und genauesten, „barrera“ ist der Partikelfilter von Barrera et al. (2005). Die Verfolgung beginnt neu.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlotPanel</name>
+    <message>
+        <source>Plots of the run</source>
+        <translation>Kurven des Laufs</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Choose the plots shown; copy or save them</source>
+        <translation>Gezeigte Kurven wählen; kopieren oder speichern</translation>
+    </message>
+    <message>
+        <source>Choose the plots shown</source>
+        <translation>Gezeigte Kurven wählen</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>The plots are on the clipboard as CSV.</source>
+        <translation>Die Kurven sind als CSV in der Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Save the plots</source>
+        <translation>Kurven speichern</translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg);;Pictures (*.png)</source>
+        <translation>Zeichnungen (*.svg);;Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>%1 konnte nicht geschrieben werden.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlotStack</name>
+    <message>
+        <source>frame %1, iteration %2, %3 s</source>
+        <translation>Bild %1, Iteration %2, %3 s</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>filter iteration</source>
+        <translation>Filteriteration</translation>
+    </message>
+    <message>
+        <source>Dewpoint plots</source>
+        <translation>Dewpoint-Kurven</translation>
     </message>
 </context>
 <context>
@@ -1657,6 +1908,137 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Remove target</source>
         <translation>Ziel entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TrajectoryModel</name>
+    <message>
+        <source>● held</source>
+        <translation>● gehalten</translation>
+    </message>
+    <message>
+        <source>○ not held</source>
+        <translation>○ nicht gehalten</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>Seconds, of the frame</source>
+        <translation>Sekunden, des Bildes</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Frame, counted from 1</source>
+        <translation>Bild, ab 1 gezählt</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Name of the target</source>
+        <translation>Name des Ziels</translation>
+    </message>
+    <message>
+        <source>%1, m</source>
+        <translation>%1, m</translation>
+    </message>
+    <message>
+        <source>Position in the room, metres</source>
+        <translation>Ort im Raum, Meter</translation>
+    </message>
+    <message>
+        <source>σ%1, mm</source>
+        <translation>σ%1, mm</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the position, millimetres</source>
+        <translation>Standardabweichung des Ortes, Millimeter</translation>
+    </message>
+    <message>
+        <source>speed, m/s</source>
+        <translation>Geschw., m/s</translation>
+    </message>
+    <message>
+        <source>Speed, metres per second: fitted over five frames</source>
+        <translation>Geschwindigkeit, Meter pro Sekunde: über fünf Bilder angepasst</translation>
+    </message>
+    <message>
+        <source>cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Cameras that see the target</source>
+        <translation>Kameras, die das Ziel sehen</translation>
+    </message>
+    <message>
+        <source>existence</source>
+        <translation>Existenz</translation>
+    </message>
+    <message>
+        <source>Probability that the target is where the estimate says</source>
+        <translation>Wahrscheinlichkeit, dass das Ziel dort ist, wo die Schätzung sagt</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate</source>
+        <translation>Gehalten: die Kameras bestätigen die Schätzung</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TrajectoryPanel</name>
+    <message>
+        <source>Trajectory</source>
+        <translation>Bahn</translation>
+    </message>
+    <message>
+        <source>Speed and height over time</source>
+        <translation>Geschwindigkeit und Höhe über die Zeit</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows are on the clipboard as CSV.</source>
+        <translation>
+            <numerusform>%n Zeile ist als CSV in der Zwischenablage.</numerusform>
+            <numerusform>%n Zeilen sind als CSV in der Zwischenablage.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The trajectory appears here as soon as the target is tracked.</source>
+        <translation>Die Bahn erscheint hier, sobald das Ziel verfolgt wird.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples, no gaps</source>
+        <translation>
+            <numerusform>%n Messpunkt, keine Lücken</numerusform>
+            <numerusform>%n Messpunkte, keine Lücken</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n Messpunkt</numerusform>
+            <numerusform>%n Messpunkte</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

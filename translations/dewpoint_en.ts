@@ -2,12 +2,46 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en">
 <context>
+    <name>dewpoint::GapList</name>
+    <message numerus="yes">
+        <source>%n frames</source>
+        <translation>
+            <numerusform>%n frame</numerusform>
+            <numerusform>%n frames</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::MainWindow</name>
     <message numerus="yes">
         <source>Saved %n samples to %1.</source>
         <translation>
             <numerusform>Saved %n sample to %1.</numerusform>
             <numerusform>Saved %n samples to %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TrajectoryPanel</name>
+    <message numerus="yes">
+        <source>%n rows are on the clipboard as CSV.</source>
+        <translation>
+            <numerusform>%n row is on the clipboard as CSV.</numerusform>
+            <numerusform>%n rows are on the clipboard as CSV.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n sample</numerusform>
+            <numerusform>%n samples</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples, no gaps</source>
+        <translation>
+            <numerusform>%n sample, no gaps</numerusform>
+            <numerusform>%n samples, no gaps</numerusform>
         </translation>
     </message>
 </context>

@@ -247,6 +247,98 @@
         <source>Follow one more thing: click it in a camera image</source>
         <translation>Seguir una cosa más: haga clic en ella en una imagen</translation>
     </message>
+    <message>
+        <source>Plots</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Plot spread</source>
+        <translation>Mostrar dispersión</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the particles along x, y and z</source>
+        <translation>Desviación típica de las partículas en x, y y z</translation>
+    </message>
+    <message>
+        <source>Plot effective sample size</source>
+        <translation>Mostrar tamaño efectivo de la muestra</translation>
+    </message>
+    <message>
+        <source>How many particles the weighted ones are worth, and how many there are</source>
+        <translation>Cuántas partículas valen las ponderadas y cuántas hay</translation>
+    </message>
+    <message>
+        <source>Plot likelihood</source>
+        <translation>Mostrar verosimilitud</translation>
+    </message>
+    <message>
+        <source>What each camera says of the estimate: its log likelihood</source>
+        <translation>Lo que dice cada cámara de la estimación: su log-verosimilitud</translation>
+    </message>
+    <message>
+        <source>Plot existence</source>
+        <translation>Mostrar existencia</translation>
+    </message>
+    <message>
+        <source>Probability that the target is at the estimate, by all cameras and by each alone</source>
+        <translation>Probabilidad de que el objetivo esté en la estimación, según todas las cámaras y según cada una</translation>
+    </message>
+    <message>
+        <source>Plot error</source>
+        <translation>Mostrar error</translation>
+    </message>
+    <message>
+        <source>Distance of the estimate from the truth, where it is known</source>
+        <translation>Distancia de la estimación a la verdad, donde se conoce</translation>
+    </message>
+    <message>
+        <source>Plot time per step</source>
+        <translation>Mostrar tiempo por paso</translation>
+    </message>
+    <message>
+        <source>Microseconds that each filter iteration took, per target</source>
+        <translation>Microsegundos que tardó cada iteración del filtro, por objetivo</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>En el tiempo</translation>
+    </message>
+    <message>
+        <source>Plot over seconds instead of filter iterations</source>
+        <translation>Representar en segundos en lugar de iteraciones del filtro</translation>
+    </message>
+    <message>
+        <source>Whole run</source>
+        <translation>Toda la ejecución</translation>
+    </message>
+    <message>
+        <source>Plot the whole run again (double click does the same)</source>
+        <translation>Mostrar de nuevo toda la ejecución (doble clic hace lo mismo)</translation>
+    </message>
+    <message>
+        <source>Copy plots as CSV</source>
+        <translation>Copiar gráficos como CSV</translation>
+    </message>
+    <message>
+        <source>Copy the numbers of the plots shown, as a table</source>
+        <translation>Copiar los números de los gráficos mostrados como tabla</translation>
+    </message>
+    <message>
+        <source>Save plots as picture…</source>
+        <translation>Guardar gráficos como imagen…</translation>
+    </message>
+    <message>
+        <source>Save the plots as shown, as SVG or PNG</source>
+        <translation>Guardar los gráficos como se muestran, en SVG o PNG</translation>
+    </message>
+    <message>
+        <source>Copy trajectory as CSV</source>
+        <translation>Copiar trayectoria como CSV</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows of the trajectory, or all</source>
+        <translation>Copiar las filas elegidas de la trayectoria, o todas</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -497,6 +589,76 @@
 From %2 to %3%4; default %5%4.</source>
         <translation>%1
 De %2 a %3%4; por defecto %5%4.</translation>
+    </message>
+</context>
+<context>
+    <name>PlotQuantity</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>RunPlots</name>
+    <message>
+        <source>all cameras</source>
+        <translation>todas las cámaras</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Dispersión</translation>
+    </message>
+    <message>
+        <source>Effective sample size</source>
+        <translation>Tamaño efectivo de la muestra</translation>
+    </message>
+    <message>
+        <source>effective</source>
+        <translation>efectivo</translation>
+    </message>
+    <message>
+        <source>particles</source>
+        <translation>partículas</translation>
+    </message>
+    <message>
+        <source>Log likelihood</source>
+        <translation>Log-verosimilitud</translation>
+    </message>
+    <message>
+        <source>Existence</source>
+        <translation>Existencia</translation>
+    </message>
+    <message>
+        <source>Error against truth</source>
+        <translation>Error frente a la verdad</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>distancia</translation>
+    </message>
+    <message>
+        <source>Time per step</source>
+        <translation>Tiempo por paso</translation>
+    </message>
+    <message>
+        <source>one iteration</source>
+        <translation>una iteración</translation>
     </message>
 </context>
 <context>
@@ -960,25 +1122,6 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ConvergencePlot</name>
-    <message>
-        <source>spread</source>
-        <translation>dispersión</translation>
-    </message>
-    <message>
-        <source>error against truth</source>
-        <translation>error frente a la verdad</translation>
-    </message>
-    <message>
-        <source>filter iteration</source>
-        <translation>iteración del filtro</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-</context>
-<context>
     <name>dewpoint::DockTitle</name>
     <message>
         <source>Float this view, or put it back (double click the title: whole window)</source>
@@ -994,6 +1137,48 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Track by “%1”</source>
         <translation>Seguir con «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::GapList</name>
+    <message>
+        <source>Gaps of the trajectory</source>
+        <translation>Huecos de la trayectoria</translation>
+    </message>
+    <message>
+        <source>gap from</source>
+        <translation>hueco desde</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>hasta</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>duración</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>objetivo</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>fotograma %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frames</source>
+        <translation>
+            <numerusform>%n fotograma</numerusform>
+            <numerusform>%n fotogramas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Seconds from the last held estimate before the gap to the first one after it</source>
+        <translation>Segundos desde la última estimación segura antes del hueco hasta la primera después</translation>
     </message>
 </context>
 <context>
@@ -1052,10 +1237,6 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Bird&apos;s-eye view</source>
         <translation>Vista de pájaro</translation>
-    </message>
-    <message>
-        <source>Convergence</source>
-        <translation>Convergencia</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -1192,6 +1373,14 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Color</source>
         <translation>Color</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Trajectory</source>
+        <translation>Trayectoria</translation>
     </message>
 </context>
 <context>
@@ -1373,6 +1562,68 @@ en %4, %5, %6 m</translation>
     <message>
         <source>How the targets are tracked: “dewpoint” is the surest and most accurate, “barrera” the particle filter of Barrera et al. (2005). Tracking starts anew.</source>
         <translation>Cómo se siguen los objetivos: «dewpoint» es el más seguro y exacto, «barrera» el filtro de partículas de Barrera et al. (2005). El seguimiento empieza de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlotPanel</name>
+    <message>
+        <source>Plots of the run</source>
+        <translation>Gráficos de la ejecución</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Choose the plots shown; copy or save them</source>
+        <translation>Elegir los gráficos mostrados; copiarlos o guardarlos</translation>
+    </message>
+    <message>
+        <source>Choose the plots shown</source>
+        <translation>Elegir los gráficos mostrados</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Cámara %1</translation>
+    </message>
+    <message>
+        <source>The plots are on the clipboard as CSV.</source>
+        <translation>Los gráficos están en el portapapeles como CSV.</translation>
+    </message>
+    <message>
+        <source>Save the plots</source>
+        <translation>Guardar los gráficos</translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg);;Pictures (*.png)</source>
+        <translation>Dibujos (*.svg);;Imágenes (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Se guardó %1.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>No se pudo escribir %1.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlotStack</name>
+    <message>
+        <source>frame %1, iteration %2, %3 s</source>
+        <translation>fotograma %1, iteración %2, %3 s</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>tiempo, s</translation>
+    </message>
+    <message>
+        <source>filter iteration</source>
+        <translation>iteración del filtro</translation>
+    </message>
+    <message>
+        <source>Dewpoint plots</source>
+        <translation>Gráficos de Dewpoint</translation>
     </message>
 </context>
 <context>
@@ -1657,6 +1908,137 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Remove target</source>
         <translation>Quitar el objetivo</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TrajectoryModel</name>
+    <message>
+        <source>● held</source>
+        <translation>● seguido</translation>
+    </message>
+    <message>
+        <source>○ not held</source>
+        <translation>○ no seguido</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>tiempo, s</translation>
+    </message>
+    <message>
+        <source>Seconds, of the frame</source>
+        <translation>Segundos, del fotograma</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>fotograma</translation>
+    </message>
+    <message>
+        <source>Frame, counted from 1</source>
+        <translation>Fotograma, contado desde 1</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>objetivo</translation>
+    </message>
+    <message>
+        <source>Name of the target</source>
+        <translation>Nombre del objetivo</translation>
+    </message>
+    <message>
+        <source>%1, m</source>
+        <translation>%1, m</translation>
+    </message>
+    <message>
+        <source>Position in the room, metres</source>
+        <translation>Posición en la sala, metros</translation>
+    </message>
+    <message>
+        <source>σ%1, mm</source>
+        <translation>σ%1, mm</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the position, millimetres</source>
+        <translation>Desviación típica de la posición, milímetros</translation>
+    </message>
+    <message>
+        <source>speed, m/s</source>
+        <translation>veloc., m/s</translation>
+    </message>
+    <message>
+        <source>Speed, metres per second: fitted over five frames</source>
+        <translation>Velocidad, metros por segundo: ajustada en cinco fotogramas</translation>
+    </message>
+    <message>
+        <source>cameras</source>
+        <translation>cámaras</translation>
+    </message>
+    <message>
+        <source>Cameras that see the target</source>
+        <translation>Cámaras que ven el objetivo</translation>
+    </message>
+    <message>
+        <source>existence</source>
+        <translation>existencia</translation>
+    </message>
+    <message>
+        <source>Probability that the target is where the estimate says</source>
+        <translation>Probabilidad de que el objetivo esté donde dice la estimación</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>estado</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate</source>
+        <translation>Seguido: las cámaras confirman la estimación</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TrajectoryPanel</name>
+    <message>
+        <source>Trajectory</source>
+        <translation>Trayectoria</translation>
+    </message>
+    <message>
+        <source>Speed and height over time</source>
+        <translation>Velocidad y altura en el tiempo</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>velocidad</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows are on the clipboard as CSV.</source>
+        <translation>
+            <numerusform>%n fila está en el portapapeles como CSV.</numerusform>
+            <numerusform>%n filas están en el portapapeles como CSV.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The trajectory appears here as soon as the target is tracked.</source>
+        <translation>La trayectoria aparece aquí en cuanto se sigue el objetivo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples, no gaps</source>
+        <translation>
+            <numerusform>%n muestra, sin huecos</numerusform>
+            <numerusform>%n muestras, sin huecos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n muestra</numerusform>
+            <numerusform>%n muestras</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -247,6 +247,98 @@
         <source>Follow one more thing: click it in a camera image</source>
         <translation>もう1つ追跡します。カメラ画像でクリックしてください</translation>
     </message>
+    <message>
+        <source>Plots</source>
+        <translation>グラフ</translation>
+    </message>
+    <message>
+        <source>Plot spread</source>
+        <translation>広がりを表示</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the particles along x, y and z</source>
+        <translation>x、y、z 方向の粒子の標準偏差</translation>
+    </message>
+    <message>
+        <source>Plot effective sample size</source>
+        <translation>有効サンプルサイズを表示</translation>
+    </message>
+    <message>
+        <source>How many particles the weighted ones are worth, and how many there are</source>
+        <translation>重み付き粒子が何個分に相当するかと、粒子の総数</translation>
+    </message>
+    <message>
+        <source>Plot likelihood</source>
+        <translation>尤度を表示</translation>
+    </message>
+    <message>
+        <source>What each camera says of the estimate: its log likelihood</source>
+        <translation>各カメラから見た推定の対数尤度</translation>
+    </message>
+    <message>
+        <source>Plot existence</source>
+        <translation>存在確率を表示</translation>
+    </message>
+    <message>
+        <source>Probability that the target is at the estimate, by all cameras and by each alone</source>
+        <translation>推定位置に対象がある確率（全カメラおよび各カメラ単独）</translation>
+    </message>
+    <message>
+        <source>Plot error</source>
+        <translation>誤差を表示</translation>
+    </message>
+    <message>
+        <source>Distance of the estimate from the truth, where it is known</source>
+        <translation>真値がわかる場合の、推定と真値の距離</translation>
+    </message>
+    <message>
+        <source>Plot time per step</source>
+        <translation>1 ステップの時間を表示</translation>
+    </message>
+    <message>
+        <source>Microseconds that each filter iteration took, per target</source>
+        <translation>対象ごとの各フィルタ反復にかかったマイクロ秒</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>時間軸</translation>
+    </message>
+    <message>
+        <source>Plot over seconds instead of filter iterations</source>
+        <translation>フィルタ反復ではなく秒で表示</translation>
+    </message>
+    <message>
+        <source>Whole run</source>
+        <translation>全体を表示</translation>
+    </message>
+    <message>
+        <source>Plot the whole run again (double click does the same)</source>
+        <translation>もう一度全体を表示（ダブルクリックでも可）</translation>
+    </message>
+    <message>
+        <source>Copy plots as CSV</source>
+        <translation>グラフを CSV でコピー</translation>
+    </message>
+    <message>
+        <source>Copy the numbers of the plots shown, as a table</source>
+        <translation>表示中のグラフの数値を表としてコピー</translation>
+    </message>
+    <message>
+        <source>Save plots as picture…</source>
+        <translation>グラフを画像として保存…</translation>
+    </message>
+    <message>
+        <source>Save the plots as shown, as SVG or PNG</source>
+        <translation>表示中のグラフを SVG または PNG で保存</translation>
+    </message>
+    <message>
+        <source>Copy trajectory as CSV</source>
+        <translation>軌跡を CSV でコピー</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows of the trajectory, or all</source>
+        <translation>軌跡の選択行（なければ全行）をコピー</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -497,6 +589,76 @@
 From %2 to %3%4; default %5%4.</source>
         <translation>%1
 %2 から %3%4 まで。既定値は %5%4。</translation>
+    </message>
+</context>
+<context>
+    <name>PlotQuantity</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>RunPlots</name>
+    <message>
+        <source>all cameras</source>
+        <translation>全カメラ</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>広がり</translation>
+    </message>
+    <message>
+        <source>Effective sample size</source>
+        <translation>有効サンプルサイズ</translation>
+    </message>
+    <message>
+        <source>effective</source>
+        <translation>有効</translation>
+    </message>
+    <message>
+        <source>particles</source>
+        <translation>粒子</translation>
+    </message>
+    <message>
+        <source>Log likelihood</source>
+        <translation>対数尤度</translation>
+    </message>
+    <message>
+        <source>Existence</source>
+        <translation>存在確率</translation>
+    </message>
+    <message>
+        <source>Error against truth</source>
+        <translation>真値との誤差</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>距離</translation>
+    </message>
+    <message>
+        <source>Time per step</source>
+        <translation>1 ステップの時間</translation>
+    </message>
+    <message>
+        <source>one iteration</source>
+        <translation>1 反復</translation>
     </message>
 </context>
 <context>
@@ -960,25 +1122,6 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ConvergencePlot</name>
-    <message>
-        <source>spread</source>
-        <translation>広がり</translation>
-    </message>
-    <message>
-        <source>error against truth</source>
-        <translation>真値との誤差</translation>
-    </message>
-    <message>
-        <source>filter iteration</source>
-        <translation>フィルターの反復</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-</context>
-<context>
     <name>dewpoint::DockTitle</name>
     <message>
         <source>Float this view, or put it back (double click the title: whole window)</source>
@@ -994,6 +1137,47 @@ at %4, %5, %6 m</source>
     <message>
         <source>Track by “%1”</source>
         <translation>「%1」で追跡</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::GapList</name>
+    <message>
+        <source>Gaps of the trajectory</source>
+        <translation>軌跡の途切れ</translation>
+    </message>
+    <message>
+        <source>gap from</source>
+        <translation>途切れの始め</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>終わり</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>対象</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>フレーム %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frames</source>
+        <translation>
+            <numerusform>%n フレーム</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Seconds from the last held estimate before the gap to the first one after it</source>
+        <translation>途切れ前の最後の追跡から、その後の最初の追跡までの秒数</translation>
     </message>
 </context>
 <context>
@@ -1051,10 +1235,6 @@ at %4, %5, %6 m</source>
     <message>
         <source>Bird&apos;s-eye view</source>
         <translation>鳥瞰図</translation>
-    </message>
-    <message>
-        <source>Convergence</source>
-        <translation>収束</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -1191,6 +1371,14 @@ at %4, %5, %6 m</source>
     <message>
         <source>Color</source>
         <translation>色</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>グラフ</translation>
+    </message>
+    <message>
+        <source>Trajectory</source>
+        <translation>軌跡</translation>
     </message>
 </context>
 <context>
@@ -1372,6 +1560,68 @@ at %4, %5, %6 m</source>
     <message>
         <source>How the targets are tracked: “dewpoint” is the surest and most accurate, “barrera” the particle filter of Barrera et al. (2005). Tracking starts anew.</source>
         <translation>ターゲットの追跡方法:「dewpoint」は最も確実で正確な手法、「barrera」は Barrera ら (2005) のパーティクルフィルタです。追跡は最初からやり直します。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlotPanel</name>
+    <message>
+        <source>Plots of the run</source>
+        <translation>実行のグラフ</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>グラフ</translation>
+    </message>
+    <message>
+        <source>Choose the plots shown; copy or save them</source>
+        <translation>表示するグラフの選択、コピー、保存</translation>
+    </message>
+    <message>
+        <source>Choose the plots shown</source>
+        <translation>表示するグラフを選択</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>カメラ %1</translation>
+    </message>
+    <message>
+        <source>The plots are on the clipboard as CSV.</source>
+        <translation>グラフを CSV でクリップボードにコピーしました。</translation>
+    </message>
+    <message>
+        <source>Save the plots</source>
+        <translation>グラフを保存</translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg);;Pictures (*.png)</source>
+        <translation>図面 (*.svg);;画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>%1 を書き込めませんでした。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlotStack</name>
+    <message>
+        <source>frame %1, iteration %2, %3 s</source>
+        <translation>フレーム %1、反復 %2、%3 s</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>時間, s</translation>
+    </message>
+    <message>
+        <source>filter iteration</source>
+        <translation>フィルタ反復</translation>
+    </message>
+    <message>
+        <source>Dewpoint plots</source>
+        <translation>Dewpoint のグラフ</translation>
     </message>
 </context>
 <context>
@@ -1656,6 +1906,134 @@ at %4, %5, %6 m</source>
     <message>
         <source>Remove target</source>
         <translation>ターゲットを取り除く</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TrajectoryModel</name>
+    <message>
+        <source>● held</source>
+        <translation>● 追跡中</translation>
+    </message>
+    <message>
+        <source>○ not held</source>
+        <translation>○ 未追跡</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>時間, s</translation>
+    </message>
+    <message>
+        <source>Seconds, of the frame</source>
+        <translation>フレームの時刻（秒）</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>Frame, counted from 1</source>
+        <translation>1 から数えたフレーム番号</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>対象</translation>
+    </message>
+    <message>
+        <source>Name of the target</source>
+        <translation>対象の名前</translation>
+    </message>
+    <message>
+        <source>%1, m</source>
+        <translation>%1, m</translation>
+    </message>
+    <message>
+        <source>Position in the room, metres</source>
+        <translation>室内での位置（メートル）</translation>
+    </message>
+    <message>
+        <source>σ%1, mm</source>
+        <translation>σ%1, mm</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the position, millimetres</source>
+        <translation>位置の標準偏差（ミリメートル）</translation>
+    </message>
+    <message>
+        <source>speed, m/s</source>
+        <translation>速さ, m/s</translation>
+    </message>
+    <message>
+        <source>Speed, metres per second: fitted over five frames</source>
+        <translation>速さ（メートル毎秒、5 フレームに当てはめ）</translation>
+    </message>
+    <message>
+        <source>cameras</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Cameras that see the target</source>
+        <translation>対象が見えているカメラの数</translation>
+    </message>
+    <message>
+        <source>existence</source>
+        <translation>存在確率</translation>
+    </message>
+    <message>
+        <source>Probability that the target is where the estimate says</source>
+        <translation>推定どおりの位置に対象がある確率</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate</source>
+        <translation>追跡中: カメラが推定を裏付けている</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::TrajectoryPanel</name>
+    <message>
+        <source>Trajectory</source>
+        <translation>軌跡</translation>
+    </message>
+    <message>
+        <source>Speed and height over time</source>
+        <translation>時間に対する速さと高さ</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速さ</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>速さ</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows are on the clipboard as CSV.</source>
+        <translation>
+            <numerusform>%n 行を CSV でクリップボードにコピーしました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The trajectory appears here as soon as the target is tracked.</source>
+        <translation>対象の追跡が始まると、ここに軌跡が表示されます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples, no gaps</source>
+        <translation>
+            <numerusform>サンプル %n 個、途切れなし</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>サンプル %n 個</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -122,6 +122,20 @@ RunLog::FramePiece RunLog::framesSince(std::uint64_t& generation, std::size_t& p
   return piece;
 }
 
+RunLog::SamplesPiece RunLog::samplesSince(std::uint64_t& generation, std::size_t& position) const {
+  const std::lock_guard lock(mutex_);
+  SamplesPiece piece;
+  piece.restarted = beginsAnew(generation_, generation, position);
+  const auto& all = trajectory_.samples;
+  piece.first = std::min(position, all.size());
+  piece.samples.assign(all.begin() + static_cast<std::ptrdiff_t>(piece.first), all.end());
+  position = all.size();
+  while (position > 0 && all[position - 1].frame == all.back().frame) {
+    --position;
+  }
+  return piece;
+}
+
 Trajectory RunLog::trajectory() const {
   const std::lock_guard lock(mutex_);
   return trajectory_;

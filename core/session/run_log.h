@@ -54,6 +54,14 @@ public:
   /// From this frame on the run is another one than the header says.
   void note(std::int64_t frame, const std::string& change);
   Trajectory trajectory() const;
+  /// What the trajectory gained. `position` is where the last frame known to the reader begins: it
+  /// may have been replaced, and comes again.
+  struct SamplesPiece {
+    std::size_t first = 0; ///< number of the first of `samples`; what was there from it on is void
+    std::vector<TrajectorySample> samples;
+    bool restarted = false; ///< all that is known comes again
+  };
+  SamplesPiece samplesSince(std::uint64_t& generation, std::size_t& position) const;
   Latency latency() const;
   /// What run.json tells of this run.
   std::pair<Project, RunFigures> run() const;

@@ -33,6 +33,11 @@ Session::FramePiece Session::framesSince(std::uint64_t& generation, std::size_t&
   auto piece = impl_->loop.log().framesSince(generation, position);
   return {std::move(piece.records), piece.restarted};
 }
+Session::SamplesPiece Session::samplesSince(std::uint64_t& generation,
+                                            std::size_t& position) const {
+  auto piece = impl_->loop.log().samplesSince(generation, position);
+  return {piece.first, std::move(piece.samples), piece.restarted};
+}
 Trajectory Session::trajectory() const {
   return impl_->loop.log().trajectory();
 }

@@ -61,6 +61,14 @@ public:
     bool restarted = false;
   };
   FramePiece framesSince(std::uint64_t& generation, std::size_t& position) const;
+  /// Samples from number `first` on, in place of those the reader has: what the trajectory gained
+  /// since `position`, which begins at 0 and moves along as in logSince().
+  struct SamplesPiece {
+    std::size_t first = 0;
+    std::vector<TrajectorySample> samples;
+    bool restarted = false;
+  };
+  SamplesPiece samplesSince(std::uint64_t& generation, std::size_t& position) const;
   /// The trajectory so far.
   Trajectory trajectory() const;
   /// Writes it as CSV; how many samples it held.

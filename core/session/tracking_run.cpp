@@ -123,7 +123,7 @@ std::vector<TrajectorySample> TrackingRun::samples() const {
     const auto& estimate = estimates()[k];
     samples.push_back({seconds(frames_->time), frames_->index, targets_[k].name, estimate.mean,
                        estimate.covariance, estimate.effectiveSampleSize, estimate.camerasSeeing,
-                       estimate.valid});
+                       estimate.valid, estimate.existence});
   }
   return samples;
 }

@@ -20,6 +20,7 @@ struct TrajectorySample {
   double effectiveSampleSize = 0.0;
   int cameras = 0;
   bool valid = true;
+  double existence = 0.0; ///< probability that the target is there; not in files
 };
 
 /// Where a camera stood, so that an error can be split along and across its optical axis.

@@ -353,6 +353,38 @@ TEST(Session, TheLogIsReadInPiecesAndKnowsRestarts) {
   EXPECT_FALSE(session.logSince(generation, position).restarted);
 }
 
+TEST(Session, SamplesAreReadInPiecesAndTheLastFrameComesAgain) {
+  Session session(inputs());
+  ASSERT_TRUE(showsFrame(session));
+  std::uint64_t generation = 0;
+  std::size_t position = 0;
+  session.stepFrame();
+  session.stepFrame();
+  ASSERT_TRUE(eventually([&] { return session.trajectory().samples.size() == 2; }));
+  auto piece = session.samplesSince(generation, position);
+  EXPECT_TRUE(piece.restarted);
+  EXPECT_EQ(piece.first, 0U);
+  ASSERT_EQ(piece.samples.size(), 2U);
+  // One more iteration on the frame shown: its sample is another one.
+  const auto before = piece.samples.back().position;
+  session.stepIteration();
+  ASSERT_TRUE(eventually([&] { return session.trajectory().samples.back().position != before; }));
+  piece = session.samplesSince(generation, position);
+  EXPECT_FALSE(piece.restarted);
+  EXPECT_EQ(piece.first, 1U);
+  ASSERT_EQ(piece.samples.size(), 1U);
+  EXPECT_NE(piece.samples[0].position, before);
+  // Existence is the one of the estimate.
+  EXPECT_EQ(piece.samples[0].existence, session.newest()->targets[0].estimate.existence);
+  session.restart();
+  session.stepFrame();
+  ASSERT_TRUE(eventually([&] { return session.trajectory().samples.size() == 1; }));
+  piece = session.samplesSince(generation, position);
+  EXPECT_TRUE(piece.restarted);
+  EXPECT_EQ(piece.first, 0U);
+  EXPECT_EQ(piece.samples.size(), 1U);
+}
+
 TEST(Session, WakesOncePerSnapshotUntilToldNotTo) {
   std::atomic<int> wakes{0};
   std::atomic<bool> pending{false};

@@ -7,7 +7,7 @@
 #include "ui/camera/camera_view.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/plots/convergence_plot.h"
+#include "ui/plots/plot_panel.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -142,7 +142,7 @@ void MainWindowTest::playsTheDemoAndHolds() {
       waitFor([this] { return shown().frame >= 20 && shown().targets.front().estimate.valid; }));
   QCOMPARE(shown().rig->size(), std::size_t{2}); // the demo: Barrera's two cameras
   QVERIFY(label("cameraDock0TitleState").contains(QStringLiteral("held")));
-  QVERIFY(find<ConvergencePlot>("convergencePlot")->shownIterations() > 0);
+  QVERIFY(find<PlotPanel>("plotPanel")->shownIterations() > 0);
 }
 
 void MainWindowTest::playAndPauseByMouseAndKey() {

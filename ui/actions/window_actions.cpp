@@ -122,10 +122,52 @@ std::vector<ActionDeclaration> viewActions() {
   };
 }
 
+std::vector<ActionDeclaration> plotActions() {
+  const char* group = QT_TRANSLATE_NOOP("Actions", "Plots");
+  return {
+      {"actionPlotSpread", group, QT_TRANSLATE_NOOP("Actions", "Plot spread"),
+       QT_TRANSLATE_NOOP("Actions", "Standard deviation of the particles along x, y and z"),
+       nullptr, Qt::CTRL | Qt::Key_1, true},
+      {"actionPlotSampleSize", group, QT_TRANSLATE_NOOP("Actions", "Plot effective sample size"),
+       QT_TRANSLATE_NOOP("Actions", "How many particles the weighted ones are worth, and how many "
+                                    "there are"),
+       nullptr, Qt::CTRL | Qt::Key_2, true},
+      {"actionPlotLikelihood", group, QT_TRANSLATE_NOOP("Actions", "Plot likelihood"),
+       QT_TRANSLATE_NOOP("Actions", "What each camera says of the estimate: its log likelihood"),
+       nullptr, Qt::CTRL | Qt::Key_3, true},
+      {"actionPlotExistence", group, QT_TRANSLATE_NOOP("Actions", "Plot existence"),
+       QT_TRANSLATE_NOOP("Actions", "Probability that the target is at the estimate, by all "
+                                    "cameras and by each alone"),
+       nullptr, Qt::CTRL | Qt::Key_4, true},
+      {"actionPlotError", group, QT_TRANSLATE_NOOP("Actions", "Plot error"),
+       QT_TRANSLATE_NOOP("Actions", "Distance of the estimate from the truth, where it is known"),
+       nullptr, Qt::CTRL | Qt::Key_5, true},
+      {"actionPlotDuration", group, QT_TRANSLATE_NOOP("Actions", "Plot time per step"),
+       QT_TRANSLATE_NOOP("Actions", "Microseconds that each filter iteration took, per target"),
+       nullptr, Qt::CTRL | Qt::Key_6, true},
+      {"actionPlotOverTime", group, QT_TRANSLATE_NOOP("Actions", "Over time"),
+       QT_TRANSLATE_NOOP("Actions", "Plot over seconds instead of filter iterations"), nullptr,
+       Qt::SHIFT | Qt::Key_T, true},
+      {"actionPlotAll", group, QT_TRANSLATE_NOOP("Actions", "Whole run"),
+       QT_TRANSLATE_NOOP("Actions", "Plot the whole run again (double click does the same)"),
+       nullptr, Qt::CTRL | Qt::Key_0},
+      {"actionPlotCopy", group, QT_TRANSLATE_NOOP("Actions", "Copy plots as CSV"),
+       QT_TRANSLATE_NOOP("Actions", "Copy the numbers of the plots shown, as a table"), nullptr,
+       Qt::CTRL | Qt::ALT | Qt::Key_C},
+      {"actionPlotSave", group, QT_TRANSLATE_NOOP("Actions", "Save plots as picture…"),
+       QT_TRANSLATE_NOOP("Actions", "Save the plots as shown, as SVG or PNG"), nullptr,
+       Qt::CTRL | Qt::ALT | Qt::Key_S},
+      {"actionTrajectoryCopy", group, QT_TRANSLATE_NOOP("Actions", "Copy trajectory as CSV"),
+       QT_TRANSLATE_NOOP("Actions", "Copy the selected rows of the trajectory, or all"), nullptr,
+       Qt::CTRL | Qt::ALT | Qt::Key_T},
+  };
+}
+
 } // namespace
 
 void declareWindowActions(ActionRegistry& registry) {
-  for (const auto& group : {projectActions(), editActions(), runActions(), viewActions()}) {
+  for (const auto& group :
+       {projectActions(), editActions(), runActions(), viewActions(), plotActions()}) {
     for (const ActionDeclaration& declaration : group) {
       registry.add(declaration);
     }

@@ -19,6 +19,8 @@ namespace dewpoint {
 namespace {
 
 /// At most about 15 pictures a second, and never more than half of one processor's time.
+constexpr double kClickPx = 4.0;      ///< a longer way of the pointer is a drag
+constexpr double kTailReachPx = 12.0; ///< a click this near is meant for the tail
 constexpr qint64 kPictureIntervalMs = 66;
 constexpr int kSpacing = 8;
 constexpr std::array<Scene3d::View, 3> kViews{Scene3d::View::Above, Scene3d::View::Front,
@@ -170,6 +172,11 @@ QSize BirdsEyeView::pictureSize() const {
   return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo(QSize(1, 1));
 }
 
+void BirdsEyeView::highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes) {
+  scene_.highlight(strokes);
+  requestPicture();
+}
+
 void BirdsEyeView::requestPicture() {
   pictureStale_ = true;
   if (!isVisible() || timer_.isActive()) {
@@ -270,6 +277,7 @@ void BirdsEyeView::mousePressEvent(QMouseEvent* event) {
   const auto press = event->button() == Qt::LeftButton     ? Pointer::LeftPress
                      : event->button() == Qt::MiddleButton ? Pointer::MiddlePress
                                                            : Pointer::RightPress;
+  pressed_ = event->position();
   sendPointer(static_cast<int>(press), event->position(), event->modifiers());
 }
 
@@ -278,6 +286,35 @@ void BirdsEyeView::mouseReleaseEvent(QMouseEvent* event) {
                        : event->button() == Qt::MiddleButton ? Pointer::MiddleRelease
                                                              : Pointer::RightRelease;
   sendPointer(static_cast<int>(release), event->position(), event->modifiers());
+  const QPointF moved = event->position() - pressed_;
+  if (event->button() == Qt::LeftButton && moved.manhattanLength() < kClickPx) {
+    clickTail(event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
+  }
+}
+
+void BirdsEyeView::clickTail(QPointF position, bool extend) {
+  if (!snapshot_ || !hasPicture()) {
+    return;
+  }
+  const QPointF middle(width() / 2.0, height() / 2.0);
+  const QPointF offset = (position - middle) * devicePixelRatioF();
+  const Eigen::Vector2d clicked(offset.x(), -offset.y());
+  double nearest = kTailReachPx * devicePixelRatioF();
+  int target = -1;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < snapshot_->targets.size(); ++k) {
+    for (const Eigen::Vector3d& point : snapshot_->targets[k].tail) {
+      const double away = (scene_.placeInPicture(point) - clicked).norm();
+      if (away < nearest) {
+        nearest = away;
+        target = static_cast<int>(k);
+        place = point;
+      }
+    }
+  }
+  if (target >= 0) {
+    Q_EMIT tailClicked(target, place, extend);
+  }
 }
 
 void BirdsEyeView::mouseMoveEvent(QMouseEvent* event) {

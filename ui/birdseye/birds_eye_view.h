@@ -12,6 +12,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 class QToolButton;
 
@@ -35,6 +36,8 @@ public:
   /// Shows a moment with the next picture; null empties the scene. Cheap, also while hidden.
   void show(TrackSnapshotPtr snapshot);
   using QWidget::show;
+  /// Marks a part of a trajectory: strokes of places, metres; none: nothing is marked.
+  void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
 
   Scene3d::View currentView() const;
   /// The picture as it is now, without the buttons; null without OpenGL. Device pixels.
@@ -56,6 +59,8 @@ public Q_SLOTS:
 
 Q_SIGNALS:
   void viewChanged(dewpoint::Scene3d::View view);
+  /// A click on a target's tail: the nearest place in it, metres. `extend`: with Shift.
+  void tailClicked(int target, const Eigen::Vector3d& place, bool extend);
 
 protected:
   void paintEvent(QPaintEvent* event) override;
@@ -78,6 +83,7 @@ private:
   void renderPicture();
   void applyTheme();
   void retranslate();
+  void clickTail(QPointF position, bool extend);
   void sendPointer(int what, QPointF position, Qt::KeyboardModifiers modifiers);
   QSize pictureSize() const;
 
@@ -86,6 +92,7 @@ private:
   TrackSnapshotPtr snapshot_;
   std::array<QToolButton*, 3> buttons_{}; ///< above, front, free
   QImage picture_;
+  QPointF pressed_;     ///< where the left button went down
   std::string failure_; ///< why there is no 3D; empty while there is
   QTimer timer_;
   QElapsedTimer sincePicture_;

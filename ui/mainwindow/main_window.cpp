@@ -14,9 +14,11 @@
 #include "ui/inspector/target_panel.h"
 #include "ui/mainwindow/message_bar.h"
 #include "ui/mainwindow/status_figures.h"
-#include "ui/plots/convergence_plot.h"
+#include "ui/plots/plot_panel.h"
+#include "ui/selection/selection.h"
 #include "ui/settings/parameter_panel.h"
 #include "ui/start/recent_projects.h"
+#include "ui/trajectory/trajectory_panel.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -40,7 +42,8 @@ void rememberOpened(const Project& project) {
 
 MainWindow::MainWindow(ProjectOpener opener, QWidget* parent)
     : QMainWindow(parent), loader_(new ProjectLoader(std::move(opener), this)),
-      document_(new Document(this)), actions_(new ActionRegistry(this)) {
+      document_(new Document(this)), selection_(new Selection(this)),
+      actions_(new ActionRegistry(this)) {
   setObjectName(QStringLiteral("mainWindow"));
   setDockNestingEnabled(true);
   declareWindowActions(*actions_);
@@ -50,6 +53,7 @@ MainWindow::MainWindow(ProjectOpener opener, QWidget* parent)
   makeMenus();
   connectActions();
   connectRun();
+  linkViews();
   setTheme(theme_);
   updateTitle();
   updateEnabled();
@@ -127,6 +131,9 @@ void MainWindow::adoptInputs(SessionInputs inputs) {
   }
   bridge_ = new SessionBridge(std::move(inputs), this);
   connect(bridge_, &SessionBridge::snapshotChanged, this, &MainWindow::showSnapshot);
+  trajectory_->follow([session = &bridge_->session()](auto& generation, auto& position) {
+    return session->samplesSince(generation, position);
+  });
   showStart(false);
   makeCameraDocks();
   bridge_->session().setMasksWanted(action("actionShowMask")->isChecked());
@@ -145,11 +152,13 @@ void MainWindow::adoptInputs(SessionInputs inputs) {
 
 void MainWindow::clearViews() {
   shown_.reset();
+  selection_->clear();
   logGeneration_ = 0;
   logPosition_ = 0;
   noticesShown_ = 0;
   figures_->clear();
   plot_->clear();
+  trajectory_->follow({});
   birdsEye_->show(TrackSnapshotPtr());
 }
 
@@ -161,6 +170,10 @@ void MainWindow::showSnapshot(const TrackSnapshotPtr& snapshot) {
   birdsEye_->show(snapshot);
   color_->setSnapshot(snapshot);
   figures_->show(*snapshot);
+  plot_->show(*snapshot);
+  trajectory_->show(*snapshot);
+  selection_->setMoment(snapshot->frame, snapshot->frames ? seconds(snapshot->frames->time) : 0.0,
+                        snapshot->past);
   snapshot->state == PlayState::Playing
       ? actions_->rename(action("actionPlay"), QT_TRANSLATE_NOOP("Actions", "Pause"), "pause")
       : actions_->rename(action("actionPlay"), QT_TRANSLATE_NOOP("Actions", "Play"), "play");
@@ -175,6 +188,7 @@ void MainWindow::pullLog() {
     plot_->clear();
   }
   plot_->append(piece.records);
+  trajectory_->refresh();
 }
 
 void MainWindow::showNotices(const TrackSnapshot& snapshot) {

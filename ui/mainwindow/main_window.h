@@ -23,19 +23,21 @@ class BirdsEyeView;
 class CameraView;
 class CameraPanel;
 class ColorPanel;
-class ConvergencePlot;
 class Document;
 class MessageBar;
 class NewProjectPage;
 class ParameterPanel;
+class PlotPanel;
 class CommandPalette;
 class Recovery;
+class Selection;
 class StartPage;
 struct Project;
 class SessionBridge;
 class StatusFigures;
 class TargetPanel;
 class ActionRegistry;
+class TrajectoryPanel;
 struct TrackSnapshot;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
@@ -63,6 +65,7 @@ public:
   bool saveRun(const std::filesystem::path& folder);
 
   Document& document() { return *document_; }
+  Selection& selection() { return *selection_; }
   const Document& document() const { return *document_; }
   /// The newest snapshot shown; null before a project is open.
   TrackSnapshotPtr shown() const { return shown_; }
@@ -102,6 +105,7 @@ private:
   void makeMenus();
   void connectActions();
   void connectRun();
+  void linkViews();
   QDockWidget* makeDock(const QString& name, const std::function<QString()>& title,
                         QWidget* content);
   void makeCameraDocks();
@@ -131,12 +135,14 @@ private:
 
   ProjectLoader* loader_;
   Document* document_;
+  Selection* selection_;
   SessionBridge* bridge_ = nullptr;
   ActionRegistry* actions_;
   MessageBar* messages_ = nullptr;
   StatusFigures* figures_ = nullptr;
   BirdsEyeView* birdsEye_ = nullptr;
-  ConvergencePlot* plot_ = nullptr;
+  PlotPanel* plot_ = nullptr;
+  TrajectoryPanel* trajectory_ = nullptr;
   ParameterPanel* parameters_ = nullptr;
   QStackedWidget* start_ = nullptr;
   StartPage* startPage_ = nullptr;
@@ -151,6 +157,7 @@ private:
   Recovery* recovery_ = nullptr;
   QDockWidget* birdsEyeDock_ = nullptr;
   QDockWidget* plotDock_ = nullptr;
+  QDockWidget* trajectoryDock_ = nullptr;
   QDockWidget* parameterDock_ = nullptr;
   QDockWidget* historyDock_ = nullptr;
   QDockWidget* maximized_ = nullptr;

@@ -14,9 +14,10 @@
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/message_bar.h"
 #include "ui/mainwindow/status_figures.h"
-#include "ui/plots/convergence_plot.h"
+#include "ui/plots/plot_panel.h"
 #include "ui/settings/parameter_panel.h"
 #include "ui/settings/retranslation.h"
+#include "ui/trajectory/trajectory_panel.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -52,9 +53,14 @@ void MainWindow::makeDocks() {
   birdsEye_->setObjectName(QStringLiteral("birdsEyeView"));
   birdsEyeDock_ = makeDock(
       QStringLiteral("birdsEyeDock"), [] { return tr("Bird's-eye view"); }, birdsEye_);
-  plot_ = new ConvergencePlot(this);
+  plot_ = new PlotPanel(*actions_, *selection_, this);
   plotDock_ = makeDock(
-      QStringLiteral("plotDock"), [] { return tr("Convergence"); }, plot_);
+      QStringLiteral("plotDock"), [] { return tr("Plots"); }, plot_);
+  auto* plotTitle = static_cast<DockTitle*>(plotDock_->titleBarWidget());
+  plotTitle->addTool(plot_->makeTools(plotTitle));
+  trajectory_ = new TrajectoryPanel(*actions_, *selection_, this);
+  trajectoryDock_ = makeDock(
+      QStringLiteral("trajectoryDock"), [] { return tr("Trajectory"); }, trajectory_);
 
   makeInspector();
   auto* history = new QUndoView(document_->undoStack(), this);
@@ -161,6 +167,7 @@ void MainWindow::arrange() {
     removeDockWidget(dock); // or splits and tabs would build on what was
   }
   addDockWidget(Qt::BottomDockWidgetArea, plotDock_);
+  tabifyDockWidget(plotDock_, trajectoryDock_);
   addDockWidget(Qt::LeftDockWidgetArea, birdsEyeDock_);
   if (!cameraDocks_.empty()) {
     // Cameras stand to the left of the bird's-eye view, in as many columns as keep them near
@@ -199,7 +206,8 @@ void MainWindow::shareSpace() {
     widths[1] = inner - widths.front();
   }
   resizeDocks(row, widths, Qt::Horizontal);
-  const int plotHeight = height() * 22 / 100;
+  plotDock_->raise();
+  const int plotHeight = height() * 27 / 100;
   resizeDocks({birdsEyeDock_, plotDock_}, {height() - plotHeight, plotHeight}, Qt::Vertical);
   QList<QDockWidget*> column(cameraDocks_.begin(), cameraDocks_.end());
   resizeDocks(column, QList<int>(column.size(), height() / 3), Qt::Vertical);

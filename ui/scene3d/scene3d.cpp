@@ -3,6 +3,7 @@
 
 #include "ui/scene3d/camera_frusta.h"
 #include "ui/scene3d/ground.h"
+#include "ui/scene3d/span_actor.h"
 #include "ui/scene3d/target_actors.h"
 
 #include <vtkCamera.h>
@@ -64,7 +65,7 @@ Eigen::Vector3d lookedAt(const CameraRig& rig) {
 
 class Scene3d::Parts {
 public:
-  Parts() : ground(renderer), frusta(renderer) {
+  Parts() : ground(renderer), frusta(renderer), span(renderer) {
     renderer->SetActiveCamera(camera);
     // Cullers ask for bounds that a cloud of bare points does not have.
     renderer->UseFXAAOn();
@@ -86,6 +87,7 @@ public:
   vtkNew<vtkCamera> camera;
   Ground ground;
   CameraFrusta frusta;
+  SpanActor span; ///< before the targets, which are drawn over it
   std::vector<std::unique_ptr<TargetActors>> targets;
   std::shared_ptr<const CameraRig> rig;
   Eigen::AlignedBox3d rigBox;  ///< cameras and what they look at; empty without
@@ -105,6 +107,7 @@ void Scene3d::Parts::applyPalette() {
   renderer->SetBackground(background.x(), background.y(), background.z());
   ground.setPalette(palette());
   frusta.setPalette(palette());
+  span.setPalette(palette());
   for (const auto& target : targets) {
     target->setPalette(palette());
   }
@@ -310,6 +313,10 @@ void Scene3d::show(const TrackSnapshot& snapshot) {
   }
 }
 
+void Scene3d::highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes) {
+  parts_->span.show(strokes);
+}
+
 void Scene3d::clear() {
   show(TrackSnapshot{});
 }
@@ -358,6 +365,7 @@ void Scene3d::prepareFrame(int width, int height) {
   parts.measure();
   parts.ground.prepareFrame(parts.scale);
   parts.frusta.prepareFrame(parts.scale);
+  parts.span.prepareFrame(parts.scale);
   for (const auto& target : parts.targets) {
     target->prepareFrame(parts.scale);
   }
@@ -365,6 +373,10 @@ void Scene3d::prepareFrame(int width, int height) {
 
 Eigen::Vector3d Scene3d::focus() const {
   return toEigen(parts_->camera->GetFocalPoint());
+}
+
+Eigen::Vector2d Scene3d::placeInPicture(const Eigen::Vector3d& point) const {
+  return parts_->scale.place(point);
 }
 
 double Scene3d::metresPerPixel() const {

@@ -4,6 +4,7 @@
 #include "core/session/snapshot.h"
 
 #include <memory>
+#include <vector>
 
 class vtkRenderer;
 
@@ -33,6 +34,8 @@ public:
   /// Shows one moment. Values that are not finite are left out. The first snapshot with something
   /// to see (and each new rig) also frames the current view, unless the user moved the camera.
   void show(const TrackSnapshot& snapshot);
+  /// Marks these places: one stroke for each, metres. Stays until it is called again.
+  void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
   /// Back to the empty grid.
   void clear();
   void look(View view);
@@ -49,6 +52,9 @@ public:
 
   /// The world point in the middle of the picture, as of the last `prepareFrame`.
   Eigen::Vector3d focus() const;
+  /// Where a point is in the picture, as of the last `prepareFrame`: device pixels right of and
+  /// above the middle.
+  Eigen::Vector2d placeInPicture(const Eigen::Vector3d& point) const;
   /// Metres per device pixel at the focus, as of the last `prepareFrame`.
   double metresPerPixel() const;
 

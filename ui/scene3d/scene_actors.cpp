@@ -38,6 +38,11 @@ double ScreenScale::metres(const Eigen::Vector3d& point, double pixels) const {
   return pixels * pixelRatio * perPixel;
 }
 
+Eigen::Vector2d ScreenScale::place(const Eigen::Vector3d& point) const {
+  const double perPixel = parallel ? metresPerPixel : slope * std::max(depth(point), 1e-3);
+  return Eigen::Vector2d((point - eye).dot(right), (point - eye).dot(up)) / perPixel;
+}
+
 double ScreenScale::nearerFactor(const Eigen::Vector3d& point, double distance) const {
   const double away = (point - eye).norm();
   return parallel || away <= 0.0 ? 1.0 : std::clamp(1.0 - distance / away, 0.3, 1.0);

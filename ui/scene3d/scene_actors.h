@@ -37,6 +37,8 @@ struct ScreenScale {
   Eigen::Vector3d nearer(const Eigen::Vector3d& point, double distance) const;
   /// Length in metres at `point` of so many logical pixels.
   double metres(const Eigen::Vector3d& point, double pixels) const;
+  /// Where a point is in the picture: device pixels right of and above the middle.
+  Eigen::Vector2d place(const Eigen::Vector3d& point) const;
 };
 
 /// An actor without lighting, of plain lines or faces.

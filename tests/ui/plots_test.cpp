@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plots and trajectory of the demo in the real window: data, cursor, span, table, pictures.
+#include "app/wiring/open_project.h"
+#include "core/session/session.h"
+#include "core/session/snapshot.h"
+#include "ui/birdseye/birds_eye_view.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/plots/plot_panel.h"
+#include "ui/plots/plot_stack.h"
+#include "ui/selection/selection.h"
+#include "ui/trajectory/trajectory_panel.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QLineF>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSvgRenderer>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+
+namespace dewpoint {
+
+namespace {
+constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
+constexpr int kFrames = 30; ///< of the demo, tracked before the tests begin
+} // namespace
+
+class PlotsTest : public QObject {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void initTestCase();
+  void cleanupTestCase();
+  void init();
+  void curvesHaveTheRun();
+  void everyPlotCanBeShown();
+  void pointerShowsOneMomentInAllViews();
+  void wheelDragAndKeysMoveAlongTheAxis();
+  void spanOfThePlotsIsSelectedInTheTable();
+  void rowsOfTheTableAreASpanInThePlotsAndTheRoom();
+  void placeOfTheTailIsAMoment();
+  void csvIsWhatIsShown();
+  void trajectoryCsvIsWhatIsSelected();
+  void picturesCanBeRead();
+  void restartBeginsAnew();
+
+private:
+  PlotStack& plots() { return window_->findChild<PlotPanel*>()->stack(); }
+  TrajectoryPanel& trajectory() { return *window_->findChild<TrajectoryPanel*>(); }
+  QTableView& table() {
+    return *window_->findChild<QTableView*>(QStringLiteral("trajectoryTable"));
+  }
+  QWidget* canvas() { return plots().focusProxy(); }
+  QAction* action(const char* id) { return window_->findChild<QAction*>(QLatin1String(id)); }
+  /// A place on the curves, by its share of the shown width.
+  QPoint at(double share) {
+    const int left = 60; // of the numbers of the axis
+    const int right = canvas()->width() - 260;
+    return {left + static_cast<int>(share * (right - left)), canvas()->height() / 3};
+  }
+  static QStringList csvLines(const QString& text) {
+    return text.trimmed().split(QLatin1Char('\n'));
+  }
+  bool waitFor(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatienceMs); }
+  /// Brings the trajectory to the front, and waits until it has all rows.
+  void openTrajectory();
+
+  std::unique_ptr<MainWindow> window_;
+};
+
+void PlotsTest::initTestCase() {
+  QSettings().clear();
+  window_ = std::make_unique<MainWindow>(&openProject);
+  window_->setTheme(Theme::Light);
+  window_->setPlayOnOpen(false);
+  window_->resize(1400, 1000);
+  window_->show();
+  window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  window_->openProject({});
+  for (int frame = 0; frame < kFrames; ++frame) {
+    QVERIFY(waitFor([&] {
+      return window_->shown() && window_->shown()->frame == frame &&
+             window_->shown()->iterations > 0;
+    }));
+    if (frame + 1 < kFrames) {
+      action("actionNextFrame")->trigger();
+    }
+  }
+  QVERIFY(waitFor([this] { return plots().drawnPoints() > 0; }));
+}
+
+void PlotsTest::cleanupTestCase() {
+  window_.reset();
+}
+
+void PlotsTest::init() {
+  plots().showAll();
+  action("actionPlotOverTime")->setChecked(false);
+  QTest::keyClick(canvas(), Qt::Key_Escape);
+  QVERIFY(!plots().span());
+}
+
+void PlotsTest::openTrajectory() {
+  auto* dock = window_->findChild<QDockWidget*>(QStringLiteral("trajectoryDock"));
+  dock->show();
+  dock->raise();
+  QVERIFY(
+      waitFor([this] { return table().isVisible() && table().model()->rowCount() == kFrames; }));
+}
+
+void PlotsTest::curvesHaveTheRun() {
+  const qint64 iterations = window_->shown()->iterations;
+  QCOMPARE(window_->findChild<PlotPanel*>()->shownIterations(), static_cast<int>(iterations));
+  // As in the desk's plan of the window; the demo knows its truth.
+  QCOMPARE(plots().visiblePlots(), (QStringList{"spread", "sampleSize", "likelihood", "error"}));
+  const auto [first, last] = plots().shownRange();
+  QVERIFY(first <= 1.0 && last >= static_cast<double>(iterations));
+}
+
+void PlotsTest::everyPlotCanBeShown() {
+  action("actionPlotExistence")->trigger();
+  action("actionPlotDuration")->trigger();
+  QCOMPARE(plots().visiblePlots(),
+           (QStringList{"spread", "sampleSize", "likelihood", "existence", "error", "duration"}));
+  const QString words = plots().valuesInWords();
+  QVERIFY2(words.contains(QStringLiteral("mm")) && words.contains(QStringLiteral("µs")),
+           qPrintable(words));
+  action("actionPlotExistence")->trigger();
+  action("actionPlotDuration")->trigger();
+  QCOMPARE(plots().visiblePlots().size(), 4);
+}
+
+void PlotsTest::pointerShowsOneMomentInAllViews() {
+  QSignalSpy hovered(&plots(), &PlotStack::hovered);
+  QTest::mouseMove(canvas(), at(0.2));
+  QTest::mouseMove(canvas(), at(0.5));
+  QVERIFY(waitFor([&] { return !hovered.isEmpty(); }));
+  const qint64 frame = hovered.last().first().toLongLong();
+  QVERIFY(frame > 0 && frame < kFrames - 1);
+  QVERIFY(plots().placeInWords().contains(QStringLiteral("frame %1,").arg(frame + 1)));
+  // Left and right: one frame each.
+  QTest::keyClick(canvas(), Qt::Key_Right);
+  QVERIFY(plots().placeInWords().contains(QStringLiteral("frame %1,").arg(frame + 2)));
+  openTrajectory();
+  QVERIFY(trajectory().plots().placeInWords().contains(QStringLiteral("frame %1,").arg(frame + 2)));
+  window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
+}
+
+void PlotsTest::wheelDragAndKeysMoveAlongTheAxis() {
+  const auto width = [this] {
+    const auto [first, last] = plots().shownRange();
+    return last - first;
+  };
+  const double all = width();
+  QTest::keyClick(canvas(), Qt::Key_Home); // the cursor: what keys zoom about
+  for (int i = 0; i < 4; ++i) {
+    QTest::keyClick(canvas(), Qt::Key_Plus);
+  }
+  QVERIFY(!plots().showsAll());
+  QVERIFY(width() < 0.5 * all); // 1.25⁴ = 2.44
+  const double before = plots().shownRange().first;
+  QTest::mousePress(canvas(), Qt::LeftButton, {}, at(0.8));
+  QTest::mouseMove(canvas(), at(0.6));
+  QTest::mouseMove(canvas(), at(0.5));
+  QTest::mouseRelease(canvas(), Qt::LeftButton, {}, at(0.5));
+  QVERIFY(plots().shownRange().first > before); // dragged to the left: later moments
+  QTest::mouseDClick(canvas(), Qt::LeftButton, {}, at(0.5));
+  QVERIFY(plots().showsAll());
+  QCOMPARE(width(), all);
+  QTest::keyClick(canvas(), Qt::Key_Plus);
+  action("actionPlotAll")->trigger();
+  QVERIFY(plots().showsAll());
+}
+
+void PlotsTest::spanOfThePlotsIsSelectedInTheTable() {
+  openTrajectory();
+  QSignalSpy highlighted(&trajectory(), &TrajectoryPanel::highlightChanged);
+  auto* dock = window_->findChild<QDockWidget*>(QStringLiteral("plotDock"));
+  dock->raise();
+  QVERIFY(waitFor([this] { return canvas()->isVisible(); }));
+  QTest::mousePress(canvas(), Qt::LeftButton, Qt::ShiftModifier, at(0.2));
+  QTest::mouseMove(canvas(), at(0.3));
+  QTest::mouseMove(canvas(), at(0.6));
+  QTest::mouseRelease(canvas(), Qt::LeftButton, Qt::ShiftModifier, at(0.6));
+  QVERIFY(plots().span());
+  const FrameSpan span = *plots().span();
+  QVERIFY(span.first < span.last);
+  QCOMPARE(window_->selection().span(), plots().span());
+  // One target: a row for each frame.
+  QCOMPARE(table().selectionModel()->selectedRows().size(), span.last - span.first + 1);
+  QVERIFY(!highlighted.isEmpty());
+  QTest::keyClick(canvas(), Qt::Key_Escape);
+  QVERIFY(!window_->selection().span());
+  QVERIFY(!table().selectionModel()->hasSelection());
+}
+
+void PlotsTest::rowsOfTheTableAreASpanInThePlotsAndTheRoom() {
+  openTrajectory();
+  QVERIFY(
+      waitFor([this] { return !window_->findChild<BirdsEyeView*>()->currentPicture().isNull(); }));
+  const QImage before = window_->findChild<BirdsEyeView*>()->currentPicture();
+  table().setFocus();
+  table().selectRow(4);
+  QTest::keyClick(&table(), Qt::Key_Down, Qt::ShiftModifier);
+  for (int i = 0; i < 20; ++i) {
+    QTest::keyClick(&table(), Qt::Key_Down, Qt::ShiftModifier);
+  }
+  QVERIFY(plots().span());
+  QCOMPARE(*plots().span(), (FrameSpan{4, 25})); // rows from 4 on, 21 steps down
+  QCOMPARE(trajectory().plots().span(), plots().span());
+  QVERIFY(window_->findChild<BirdsEyeView*>()->currentPicture() != before);
+  window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
+}
+
+void PlotsTest::placeOfTheTailIsAMoment() {
+  openTrajectory();
+  auto* view = window_->findChild<BirdsEyeView*>();
+  QVERIFY(waitFor([&] { return !view->currentPicture().isNull(); }));
+  const auto& tail = window_->shown()->targets.front().tail;
+  QCOMPARE(tail.size(), static_cast<std::size_t>(kFrames));
+  const auto pixel = [&](std::size_t frame) {
+    const Eigen::Vector2d place = view->scene().placeInPicture(tail[frame]);
+    const QPointF offset(place.x(), -place.y());
+    return (QPointF(view->width(), view->height()) / 2.0 + offset / view->devicePixelRatioF());
+  };
+  QSignalSpy wanted(&window_->selection(), &Selection::momentWanted);
+  QTest::mouseClick(view, Qt::LeftButton, {}, pixel(20).toPoint());
+  QCOMPARE(wanted.size(), 1);
+  // Neighbors in the tail may be nearer to the whole pixel that was clicked.
+  const auto chosen = wanted.first().first().toULongLong();
+  QVERIFY(QLineF(pixel(chosen), pixel(20)).length() < 2.0);
+  QTest::mouseClick(view, Qt::LeftButton, Qt::ShiftModifier, pixel(20).toPoint());
+  QVERIFY(window_->selection().span());
+  const FrameSpan span = *window_->selection().span();
+  QVERIFY(span.first == static_cast<qint64>(chosen) || span.last == static_cast<qint64>(chosen));
+  window_->selection().wantNow();
+  QVERIFY(waitFor([this] { return window_->shown()->frame == kFrames - 1; }));
+  window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
+}
+
+void PlotsTest::csvIsWhatIsShown() {
+  action("actionPlotCopy")->trigger();
+  QStringList lines = csvLines(QApplication::clipboard()->text());
+  QVERIFY(lines.first().startsWith(
+      QStringLiteral("iteration,frame,time_s,spread_x_mm,spread_y_mm,spread_z_mm,"
+                     "effective_sample_size,particles,log_likelihood_")));
+  QCOMPARE(lines.size() - 1, window_->shown()->iterations);
+  const qsizetype columns = lines.first().split(QLatin1Char(',')).size();
+  for (const QString& line : lines) {
+    QCOMPARE(line.split(QLatin1Char(',')).size(), columns);
+  }
+  // The last line is the estimate that the window shows.
+  const QStringList last = lines.last().split(QLatin1Char(','));
+  const TargetEstimate& estimate = window_->shown()->targets.front().estimate;
+  QCOMPARE(last[0].toLongLong(), window_->shown()->iterations);
+  QCOMPARE(last[1].toLongLong(), window_->shown()->frame);
+  // Kept as float: 24 bits.
+  QVERIFY(std::abs(last[3].toDouble() - 1000.0 * std::sqrt(estimate.covariance(0, 0))) <
+          1e-3 * last[3].toDouble() + 1e-6);
+  QVERIFY(std::abs(last[6].toDouble() - estimate.effectiveSampleSize) <
+          1e-6 * estimate.effectiveSampleSize);
+  // A part of the axis: that part of the table.
+  QTest::keyClick(canvas(), Qt::Key_Home);
+  for (int i = 0; i < 4; ++i) {
+    QTest::keyClick(canvas(), Qt::Key_Plus);
+  }
+  const auto [lower, upper] = plots().shownRange();
+  action("actionPlotCopy")->trigger();
+  lines = csvLines(QApplication::clipboard()->text());
+  QVERIFY(lines.size() > 1 && lines.size() - 1 < window_->shown()->iterations);
+  for (const QString& line : lines.mid(1)) {
+    const double iteration = line.section(QLatin1Char(','), 0, 0).toDouble();
+    QVERIFY(iteration >= lower && iteration <= upper);
+  }
+}
+
+void PlotsTest::trajectoryCsvIsWhatIsSelected() {
+  openTrajectory();
+  QApplication::clipboard()->clear();
+  action("actionTrajectoryCopy")->trigger();
+  QVERIFY(waitFor([] { return !QApplication::clipboard()->text().isEmpty(); }));
+  QCOMPARE(csvLines(QApplication::clipboard()->text()).size(), 1 + kFrames);
+  table().selectRow(7);
+  QApplication::clipboard()->clear();
+  action("actionTrajectoryCopy")->trigger();
+  QVERIFY(waitFor([] { return !QApplication::clipboard()->text().isEmpty(); }));
+  const QStringList lines = csvLines(QApplication::clipboard()->text());
+  QCOMPARE(lines.size(), 2);
+  const QStringList cells = lines.last().split(QLatin1Char(','));
+  QCOMPARE(cells[1], QStringLiteral("7"));
+  // The table shows the same place, to a tenth of a millimetre.
+  const QString shown = table().model()->index(7, 3).data().toString();
+  QCOMPARE(QLocale::c().toString(cells[3].toDouble(), 'f', 4).replace('-', QChar(0x2212)), shown);
+  window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
+}
+
+void PlotsTest::picturesCanBeRead() {
+  QVERIFY(waitFor([this] { return canvas()->isVisible(); }));
+  QTemporaryDir folder;
+  auto* panel = window_->findChild<PlotPanel*>();
+  const QString svg = folder.filePath(QStringLiteral("plots.svg"));
+  QVERIFY(panel->savePicture(svg));
+  QSvgRenderer renderer(svg);
+  QVERIFY(renderer.isValid());
+  QCOMPARE(renderer.defaultSize(), canvas()->size());
+  QFile file(svg);
+  QVERIFY(file.open(QIODevice::ReadOnly));
+  QVERIFY(file.readAll().contains("Spread")); // text stays text
+  const QString png = folder.filePath(QStringLiteral("plots.png"));
+  QVERIFY(panel->savePicture(png));
+  const QImage picture(png);
+  QVERIFY(picture.width() >= 2 * canvas()->width()); // twice the window's pixels
+  QSignalSpy failed(panel, &PlotPanel::failed);
+  QVERIFY(!panel->savePicture(QStringLiteral("/proc/none/plots.svg")));
+  QCOMPARE(failed.size(), 1);
+}
+
+void PlotsTest::restartBeginsAnew() {
+  openTrajectory();
+  action("actionRestart")->trigger();
+  QVERIFY(waitFor([this] { return window_->shown()->iterations == 0; }));
+  action("actionNextFrame")->trigger();
+  QVERIFY(waitFor([this] { return table().model()->rowCount() == 1; }));
+  QCOMPARE(window_->findChild<PlotPanel*>()->shownIterations(),
+           static_cast<int>(window_->shown()->iterations));
+}
+
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
+  QApplication::setApplicationName(QStringLiteral("PlotsTest"));
+  dewpoint::PlotsTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "plots_test.moc"

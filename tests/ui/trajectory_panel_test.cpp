@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The trajectory panel and the plots' numbers on made-up runs, also long ones.
+#include "core/session/snapshot.h"
+#include "ui/actions/action_registry.h"
+#include "ui/actions/window_actions.h"
+#include "ui/plots/plot_stack.h"
+#include "ui/plots/run_plots.h"
+#include "ui/trajectory/gap_list.h"
+#include "ui/trajectory/trajectory_panel.h"
+
+#include <QApplication>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
+
+/// A ball on a circle of 1 m about (0, 0, 1) at 2 rad/s, not held in frames 40 to 49.
+std::vector<TrajectorySample> circle(std::int64_t frames) {
+  std::vector<TrajectorySample> samples;
+  for (std::int64_t frame = 0; frame < frames; ++frame) {
+    TrajectorySample sample;
+    sample.frame = frame;
+    sample.time = static_cast<double>(frame) / 30.0;
+    sample.target = "ball";
+    sample.position = {std::cos(2.0 * sample.time), std::sin(2.0 * sample.time), 1.0};
+    sample.valid = frame < 40 || frame >= 50;
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+} // namespace
+
+class TrajectoryPanelTest : public QObject {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void init();
+  void cleanup();
+  void speedHeightAndGaps();
+  void chosenGapIsTheSpan();
+  void tableFollowsAndGoesBack();
+  void longRunsAreBounded();
+  void drawingKeepsTheExtremes();
+  void timeShowsTheLastIterationOfAFrame();
+  void longRunsAreDrawnFromFewPoints();
+
+private:
+  void follow(const std::vector<TrajectorySample>& samples);
+  QTableView& table() { return *panel_->findChild<QTableView*>(); }
+
+  std::unique_ptr<QWidget> window_;
+  std::unique_ptr<ActionRegistry> actions_;
+  Selection selection_;
+  TrajectoryPanel* panel_ = nullptr;
+  std::vector<TrajectorySample> samples_;
+  bool restarted_ = false;
+};
+
+void TrajectoryPanelTest::init() {
+  window_ = std::make_unique<QWidget>();
+  actions_ = std::make_unique<ActionRegistry>(window_.get());
+  declareWindowActions(*actions_);
+  panel_ = new TrajectoryPanel(*actions_, selection_, window_.get());
+  panel_->resize(1000, 300);
+  window_->resize(1000, 300);
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+}
+
+void TrajectoryPanelTest::cleanup() {
+  selection_.clear();
+  window_.reset();
+  actions_.reset();
+}
+
+void TrajectoryPanelTest::follow(const std::vector<TrajectorySample>& samples) {
+  samples_ = samples;
+  panel_->follow([this](auto&, auto& position) {
+    Session::SamplesPiece piece;
+    piece.restarted = std::exchange(restarted_, false);
+    piece.first = piece.restarted ? 0 : std::min(position, samples_.size());
+    piece.samples.assign(samples_.begin() + static_cast<std::ptrdiff_t>(piece.first),
+                         samples_.end());
+    position = samples_.size();
+    return piece;
+  });
+  QVERIFY(QTest::qWaitFor(
+      [&] { return table().model()->rowCount() == static_cast<int>(samples_.size()); },
+      kPatienceMs));
+}
+
+void TrajectoryPanelTest::speedHeightAndGaps() {
+  follow(circle(100));
+  panel_->plots().setHovered(20);
+  const QString words = panel_->plots().valuesInWords();
+  // 2 rad/s on 1 m; the straight line over five frames of an arc is 0.25 % short: 1.99498 m/s.
+  QVERIFY2(words.contains(QStringLiteral("1.99 m/s")), qPrintable(words));
+  QVERIFY2(words.contains(QStringLiteral("1.000 m")), qPrintable(words));
+  auto* gaps = panel_->findChild<GapList*>();
+  QCOMPARE(gaps->rowCount(), 1);
+  QCOMPARE(gaps->item(0, 0)->text(), QStringLiteral("frame 41")); // people count from 1
+  QCOMPARE(gaps->item(0, 1)->text(), QStringLiteral("frame 50"));
+  // From frame 39 to frame 50 at 30 frames a second: 11 / 30 s.
+  QVERIFY(gaps->item(0, 2)->text().startsWith(QStringLiteral("0.37 s")));
+}
+
+void TrajectoryPanelTest::chosenGapIsTheSpan() {
+  follow(circle(100));
+  QSignalSpy chosen(&selection_, &Selection::spanChanged);
+  panel_->findChild<GapList*>()->selectRow(0);
+  QCOMPARE(chosen.size(), 1);
+  QCOMPARE(selection_.span(), std::optional(FrameSpan{40, 49}));
+  QCOMPARE(table().selectionModel()->selectedRows().size(), 10);
+  selection_.selectSpan(std::nullopt);
+  QVERIFY(!table().selectionModel()->hasSelection());
+  QVERIFY(!panel_->findChild<GapList*>()->selectionModel()->hasSelection());
+}
+
+void TrajectoryPanelTest::tableFollowsAndGoesBack() {
+  follow(circle(30));
+  samples_ = circle(60);
+  panel_->refresh();
+  QVERIFY(QTest::qWaitFor([&] { return table().model()->rowCount() == 60; }, kPatienceMs));
+  QCOMPARE(table().verticalScrollBar()->value(), table().verticalScrollBar()->maximum());
+  samples_ = circle(10); // the run went back
+  restarted_ = true;
+  panel_->refresh();
+  QVERIFY(QTest::qWaitFor([&] { return table().model()->rowCount() == 10; }, kPatienceMs));
+  QCOMPARE(panel_->findChild<GapList*>()->rowCount(), 0);
+}
+
+void TrajectoryPanelTest::longRunsAreBounded() {
+  PlotSeries series;
+  series.reset(1);
+  constexpr std::int64_t kIterations = 500000; // 4.6 hours of one iteration at 30 frames a second
+  for (std::int64_t i = 0; i < kIterations; ++i) {
+    const auto value = static_cast<float>(i % 100);
+    series.append({i, i, static_cast<double>(i) / 30.0}, std::span(&value, 1));
+  }
+  QVERIFY(series.size() <= PlotSeries::kMostRows);
+  QCOMPARE(series.row(0).iteration, 0);
+  QCOMPARE(series.row(series.size() - 1).iteration, kIterations - 1);
+  // The newest are there in full.
+  QCOMPARE(series.row(series.size() - 1000).iteration, kIterations - 1000);
+  const auto line = series.line(0, PlotAxis::Iterations, 0.0, kIterations, 800);
+  QVERIFY(line.keys.size() <= 2 * 802);
+  QVERIFY(std::ranges::is_sorted(line.keys));
+}
+
+void TrajectoryPanelTest::drawingKeepsTheExtremes() {
+  PlotSeries series;
+  series.reset(1);
+  for (std::int64_t i = 0; i < 20000; ++i) {
+    const float value = i == 12345 ? 99.0F : i == 777 ? -99.0F : 1.0F;
+    series.append({i, i, static_cast<double>(i)}, std::span(&value, 1));
+  }
+  const auto line = series.line(0, PlotAxis::Iterations, 0.0, 20000.0, 300);
+  QCOMPARE(std::ranges::max(line.values), 99.0);
+  QCOMPARE(std::ranges::min(line.values), -99.0);
+}
+
+void TrajectoryPanelTest::timeShowsTheLastIterationOfAFrame() {
+  PlotSeries series;
+  series.reset(1);
+  for (std::int64_t i = 0; i < 30; ++i) {
+    const auto value = static_cast<float>(i);
+    series.append({i, i / 3, static_cast<double>(i / 3)}, std::span(&value, 1)); // 3 per frame
+  }
+  const auto line = series.line(0, PlotAxis::Time, 0.0, 9.0, 300);
+  QCOMPARE(line.values.size(), std::size_t{10});
+  QCOMPARE(line.values[4], 14.0); // frame 4: iterations 12, 13, 14
+  QCOMPARE(series.row(*series.nearest(PlotAxis::Time, 4.1)).iteration, 14);
+  QCOMPARE(series.row(*series.atFrame(4)).iteration, 14);
+}
+
+void TrajectoryPanelTest::longRunsAreDrawnFromFewPoints() {
+  PlotStack stack;
+  stack.setPlots(runPlots({QStringLiteral("left"), QStringLiteral("right")}));
+  stack.setShown({QStringLiteral("spread"), QStringLiteral("sampleSize"),
+                  QStringLiteral("likelihood"), QStringLiteral("error")});
+  PlotSeries series;
+  series.reset(runPlotColumns(2));
+  IterationRecord record;
+  record.cameras.resize(2);
+  for (std::int64_t i = 0; i < 40000; ++i) {
+    const double wave = std::sin(0.37 * static_cast<double>(i * i % 1009));
+    record.iteration = i + 1;
+    record.frame = i;
+    record.time = static_cast<double>(i) / 30.0;
+    record.spreadPerAxis = Eigen::Vector3d(0.01, 0.02, 0.03) * (1.5 + wave);
+    record.effectiveSampleSize = 100.0 + 50.0 * wave;
+    record.particleCount = 200;
+    record.error = 0.02 * (1.1 + wave);
+    for (CameraEvidence& camera : record.cameras) {
+      camera = {true, -20.0 + wave, 0.9, 1.0};
+    }
+    appendTo(series, record);
+  }
+  stack.setSeries(&series);
+  stack.resize(1400, 240);
+  stack.show();
+  QVERIFY(QTest::qWaitForWindowExposed(&stack));
+  QVERIFY(QTest::qWaitFor([&] { return stack.drawnPoints() > 0; }, kPatienceMs));
+  // Eight curves, two points for each of at most 1400 pixels, and one beyond either end.
+  QVERIFY(stack.drawnPoints() <= 8 * (2 * 1400 + 4));
+  stack.showAll();
+  stack.showAll();
+  qInfo("40,000 iterations, %d points: %.1f ms per drawing", stack.drawnPoints(),
+        stack.lastDrawingMs());
+}
+
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
+  QApplication::setApplicationName(QStringLiteral("TrajectoryPanelTest"));
+  dewpoint::TrajectoryPanelTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "trajectory_panel_test.moc"

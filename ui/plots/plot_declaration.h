@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QString>
+
+#include <cstddef>
+#include <vector>
+
+namespace dewpoint {
+
+/// What the numbers of a plot are: how they are written, and how the axis fits them.
+enum class PlotQuantity {
+  Length,        ///< metres; drawn in millimetres on a logarithmic axis
+  Position,      ///< metres
+  Speed,         ///< metres per second
+  Count,         ///< from 0
+  Duration,      ///< microseconds, from 0
+  LogLikelihood, ///< natural logarithm
+  Probability,   ///< 0 to 1
+};
+
+struct CurveDeclaration {
+  QString name;           ///< in the person's language; "x", "camera 1"
+  QString csvName;        ///< column of a table, with its unit: "spread_x_mm"
+  std::size_t column = 0; ///< of the PlotSeries
+  int color = 0;          ///< see curveColor()
+};
+
+/// One plot of a stack.
+struct PlotDeclaration {
+  QString id; ///< "spread"
+  QString title;
+  PlotQuantity quantity = PlotQuantity::Count;
+  std::vector<CurveDeclaration> curves;
+};
+
+/// A value with its unit, in the precision that makes sense; "–" when it is not a number.
+QString quantityText(PlotQuantity quantity, double value);
+/// The unit of the axis in a figure; may be empty.
+QString axisUnit(PlotQuantity quantity);
+/// Number on the axis and in tables, for a value as it is stored.
+double drawnValue(PlotQuantity quantity, double value);
+
+/// Color-blind-safe (Okabe-Ito, darker on light ground). Negative: the color of text.
+QColor curveColor(int index, const QColor& text);
+
+} // namespace dewpoint

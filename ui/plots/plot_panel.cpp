@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/plot_panel.h"
+
+#include "core/session/snapshot.h"
+#include "ui/actions/action_registry.h"
+#include "ui/plots/plot_stack.h"
+#include "ui/plots/run_plots.h"
+#include "ui/settings/retranslation.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QScrollArea>
+#include <QSettings>
+#include <QToolButton>
+
+#include <array>
+
+namespace dewpoint {
+
+namespace {
+
+/// Actions that show a plot, and its id.
+constexpr std::array<std::pair<const char*, const char*>, 6> kChoices{
+    {{"actionPlotSpread", "spread"},
+     {"actionPlotSampleSize", "sampleSize"},
+     {"actionPlotLikelihood", "likelihood"},
+     {"actionPlotExistence", "existence"},
+     {"actionPlotError", "error"},
+     {"actionPlotDuration", "duration"}}};
+
+constexpr const char* kShownSetting = "plots/shown";
+constexpr const char* kOverTimeSetting = "plots/overTime";
+
+QStringList chosenPlots() {
+  const QStringList atFirst{QStringLiteral("spread"), QStringLiteral("sampleSize"),
+                            QStringLiteral("likelihood"), QStringLiteral("error")};
+  return QSettings().value(QLatin1String(kShownSetting), atFirst).toStringList();
+}
+
+} // namespace
+
+PlotPanel::PlotPanel(ActionRegistry& actions, Selection& selection, QWidget* parent)
+    : QWidget(parent), actions_(actions), selection_(selection), stack_(new PlotStack(this)) {
+  setObjectName(QStringLiteral("plotPanel"));
+  stack_->setObjectName(QStringLiteral("plotStack"));
+  auto* scroll = new QScrollArea(this);
+  scroll->setObjectName(QStringLiteral("plotScroll"));
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(stack_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(scroll);
+  inEveryLanguage(this, [this] {
+    useCameras();
+    stack_->setAccessibleName(tr("Plots of the run"));
+    stack_->focusProxy()->setAccessibleName(tr("Plots of the run"));
+  });
+  connectActions();
+  stack_->setSeries(&seriesOf(0));
+  stack_->link(selection_);
+  connect(&selection_, &Selection::momentChanged, this, &PlotPanel::placeMoment);
+  connect(&selection_, &Selection::targetSelected, this,
+          [this](int target) { setTarget(std::max(0, target)); });
+}
+
+PlotPanel::~PlotPanel() = default;
+
+void PlotPanel::connectActions() {
+  const QStringList chosen = chosenPlots();
+  for (const auto& [action, plot] : kChoices) {
+    QAction* choice = actions_.action(action);
+    choice->setChecked(chosen.contains(QLatin1String(plot)));
+    connect(choice, &QAction::toggled, this, &PlotPanel::keepChoice);
+  }
+  QAction* overTime = actions_.action("actionPlotOverTime");
+  connect(overTime, &QAction::toggled, this, [this](bool time) {
+    stack_->setAxis(time ? PlotAxis::Time : PlotAxis::Iterations);
+    QSettings().setValue(QLatin1String(kOverTimeSetting), time);
+  });
+  overTime->setChecked(QSettings().value(QLatin1String(kOverTimeSetting), false).toBool());
+  connect(actions_.action("actionPlotAll"), &QAction::triggered, stack_, &PlotStack::showAll);
+  connect(actions_.action("actionPlotCopy"), &QAction::triggered, this, &PlotPanel::copyCsv);
+  connect(actions_.action("actionPlotSave"), &QAction::triggered, this, &PlotPanel::askSave);
+  connect(stack_, &PlotStack::contextMenuWanted, this, [this](const QPoint& place) {
+    QMenu menu(this);
+    fillMenu(&menu);
+    menu.exec(place);
+  });
+  stack_->setShown(chosen);
+}
+
+void PlotPanel::fillMenu(QMenu* menu) const {
+  for (const auto& choice : kChoices) {
+    menu->addAction(actions_.action(choice.first));
+  }
+  menu->addSeparator();
+  for (const char* id :
+       {"actionPlotOverTime", "actionPlotAll", "actionPlotCopy", "actionPlotSave"}) {
+    menu->addAction(actions_.action(id));
+  }
+}
+
+void PlotPanel::keepChoice() {
+  QStringList chosen;
+  for (const auto& [action, plot] : kChoices) {
+    if (actions_.action(action)->isChecked()) {
+      chosen << QLatin1String(plot);
+    }
+  }
+  QSettings().setValue(QLatin1String(kShownSetting), chosen);
+  stack_->setShown(chosen);
+}
+
+QWidget* PlotPanel::makeTools(QWidget* parent) {
+  auto* tools = new QWidget(parent);
+  tools->setObjectName(QStringLiteral("plotTools"));
+  auto* row = new QHBoxLayout(tools);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
+  auto* place = new QLabel(tools);
+  place->setObjectName(QStringLiteral("plotPlace"));
+  row->addWidget(place);
+  connect(stack_, &PlotStack::cursorMoved, place, [this, place] {
+    place->setText(stack_->placeInWords());
+    stack_->focusProxy()->setAccessibleDescription(stack_->valuesInWords());
+  });
+  const auto button = [&](const char* name) {
+    auto* made = new QToolButton(tools);
+    made->setObjectName(QLatin1String(name));
+    made->setAutoRaise(true);
+    row->addWidget(made);
+    return made;
+  };
+  QToolButton* time = button("plotOverTime");
+  time->setDefaultAction(actions_.action("actionPlotOverTime"));
+  time->setFocusPolicy(Qt::TabFocus);
+  QToolButton* all = button("plotAll");
+  all->setDefaultAction(actions_.action("actionPlotAll"));
+  all->setFocusPolicy(Qt::TabFocus);
+  QToolButton* choice = button("plotChoice");
+  choice->setPopupMode(QToolButton::InstantPopup);
+  choice->setFocusPolicy(Qt::TabFocus);
+  auto* menu = new QMenu(choice);
+  menu->setToolTipsVisible(true);
+  fillMenu(menu);
+  choice->setMenu(menu);
+  inEveryLanguage(choice, [choice] {
+    choice->setText(tr("Plots"));
+    choice->setToolTip(tr("Choose the plots shown; copy or save them"));
+    choice->setAccessibleName(tr("Choose the plots shown"));
+  });
+  return tools;
+}
+
+PlotSeries& PlotPanel::seriesOf(int target) {
+  while (series_.size() <= static_cast<std::size_t>(target)) {
+    series_.push_back(std::make_unique<PlotSeries>());
+    series_.back()->reset(runPlotColumns(static_cast<int>(cameras_.size())));
+  }
+  return *series_[static_cast<std::size_t>(target)];
+}
+
+void PlotPanel::append(const std::vector<IterationRecord>& records) {
+  for (const IterationRecord& record : records) {
+    PlotSeries& series = seriesOf(record.target);
+    // A method may have fewer iterations behind it than before.
+    if (series.size() > 0 && record.iteration <= series.row(series.size() - 1).iteration) {
+      series.removeFrom(record.frame);
+    }
+    appendTo(series, record);
+  }
+  if (!records.empty()) {
+    placeMoment();
+    stack_->refresh();
+  }
+}
+
+void PlotPanel::clear() {
+  const std::size_t columns = runPlotColumns(static_cast<int>(cameras_.size()));
+  for (const auto& series : series_) {
+    series->reset(columns);
+  }
+  stack_->setMoment(std::nullopt);
+  stack_->setHovered(std::nullopt);
+  stack_->refresh();
+}
+
+void PlotPanel::useCameras() {
+  stack_->setPlots(runPlots(cameras_));
+}
+
+void PlotPanel::show(const TrackSnapshot& snapshot) {
+  QStringList cameras;
+  for (std::size_t camera = 0; snapshot.rig && camera < snapshot.rig->size(); ++camera) {
+    const QString name = QString::fromStdString((*snapshot.rig)[camera].name);
+    cameras << (name.isEmpty() ? tr("Camera %1").arg(camera + 1) : name);
+  }
+  if (cameras != cameras_ || !camerasKnown_) {
+    camerasKnown_ = true;
+    cameras_ = cameras;
+    for (const auto& series : series_) {
+      series->reset(runPlotColumns(static_cast<int>(cameras_.size())));
+    }
+    useCameras();
+  }
+}
+
+void PlotPanel::placeMoment() {
+  // At the newest frame there is no line: the curves end there.
+  const PlotSeries& series = seriesOf(target_);
+  const std::int64_t frame = selection_.moment();
+  const bool past = series.size() > 0 && frame < series.row(series.size() - 1).frame;
+  stack_->setMoment(past ? std::optional(frame) : std::nullopt);
+}
+
+void PlotPanel::setTarget(int target) {
+  if (target >= 0 && target != target_) {
+    target_ = target;
+    stack_->setSeries(&seriesOf(target));
+  }
+}
+
+int PlotPanel::shownIterations() const {
+  const auto target = static_cast<std::size_t>(target_);
+  return target < series_.size() ? static_cast<int>(series_[target]->size()) : 0;
+}
+
+void PlotPanel::copyCsv() {
+  QGuiApplication::clipboard()->setText(QString::fromUtf8(stack_->csv()));
+  Q_EMIT notice(tr("The plots are on the clipboard as CSV."));
+}
+
+void PlotPanel::askSave() {
+  const QString file =
+      QFileDialog::getSaveFileName(this, tr("Save the plots"), QStringLiteral("plots.svg"),
+                                   tr("Drawings (*.svg);;Pictures (*.png)"));
+  if (!file.isEmpty()) {
+    savePicture(file);
+  }
+}
+
+bool PlotPanel::savePicture(const QString& file) {
+  const bool saved = stack_->savePicture(file);
+  if (saved) {
+    Q_EMIT notice(tr("Saved %1.").arg(file));
+  } else {
+    Q_EMIT failed(tr("%1 could not be written.").arg(file));
+  }
+  return saved;
+}
+
+} // namespace dewpoint

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/plots/plot_series.h"
+
+#include <QStringList>
+#include <QWidget>
+
+#include <memory>
+#include <vector>
+
+class QAction;
+class QMenu;
+
+namespace dewpoint {
+
+class ActionRegistry;
+class PlotStack;
+class Selection;
+struct IterationRecord;
+struct TrackSnapshot;
+
+/// The plots of a run: spread per axis, effective sample size, likelihood and existence per camera,
+/// error against truth and time per step of one target, over iterations or time. Which are shown is
+/// the person's choice and remembered.
+class PlotPanel : public QWidget {
+  Q_OBJECT
+public:
+  /// Connects the registry's plot actions.
+  PlotPanel(ActionRegistry& actions, Selection& selection, QWidget* parent = nullptr);
+  ~PlotPanel() override;
+
+  /// Iterations since the last call.
+  void append(const std::vector<IterationRecord>& records);
+  /// A new run: what comes next is from its start.
+  void clear();
+  /// Whose cameras the curves are of.
+  void show(const TrackSnapshot& snapshot);
+  using QWidget::show;
+  /// Whose numbers are shown, from 0.
+  void setTarget(int target);
+  int shownIterations() const;
+  PlotStack& stack() { return *stack_; }
+
+  /// Buttons and the place of the cursor, for the title of the dock.
+  QWidget* makeTools(QWidget* parent);
+  void copyCsv();
+  /// SVG or PNG, by the name's ending; says how it went.
+  bool savePicture(const QString& file);
+
+Q_SIGNALS:
+  void notice(const QString& sentence);
+  void failed(const QString& sentence);
+
+private:
+  void connectActions();
+  void fillMenu(QMenu* menu) const;
+  void keepChoice();
+  void useCameras();
+  void askSave();
+  void placeMoment();
+  PlotSeries& seriesOf(int target);
+
+  ActionRegistry& actions_;
+  Selection& selection_;
+  PlotStack* stack_;
+  QStringList cameras_;
+  bool camerasKnown_ = false;
+  std::vector<std::unique_ptr<PlotSeries>> series_; ///< per target
+  int target_ = 0;
+};
+
+} // namespace dewpoint

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QPoint>
+
+#include <cstdint>
+#include <optional>
+
+class QCustomPlot;
+class QKeyEvent;
+class QMouseEvent;
+
+namespace dewpoint {
+
+class PlotStack;
+
+/// Mouse and keys on a stack of plots. Wheel: zoom about the pointer. Drag: pan; with Ctrl: zoom to
+/// what was dragged over; with Shift: choose a span. Click: go to that moment. Double click: all.
+/// Arrow keys: the cursor (with Shift: a span), + and -: zoom, Page Up and Down: pan, Home and End:
+/// first and last frame, Return: go to the cursor, Backspace: all, Escape: no span.
+class PlotPointer : public QObject {
+  Q_OBJECT
+public:
+  PlotPointer(PlotStack& stack, QCustomPlot* plot);
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+  enum class Drag { None, Press, Pan, Zoom, Span };
+  void press(QMouseEvent* event);
+  void move(QMouseEvent* event);
+  void release(QMouseEvent* event);
+  bool key(QKeyEvent* event);
+  void walk(std::int64_t frames, bool choosing);
+  void hover(std::optional<std::int64_t> frame);
+
+  PlotStack& stack_;
+  Drag drag_ = Drag::None;
+  QPoint pressed_;
+  double pressedKey_ = 0.0;
+  std::pair<double, double> pressedRange_;
+  std::optional<std::int64_t> anchor_; ///< where a span chosen by keys began
+};
+
+} // namespace dewpoint

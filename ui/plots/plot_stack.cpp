@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/plot_stack.h"
+
+#include "ui/plots/plot_cursor.h"
+#include "ui/plots/plot_pointer.h"
+#include "ui/plots/plot_row.h"
+
+#include <QEvent>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr int kLeastRowHeight = 40;
+constexpr int kLeastIntervalMs = 120;
+/// Drawing may take this share of the time: with less than 2 ms for each of 30 snapshots a second.
+constexpr double kDrawingShare = 0.05;
+
+} // namespace
+
+PlotStack::PlotStack(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
+  plot_->setObjectName(QStringLiteral("plotCanvas"));
+  plot_->setFocusPolicy(Qt::StrongFocus);
+  plot_->setMouseTracking(true);
+  plot_->setNoAntialiasingOnDrag(true);
+  plot_->setPlottingHint(QCP::phFastPolylines);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_);
+  setFocusProxy(plot_);
+  plot_->plotLayout()->clear();
+  plot_->addLayer(QStringLiteral("cursor"), plot_->layer(QStringLiteral("overlay")));
+  plot_->layer(QStringLiteral("cursor"))->setMode(QCPLayer::lmBuffered);
+  cursor_ = new PlotCursor(plot_, QStringLiteral("cursor"));
+  new PlotPointer(*this, plot_);
+  timer_.setSingleShot(true);
+  connect(&timer_, &QTimer::timeout, this, &PlotStack::draw);
+  sinceDrawing_.start();
+  applyPalette();
+}
+
+PlotStack::~PlotStack() = default;
+
+void PlotStack::setPlots(std::vector<PlotDeclaration> plots) {
+  rows_.clear(); // they point into the old ones
+  plot_->clearGraphs();
+  plot_->plotLayout()->clear();
+  plots_ = std::move(plots);
+  rebuild();
+}
+
+void PlotStack::setShown(const QStringList& ids) {
+  shown_ = ids;
+  rebuild();
+}
+
+void PlotStack::setSeries(const PlotSeries* series) {
+  series_ = series;
+  refresh();
+}
+
+std::vector<const PlotDeclaration*> PlotStack::wantedPlots() const {
+  std::vector<const PlotDeclaration*> chosen;
+  std::vector<const PlotDeclaration*> known;
+  for (const PlotDeclaration& plot : plots_) {
+    if (shown_.contains(plot.id)) {
+      chosen.push_back(&plot);
+      if (series_ != nullptr && std::ranges::any_of(plot.curves, [this](const auto& curve) {
+            return curve.column < series_->columns() && series_->isKnown(curve.column);
+          })) {
+        known.push_back(&plot);
+      }
+    }
+  }
+  return known.empty() ? chosen : known;
+}
+
+void PlotStack::rebuild() {
+  rows_.clear();
+  cursor_->rects.clear();
+  plot_->clearGraphs();
+  plot_->plotLayout()->clear();
+  delete plot_->findChild<QCPMarginGroup*>();
+  auto* margins = new QCPMarginGroup(plot_);
+  plot_->plotLayout()->setRowSpacing(0);
+  plot_->plotLayout()->setColumnSpacing(0);
+  const auto wanted = wantedPlots();
+  for (const PlotDeclaration* plot : wanted) {
+    rows_.push_back(
+        std::make_unique<PlotRow>(plot_, *plot, static_cast<int>(rows_.size()), margins));
+    cursor_->rects.push_back(rows_.back()->rect());
+  }
+  for (const auto& row : rows_) {
+    const bool last = row == rows_.back();
+    row->xAxis()->setTickLabels(last);
+    row->rect()->setMarginGroup(QCP::msLeft, margins);
+    // Only the lowest needs room for the numbers of the shared axis.
+    row->rect()->setAutoMargins(QCP::msLeft);
+    row->rect()->setMargins(QMargins(0, 4, 4, last ? kTickHeight : 4));
+    row->readout()->setWidth(PlotReadout::widthFor(wanted));
+    row->readout()->setMargins(QMargins(0, 2, 0, 0));
+  }
+  plot_->setMinimumHeight(kLeastRowHeight * static_cast<int>(rows_.size()) + kTickHeight);
+  applyPalette();
+  draw();
+}
+
+std::pair<double, double> PlotStack::shownRange() const {
+  if (series_ == nullptr || series_->size() == 0) {
+    return {0.0, axis_ == PlotAxis::Time ? 10.0 : 100.0};
+  }
+  const double first = series_->key(0, axis_);
+  const double last = series_->key(series_->size() - 1, axis_);
+  if (part_) {
+    const double moved = following_ ? last - part_->second : 0.0;
+    return {part_->first + moved, part_->second + moved};
+  }
+  const double least = axis_ == PlotAxis::Time ? 2.0 : 60.0; // a beginning run grows into it
+  return {first, std::max(last, first + least)};
+}
+
+void PlotStack::refresh() {
+  if (timer_.isActive() || !isVisible()) {
+    return;
+  }
+  const double pause = std::max<double>(kLeastIntervalMs, lastDrawingMs_ / kDrawingShare);
+  timer_.start(
+      static_cast<int>(std::max(0.0, pause - static_cast<double>(sinceDrawing_.elapsed()))));
+}
+
+void PlotStack::draw() {
+  if (!isVisible() || series_ == nullptr) {
+    return;
+  }
+  const auto wanted = wantedPlots();
+  const bool same = std::ranges::equal(
+      wanted, rows_, [](const auto* plot, const auto& row) { return plot == &row->declaration(); });
+  if (!same) {
+    rebuild(); // a plot has got its first numbers
+    return;
+  }
+  QElapsedTimer took;
+  took.start();
+  const auto [lower, upper] = shownRange();
+  if (part_) {
+    part_ = {lower, upper};
+  }
+  for (const auto& row : rows_) {
+    row->xAxis()->setRange(lower, upper);
+    const int decimals = axis_ == PlotAxis::Time && upper - lower < 8.0 ? 1 : 0;
+    row->xAxis()->setNumberPrecision(decimals);
+    row->fill(*series_, axis_);
+  }
+  drawCursor();
+  plot_->replot();
+  lastDrawingMs_ = static_cast<double>(took.nsecsElapsed()) * 1e-6;
+  sinceDrawing_.restart();
+}
+
+std::optional<std::size_t> PlotStack::cursorRow() const {
+  if (series_ == nullptr || series_->size() == 0) {
+    return std::nullopt;
+  }
+  const auto frame = hovered_ ? hovered_ : moment_;
+  return frame ? series_->atFrame(*frame) : series_->size() - 1;
+}
+
+void PlotStack::drawCursor() {
+  const auto place = [this](const std::optional<std::int64_t>& frame) -> std::optional<double> {
+    const auto row = series_ != nullptr && frame ? series_->atFrame(*frame) : std::nullopt;
+    return row ? std::optional(series_->key(*row, axis_)) : std::nullopt;
+  };
+  cursor_->moment = place(moment_);
+  cursor_->hovered = place(hovered_);
+  cursor_->span.reset();
+  if (span_) {
+    const auto first = place(span_->first);
+    const auto last = place(span_->last);
+    if (last) {
+      cursor_->span = std::pair(first.value_or(series_->key(0, axis_)), *last);
+    }
+  }
+  const auto row = cursorRow();
+  for (const auto& plot : rows_) {
+    plot->showValues(series_ != nullptr ? *series_ : PlotSeries(), row);
+  }
+  if (isVisible()) {
+    plot_->layer(QStringLiteral("cursor"))->replot();
+  }
+  Q_EMIT cursorMoved();
+}
+
+void PlotStack::setAxis(PlotAxis axis) {
+  if (axis != axis_) {
+    axis_ = axis;
+    part_.reset();
+    following_ = false;
+    draw();
+  }
+}
+
+void PlotStack::link(Selection& selection) {
+  connect(this, &PlotStack::momentChosen, &selection, &Selection::wantMoment);
+  connect(this, &PlotStack::spanChosen, &selection, [&selection](qint64 first, qint64 last) {
+    selection.selectSpan(FrameSpan{first, last});
+  });
+  connect(this, &PlotStack::spanCleared, &selection,
+          [&selection] { selection.selectSpan(std::nullopt); });
+  connect(&selection, &Selection::spanChanged, this,
+          [this, &selection] { setSpan(selection.span()); });
+}
+
+void PlotStack::shareCursor(PlotStack& other) {
+  const auto tell = [](PlotStack& from, PlotStack& to) {
+    connect(&from, &PlotStack::hovered, &to, [&to](qint64 frame) {
+      to.setHovered(frame < 0 ? std::nullopt : std::optional<std::int64_t>(frame));
+    });
+  };
+  tell(*this, other);
+  tell(other, *this);
+}
+
+void PlotStack::setMoment(std::optional<std::int64_t> frame) {
+  if (frame != moment_) {
+    moment_ = frame;
+    drawCursor();
+  }
+}
+
+void PlotStack::setHovered(std::optional<std::int64_t> frame) {
+  if (frame != hovered_) {
+    hovered_ = frame;
+    drawCursor();
+  }
+}
+
+void PlotStack::setSpan(std::optional<FrameSpan> span) {
+  if (span != span_) {
+    span_ = span;
+    drawCursor();
+  }
+}
+
+void PlotStack::showAll() {
+  part_.reset();
+  following_ = false;
+  draw();
+}
+
+void PlotStack::showPart(double lower, double upper) {
+  if (series_ == nullptr || series_->size() == 0) {
+    return;
+  }
+  const double first = series_->key(0, axis_);
+  const double last = series_->key(series_->size() - 1, axis_);
+  const double least = axis_ == PlotAxis::Time ? 0.1 : 4.0;
+  const double width = std::max(least, upper - lower);
+  if (width >= std::max(last - first, least)) {
+    showAll();
+    return;
+  }
+  // Never beyond the run by more than nothing: at the newest, the part goes on with it.
+  const double from = std::clamp(lower, first, last - width);
+  following_ = lower + width >= last;
+  part_ = std::pair(from, from + width);
+  draw();
+}
+
+void PlotStack::zoom(double factor, std::optional<double> about) {
+  const auto [lower, upper] = shownRange();
+  const auto row = cursorRow();
+  const double middle = about                          ? *about
+                        : (hovered_ || moment_) && row ? series_->key(*row, axis_)
+                                                       : (lower + upper) / 2.0;
+  showPart(middle - (middle - lower) / factor, middle + (upper - middle) / factor);
+}
+
+void PlotStack::pan(double share) {
+  const auto [lower, upper] = shownRange();
+  const double moved = (upper - lower) * share;
+  if (part_) {
+    showPart(lower + moved, upper + moved);
+  }
+}
+
+double PlotStack::keyAt(int x) const {
+  return rows_.empty() ? 0.0 : rows_.front()->xAxis()->pixelToCoord(x);
+}
+
+std::optional<std::int64_t> PlotStack::frameAt(int x) const {
+  if (series_ == nullptr || rows_.empty() || x > rows_.front()->rect()->right()) {
+    return std::nullopt;
+  }
+  const auto row = series_->nearest(axis_, keyAt(x));
+  return row ? std::optional(series_->row(*row).frame) : std::nullopt;
+}
+
+int PlotStack::drawnPoints() const {
+  int count = 0;
+  for (const auto& row : rows_) {
+    count += row->pointCount();
+  }
+  return count;
+}
+
+QStringList PlotStack::visiblePlots() const {
+  QStringList ids;
+  for (const auto& row : rows_) {
+    ids << row->declaration().id;
+  }
+  return ids;
+}
+
+void PlotStack::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+    applyPalette();
+    draw();
+  }
+}
+
+void PlotStack::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  refresh();
+}
+
+void PlotStack::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  refresh();
+}
+
+void PlotStack::applyPalette() {
+  plot_->setBackground(palette().color(QPalette::Base));
+  for (const auto& row : rows_) {
+    row->applyPalette(palette(), font());
+  }
+}
+
+} // namespace dewpoint

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/plots/plot_declaration.h"
+#include "ui/plots/plot_series.h"
+#include "ui/selection/selection.h"
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+class QCustomPlot;
+
+namespace dewpoint {
+
+class PlotCursor;
+class PlotRow;
+
+/// Plots one above the other that share the axis of iterations or time, a cursor and a span. Draws
+/// what has come since at most some times per second, however often it is told; without a chosen
+/// part of the axis the whole run is shown.
+class PlotStack : public QWidget {
+  Q_OBJECT
+public:
+  static constexpr int kTickHeight = 18; ///< of the numbers along the shared axis
+
+  explicit PlotStack(QWidget* parent = nullptr);
+  ~PlotStack() override;
+
+  /// All plots there are; curves keep nothing of earlier ones.
+  void setPlots(std::vector<PlotDeclaration> plots);
+  /// Which of them are shown, by id; those without any number yet take no space.
+  void setShown(const QStringList& ids);
+  /// What is drawn; must outlive the stack, or be replaced.
+  void setSeries(const PlotSeries* series);
+  /// The series has changed: draws it soon.
+  void refresh();
+  void setAxis(PlotAxis axis);
+  PlotAxis axis() const { return axis_; }
+
+  /// Shows the selected span, and selects what the user points at.
+  void link(Selection& selection);
+  /// The pointer's frame is shown in both.
+  void shareCursor(PlotStack& other);
+  /// The frame all views show; nothing: the newest.
+  void setMoment(std::optional<std::int64_t> frame);
+  /// The frame the pointer is on, here or in another view; nothing: nowhere.
+  void setHovered(std::optional<std::int64_t> frame);
+  void setSpan(std::optional<FrameSpan> span);
+  std::optional<FrameSpan> span() const { return span_; }
+  /// The part of the axis that is shown.
+  std::pair<double, double> shownRange() const;
+
+  /// The whole run again.
+  void showAll();
+  /// Nearer by `factor` (above 1) about a place of the axis, or about the cursor.
+  void zoom(double factor, std::optional<double> about = std::nullopt);
+  /// By a share of the width shown.
+  void pan(double share);
+  /// This part of the axis.
+  void showPart(double lower, double upper);
+  bool showsAll() const { return !part_.has_value(); }
+
+  /// Shown curves within the part shown, not thinned out for drawing: one line per row.
+  QByteArray csv() const;
+  /// By the ending of the name: SVG or PNG. False when it cannot be written.
+  bool savePicture(const QString& file);
+  /// All values at the cursor, in words and with units.
+  QString valuesInWords() const;
+  /// "frame 132, iteration 660, 4.40 s"; empty before the first.
+  QString placeInWords() const;
+  /// What the last drawing took, milliseconds.
+  double lastDrawingMs() const { return lastDrawingMs_; }
+  /// Points of the curves as they are drawn.
+  int drawnPoints() const;
+  QStringList visiblePlots() const;
+
+  QSize sizeHint() const override { return {700, 240}; }
+
+Q_SIGNALS:
+  /// The pointer (or the arrow keys) is on this frame; negative: it has left.
+  void hovered(qint64 frame);
+  void momentChosen(qint64 frame);
+  void spanChosen(qint64 first, qint64 last);
+  void spanCleared();
+  void cursorMoved();
+  void contextMenuWanted(const QPoint& global);
+
+protected:
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+private:
+  friend class PlotPointer;
+  void rebuild();
+  void draw();
+  void drawCursor();
+  void applyPalette();
+  std::vector<const PlotDeclaration*> wantedPlots() const;
+  /// Row of the series that the values are of.
+  std::optional<std::size_t> cursorRow() const;
+  void paintFor(bool figure);
+  std::optional<std::int64_t> frameAt(int x) const;
+  double keyAt(int x) const;
+
+  QCustomPlot* plot_;
+  PlotCursor* cursor_;
+  std::vector<PlotDeclaration> plots_;
+  QStringList shown_;
+  std::vector<std::unique_ptr<PlotRow>> rows_;
+  const PlotSeries* series_ = nullptr;
+  PlotAxis axis_ = PlotAxis::Iterations;
+  std::optional<std::pair<double, double>> part_; ///< of the axis; nothing: all
+  bool following_ = false;                        ///< the part moves along with the newest
+  std::optional<std::int64_t> moment_;
+  std::optional<std::int64_t> hovered_;
+  std::optional<FrameSpan> span_;
+  QTimer timer_;
+  QElapsedTimer sinceDrawing_;
+  double lastDrawingMs_ = 0.0;
+};
+
+} // namespace dewpoint

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/run_plots.h"
+
+#include "core/session/snapshot.h"
+
+#include <QCoreApplication>
+
+#include <limits>
+
+namespace dewpoint {
+
+namespace {
+
+/// Columns of the series, then two for each camera.
+enum Column : std::size_t {
+  kSpreadX,
+  kSpreadY,
+  kSpreadZ,
+  kSampleSize,
+  kParticles,
+  kError,
+  kDuration,
+  kExistence,
+  kFirstCamera,
+};
+constexpr std::size_t kPerCamera = 2; ///< likelihood, existence
+
+QString say(const char* text) {
+  return QCoreApplication::translate("RunPlots", text);
+}
+
+/// For the name of a column: no commas, quotes or spaces.
+QString plainName(const QString& name) {
+  QString plain;
+  for (const QChar letter : name) {
+    plain += letter.isLetterOrNumber() ? letter : QLatin1Char('_');
+  }
+  return plain;
+}
+
+std::vector<CurveDeclaration> cameraCurves(const QStringList& cameras, const QString& what,
+                                           std::size_t offset) {
+  std::vector<CurveDeclaration> curves;
+  for (int camera = 0; camera < cameras.size(); ++camera) {
+    curves.push_back({cameras[camera], what + QLatin1Char('_') + plainName(cameras[camera]),
+                      kFirstCamera + kPerCamera * static_cast<std::size_t>(camera) + offset,
+                      camera});
+  }
+  return curves;
+}
+
+} // namespace
+
+std::vector<PlotDeclaration> runPlots(const QStringList& cameras) {
+  std::vector<CurveDeclaration> existence{{say(QT_TRANSLATE_NOOP("RunPlots", "all cameras")),
+                                           QStringLiteral("existence"), kExistence, -1}};
+  for (CurveDeclaration& curve : cameraCurves(cameras, QStringLiteral("existence"), 1)) {
+    existence.push_back(std::move(curve));
+  }
+  return {
+      {QStringLiteral("spread"),
+       say(QT_TRANSLATE_NOOP("RunPlots", "Spread")),
+       PlotQuantity::Length,
+       {{QStringLiteral("x"), QStringLiteral("spread_x_mm"), kSpreadX, 0},
+        {QStringLiteral("y"), QStringLiteral("spread_y_mm"), kSpreadY, 1},
+        {QStringLiteral("z"), QStringLiteral("spread_z_mm"), kSpreadZ, 2}}},
+      {QStringLiteral("sampleSize"),
+       say(QT_TRANSLATE_NOOP("RunPlots", "Effective sample size")),
+       PlotQuantity::Count,
+       {{say(QT_TRANSLATE_NOOP("RunPlots", "effective")), QStringLiteral("effective_sample_size"),
+         kSampleSize, 0},
+        {say(QT_TRANSLATE_NOOP("RunPlots", "particles")), QStringLiteral("particles"), kParticles,
+         -1}}},
+      {QStringLiteral("likelihood"), say(QT_TRANSLATE_NOOP("RunPlots", "Log likelihood")),
+       PlotQuantity::LogLikelihood, cameraCurves(cameras, QStringLiteral("log_likelihood"), 0)},
+      {QStringLiteral("existence"), say(QT_TRANSLATE_NOOP("RunPlots", "Existence")),
+       PlotQuantity::Probability, std::move(existence)},
+      {QStringLiteral("error"),
+       say(QT_TRANSLATE_NOOP("RunPlots", "Error against truth")),
+       PlotQuantity::Length,
+       {{say(QT_TRANSLATE_NOOP("RunPlots", "distance")), QStringLiteral("error_mm"), kError, 1}}},
+      {QStringLiteral("duration"),
+       say(QT_TRANSLATE_NOOP("RunPlots", "Time per step")),
+       PlotQuantity::Duration,
+       {{say(QT_TRANSLATE_NOOP("RunPlots", "one iteration")), QStringLiteral("iteration_us"),
+         kDuration, 3}}},
+  };
+}
+
+std::size_t runPlotColumns(int cameraCount) {
+  return kFirstCamera + kPerCamera * static_cast<std::size_t>(cameraCount);
+}
+
+void appendTo(PlotSeries& series, const IterationRecord& record) {
+  std::vector<float> values(series.columns(), std::numeric_limits<float>::quiet_NaN());
+  const auto put = [&values](std::size_t column, double value) {
+    values[column] = static_cast<float>(value);
+  };
+  put(kSpreadX, record.spreadPerAxis.x());
+  put(kSpreadY, record.spreadPerAxis.y());
+  put(kSpreadZ, record.spreadPerAxis.z());
+  put(kSampleSize, record.effectiveSampleSize);
+  put(kParticles, record.particleCount);
+  if (record.error >= 0.0) {
+    put(kError, record.error);
+  }
+  put(kDuration, record.microseconds);
+  put(kExistence, record.existence);
+  for (std::size_t camera = 0; camera < record.cameras.size(); ++camera) {
+    const CameraEvidence& evidence = record.cameras[camera];
+    const std::size_t column = kFirstCamera + kPerCamera * camera;
+    if (evidence.looked && column + 1 < values.size()) {
+      put(column, evidence.logLikelihood);
+      put(column + 1, evidence.existence);
+    }
+  }
+  series.append({record.iteration, record.frame, record.time}, values);
+}
+
+} // namespace dewpoint

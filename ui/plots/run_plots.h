@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/plots/plot_declaration.h"
+#include "ui/plots/plot_series.h"
+
+#include <QStringList>
+
+#include <vector>
+
+namespace dewpoint {
+
+struct IterationRecord;
+
+/// The plots of a run, in the person's language: spread, sampleSize, likelihood, existence, error,
+/// duration. Likelihood and existence have one curve per camera.
+std::vector<PlotDeclaration> runPlots(const QStringList& cameras);
+/// Values per row of the series that these plots are drawn from.
+std::size_t runPlotColumns(int cameraCount);
+/// Adds one iteration to the series of its target.
+void appendTo(PlotSeries& series, const IterationRecord& record);
+
+} // namespace dewpoint

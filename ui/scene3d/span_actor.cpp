@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/scene3d/span_actor.h"
+
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+namespace dewpoint {
+
+namespace {
+constexpr double kWidthPx = 7.0;
+} // namespace
+
+SpanActor::SpanActor(vtkRenderer* renderer) : renderer_(renderer), actor_(flatActor(data_)) {
+  actor_->VisibilityOff();
+  renderer_->AddActor(actor_);
+}
+
+SpanActor::~SpanActor() {
+  renderer_->RemoveActor(actor_);
+}
+
+void SpanActor::show(const std::vector<std::vector<Eigen::Vector3d>>& strokes) {
+  Strokes drawn;
+  for (const auto& stroke : strokes) {
+    if (stroke.size() > 1) {
+      drawn.polyline(stroke);
+    } else if (stroke.size() == 1) {
+      // A single place: a short cross, so that it is seen at all.
+      for (int axis = 0; axis < 3; ++axis) {
+        const Eigen::Vector3d arm = 0.01 * Eigen::Vector3d::Unit(axis);
+        drawn.line(stroke.front() - arm, stroke.front() + arm);
+      }
+    }
+  }
+  drawn.writeTo(data_);
+  actor_->SetVisibility(!strokes.empty());
+}
+
+void SpanActor::setPalette(const ScenePalette& palette) {
+  paint(actor_, palette.truth, 0.6);
+}
+
+void SpanActor::prepareFrame(const ScreenScale& scale) {
+  actor_->GetProperty()->SetLineWidth(static_cast<float>(kWidthPx * scale.pixelRatio));
+}
+
+} // namespace dewpoint

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/scene3d/scene_actors.h"
+
+#include <vtkPolyData.h>
+
+#include <vector>
+
+namespace dewpoint {
+
+/// A chosen part of a trajectory: a broad stroke under the tail.
+class SpanActor {
+public:
+  explicit SpanActor(vtkRenderer* renderer);
+  ~SpanActor();
+  SpanActor(const SpanActor&) = delete;
+  SpanActor& operator=(const SpanActor&) = delete;
+
+  /// One stroke for each piece, metres.
+  void show(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
+  void setPalette(const ScenePalette& palette);
+  void prepareFrame(const ScreenScale& scale);
+
+private:
+  vtkRenderer* renderer_;
+  vtkNew<vtkPolyData> data_;
+  vtkSmartPointer<vtkActor> actor_;
+};
+
+} // namespace dewpoint

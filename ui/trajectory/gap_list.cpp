@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/trajectory/gap_list.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QLocale>
+#include <QSignalBlocker>
+
+#include <algorithm>
+
+namespace dewpoint {
+
+GapList::GapList(QWidget* parent) : QTableWidget(0, 4, parent) {
+  setObjectName(QStringLiteral("gapList"));
+  setSelectionBehavior(QAbstractItemView::SelectRows);
+  setSelectionMode(QAbstractItemView::SingleSelection);
+  setEditTriggers(QAbstractItemView::NoEditTriggers);
+  setTabKeyNavigation(false);
+  setFrameShape(QFrame::NoFrame);
+  setShowGrid(false);
+  verticalHeader()->hide();
+  verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+  horizontalHeader()->setStretchLastSection(true);
+  horizontalHeader()->setHighlightSections(false);
+  connect(this, &QTableWidget::itemSelectionChanged, this, [this] {
+    const auto rows = selectionModel()->selectedRows();
+    if (!rows.isEmpty()) {
+      const TrajectoryGap& gap = gaps_[static_cast<std::size_t>(rows.front().row())];
+      Q_EMIT gapChosen(gap.firstFrame, gap.lastFrame);
+    }
+  });
+  fill();
+}
+
+void GapList::setGaps(std::vector<TrajectoryGap> gaps) {
+  if (gaps.size() > kMostGaps) {
+    gaps.erase(gaps.begin(), gaps.end() - kMostGaps);
+  }
+  if (gaps != gaps_) {
+    gaps_ = std::move(gaps);
+    fill();
+  }
+}
+
+void GapList::setSpan(std::optional<FrameSpan> span) {
+  const QSignalBlocker quiet(this);
+  const auto found = std::ranges::find_if(gaps_, [&](const TrajectoryGap& gap) {
+    return span && gap.firstFrame == span->first && gap.lastFrame == span->last;
+  });
+  if (found == gaps_.end()) {
+    clearSelection();
+  } else if (const int row = static_cast<int>(found - gaps_.begin()); row != currentRow()) {
+    selectRow(row);
+  }
+}
+
+void GapList::fill() {
+  const QSignalBlocker quiet(this);
+  setAccessibleName(tr("Gaps of the trajectory"));
+  setHorizontalHeaderLabels({tr("gap from"), tr("to"), tr("length"), tr("target")});
+  setRowCount(static_cast<int>(gaps_.size()));
+  for (int row = 0; row < rowCount(); ++row) {
+    const TrajectoryGap& gap = gaps_[static_cast<std::size_t>(row)];
+    const QString seconds = QLocale().toString(gap.seconds(), 'f', 2);
+    const QStringList texts{tr("frame %1").arg(gap.firstFrame + 1),
+                            tr("frame %1").arg(gap.lastFrame + 1),
+                            tr("%1 s").arg(seconds) + QStringLiteral(" · ") +
+                                tr("%n frames", nullptr, static_cast<int>(gap.frames())),
+                            QString::fromStdString(gap.target)};
+    for (int column = 0; column < columnCount(); ++column) {
+      auto* cell = item(row, column);
+      if (cell == nullptr) {
+        cell = new QTableWidgetItem;
+        setItem(row, column, cell);
+      }
+      cell->setText(texts[column]);
+      cell->setToolTip(tr("Seconds from the last held estimate before the gap to the first one "
+                          "after it"));
+    }
+  }
+  if (horizontalHeader()->sectionSize(2) < 60 || rowCount() == 1) {
+    resizeColumnsToContents();
+  }
+}
+
+void GapList::changeEvent(QEvent* event) {
+  QTableWidget::changeEvent(event);
+  if (event->type() == QEvent::LanguageChange) {
+    fill();
+  }
+}
+
+} // namespace dewpoint

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/motion.h"
+#include "ui/selection/selection.h"
+
+#include <QTableWidget>
+
+#include <optional>
+#include <vector>
+
+namespace dewpoint {
+
+/// The gaps of a trajectory: from, to, length. The newest kMostGaps.
+class GapList : public QTableWidget {
+  Q_OBJECT
+public:
+  static constexpr int kMostGaps = 500;
+  explicit GapList(QWidget* parent = nullptr);
+
+  void setGaps(std::vector<TrajectoryGap> gaps);
+  /// Marks the gap that is exactly this span.
+  void setSpan(std::optional<FrameSpan> span);
+
+Q_SIGNALS:
+  void gapChosen(qint64 first, qint64 last);
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  void fill();
+
+  std::vector<TrajectoryGap> gaps_;
+};
+
+} // namespace dewpoint

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/trajectory/trajectory_model.h"
+
+#include "ui/plots/csv_line.h"
+#include "ui/plots/plot_declaration.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint {
+
+namespace {
+
+QString number(double value, int decimals) {
+  return std::isfinite(value)
+             ? QLocale().toString(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212))
+             : QStringLiteral("–");
+}
+
+double sigma(const TrajectorySample& sample, int axis) {
+  return std::sqrt(std::max(0.0, sample.covariance(axis, axis)));
+}
+
+} // namespace
+
+void TrajectoryModel::clear() {
+  beginResetModel();
+  log_.clear();
+  rows_ = 0;
+  endResetModel();
+}
+
+std::size_t TrajectoryModel::replaceFrom(std::size_t first,
+                                         const std::vector<TrajectorySample>& samples) {
+  const MotionLog::Change change = log_.replaceFrom(first, samples);
+  const int now = static_cast<int>(log_.rows().size());
+  if (change.dropped > 0 || now < rows_) {
+    beginResetModel();
+    rows_ = now;
+    endResetModel();
+    return 0;
+  }
+  const int before = rows_;
+  if (now > before) {
+    beginInsertRows({}, before, now - 1);
+    rows_ = now;
+    endInsertRows();
+  }
+  if (const int changed = static_cast<int>(change.firstChanged); changed < before) {
+    Q_EMIT dataChanged(index(changed, 0), index(before - 1, ColumnCount - 1));
+  }
+  return change.firstChanged;
+}
+
+std::pair<int, int> TrajectoryModel::rowsOf(const FrameSpan& span) const {
+  const auto frameOf = [](const MotionLog::Row& row) { return row.sample.frame; };
+  const auto& rows = log_.rows();
+  const auto first = std::ranges::lower_bound(rows, span.first, {}, frameOf);
+  const auto last = std::ranges::upper_bound(rows, span.last, {}, frameOf);
+  return {static_cast<int>(first - rows.begin()), static_cast<int>(last - rows.begin())};
+}
+
+int TrajectoryModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : rows_;
+}
+
+int TrajectoryModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant TrajectoryModel::data(const QModelIndex& index, int role) const {
+  if (role == Qt::TextAlignmentRole) {
+    const bool words = index.column() == Target || index.column() == Held;
+    return static_cast<int>((words ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+  }
+  if (role != Qt::DisplayRole || index.row() >= rowCount()) {
+    return {};
+  }
+  const MotionLog::Row& row = log_.rows()[static_cast<std::size_t>(index.row())];
+  const TrajectorySample& sample = row.sample;
+  switch (index.column()) {
+  case Time:
+    return number(sample.time, 3);
+  case Frame:
+    return QString::number(sample.frame + 1); // people count from 1
+  case Target:
+    return QString::fromStdString(sample.target);
+  case X:
+  case Y:
+  case Z:
+    return number(sample.position[index.column() - X], 4);
+  case SigmaX:
+  case SigmaY:
+  case SigmaZ:
+    return number(1000.0 * sigma(sample, index.column() - SigmaX), 1);
+  case Speed:
+    return number(row.speed, 2);
+  case Cameras:
+    return QString::number(sample.cameras);
+  case Existence:
+    return number(sample.existence, 2);
+  case Held:
+    return sample.valid ? tr("● held") : tr("○ not held");
+  default:
+    return {};
+  }
+}
+
+QVariant TrajectoryModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || (role != Qt::DisplayRole && role != Qt::ToolTipRole)) {
+    return {};
+  }
+  const bool name = role == Qt::DisplayRole;
+  switch (section) {
+  case Time:
+    return name ? tr("time, s") : tr("Seconds, of the frame");
+  case Frame:
+    return name ? tr("frame") : tr("Frame, counted from 1");
+  case Target:
+    return name ? tr("target") : tr("Name of the target");
+  case X:
+  case Y:
+  case Z: {
+    const QChar axis("xyz"[section - X]);
+    return name ? tr("%1, m").arg(axis) : tr("Position in the room, metres");
+  }
+  case SigmaX:
+  case SigmaY:
+  case SigmaZ: {
+    const QChar axis("xyz"[section - SigmaX]);
+    return name ? tr("σ%1, mm").arg(axis) : tr("Standard deviation of the position, millimetres");
+  }
+  case Speed:
+    return name ? tr("speed, m/s") : tr("Speed, metres per second: fitted over five frames");
+  case Cameras:
+    return name ? tr("cameras") : tr("Cameras that see the target");
+  case Existence:
+    return name ? tr("existence") : tr("Probability that the target is where the estimate says");
+  case Held:
+    return name ? tr("state") : tr("Held: the cameras confirm the estimate");
+  default:
+    return {};
+  }
+}
+
+QByteArray trajectoryCsv(const std::vector<MotionLog::Row>& rows) {
+  QByteArray text("time_s,frame,target,x_m,y_m,z_m,sigma_x_m,sigma_y_m,sigma_z_m,speed_m_s,cameras,"
+                  "existence,valid\n");
+  for (const MotionLog::Row& row : rows) {
+    const TrajectorySample& sample = row.sample;
+    CsvLine line(text);
+    line.put(sample.time).put(sample.frame).put(QByteArray::fromStdString(sample.target));
+    for (int axis = 0; axis < 3; ++axis) {
+      line.put(sample.position[axis]);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      line.put(sigma(sample, axis));
+    }
+    line.put(row.speed).put(sample.cameras).put(sample.existence).put(sample.valid ? 1 : 0);
+  }
+  return text;
+}
+
+} // namespace dewpoint

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/motion.h"
+#include "ui/selection/selection.h"
+
+#include <QAbstractTableModel>
+
+#include <utility>
+
+namespace dewpoint {
+
+/// The trajectory of a run as a table, one row per target and frame. Grows with the run.
+class TrajectoryModel : public QAbstractTableModel {
+  Q_OBJECT
+public:
+  enum Column {
+    Time,
+    Frame,
+    Target,
+    X,
+    Y,
+    Z,
+    SigmaX,
+    SigmaY,
+    SigmaZ,
+    Speed,
+    Cameras,
+    Existence,
+    Held,
+    ColumnCount
+  };
+  explicit TrajectoryModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
+
+  const MotionLog& log() const { return log_; }
+  void clear();
+  /// Samples from number `first` on are these now; the first row that has changed.
+  std::size_t replaceFrom(std::size_t first, const std::vector<TrajectorySample>& samples);
+  /// Rows [first, last) of the frames of a span.
+  std::pair<int, int> rowsOf(const FrameSpan& span) const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  QVariant headerData(int section, Qt::Orientation orientation,
+                      int role = Qt::DisplayRole) const override;
+
+private:
+  MotionLog log_;
+  int rows_ = 0; ///< of the log, that the views know of
+};
+
+/// Rows as CSV: the columns of the table, under the names that a trajectory's file has for them.
+QByteArray trajectoryCsv(const std::vector<MotionLog::Row>& rows);
+
+} // namespace dewpoint

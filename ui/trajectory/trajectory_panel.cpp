@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/trajectory/trajectory_panel.h"
+
+#include "core/session/snapshot.h"
+#include "ui/actions/action_registry.h"
+#include "ui/plots/plot_stack.h"
+#include "ui/settings/retranslation.h"
+#include "ui/trajectory/gap_list.h"
+#include "ui/trajectory/trajectory_model.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QPointer>
+#include <QScrollBar>
+#include <QSplitter>
+#include <QTableView>
+#include <QThreadPool>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr int kLeastIntervalMs = 150;
+constexpr double kShare = 0.05;   ///< of the time, for fetching and showing
+constexpr std::size_t kSpeed = 0; ///< columns of the plots' numbers
+constexpr std::size_t kHeight = 1;
+constexpr std::size_t kColumns = 2;
+
+} // namespace
+
+TrajectoryPanel::TrajectoryPanel(ActionRegistry& actions, Selection& selection, QWidget* parent)
+    : QWidget(parent), actions_(actions), selection_(selection), model_(new TrajectoryModel(this)),
+      table_(new QTableView(this)), gaps_(new GapList(this)), summary_(new QLabel(this)),
+      plots_(new PlotStack(this)) {
+  setObjectName(QStringLiteral("trajectoryPanel"));
+  auto* split = new QSplitter(Qt::Horizontal, this);
+  split->setObjectName(QStringLiteral("trajectorySplit"));
+  split->setChildrenCollapsible(false);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(split);
+  auto* right = new QSplitter(Qt::Horizontal, split);
+  right->setObjectName(QStringLiteral("motionSplit"));
+  makeTable();
+  makePlots();
+  auto* gapSide = new QWidget(right);
+  auto* column = new QVBoxLayout(gapSide);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  summary_->setObjectName(QStringLiteral("trajectorySummary"));
+  summary_->setContentsMargins(8, 4, 8, 4);
+  summary_->setWordWrap(true);
+  column->addWidget(summary_);
+  column->addWidget(gaps_, 1);
+  right->addWidget(plots_);
+  right->addWidget(gapSide);
+  right->setStretchFactor(0, 3);
+  right->setStretchFactor(1, 2);
+  split->addWidget(table_);
+  split->addWidget(right);
+  split->setStretchFactor(0, 1);
+  split->setStretchFactor(1, 1);
+  // Shares; the table does not ask for the width of its columns.
+  split->setSizes({500, 500});
+  right->setSizes({300, 200});
+  timer_.setSingleShot(true);
+  connect(&timer_, &QTimer::timeout, this, &TrajectoryPanel::fetch);
+  sinceRefresh_.start();
+  connectViews();
+}
+
+TrajectoryPanel::~TrajectoryPanel() = default;
+
+void TrajectoryPanel::makeTable() {
+  table_->setObjectName(QStringLiteral("trajectoryTable"));
+  table_->setModel(model_);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::ContiguousSelection);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setTabKeyNavigation(false);
+  table_->setShowGrid(false);
+  table_->setAlternatingRowColors(true);
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->setWordWrap(false);
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
+  // All rows of one height: nothing is measured as the table grows.
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+  table_->horizontalHeader()->setHighlightSections(false);
+  inEveryLanguage(table_, [this] {
+    table_->setAccessibleName(tr("Trajectory"));
+    const QFontMetrics metrics = table_->fontMetrics();
+    for (int column = 0; column < TrajectoryModel::ColumnCount; ++column) {
+      const QString title = model_->headerData(column, Qt::Horizontal).toString();
+      const QString widest = column == TrajectoryModel::Target ? QStringLiteral("pink ball 1")
+                             : column == TrajectoryModel::Held ? TrajectoryModel::tr("○ not held")
+                                                               : QStringLiteral("0000.00");
+      table_->setColumnWidth(column, 16 + std::max(metrics.horizontalAdvance(title),
+                                                   metrics.horizontalAdvance(widest)));
+    }
+  });
+}
+
+void TrajectoryPanel::makePlots() {
+  plots_->setObjectName(QStringLiteral("motionPlots"));
+  plots_->setAxis(PlotAxis::Time);
+  plots_->setShown({QStringLiteral("speed"), QStringLiteral("height")});
+  series_.reset(kColumns);
+  inEveryLanguage(plots_, [this] {
+    plots_->focusProxy()->setAccessibleName(tr("Speed and height over time"));
+    plots_->setPlots({{QStringLiteral("speed"),
+                       tr("Speed"),
+                       PlotQuantity::Speed,
+                       {{tr("speed"), QStringLiteral("speed_m_s"), kSpeed, 0}}},
+                      {QStringLiteral("height"),
+                       tr("Height"),
+                       PlotQuantity::Position,
+                       {{QStringLiteral("z"), QStringLiteral("z_m"), kHeight, 2}}}});
+    say();
+  });
+  plots_->setSeries(&series_);
+}
+
+void TrajectoryPanel::connectViews() {
+  plots_->link(selection_);
+  connect(gaps_, &GapList::gapChosen, this, [this](qint64 first, qint64 last) {
+    selection_.selectSpan(FrameSpan{first, last});
+  });
+  connect(&selection_, &Selection::spanChanged, this, &TrajectoryPanel::showSpan);
+  connect(&selection_, &Selection::momentChanged, this, &TrajectoryPanel::placeMoment);
+  connect(&selection_, &Selection::targetSelected, this, [this](int target) {
+    const auto chosen = static_cast<std::size_t>(std::max(0, target));
+    setTarget(chosen < names_.size() ? names_[chosen] : std::string());
+  });
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          &TrajectoryPanel::chooseRows);
+  connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
+    selection_.wantMoment(model_->log().rows()[static_cast<std::size_t>(index.row())].sample.frame);
+  });
+  QAction* copy = actions_.action("actionTrajectoryCopy");
+  connect(copy, &QAction::triggered, this, &TrajectoryPanel::copyCsv);
+  const auto menuAt = [this, copy](const QPoint& place) {
+    QMenu menu(this);
+    menu.addAction(copy);
+    menu.addAction(actions_.action("actionExportTrajectory"));
+    menu.exec(place);
+  };
+  connect(table_, &QWidget::customContextMenuRequested, this,
+          [this, menuAt](const QPoint& place) { menuAt(table_->viewport()->mapToGlobal(place)); });
+  connect(plots_, &PlotStack::contextMenuWanted, this, menuAt);
+}
+
+void TrajectoryPanel::follow(Source source) {
+  source_ = std::move(source);
+  generation_ = 0;
+  position_ = 0;
+  model_->clear();
+  series_.reset(kColumns);
+  target_.clear();
+  gaps_->setGaps({});
+  plots_->refresh();
+  highlight();
+  say();
+  refresh();
+}
+
+void TrajectoryPanel::refresh() {
+  if (timer_.isActive() || !isVisible()) {
+    return;
+  }
+  const double pause = std::max<double>(kLeastIntervalMs, lastRefreshMs_ / kShare);
+  timer_.start(
+      static_cast<int>(std::max(0.0, pause - static_cast<double>(sinceRefresh_.elapsed()))));
+}
+
+void TrajectoryPanel::fetch() {
+  if (!source_) {
+    return;
+  }
+  QElapsedTimer took;
+  took.start();
+  const Session::SamplesPiece piece = source_(generation_, position_);
+  const QScrollBar* bar = table_->verticalScrollBar();
+  const bool atEnd = bar->value() == bar->maximum();
+  const bool choosing = std::exchange(choosing_, true); // rows that go take their selection along
+  if (piece.restarted && model_->rowCount() > 0 && piece.samples.empty()) {
+    model_->clear();
+    updatePlots(0);
+  }
+  if (!piece.samples.empty()) {
+    if (target_.empty()) {
+      target_ = piece.samples.front().target;
+    }
+    updatePlots(model_->replaceFrom(piece.first, piece.samples));
+  }
+  choosing_ = choosing;
+  gaps_->setGaps(model_->log().gaps());
+  placeMoment();
+  if (atEnd && !selection_.span()) {
+    table_->scrollToBottom();
+  }
+  say();
+  lastRefreshMs_ = static_cast<double>(took.nsecsElapsed()) * 1e-6;
+  sinceRefresh_.restart();
+}
+
+void TrajectoryPanel::updatePlots(std::size_t firstChanged) {
+  const auto& rows = model_->log().rows();
+  if (firstChanged < rows.size()) {
+    series_.removeFrom(rows[firstChanged].sample.frame);
+    // All rows of that frame, whichever of them changed.
+    while (firstChanged > 0 &&
+           rows[firstChanged - 1].sample.frame == rows[firstChanged].sample.frame) {
+      --firstChanged;
+    }
+  } else {
+    series_.removeFrom(rows.empty() ? 0 : rows.back().sample.frame + 1);
+  }
+  for (std::size_t i = firstChanged; i < rows.size(); ++i) {
+    const TrajectorySample& sample = rows[i].sample;
+    if (sample.target == target_) {
+      const float unknown = std::numeric_limits<float>::quiet_NaN();
+      const std::array<float, kColumns> values{
+          static_cast<float>(rows[i].speed),
+          sample.valid ? static_cast<float>(sample.position.z()) : unknown};
+      series_.append({sample.frame, sample.frame, sample.time}, values);
+    }
+  }
+  plots_->refresh();
+}
+
+void TrajectoryPanel::show(const TrackSnapshot& snapshot) {
+  names_.clear();
+  for (const TargetSnapshot& target : snapshot.targets) {
+    names_.push_back(target.target.name);
+  }
+}
+
+void TrajectoryPanel::setTarget(const std::string& name) {
+  if (name != target_ && !name.empty()) {
+    target_ = name;
+    series_.reset(kColumns);
+    updatePlots(0);
+    highlight();
+  }
+}
+
+void TrajectoryPanel::copyCsv() {
+  fetch();
+  const auto& rows = model_->log().rows();
+  auto [first, last] = std::pair(0, static_cast<int>(rows.size()));
+  if (const auto selected = table_->selectionModel()->selection(); !selected.isEmpty()) {
+    first = selected.front().top();
+    last = selected.front().bottom() + 1;
+  }
+  std::vector<MotionLog::Row> chosen(rows.begin() + first, rows.begin() + last);
+  QThreadPool::globalInstance()->start([chosen = std::move(chosen), self = QPointer(this)] {
+    const QString text = QString::fromUtf8(trajectoryCsv(chosen));
+    const int count = static_cast<int>(chosen.size());
+    QMetaObject::invokeMethod(qApp, [text, count, self] {
+      QGuiApplication::clipboard()->setText(text);
+      if (self) {
+        Q_EMIT self->notice(tr("%n rows are on the clipboard as CSV.", nullptr, count));
+      }
+    });
+  });
+}
+
+void TrajectoryPanel::say() {
+  const int rows = model_->rowCount();
+  summary_->setText(rows == 0 ? tr("The trajectory appears here as soon as the target is tracked.")
+                    : gaps_->rowCount() == 0 ? tr("%n samples, no gaps", nullptr, rows)
+                                             : tr("%n samples", nullptr, rows));
+}
+
+void TrajectoryPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  refresh();
+}
+
+} // namespace dewpoint

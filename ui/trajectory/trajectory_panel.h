@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/session.h"
+#include "ui/plots/plot_series.h"
+#include "ui/selection/selection.h"
+
+#include <Eigen/Core>
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+class QLabel;
+class QTableView;
+
+namespace dewpoint {
+
+class ActionRegistry;
+class GapList;
+class PlotStack;
+class TrajectoryModel;
+struct TrackSnapshot;
+
+/// The trajectory of the run: a table that follows it, speed and height over time, and the gaps. A
+/// span chosen in any of them is chosen in all.
+class TrajectoryPanel : public QWidget {
+  Q_OBJECT
+public:
+  /// Session::samplesSince() of the session followed.
+  using Source =
+      std::function<Session::SamplesPiece(std::uint64_t& generation, std::size_t& position)>;
+
+  /// Connects the registry's trajectory actions.
+  TrajectoryPanel(ActionRegistry& actions, Selection& selection, QWidget* parent = nullptr);
+  ~TrajectoryPanel() override;
+
+  /// What is followed; an empty function: nothing, and the table becomes empty.
+  void follow(Source source);
+  /// There may be new samples: fetches them soon, and only while someone looks.
+  void refresh();
+  /// The newest snapshot: which targets there are.
+  void show(const TrackSnapshot& snapshot);
+  using QWidget::show;
+  /// The user points at a place of a target's trajectory: that moment is wanted, or, to `extend`,
+  /// the span from the moment shown to it is selected.
+  void choosePlace(int target, const Eigen::Vector3d& place, bool extend);
+  PlotStack& plots() { return *plots_; }
+  /// The rows selected, or all: onto the clipboard, prepared in a thread.
+  void copyCsv();
+  /// What the last fetching and drawing took, milliseconds.
+  double lastRefreshMs() const { return lastRefreshMs_; }
+
+  QSize sizeHint() const override { return {900, 240}; }
+
+Q_SIGNALS:
+  void notice(const QString& sentence);
+  /// The span's places in the room, metres: one stroke for each uninterrupted piece.
+  void highlightChanged(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
+
+protected:
+  void showEvent(QShowEvent* event) override;
+
+private:
+  void setTarget(const std::string& name);
+  void showSpan();
+  void placeMoment();
+  void makeTable();
+  void makePlots();
+  void connectViews();
+  void fetch();
+  void updatePlots(std::size_t firstChanged);
+  void chooseRows();
+  void selectSpan();
+  void highlight();
+  void say();
+
+  ActionRegistry& actions_;
+  Selection& selection_;
+  TrajectoryModel* model_;
+  QTableView* table_;
+  GapList* gaps_;
+  QLabel* summary_;
+  PlotStack* plots_;
+  PlotSeries series_;              ///< speed and height of one target
+  std::string target_;             ///< whose
+  std::vector<std::string> names_; ///< of all targets
+  Source source_;
+  std::uint64_t generation_ = 0;
+  std::size_t position_ = 0;
+  bool choosing_ = false; ///< rows are being selected, but not by the user
+  QTimer timer_;
+  QElapsedTimer sinceRefresh_;
+  double lastRefreshMs_ = 0.0;
+};
+
+} // namespace dewpoint
