@@ -2561,5 +2561,12 @@ bei %4, %5, %6 m</translation>
             <numerusform>%n Messpunkte</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n samples, no gaps</source>
+        <translation>
+            <numerusform>%n Messpunkt, keine Lücken</numerusform>
+            <numerusform>%n Messpunkte, keine Lücken</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

@@ -27,5 +27,12 @@
             <numerusform>%n samples</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n samples, no gaps</source>
+        <translation>
+            <numerusform>%n sample, no gaps</numerusform>
+            <numerusform>%n samples, no gaps</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

@@ -2561,5 +2561,12 @@ en %4, %5, %6 m</translation>
             <numerusform>%n muestras</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n samples, no gaps</source>
+        <translation>
+            <numerusform>%n muestra, sin huecos</numerusform>
+            <numerusform>%n muestras, sin huecos</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

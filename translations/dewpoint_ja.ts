@@ -2558,5 +2558,11 @@ at %4, %5, %6 m</source>
             <numerusform>%n サンプル</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n samples, no gaps</source>
+        <translation>
+            <numerusform>%n サンプル、欠落なし</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

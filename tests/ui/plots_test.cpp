@@ -7,12 +7,14 @@
 #include "ui/mainwindow/main_window.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
+#include "ui/selection/selection.h"
 #include "ui/trajectory/trajectory_panel.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>
-#include <QGuiApplication>
+#include <QLineF>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSvgRenderer>
@@ -42,6 +44,7 @@ private Q_SLOTS:
   void wheelDragAndKeysMoveAlongTheAxis();
   void spanOfThePlotsIsSelectedInTheTable();
   void rowsOfTheTableAreASpanInThePlotsAndTheRoom();
+  void placeOfTheTailIsAMoment();
   void csvIsWhatIsShown();
   void trajectoryCsvIsWhatIsSelected();
   void picturesCanBeRead();
@@ -216,9 +219,35 @@ void PlotsTest::rowsOfTheTableAreASpanInThePlotsAndTheRoom() {
   window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
 }
 
+void PlotsTest::placeOfTheTailIsAMoment() {
+  openTrajectory();
+  auto* view = window_->findChild<BirdsEyeView*>();
+  QVERIFY(waitFor([&] { return !view->currentPicture().isNull(); }));
+  const auto& tail = window_->shown()->targets.front().tail;
+  QCOMPARE(tail.size(), static_cast<std::size_t>(kFrames));
+  const auto pixel = [&](std::size_t frame) {
+    const Eigen::Vector2d place = view->scene().placeInPicture(tail[frame]);
+    const QPointF offset(place.x(), -place.y());
+    return (QPointF(view->width(), view->height()) / 2.0 + offset / view->devicePixelRatioF());
+  };
+  QSignalSpy wanted(&window_->selection(), &Selection::momentWanted);
+  QTest::mouseClick(view, Qt::LeftButton, {}, pixel(20).toPoint());
+  QCOMPARE(wanted.size(), 1);
+  // Neighbors in the tail may be nearer to the whole pixel that was clicked.
+  const auto chosen = wanted.first().first().toULongLong();
+  QVERIFY(QLineF(pixel(chosen), pixel(20)).length() < 2.0);
+  QTest::mouseClick(view, Qt::LeftButton, Qt::ShiftModifier, pixel(20).toPoint());
+  QVERIFY(window_->selection().span());
+  const FrameSpan span = *window_->selection().span();
+  QVERIFY(span.first == static_cast<qint64>(chosen) || span.last == static_cast<qint64>(chosen));
+  window_->selection().wantNow();
+  QVERIFY(waitFor([this] { return window_->shown()->frame == kFrames - 1; }));
+  window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
+}
+
 void PlotsTest::csvIsWhatIsShown() {
   action("actionPlotCopy")->trigger();
-  QStringList lines = csvLines(QGuiApplication::clipboard()->text());
+  QStringList lines = csvLines(QApplication::clipboard()->text());
   QVERIFY(lines.first().startsWith(
       QStringLiteral("iteration,frame,time_s,spread_x_mm,spread_y_mm,spread_z_mm,"
                      "effective_sample_size,particles,log_likelihood_")));
@@ -244,7 +273,7 @@ void PlotsTest::csvIsWhatIsShown() {
   }
   const auto [lower, upper] = plots().shownRange();
   action("actionPlotCopy")->trigger();
-  lines = csvLines(QGuiApplication::clipboard()->text());
+  lines = csvLines(QApplication::clipboard()->text());
   QVERIFY(lines.size() > 1 && lines.size() - 1 < window_->shown()->iterations);
   for (const QString& line : lines.mid(1)) {
     const double iteration = line.section(QLatin1Char(','), 0, 0).toDouble();
@@ -254,15 +283,15 @@ void PlotsTest::csvIsWhatIsShown() {
 
 void PlotsTest::trajectoryCsvIsWhatIsSelected() {
   openTrajectory();
-  QGuiApplication::clipboard()->clear();
+  QApplication::clipboard()->clear();
   action("actionTrajectoryCopy")->trigger();
-  QVERIFY(waitFor([] { return !QGuiApplication::clipboard()->text().isEmpty(); }));
-  QCOMPARE(csvLines(QGuiApplication::clipboard()->text()).size(), 1 + kFrames);
+  QVERIFY(waitFor([] { return !QApplication::clipboard()->text().isEmpty(); }));
+  QCOMPARE(csvLines(QApplication::clipboard()->text()).size(), 1 + kFrames);
   table().selectRow(7);
-  QGuiApplication::clipboard()->clear();
+  QApplication::clipboard()->clear();
   action("actionTrajectoryCopy")->trigger();
-  QVERIFY(waitFor([] { return !QGuiApplication::clipboard()->text().isEmpty(); }));
-  const QStringList lines = csvLines(QGuiApplication::clipboard()->text());
+  QVERIFY(waitFor([] { return !QApplication::clipboard()->text().isEmpty(); }));
+  const QStringList lines = csvLines(QApplication::clipboard()->text());
   QCOMPARE(lines.size(), 2);
   const QStringList cells = lines.last().split(QLatin1Char(','));
   QCOMPARE(cells[1], QStringLiteral("7"));

@@ -8,6 +8,7 @@
 #include "ui/trajectory/gap_list.h"
 #include "ui/trajectory/trajectory_panel.h"
 
+#include <QApplication>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>

@@ -172,7 +172,6 @@ void MainWindow::arrange() {
   addDockWidget(Qt::BottomDockWidgetArea, plotDock_);
   splitDockWidget(plotDock_, timelineDock_, Qt::Vertical);
   tabifyDockWidget(plotDock_, trajectoryDock_);
-  plotDock_->raise();
   addDockWidget(Qt::LeftDockWidgetArea, birdsEyeDock_);
   if (!cameraDocks_.empty()) {
     // Cameras stand to the left of the bird's-eye view, in as many columns as keep them near
@@ -197,6 +196,7 @@ void MainWindow::arrange() {
   }
   showViews(bridge_ != nullptr);
   parameterDock_->raise();
+  plotDock_->raise();
   // The sizes can be given only once the layout has settled.
   QMetaObject::invokeMethod(this, &MainWindow::shareSpace, Qt::QueuedConnection);
 }

@@ -11,6 +11,22 @@ namespace {
 
 constexpr int kRowGap = 4; ///< pixels between plots
 
+/// Ticks at powers of ten only, at most three of them: a row is low.
+class DecadeTicker : public QCPAxisTicker {
+protected:
+  int getSubTickCount(double) override { return 0; }
+  QVector<double> createTickVector(double, const QCPRange& range) override {
+    const int first = static_cast<int>(std::ceil(std::log10(range.lower)));
+    const int last = static_cast<int>(std::floor(std::log10(range.upper)));
+    const int step = std::max(1, (last - first + 2) / 3);
+    QVector<double> ticks;
+    for (int decade = first; decade <= last; decade += step) {
+      ticks << std::pow(10.0, decade);
+    }
+    return ticks;
+  }
+};
+
 /// The next round number (1, 2, 5 times a power of ten) at or above a positive one.
 double roundedUp(double value) {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));
@@ -26,9 +42,20 @@ double roundedUp(double value) {
 
 PlotReadout::PlotReadout(QCustomPlot* plot, const PlotDeclaration& declaration)
     : QCPLayoutElement(plot), declaration_(declaration) {
-  setMinimumSize(kWidth, 0);
-  setMaximumSize(kWidth, QWIDGETSIZE_MAX);
   setLayer(QStringLiteral("cursor"));
+}
+
+int PlotReadout::widthFor(const std::vector<const PlotDeclaration*>& plots) {
+  constexpr int kNarrow = 136; // one column of names and values
+  constexpr int kWide = 232;   // two
+  const bool narrow =
+      std::ranges::all_of(plots, [](const auto* plot) { return plot->curves.size() <= 1; });
+  return narrow ? kNarrow : kWide;
+}
+
+void PlotReadout::setWidth(int width) {
+  setMinimumSize(width, 0);
+  setMaximumSize(width, QWIDGETSIZE_MAX);
 }
 
 QString PlotReadout::inWords() const {
@@ -107,10 +134,10 @@ void PlotRow::prepareAxes() {
   y->setRange(0.0, 1.0);
   if (declaration_->quantity == PlotQuantity::Length) {
     y->setScaleType(QCPAxis::stLogarithmic);
-    y->setTicker(QSharedPointer<QCPAxisTickerLog>::create());
+    y->setTicker(QSharedPointer<DecadeTicker>::create());
     y->setRange(1.0, 1000.0);
   } else {
-    y->ticker()->setTickCount(2);
+    y->ticker()->setTickCount(3);
   }
   QCPAxis* x = xAxis();
   x->setNumberFormat(QStringLiteral("f"));
@@ -155,18 +182,20 @@ void PlotRow::fill(const PlotSeries& series, PlotAxis axis) {
 void PlotRow::fit(double least, double most) {
   switch (declaration_->quantity) {
   case PlotQuantity::Length:
-    // Whole decades: the axis stays put while the curve moves.
-    yAxis()->setRange(std::pow(10.0, std::floor(std::log10(least))),
-                      std::pow(10.0, std::floor(std::log10(most)) + 1.0));
+    // Whole decades, and room for their numbers: the axis stays put while the curve moves.
+    yAxis()->setRange(0.6 * std::pow(10.0, std::floor(std::log10(least))),
+                      1.5 * std::pow(10.0, std::floor(std::log10(most)) + 1.0));
     break;
   case PlotQuantity::Probability:
     yAxis()->setRange(-0.05, 1.05);
     break;
   case PlotQuantity::Count:
   case PlotQuantity::Duration:
-  case PlotQuantity::Speed:
-    yAxis()->setRange(0.0, 1.04 * roundedUp(std::max(most, 1e-9)));
+  case PlotQuantity::Speed: {
+    const double top = roundedUp(std::max(most, 1e-9));
+    yAxis()->setRange(-0.04 * top, 1.04 * top); // a curve at zero is seen
     break;
+  }
   case PlotQuantity::Position:
   case PlotQuantity::LogLikelihood: {
     const double step = roundedUp(std::max(most - least, 1e-3)) / 5.0;

@@ -15,9 +15,10 @@ namespace dewpoint {
 /// that moving the cursor draws no curve anew.
 class PlotReadout : public QCPLayoutElement {
 public:
-  static constexpr int kWidth = 232;
-
   PlotReadout(QCustomPlot* plot, const PlotDeclaration& declaration);
+  /// So wide that these plots' readouts stand in one column.
+  static int widthFor(const std::vector<const PlotDeclaration*>& plots);
+  void setWidth(int width);
   void setValues(std::vector<double> values) { values_ = std::move(values); }
   /// "x 12 mm, y 9 mm": what is written, as a sentence.
   QString inWords() const;

@@ -84,10 +84,12 @@ void PlotStack::rebuild() {
   cursor_->rects.clear();
   plot_->clearGraphs();
   plot_->plotLayout()->clear();
+  delete plot_->findChild<QCPMarginGroup*>();
   auto* margins = new QCPMarginGroup(plot_);
   plot_->plotLayout()->setRowSpacing(0);
   plot_->plotLayout()->setColumnSpacing(0);
-  for (const PlotDeclaration* plot : wantedPlots()) {
+  const auto wanted = wantedPlots();
+  for (const PlotDeclaration* plot : wanted) {
     rows_.push_back(
         std::make_unique<PlotRow>(plot_, *plot, static_cast<int>(rows_.size()), margins));
     cursor_->rects.push_back(rows_.back()->rect());
@@ -99,6 +101,7 @@ void PlotStack::rebuild() {
     // Only the lowest needs room for the numbers of the shared axis.
     row->rect()->setAutoMargins(QCP::msLeft);
     row->rect()->setMargins(QMargins(0, 4, 4, last ? kTickHeight : 4));
+    row->readout()->setWidth(PlotReadout::widthFor(wanted));
     row->readout()->setMargins(QMargins(0, 2, 0, 0));
   }
   plot_->setMinimumHeight(kLeastRowHeight * static_cast<int>(rows_.size()) + kTickHeight);

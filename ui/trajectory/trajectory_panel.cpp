@@ -60,6 +60,7 @@ TrajectoryPanel::TrajectoryPanel(ActionRegistry& actions, Selection& selection, 
   column->setSpacing(0);
   summary_->setObjectName(QStringLiteral("trajectorySummary"));
   summary_->setContentsMargins(8, 4, 8, 4);
+  summary_->setWordWrap(true);
   column->addWidget(summary_);
   column->addWidget(gaps_, 1);
   right->addWidget(plots_);
@@ -70,6 +71,9 @@ TrajectoryPanel::TrajectoryPanel(ActionRegistry& actions, Selection& selection, 
   split->addWidget(right);
   split->setStretchFactor(0, 1);
   split->setStretchFactor(1, 1);
+  // Shares; the table does not ask for the width of its columns.
+  split->setSizes({500, 500});
+  right->setSizes({300, 200});
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &TrajectoryPanel::fetch);
   sinceRefresh_.start();
@@ -277,7 +281,8 @@ void TrajectoryPanel::copyCsv() {
 void TrajectoryPanel::say() {
   const int rows = model_->rowCount();
   summary_->setText(rows == 0 ? tr("The trajectory appears here as soon as the target is tracked.")
-                              : tr("%n samples", nullptr, rows));
+                    : gaps_->rowCount() == 0 ? tr("%n samples, no gaps", nullptr, rows)
+                                             : tr("%n samples", nullptr, rows));
 }
 
 void TrajectoryPanel::showEvent(QShowEvent* event) {
