@@ -98,7 +98,7 @@ void TimelineTest::scrubbingShowsThatMomentInAllViews() {
   QVERIFY(shown().targets.front().particles.rows() > 0);
   const QImage then = picture("cameraView0");
   QVERIFY(then != now);
-  QVERIFY(window_->findChild<QLabel>(QStringLiteral("statusFrame"))
+  QVERIFY(window_->findChild<QLabel*>(QStringLiteral("statusFrame"))
               ->text()
               .contains(QStringLiteral("13"))); // people count from 1
   trigger("actionNow");

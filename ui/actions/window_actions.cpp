@@ -77,7 +77,7 @@ std::vector<ActionDeclaration> runActions() {
        QT_TRANSLATE_NOOP("Actions", "Show the frame before this one as it was"), "previous-frame",
        Qt::Key_Comma},
       {"actionNow", group, QT_TRANSLATE_NOOP("Actions", "Back to now"),
-       QT_TRANSLATE_NOOP("Actions", "Show again where the run stands"), "now", Qt::Key_L},
+       QT_TRANSLATE_NOOP("Actions", "Show again where the run stands"), "now", Qt::Key_N},
       {"actionRerun", group, QT_TRANSLATE_NOOP("Actions", "Track again from here"),
        QT_TRANSLATE_NOOP("Actions",
                          "Track again from the moment shown, with the method, parameters "

@@ -293,7 +293,7 @@ TimelineRows::TimelineRows(const QSizeF& size, int targets, int cameraCount, dou
   const double forRibbons = std::max(body - cameraCount * cameraHeight, 0.5 * body);
   ribbonHeight = std::clamp(forRibbons / std::max(1, targets), 8.0, 28.0);
   axis = QRectF(gutter, 0.0, width, axisHeight);
-  ribbons = QRectF(gutter, axis.bottom() + kGap, width, targets * ribbonHeight);
+  ribbons = QRectF(gutter, axis.bottom() + kGap, width, std::max(1, targets) * ribbonHeight);
   cameras = QRectF(gutter, ribbons.bottom(), width, cameraCount * cameraHeight);
   footer = QRectF(gutter, size.height() - footerHeight, width, footerHeight);
 }
