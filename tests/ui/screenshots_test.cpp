@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A picture of every view in both themes, as the manual shows them: into the folder that
+// DEWPOINT_SCREENSHOTS names, or beside the test.
+#include "app/wiring/open_project.h"
+#include "core/session/snapshot.h"
+#include "ui/birdseye/birds_eye_view.h"
+#include "ui/color/color_panel.h"
+#include "ui/export/export_dialog.h"
+#include "ui/export/view_picture.h"
+#include "ui/mainwindow/main_window.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QDockWidget>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+#include <memory>
+#include <set>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr int kPatienceMs =
+    DEWPOINT_PATIENCE_MS;          ///< software OpenGL, a loaded machine, a sanitizer
+constexpr int kSettleMs = 1500;    ///< the bird's-eye view and the plots draw at rates of their own
+constexpr qint64 kFrame = 120;     ///< by then the demo's ball has left a path
+constexpr std::size_t kColors = 8; ///< fewer are an empty picture
+
+/// How many colors a picture has, up to kColors.
+std::size_t colorsOf(const QImage& picture) {
+  std::set<QRgb> colors;
+  for (int y = 0; y < picture.height() && colors.size() < kColors; y += 3) {
+    for (int x = 0; x < picture.width() && colors.size() < kColors; x += 3) {
+      colors.insert(picture.pixel(x, y));
+    }
+  }
+  return colors.size();
+}
+
+} // namespace
+
+class ScreenshotsTest : public QObject {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void everyView_data();
+  void everyView();
+
+private:
+  void keep(const QImage& picture, const QString& name);
+
+  QString theme_;
+};
+
+void ScreenshotsTest::everyView_data() {
+  QTest::addColumn<int>("theme");
+  QTest::newRow("light") << static_cast<int>(Theme::Light);
+  QTest::newRow("dark") << static_cast<int>(Theme::Dark);
+}
+
+void ScreenshotsTest::keep(const QImage& picture, const QString& name) {
+  QVERIFY2(colorsOf(picture) >= kColors, qPrintable(name + QStringLiteral(" is empty")));
+  const QString folder =
+      qEnvironmentVariable("DEWPOINT_SCREENSHOTS", QStringLiteral("screenshots"));
+  QVERIFY(QDir().mkpath(folder));
+  const QString file = QStringLiteral("%1/%2-%3.png").arg(folder, name, theme_);
+  QVERIFY2(picture.save(file), qPrintable(file));
+}
+
+void ScreenshotsTest::everyView() {
+  QFETCH(int, theme);
+  theme_ = QLatin1String(QTest::currentDataTag());
+  QSettings().clear();
+  MainWindow window(&openProject);
+  window.setTheme(static_cast<Theme>(theme));
+  window.resize(1400, 900);
+  window.show();
+  QVERIFY(QTest::qWaitForWindowExposed(&window));
+  keep(window.grab().toImage(), QStringLiteral("start"));
+  window.findChild<QAction*>("actionNew")->trigger();
+  QTest::qWait(100);
+  keep(window.grab().toImage(), QStringLiteral("new-project"));
+
+  QSignalSpy opened(&window, &MainWindow::projectOpened);
+  window.openProject({});
+  QVERIFY(opened.wait(kPatienceMs));
+  QVERIFY(QTest::qWaitFor([&] { return window.shown() && window.shown()->frame >= kFrame; },
+                          kPatienceMs));
+  window.findChild<QAction*>("actionPlay")->trigger();
+  for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+    dock->show();
+    dock->raise();
+    QTest::qWait(200);
+    if (dock->isVisible() && dock->width() > 50 && dock->height() > 30) {
+      keep(pictureOf(dock->widget()), dock->objectName());
+    }
+  }
+  window.findChild<QAction*>("actionResetLayout")->trigger();
+  QTest::qWait(kSettleMs);
+  keep(window.grab().toImage(), QStringLiteral("window"));
+  window.findChild<QDockWidget*>("colorDock")->raise();
+  window.findChild<QAction*>("actionShowMask")->setChecked(true);
+  QTest::qWait(kSettleMs);
+  keep(window.grab().toImage(), QStringLiteral("window-color"));
+  window.findChild<QAction*>("actionShortcuts")->trigger();
+  window.findChild<QAction*>("actionExportTrajectory")->trigger();
+  QTest::qWait(kSettleMs);
+  for (const char* dialog : {"shortcutEditor", "exportDialog"}) {
+    keep(window.findChild<QWidget*>(QLatin1String(dialog))->grab().toImage(),
+         QLatin1String(dialog));
+  }
+}
+
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
+  QApplication::setApplicationName(QStringLiteral("screenshots"));
+  dewpoint::ScreenshotsTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "screenshots_test.moc"
