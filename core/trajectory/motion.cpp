@@ -64,6 +64,9 @@ void MotionLog::clear() {
 
 MotionLog::Change MotionLog::replaceFrom(std::size_t first,
                                          const std::vector<TrajectorySample>& samples) {
+  if (first == 0 && dropped_ > 0) {
+    clear(); // all from the start again: not a part of what is known
+  }
   std::size_t skipped = first < dropped_ ? std::min(dropped_ - first, samples.size()) : 0;
   std::size_t place = std::max(first, dropped_) - dropped_;
   while (skipped < samples.size() && place < rows_.size() &&

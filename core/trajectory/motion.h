@@ -51,7 +51,7 @@ public:
   };
 
   void clear();
-  /// Samples from number `first` (counted since the start) on are these now.
+  /// Samples from number `first` (counted since the start) on are these now; from 0: all there are.
   Change replaceFrom(std::size_t first, const std::vector<TrajectorySample>& samples);
   const std::vector<Row>& rows() const { return rows_; }
   /// In the order of their beginning, per target.

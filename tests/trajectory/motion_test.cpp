@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace dewpoint {
@@ -146,6 +147,9 @@ TEST(MotionLog, isBounded) {
   }
   EXPECT_EQ(dropped + log.rows().size(), kSamples);
   EXPECT_EQ(log.rows().back().sample.frame, static_cast<std::int64_t>(kSamples - 1));
+  // A new run begins at 0 and is all there is.
+  log.replaceFrom(0, {sampleAt(0, Eigen::Vector3d::Zero()), sampleAt(1, Eigen::Vector3d::Zero())});
+  EXPECT_EQ(log.rows().size(), 2U);
 }
 
 } // namespace

@@ -109,18 +109,22 @@ void PlotStack::rebuild() {
   draw();
 }
 
-std::pair<double, double> PlotStack::shownRange() const {
+std::pair<double, double> PlotStack::wholeRange() const {
+  const double least = axis_ == PlotAxis::Time ? 2.0 : 60.0; // a beginning run grows into it
   if (series_ == nullptr || series_->size() == 0) {
-    return {0.0, axis_ == PlotAxis::Time ? 10.0 : 100.0};
+    return {0.0, least};
   }
   const double first = series_->key(0, axis_);
-  const double last = series_->key(series_->size() - 1, axis_);
-  if (part_) {
-    const double moved = following_ ? last - part_->second : 0.0;
-    return {part_->first + moved, part_->second + moved};
+  return {first, std::max(series_->key(series_->size() - 1, axis_), first + least)};
+}
+
+std::pair<double, double> PlotStack::shownRange() const {
+  if (!part_ || series_ == nullptr || series_->size() == 0) {
+    return wholeRange();
   }
-  const double least = axis_ == PlotAxis::Time ? 2.0 : 60.0; // a beginning run grows into it
-  return {first, std::max(last, first + least)};
+  const double last = series_->key(series_->size() - 1, axis_);
+  const double moved = following_ ? std::max(0.0, last - part_->second) : 0.0;
+  return {part_->first + moved, part_->second + moved};
 }
 
 void PlotStack::refresh() {
@@ -255,17 +259,16 @@ void PlotStack::showPart(double lower, double upper) {
   if (series_ == nullptr || series_->size() == 0) {
     return;
   }
-  const double first = series_->key(0, axis_);
+  const auto [first, end] = wholeRange();
   const double last = series_->key(series_->size() - 1, axis_);
-  const double least = axis_ == PlotAxis::Time ? 0.1 : 4.0;
-  const double width = std::max(least, upper - lower);
-  if (width >= std::max(last - first, least)) {
+  const double width = std::max(axis_ == PlotAxis::Time ? 0.1 : 4.0, upper - lower);
+  if (width >= end - first) {
     showAll();
     return;
   }
-  // Never beyond the run by more than nothing: at the newest, the part goes on with it.
-  const double from = std::clamp(lower, first, last - width);
-  following_ = lower + width >= last;
+  // Never beyond the run; a part that reaches the newest moment moves along with it.
+  const double from = std::clamp(lower, first, end - width);
+  following_ = from + width >= last;
   part_ = std::pair(from, from + width);
   draw();
 }

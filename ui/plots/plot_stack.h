@@ -105,6 +105,7 @@ private:
   /// Row of the series that the values are of.
   std::optional<std::size_t> cursorRow() const;
   void paintFor(bool figure);
+  std::pair<double, double> wholeRange() const;
   std::optional<std::int64_t> frameAt(int x) const;
   double keyAt(int x) const;
 
