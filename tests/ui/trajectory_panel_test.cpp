@@ -80,8 +80,8 @@ void TrajectoryPanelTest::init() {
 
 void TrajectoryPanelTest::cleanup() {
   selection_.clear();
+  actions_.reset(); // the window would delete it, too
   window_.reset();
-  actions_.reset();
 }
 
 void TrajectoryPanelTest::follow(const std::vector<TrajectorySample>& samples) {
