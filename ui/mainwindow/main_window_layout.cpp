@@ -211,7 +211,7 @@ void MainWindow::shareSpace() {
     widths[1] = inner - widths.front();
   }
   resizeDocks(row, widths, Qt::Horizontal);
-  const int plotHeight = height() * 20 / 100;
+  const int plotHeight = height() * 24 / 100;
   const int timelineHeight = timelineDock_->sizeHint().height();
   resizeDocks({birdsEyeDock_, plotDock_, timelineDock_},
               {height() - plotHeight - timelineHeight, plotHeight, timelineHeight}, Qt::Vertical);
