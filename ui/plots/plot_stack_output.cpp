@@ -13,7 +13,8 @@ namespace dewpoint {
 
 namespace {
 
-constexpr double kPngScale = 2.0; ///< pixels per point of the window
+constexpr int kSvgResolution = 96; ///< pixels per inch, as the web counts them
+constexpr double kPngScale = 2.0;  ///< pixels per point of the window
 
 } // namespace
 
@@ -101,6 +102,7 @@ bool PlotStack::savePicture(const QString& file) {
   if (file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)) {
     QSvgGenerator generator;
     generator.setOutputDevice(&out);
+    generator.setResolution(kSvgResolution);
     generator.setSize(plot_->size());
     generator.setViewBox(QRect(QPoint(), plot_->size()));
     generator.setTitle(tr("Dewpoint plots"));
