@@ -26,7 +26,7 @@ std::string covarianceCells(const ExportCell& cell) {
 
 std::string tidyRow(const ExportCell& cell) {
   if (!cell.present) {
-    return std::string(15, ',') + "0,0\n";
+    return std::string(13, ',') + "0,,0,0\n";
   }
   const auto& p = cell.position;
   return fmt::format(",{},{},{}{},{},{},1,{}\n", lengthText(p.x()), lengthText(p.y()),

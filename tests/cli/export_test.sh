@@ -20,7 +20,7 @@ expectText out-csv.csv '# method: dewpoint' '# exported: 20' 'estimates: live'
 [[ $(find out-pvd-frames -name '*.vtp' | wc -l) == 40 ]] || fail 'not one file per row'
 
 expectExit 0 export run/trajectory.csv --smooth --from 10f --to 0.9s --rate 60 --unit mm --axes y-up \
-  --gaps fill --no-header --targets ball --out part.csv
+  --gaps fill --no-header --targets 'pink ball' --out part.csv
 [[ $(head -c 21 part.csv) == time_s,frame,target,x ]] || fail "$(head -1 part.csv)"
 [[ $(rowCount part.csv) == 35 ]] || fail "$(rowCount part.csv) rows, not those from 0.333 s to 0.9 s at 60 Hz"
 # The smoothed file can be judged like any other.
@@ -37,7 +37,7 @@ expectExit $kBadInput export run --targets dog --out x.csv
 expectSentence dog ball
 expectExit $kBadInput export run --from 99 --out x.csv
 expectSentence run span
-sed '0,/^0.1,/s/^0.1,3,ball,[^,]*/0.1,3,ball,nan/' run/trajectory.csv >nan.csv
+sed '0,/^0.1,/s/^0.1,3,pink ball,[^,]*/0.1,3,pink ball,nan/' run/trajectory.csv >nan.csv
 expectExit $kBadInput export nan.csv --out x.csv
 expectSentence nan.csv 'frame 3' finite
 expectExit $kOutput export run --out no/folder/x.csv

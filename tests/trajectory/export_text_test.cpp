@@ -22,7 +22,7 @@ TEST(ExportText, TidyCsvAsWrittenByHand) {
             "time_s,frame,target,x_m,y_m,z_m,sx_m,sy_m,sz_m,cov_xx_m2,cov_xy_m2,cov_xz_m2,"
             "cov_yy_m2,cov_yz_m2,cov_zz_m2,cameras,ess,valid,filled\n"
             "0,0,ball,0,0.25,1" +
-                rest + "0.1,1,ball,0.1,0.25,2" + rest + "0.2,2,ball,,,,,,,,,,,,,,,0,0\n" +
+                rest + "0.1,1,ball,0.1,0.25,2" + rest + "0.2,2,ball,,,,,,,,,,,,,0,,0,0\n" +
                 "0.3,3,ball,0.3,0.25,10" + rest);
 }
 
