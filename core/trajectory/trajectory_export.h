@@ -47,7 +47,7 @@ Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const Expor
 
 /// The first `lineCount` lines as exportTrajectory() would write them.
 Result<ExportPreview> previewExport(const Trajectory& trajectory, const ExportOptions& options,
-                                    const std::filesystem::path& file, std::size_t lineCount = 14);
+                                    const std::filesystem::path& file, std::size_t lineCount = 40);
 
 /// Reads the trajectory of an export's source: a trajectory file, or a run's folder with one.
 Result<Trajectory> readExportSource(const std::filesystem::path& fileOrFolder);
