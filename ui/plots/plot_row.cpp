@@ -9,7 +9,9 @@ namespace dewpoint {
 
 namespace {
 
-constexpr int kRowGap = 4; ///< pixels between plots
+constexpr int kRowGap = 4;      ///< pixels between plots
+constexpr int kMostColumns = 3; ///< of a readout
+constexpr int kColumnGap = 12;
 
 /// Ticks at powers of ten only, at most three of them: a row is low.
 class DecadeTicker : public QCPAxisTicker {
@@ -47,10 +49,18 @@ PlotReadout::PlotReadout(QCustomPlot* plot, const PlotDeclaration& declaration)
 
 int PlotReadout::widthFor(const std::vector<const PlotDeclaration*>& plots) {
   constexpr int kNarrow = 136; // one column of names and values
-  constexpr int kWide = 232;   // two
+  constexpr int kWide = 264;   // several
   const bool narrow =
       std::ranges::all_of(plots, [](const auto* plot) { return plot->curves.size() <= 1; });
   return narrow ? kNarrow : kWide;
+}
+
+int PlotReadout::heightFor(const std::vector<const PlotDeclaration*>& plots, const QFont& font) {
+  std::size_t lines = 2;
+  for (const PlotDeclaration* plot : plots) {
+    lines = std::max(lines, 1 + (plot->curves.size() + kMostColumns - 1) / kMostColumns);
+  }
+  return static_cast<int>(lines) * QFontMetrics(font).height() + kRowGap;
 }
 
 void PlotReadout::setWidth(int width) {
@@ -83,18 +93,18 @@ void PlotReadout::draw(QCPPainter* painter) {
   QRect area = rect().adjusted(8, 0, -4, 0);
   painter->drawText(area.left(), area.top() + metrics.ascent(), declaration_.title);
   painter->setFont(font);
-  // Entries flow down, then into a second column.
+  // Entries flow down, then into further columns.
   const auto count = static_cast<int>(declaration_.curves.size());
   const int fitting = std::max(1, (area.height() - line) / line);
-  const int columns = count > fitting ? 2 : 1;
+  const int columns = std::clamp((count + fitting - 1) / fitting, 1, kMostColumns);
   const int perColumn = (count + columns - 1) / columns;
-  const int width = area.width() / columns - (columns > 1 ? 6 : 0);
+  const int width = (area.width() - kColumnGap * (columns - 1)) / columns;
   for (int entry = 0; entry < count; ++entry) {
     const CurveDeclaration& curve = declaration_.curves[static_cast<std::size_t>(entry)];
     const auto index = static_cast<std::size_t>(entry);
     const double value =
         index < values_.size() ? values_[index] : std::numeric_limits<double>::quiet_NaN();
-    const QRect box(area.left() + entry / perColumn * (width + 12),
+    const QRect box(area.left() + entry / perColumn * (width + kColumnGap),
                     area.top() + (1 + entry % perColumn) * line, width, line);
     const QColor color = curveColor(curve.color, text);
     painter->fillRect(QRect(box.left(), box.center().y() - 1, 10, 3), color);
@@ -137,7 +147,7 @@ void PlotRow::prepareAxes() {
     y->setTicker(QSharedPointer<DecadeTicker>::create());
     y->setRange(1.0, 1000.0);
   } else {
-    y->ticker()->setTickCount(3);
+    y->ticker()->setTickCount(2);
   }
   QCPAxis* x = xAxis();
   x->setNumberFormat(QStringLiteral("f"));

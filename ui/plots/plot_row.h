@@ -18,6 +18,8 @@ public:
   PlotReadout(QCustomPlot* plot, const PlotDeclaration& declaration);
   /// So wide that these plots' readouts stand in one column.
   static int widthFor(const std::vector<const PlotDeclaration*>& plots);
+  /// So high that none of them is cut off.
+  static int heightFor(const std::vector<const PlotDeclaration*>& plots, const QFont& font);
   void setWidth(int width);
   void setValues(std::vector<double> values) { values_ = std::move(values); }
   /// "x 12 mm, y 9 mm": what is written, as a sentence.

@@ -15,7 +15,6 @@ namespace dewpoint {
 
 namespace {
 
-constexpr int kLeastRowHeight = 40;
 constexpr int kLeastIntervalMs = 120;
 /// Drawing may take this share of the time: with less than 2 ms for each of 30 snapshots a second.
 constexpr double kDrawingShare = 0.05;
@@ -104,7 +103,8 @@ void PlotStack::rebuild() {
     row->readout()->setWidth(PlotReadout::widthFor(wanted));
     row->readout()->setMargins(QMargins(0, 2, 0, 0));
   }
-  plot_->setMinimumHeight(kLeastRowHeight * static_cast<int>(rows_.size()) + kTickHeight);
+  plot_->setMinimumHeight(PlotReadout::heightFor(wanted, font()) * static_cast<int>(rows_.size()) +
+                          kTickHeight);
   applyPalette();
   draw();
 }
