@@ -29,6 +29,17 @@ namespace {
 
 constexpr int kPreviewDelayMs = 150;
 
+/// What a figure is of: the project and the method.
+QString titleOf(const Trajectory& trajectory) {
+  QStringList parts;
+  for (const auto& [key, value] : trajectory.header.entries) {
+    if ((key == "project" || key == "method") && !value.empty()) {
+      parts << QString::fromStdString(value);
+    }
+  }
+  return parts.join(QStringLiteral(" · "));
+}
+
 } // namespace
 
 ExportDialog::ExportDialog(std::function<Trajectory()> trajectory, QWidget* parent)
@@ -205,7 +216,7 @@ void ExportDialog::startFigure() {
   }
   refresh();
   setRunning(true);
-  const FigureWords words{windowTitle(), tr("time (s)"), tr("from above")};
+  const FigureWords words{titleOf(*trajectory_), tr("time (s)"), tr("from above")};
   const std::filesystem::path figure = chosen.toStdString();
   worker_->run(
       [trajectory = trajectory_, options = options(), words, figure]() -> Status {
