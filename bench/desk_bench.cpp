@@ -186,8 +186,8 @@ private:
                milliseconds[kMoves / 2], kMoves, milliseconds.back());
   }
 
-  EventLoopProbe probe_;
   MainWindow window_{&openProject};
+  EventLoopProbe probe_; ///< after the window: making it is launching
 };
 
 } // namespace

@@ -173,6 +173,7 @@ void DeskTest::aSavedProjectIsRecent() {
   QVERIFY(saveProject(*project, file("mine.toml").toStdString()));
   window_->openProject(file("mine.toml").toStdString());
   QVERIFY(waitFor([this] { return recentProjects() == QStringList{file("mine.toml")}; }));
+  QVERIFY(isOpen(2));
   action("actionCloseProject")->trigger();
   auto* recent = find<QListWidget>("startRecent");
   QCOMPARE(recent->count(), 1);

@@ -17,6 +17,7 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QMouseEvent>
@@ -165,7 +166,8 @@ void FirstRunTest::fromTwoVideosAndACalibrationToATrack() {
   chooseFiles({"calibration.toml"});
   click(find<QPushButton>("newChooseCalibration"));
   click(find<QPushButton>("newCreate"));
-  QVERIFY(waitFor([this] { return window_->shown() && window_->shown()->frame >= 0; }));
+  QVERIFY2(waitFor([this] { return window_->shown() && window_->shown()->frame >= 0; }),
+           qPrintable(find<QLabel>("messageText")->text()));
   auto* view = find<CameraView>("cameraView0");
   QVERIFY(waitFor([&] { return !view->imageSize().isEmpty() && view->height() > 100; }));
   // The ball of the demo's first frame, as the first camera sees it: (0.5, 0.5, 0.15) m.

@@ -124,6 +124,15 @@ void BirdsEyeView::startVtk() {
   };
 }
 
+void BirdsEyeView::prepare() {
+  startVtk();
+  if (vtk_) {
+    constexpr QSize kSmall(64, 64);
+    scene_.prepareFrame(kSmall.width(), kSmall.height());
+    vtk_->render(kSmall);
+  }
+}
+
 void BirdsEyeView::show(TrackSnapshotPtr snapshot) {
   snapshot_ = std::move(snapshot);
   sceneStale_ = true;

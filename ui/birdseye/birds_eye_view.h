@@ -33,6 +33,9 @@ public:
   /// To be called once before the QApplication is made.
   static void prepareSurfaceFormat();
 
+  /// Makes the OpenGL context and draws once, unseen: what the first picture would be waited for.
+  void prepare();
+
   /// Shows a moment with the next picture; null empties the scene. Cheap, also while hidden.
   void show(TrackSnapshotPtr snapshot);
   using QWidget::show;

@@ -24,6 +24,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QRandomGenerator>
+#include <QTimer>
 #include <QUndoStack>
 
 #include <algorithm>
@@ -61,6 +62,7 @@ MainWindow::MainWindow(ProjectOpener opener, QWidget* parent)
   resize(1400, 900);
   arrange();
   showStart(true);
+  birdsEye_->prepare();
 }
 
 MainWindow::~MainWindow() {
@@ -125,7 +127,7 @@ void MainWindow::reopen() {
 void MainWindow::adoptInputs(SessionInputs inputs) {
   if (bridge_ != nullptr) {
     loader_->retire(bridge_->release());
-    delete bridge_;
+    delete std::exchange(bridge_, nullptr);
   }
   clearViews();
   const bool isNew = !std::exchange(keepHistory_, false);
@@ -134,6 +136,15 @@ void MainWindow::adoptInputs(SessionInputs inputs) {
     document_->replace(inputs.project, unsaved);
     rememberOpened(inputs.project);
   }
+  // The panels have just been filled; the views come with the next turn of the event loop, so that
+  // neither holds it for long.
+  QTimer::singleShot(0, this,
+                     [this, unsaved, shared = std::make_shared<SessionInputs>(std::move(inputs))] {
+                       startSession(std::move(*shared), unsaved);
+                     });
+}
+
+void MainWindow::startSession(SessionInputs inputs, bool unsaved) {
   bridge_ = new SessionBridge(std::move(inputs), this);
   connect(bridge_, &SessionBridge::snapshotChanged, this, &MainWindow::showSnapshot);
   trajectory_->follow([session = &bridge_->session()](auto& generation, auto& position) {

@@ -121,6 +121,7 @@ private:
   /// Opens the document as it is again: its cameras are not those of the session any more.
   void reopen();
   void adoptInputs(SessionInputs inputs);
+  void startSession(SessionInputs inputs, bool unsaved);
   void showSnapshot(const TrackSnapshotPtr& snapshot);
   void pullLog();
   void showNotices(const TrackSnapshot& snapshot);
