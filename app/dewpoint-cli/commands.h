@@ -28,5 +28,6 @@ void addSimulateCommand(CLI::App& app, int& exitCode);
 void addExperimentCommand(CLI::App& app, int& exitCode);
 void addSuiteCommand(CLI::App& app, int& exitCode);
 void addExportCommand(CLI::App& app, int& exitCode);
+void addLearnColorCommand(CLI::App& app, int& exitCode);
 
 } // namespace dewpoint

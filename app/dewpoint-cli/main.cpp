@@ -37,6 +37,7 @@ int run(int argc, char** argv) {
   addExperimentCommand(app, exitCode);
   addSuiteCommand(app, exitCode);
   addExportCommand(app, exitCode);
+  addLearnColorCommand(app, exitCode);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# From videos to a track without a window: the color is learned from one pixel.
+. "$(dirname "$0")/common.sh"
+
+expectExit 0 simulate demo --frames 5 --out made
+expectExit 0 new fresh.toml --camera "camera 1=made/camera-1.mkv" \
+  --camera "camera 2=made/camera-2.mkv" --calibration made/calibration.toml
+
+# Both cameras look at (0.5, 0.5, 0.15) m, where the ball rests: it is at their principal points,
+# (159.5, 119.5) and (119.5, 159.5). In camera 1, 0.502 m away, its radius is 350 * 0.035 / 0.502 = 24
+# pixels (focal length 350): a pixel within ten of the center is on it.
+expectExit 0 learn-color fresh.toml --camera "camera 1" --frame 2 --pixel 157,117 \
+  --target "pink ball" --radius 0.035 --mask mask.png --out taught.toml
+[[ ! -s err.txt ]] || fail "nothing was to be said: $(cat err.txt)"
+expectText out.txt 'pink ball' 'Hue ' 'degrees' ' of 100.' 'background'
+[[ $(head -c 8 mask.png | od -An -tx1 | tr -d ' \n') == 89504e470d0a1a0a ]] || fail "mask.png is no PNG"
+expectText taught.toml '[[target]]' 'name = "pink ball"' '[[target.sample]]' 'pixel = [157, 117]'
+! grep -q target fresh.toml || fail "the project itself was changed"
+
+expectExit 0 track taught.toml --out run
+[[ $(rowCount run/trajectory.csv) == 5 ]] || fail "$(rowCount run/trajectory.csv) rows, not 5"
+
+# By number and with a box; more clicks; the only target is the one that is taught again.
+expectExit 0 learn-color taught.toml --camera 2 --box 95,135,50,50 --more "camera 1:4:160,120" \
+  --exclude 1:0:10,10 --out again.toml
+expectText again.toml 'name = "pink ball"' 'box = [95, 135, 50, 50]' 'excluded = true'
+[[ $(grep -c '^\[\[target\]\]' again.toml) == 1 ]] || fail "a second target was made"
+expectExit 0 learn-color taught.toml --pixel 157,117 --target other --out two.toml
+[[ $(grep -c '^\[\[target\]\]' two.toml) == 2 ]] || fail "no second target was made"
+
+# One sentence says what is wrong, and nothing is written.
+expectExit $kBadInput learn-color two.toml --pixel 157,117 --out no.toml
+expectSentence two.toml --target
+expectExit $kBadInput learn-color fresh.toml --pixel 400,10 --out no.toml
+expectSentence fresh.toml pixel 320x240
+expectExit $kBadInput learn-color fresh.toml --frame 5 --pixel 157,117 --out no.toml
+expectSentence fresh.toml --frame 5
+expectExit $kUsage learn-color fresh.toml --camera 3 --pixel 157,117 --out no.toml
+expectSentence --camera 3
+expectExit $kUsage learn-color fresh.toml --pixel 157 --out no.toml
+expectSentence --pixel X,Y 157
+expectExit $kUsage learn-color fresh.toml --pixel 1,1 --more 1:0 --out no.toml
+expectSentence --more CAMERA:FRAME:X,Y
+expectExit $kUsage learn-color fresh.toml --out no.toml
+expectExit $kOutput learn-color fresh.toml --pixel 157,117 --mask nowhere/mask.png
+expectSentence nowhere/mask.png
+[[ ! -e no.toml ]] || fail "a project was written in spite of an error"
