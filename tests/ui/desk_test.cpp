@@ -33,6 +33,7 @@
 #include <QTreeWidget>
 #include <QUrl>
 
+#include <map>
 #include <memory>
 
 namespace dewpoint {
@@ -55,6 +56,7 @@ private Q_SLOTS:
   void whatCannotBeMadeIsSaidAndNothingIsLost();
   void droppedFilesAreOpened();
   void aSavedProjectIsRecent();
+  void everyActionHasAShortcutOfItsOwn();
   void thePaletteFindsAnActionByKeyboardAlone();
   void aShortcutCanBeChangedTakenAndReset();
   void theLayoutBelongsToTheProject();
@@ -180,6 +182,17 @@ void DeskTest::aSavedProjectIsRecent() {
   recent->setCurrentRow(0);
   QTest::keyClick(recent, Qt::Key_Return);
   QVERIFY(isOpen(2));
+}
+
+void DeskTest::everyActionHasAShortcutOfItsOwn() {
+  std::map<QString, QString> holders;
+  for (QAction* one : window_->findChild<ActionRegistry*>()->all()) {
+    const QString keys = one->shortcut().toString();
+    QVERIFY2(!keys.isEmpty(), qPrintable(one->objectName()));
+    QVERIFY2(holders.emplace(keys, one->objectName()).second,
+             qPrintable(keys + QStringLiteral(": ") + holders[keys] + QStringLiteral(", ") +
+                        one->objectName()));
+  }
 }
 
 void DeskTest::thePaletteFindsAnActionByKeyboardAlone() {
