@@ -6,11 +6,13 @@
 #include "core/session/snapshot.h"
 #include "core/trajectory/trajectory.h"
 
+#include <concepts>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dewpoint {
@@ -28,8 +30,9 @@ struct SessionInputs {
 /// What a person wants to work on: the project in a file (empty: the demo), or one that is in no
 /// file as it is.
 struct SessionRequest {
-  SessionRequest(std::filesystem::path wanted) : file(std::move(wanted)) {} // NOLINT: implicit
-  SessionRequest(Project wanted) : project(std::move(wanted)) {}            // NOLINT: implicit
+  template <std::convertible_to<std::filesystem::path> File>
+  SessionRequest(File&& wanted) : file(std::forward<File>(wanted)) {} // NOLINT: implicit
+  SessionRequest(Project wanted) : project(std::move(wanted)) {}      // NOLINT: implicit
 
   std::filesystem::path file;
   std::optional<Project> project;
