@@ -139,7 +139,8 @@ TEST(ExportNpz, TwiceTheSameBytes) {
 }
 
 TEST(ExportNpz, IsReadByNumPy) {
-  if (std::system("python3 -c 'import numpy' >/dev/null 2>&1") != 0) { // NOLINT(cert-env33-c)
+  if (std::system("/usr/bin/python3 -c 'import numpy' >/dev/null 2>&1") !=
+      0) { // NOLINT(cert-env33-c)
     GTEST_SKIP() << "python3-numpy is not installed";
   }
   const ExportFolder folder;
@@ -156,8 +157,8 @@ assert list(a['frame']) == [0, 1, 2, 3] and numpy.allclose(a['t'], [0, 0.1, 0.2,
 assert a['filled'].dtype == bool and not a['filled'].any()
 assert 'right-handed' in str(a['units']) and 'seed: 7' in str(a['about'])
 )";
-  const std::string command =
-      "python3 '" + (folder / "check.py").string() + "' '" + (folder / "a.npz").string() + "'";
+  const std::string command = "/usr/bin/python3 '" + (folder / "check.py").string() + "' '" +
+                              (folder / "a.npz").string() + "'";
   EXPECT_EQ(std::system(command.c_str()), 0); // NOLINT(cert-env33-c)
 }
 
