@@ -170,6 +170,9 @@ std::vector<std::vector<std::string>> readRows(const std::string& file) {
   std::string line;
   std::getline(stream, line); // the columns' names
   while (std::getline(stream, line)) {
+    if (line.ends_with('\r')) {
+      line.pop_back(); // written elsewhere
+    }
     auto& row = rows.emplace_back();
     std::stringstream cells(line);
     for (std::string cell; std::getline(cells, cell, ',');) {
@@ -214,17 +217,16 @@ std::vector<Subject> thrownBalls(const std::string& folder) {
   return balls;
 }
 
-void benchRecording(const std::string& folder, const char* pattern,
-                    const std::vector<Subject>& subjects, std::vector<ImageScore>& scores) {
+void benchRecording(const std::string& folder, const char* pattern, std::vector<Subject> subjects,
+                    std::vector<ImageScore>& scores) {
   const auto images = readImages(folder, pattern, subjects);
-  const bool there = !images.empty() && std::ranges::none_of(images, [](const auto& one) {
-    return one.second.empty();
-  });
-  if (!there) {
-    fmt::print("{} is not there; left out\n", folder);
-    return;
-  }
-  for (const Subject& subject : subjects) {
+  for (Subject& subject : subjects) {
+    std::erase_if(subject.places,
+                  [&](const auto& place) { return images.at(place.first).empty(); });
+    if (subject.places.size() < 2) {
+      fmt::print("{} is not there; left out\n", subject.name);
+      continue;
+    }
     scores.push_back(benchSubject(images, subject, subject.places.begin()->first));
   }
 }
