@@ -67,7 +67,7 @@ void readIntrinsics(TableReader& reader, Intrinsics& intrinsics) {
   intrinsics.centerY = matrix(1, 2);
 }
 
-void readDistortion(TableReader& reader, std::array<double, 8>& distortion) {
+void readDistortion(TableReader& reader, bool fisheye, std::array<double, 8>& distortion) {
   const toml::node* node = reader.node("distortions");
   if (node == nullptr) {
     return;
@@ -78,7 +78,9 @@ void readDistortion(TableReader& reader, std::array<double, 8>& distortion) {
     reader.fail(ErrorCode::WrongType, "distortions", "0, 4, 5 or 8 numbers are expected");
     return;
   }
-  if (count > 0) {
+  if (fisheye && count > 4) {
+    reader.fail(ErrorCode::BadValue, "distortions", "a fisheye has four coefficients");
+  } else if (count > 0) {
     reader.numbers("distortions", distortion.data(), count, -kLargest, kLargest);
   }
 }
@@ -135,7 +137,10 @@ Result<Camera> cameraFromToml(const toml::table& table, const std::string& file,
   TableReader reader(table, file, prefix);
   reader.text("name", camera.name);
   readIntrinsics(reader, camera.intrinsics);
-  readDistortion(reader, camera.distortion);
+  bool fisheye = false;
+  reader.boolean("fisheye", fisheye);
+  camera.lens = fisheye ? LensModel::Fisheye : LensModel::Pinhole;
+  readDistortion(reader, fisheye, camera.distortion);
   readRotation(reader, camera);
   double unit = 1.0;
   reader.number("unit", unit, 1e-9, kLargest);
@@ -169,14 +174,17 @@ std::string cameraToToml(const Camera& camera, RotationForm form) {
   const auto& in = camera.intrinsics;
   const auto& d = camera.distortion;
   const bool rational = d[5] != 0.0 || d[6] != 0.0 || d[7] != 0.0;
+  const bool fisheye = camera.lens == LensModel::Fisheye;
+  const int coefficients = fisheye ? 4 : rational ? 8 : 5;
   const Eigen::Vector3d translation = camera.cameraFromWorld.translation();
   return fmt::format("size = [{}, {}]\n"
                      "matrix = [[{}, 0.0, {}], [0.0, {}, {}], [0.0, 0.0, 1.0]]\n"
-                     "distortions = [{}]\n"
+                     "distortions = [{}]\n{}"
                      "rotation = {}\n"
                      "translation = [{}, {}, {}]\n",
                      in.width, in.height, in.focalX, in.centerX, in.focalY, in.centerY,
-                     fmt::join(d.begin(), d.begin() + (rational ? 8 : 5), ", "),
+                     fmt::join(d.begin(), d.begin() + coefficients, ", "),
+                     fisheye ? "fisheye = true\n" : "",
                      rotationText(camera.cameraFromWorld.linear(), form), translation.x(),
                      translation.y(), translation.z());
 }

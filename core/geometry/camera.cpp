@@ -31,9 +31,17 @@ bool stillGrows(const std::array<double, 8>& k, double s) {
   return d > 0.0 && (n + 2.0 * s * dn) * d - 2.0 * s * n * dd > 0.0;
 }
 
+/// The same for a fisheye: the sign of the derivative of t (1 + k1 t² + ...) by the angle t.
+bool stillGrowsFisheye(const std::array<double, 8>& k, double s) {
+  const double angle = std::atan(std::sqrt(s));
+  const double t = angle * angle;
+  return 1.0 + t * (3.0 * k[0] + t * (5.0 * k[1] + t * (7.0 * k[2] + t * 9.0 * k[3]))) > 0.0;
+}
+
 /// First squared radius at which the radial model stops growing. The scan is even in the angle off
 /// the axis, so it covers every direction in front of the camera.
-double foldBackRadiusSquared(const std::array<double, 8>& k) {
+template <typename Grows>
+double foldBackRadiusSquared(const std::array<double, 8>& k, const Grows& stillGrows) {
   double inside = 0.0;
   for (int i = 1; i < kScanSteps; ++i) {
     const double r = std::tan(0.5 * std::numbers::pi * i / kScanSteps);
@@ -53,10 +61,13 @@ double foldBackRadiusSquared(const std::array<double, 8>& k) {
 
 } // namespace
 
+bool Camera::distorted() const {
+  return lens != LensModel::Pinhole ||
+         std::any_of(distortion.begin(), distortion.end(), [](double k) { return k != 0.0; });
+}
+
 Projector::Projector(const Camera& camera)
-    : intrinsics_(camera.intrinsics),
-      distorted_(std::any_of(camera.distortion.begin(), camera.distortion.end(),
-                             [](double k) { return k != 0.0; })) {
+    : intrinsics_(camera.intrinsics), lens_(camera.lens), distorted_(camera.distorted()) {
   const Eigen::Isometry3d& pose = camera.cameraFromWorld;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
@@ -69,16 +80,19 @@ Projector::Projector(const Camera& camera)
   projection_.centerX = intrinsics_.centerX;
   projection_.centerY = intrinsics_.centerY;
   projection_.distortion = camera.distortion;
-  projection_.radiusSquaredLimit = distorted_ ? foldBackRadiusSquared(camera.distortion)
-                                              : std::numeric_limits<double>::infinity();
+  projection_.radiusSquaredLimit = !distorted_ ? std::numeric_limits<double>::infinity()
+                                   : lens_ == LensModel::Fisheye
+                                       ? foldBackRadiusSquared(camera.distortion, stillGrowsFisheye)
+                                       : foldBackRadiusSquared(camera.distortion, stillGrows);
 }
 
 std::optional<Eigen::Vector2d> Projector::project(const Eigen::Vector3d& pointWorld) const {
   const double x = pointWorld.x();
   const double y = pointWorld.y();
   const double z = pointWorld.z();
-  const Projection::Pixel pixel =
-      distorted_ ? projection_.pixel<true>(x, y, z) : projection_.pixel<false>(x, y, z);
+  const Projection::Pixel pixel = lens_ == LensModel::Fisheye ? projection_.fisheyePixel(x, y, z)
+                                  : distorted_                ? projection_.pixel<true>(x, y, z)
+                                                              : projection_.pixel<false>(x, y, z);
   if (!pixel.visible) {
     return std::nullopt;
   }

@@ -26,11 +26,13 @@ struct Intrinsics {
 };
 
 /// One calibrated camera. World: metres, right-handed, Z up. Camera axes as in OpenCV: x right,
-/// y down, z forward. Distortion coefficients in OpenCV's order k1 k2 p1 p2 k3 k4 k5 k6.
+/// y down, z forward. Distortion coefficients in OpenCV's order: k1 k2 p1 p2 k3 k4 k5 k6 of a
+/// pinhole, k1 k2 k3 k4 (and zeros) of a fisheye.
 struct Camera {
   std::string name;
   Intrinsics intrinsics;
   std::array<double, 8> distortion{};
+  LensModel lens = LensModel::Pinhole;
   Eigen::Isometry3d cameraFromWorld = Eigen::Isometry3d::Identity();
 
   /// Optical center in the world frame, metres.
@@ -38,16 +40,19 @@ struct Camera {
   /// Unit vector of the optical axis in the world frame.
   Eigen::Vector3d opticalAxis() const { return cameraFromWorld.linear().row(2).transpose(); }
 
+  /// True where pixels are not those of an ideal pinhole.
+  bool distorted() const;
+
   bool operator==(const Camera& other) const {
     return name == other.name && intrinsics == other.intrinsics && distortion == other.distortion &&
-           cameraFromWorld.matrix() == other.cameraFromWorld.matrix();
+           lens == other.lens && cameraFromWorld.matrix() == other.cameraFromWorld.matrix();
   }
 };
 
 using CameraRig = std::vector<Camera>;
 
-/// Projects points of the world into one camera: OpenCV's model (pinhole, rational radial and
-/// tangential distortion). Prepared once per camera, then cheap per point.
+/// Projects points of the world into one camera: OpenCV's models (see LensModel).
+/// Prepared once per camera, then cheap per point.
 class Projector {
 public:
   explicit Projector(const Camera& camera);
@@ -66,6 +71,7 @@ public:
 private:
   Intrinsics intrinsics_;
   Projection projection_;
+  LensModel lens_ = LensModel::Pinhole;
   bool distorted_ = false;
 };
 

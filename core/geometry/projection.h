@@ -2,16 +2,23 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 namespace dewpoint {
 
-/// OpenCV's camera model (pinhole, rational radial and tangential distortion) in plain numbers, as
-/// the loops over many points need it. Made by Projector.
+/// How a lens bends the rays, apart from its coefficients.
+enum class LensModel {
+  Pinhole, ///< OpenCV's: rational radial and tangential, k1 k2 p1 p2 k3 k4 k5 k6
+  Fisheye  ///< OpenCV's cv::fisheye (Kannala and Brandt 2006, odd powers of the angle): k1 k2 k3 k4
+};
+
+/// OpenCV's camera models in plain numbers, as the loops over many points need them. Made by
+/// Projector.
 struct Projection {
   std::array<double, 9> rotation{}; ///< camera from world, row by row
   std::array<double, 3> translation{};
   double focalX = 0.0, focalY = 0.0, centerX = 0.0, centerY = 0.0; ///< pixels
-  std::array<double, 8> distortion{};                              ///< k1 k2 p1 p2 k3 k4 k5 k6
+  std::array<double, 8> distortion{}; ///< in the order of its lens model
   /// Largest squared normalized radius at which the radial distortion still grows.
   double radiusSquaredLimit = 0.0;
 
@@ -48,6 +55,26 @@ struct Projection {
       v = v * factor + dv;
     }
     return {focalX * u + centerX, focalY * v + centerY, visible};
+  }
+
+  /// The same for LensModel::Fisheye: the angle t off the axis is seen at the normalized radius
+  /// t (1 + k1 t² + k2 t⁴ + k3 t⁶ + k4 t⁸).
+  Pixel fisheyePixel(double x, double y, double z) const {
+    const auto& r = rotation;
+    const double xCamera = r[0] * x + r[1] * y + r[2] * z + translation[0];
+    const double yCamera = r[3] * x + r[4] * y + r[5] * z + translation[1];
+    const double zCamera = r[6] * x + r[7] * y + r[8] * z + translation[2];
+    const double u = xCamera / zCamera;
+    const double v = yCamera / zCamera;
+    const double s = u * u + v * v;
+    const bool visible = zCamera > kMinDepth && s <= radiusSquaredLimit; // false for NaN too
+    const double radius = std::sqrt(s);
+    const double angle = std::atan(radius);
+    const double t = angle * angle;
+    const auto& k = distortion;
+    const double bent = angle * (1.0 + t * (k[0] + t * (k[1] + t * (k[2] + t * k[3]))));
+    const double factor = radius > 1e-8 ? bent / radius : 1.0;
+    return {focalX * u * factor + centerX, focalY * v * factor + centerY, visible};
   }
 };
 

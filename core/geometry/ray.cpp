@@ -5,6 +5,8 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace dewpoint {
 namespace {
@@ -64,13 +66,28 @@ std::optional<Eigen::Vector2d> stepCloser(const Projector& lens, const Eigen::Ve
   return std::nullopt;
 }
 
+/// The angle off the axis, in radians, that a fisheye bends to the normalized radius `bent`.
+double unbent(const std::array<double, 8>& k, double bent) {
+  double angle = std::min(bent, 1.5);
+  for (int step = 0; step < kNewtonSteps; ++step) {
+    const double t = angle * angle;
+    const double error = angle * (1.0 + t * (k[0] + t * (k[1] + t * (k[2] + t * k[3])))) - bent;
+    const double slope =
+        1.0 + t * (3.0 * k[0] + t * (5.0 * k[1] + t * (7.0 * k[2] + t * 9.0 * k[3])));
+    if (std::abs(error) < 1e-15 || !(slope > 0.0)) {
+      break;
+    }
+    angle -= error / slope;
+  }
+  return angle;
+}
+
 } // namespace
 
 Unprojector::Unprojector(const Camera& camera)
     : intrinsics_(camera.intrinsics), worldFromCamera_(camera.cameraFromWorld.linear().transpose()),
-      center_(camera.center()),
-      distorted_(std::any_of(camera.distortion.begin(), camera.distortion.end(),
-                             [](double k) { return k != 0.0; })),
+      center_(camera.center()), distorted_(camera.distorted()),
+      fisheye_(camera.lens == LensModel::Fisheye), distortion_(camera.distortion),
       lens_(withoutPose(camera)) {}
 
 std::optional<Eigen::Vector2d> Unprojector::normalized(const Eigen::Vector2d& pixel) const {
@@ -82,7 +99,15 @@ std::optional<Eigen::Vector2d> Unprojector::normalized(const Eigen::Vector2d& pi
   if (!distorted_) {
     return pinhole;
   }
-  auto at = start(lens_, pinhole);
+  Eigen::Vector2d guess = pinhole;
+  if (const double bent = pinhole.norm(); fisheye_ && bent > 0.0) {
+    const double angle = unbent(distortion_, bent);
+    if (!(angle >= 0.0 && angle < 0.5 * std::numbers::pi)) {
+      return std::nullopt;
+    }
+    guess *= std::tan(angle) / bent; // Newton below has only to check it
+  }
+  auto at = start(lens_, guess);
   for (int k = 0; at && k < kNewtonSteps; ++k) {
     const Eigen::Vector2d error = *seen(lens_, *at) - pixel;
     if (error.norm() < kResidual) {

@@ -39,6 +39,8 @@ private:
   Eigen::Matrix3d worldFromCamera_;
   Eigen::Vector3d center_;
   bool distorted_ = false;
+  bool fisheye_ = false;
+  std::array<double, 8> distortion_;
   Projector lens_; ///< the same lens with the camera at the world's origin
 };
 

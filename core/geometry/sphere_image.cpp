@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/sphere_image.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace dewpoint {
@@ -14,9 +13,7 @@ constexpr double kStep = 1e-4; ///< of the plane z = 1, for the lens's local mag
 SphereProjector::SphereProjector(const Camera& camera)
     : projector_(camera), cameraCenter_(camera.center()), axis_(camera.opticalAxis()),
       right_(camera.cameraFromWorld.linear().row(0).transpose()),
-      down_(camera.cameraFromWorld.linear().row(1).transpose()),
-      distorted_(std::any_of(camera.distortion.begin(), camera.distortion.end(),
-                             [](double k) { return k != 0.0; })),
+      down_(camera.cameraFromWorld.linear().row(1).transpose()), distorted_(camera.distorted()),
       focal_(std::sqrt(camera.intrinsics.focalX * camera.intrinsics.focalY)) {}
 
 std::optional<SphereImage> SphereProjector::project(const Eigen::Vector3d& centerWorld,

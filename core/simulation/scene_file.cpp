@@ -138,6 +138,9 @@ Result<Camera> readCamera(const toml::table& table, const std::string& file, std
   lens.centerX = center[0];
   lens.centerY = center[1];
   reader.numbers("distortion", camera.distortion.data(), camera.distortion.size());
+  bool fisheye = false;
+  reader.boolean("fisheye", fisheye);
+  camera.lens = fisheye ? LensModel::Fisheye : LensModel::Pinhole;
   readPose(reader, camera);
   if (auto error = reader.finish()) {
     return tl::make_unexpected(std::move(*error));
@@ -227,6 +230,7 @@ toml::table cameraTable(const Camera& camera) {
       {"focal", toml::array{lens.focalX, lens.focalY}},
       {"center", toml::array{lens.centerX, lens.centerY}},
       {"distortion", arrayOf(camera.distortion)},
+      {"fisheye", camera.lens == LensModel::Fisheye},
       {"position", arrayOf(camera.center())},
       {"rotation", arrayOf(rotation.reshaped<Eigen::RowMajor>())},
   };

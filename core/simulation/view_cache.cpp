@@ -11,6 +11,7 @@ std::string keyOf(const Camera& camera, Furnishing furnishing) {
   const Intrinsics& k = camera.intrinsics;
   std::string key = fmt::format("{} {} {} {} {} {} {}", static_cast<int>(furnishing), k.width,
                                 k.height, k.focalX, k.focalY, k.centerX, k.centerY);
+  key += fmt::format(" {}", static_cast<int>(camera.lens));
   for (const double coefficient : camera.distortion) {
     key += fmt::format(" {}", coefficient);
   }

@@ -64,8 +64,12 @@ void expectAsOpenCv(const Camera& camera, int coefficients, double extent) {
   const std::vector<double> distortion(camera.distortion.begin(),
                                        camera.distortion.begin() + coefficients);
   std::vector<cv::Point2d> expected;
-  cv::projectPoints(objects, rotationVector, cv::Vec3d(t.x(), t.y(), t.z()), matrix, distortion,
-                    expected);
+  const cv::Vec3d translation(t.x(), t.y(), t.z());
+  if (camera.lens == LensModel::Fisheye) {
+    cv::fisheye::projectPoints(objects, expected, rotationVector, translation, matrix, distortion);
+  } else {
+    cv::projectPoints(objects, rotationVector, translation, matrix, distortion, expected);
+  }
   const Projector projector(camera);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto pixel = projector.project(points[i]);
@@ -87,6 +91,12 @@ TEST(Projector, AgreesWithOpenCvWithFiveCoefficients) {
 TEST(Projector, AgreesWithOpenCvWithEightCoefficients) {
   // Rational: the denominator grows with the radius, a mild barrel.
   expectAsOpenCv(webcam({0.12, 0.03, -0.0007, 0.0011, 0.002, 0.2, 0.04, 0.003}), 8, 0.6);
+}
+
+TEST(Projector, AgreesWithOpenCvsFisheye) {
+  Camera camera = webcam({-0.02, 0.004, -0.001, 0.0002});
+  camera.lens = LensModel::Fisheye;
+  expectAsOpenCv(camera, 4, 3.0); // 72 degrees off the axis
 }
 
 TEST(Projector, FollowsThePinholeByHand) {

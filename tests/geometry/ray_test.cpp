@@ -48,6 +48,13 @@ TEST(Unprojector, InvertsTheRationalModel) {
   expectRoundTrip(webcam({0.12, 0.03, -0.0007, 0.0011, 0.002, 0.2, 0.04, 0.003}));
 }
 
+TEST(Unprojector, InvertsTheFisheye) {
+  Camera camera = webcam({-0.02, 0.004, -0.001, 0.0002});
+  camera.lens = LensModel::Fisheye;
+  camera.intrinsics.focalX = camera.intrinsics.focalY = 120.0; // about 80 degrees at the corners
+  expectRoundTrip(camera);
+}
+
 TEST(Unprojector, FollowsThePinholeByHand) {
   Camera camera; // axes are the world's
   camera.intrinsics = {320, 240, 100.0, 200.0, 160.0, 120.0};
