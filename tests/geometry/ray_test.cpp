@@ -51,7 +51,7 @@ TEST(Unprojector, InvertsTheRationalModel) {
 TEST(Unprojector, InvertsTheFisheye) {
   Camera camera = webcam({-0.02, 0.004, -0.001, 0.0002});
   camera.lens = LensModel::Fisheye;
-  camera.intrinsics.focalX = camera.intrinsics.focalY = 120.0; // about 80 degrees at the corners
+  camera.intrinsics.focalX = camera.intrinsics.focalY = 170.0; // 78 degrees at the corners
   expectRoundTrip(camera);
 }
 
