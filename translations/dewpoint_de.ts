@@ -450,6 +450,10 @@
         <translation>kein brauchbarer Wert</translation>
     </message>
     <message>
+        <source>stopped on request</source>
+        <translation>auf Wunsch abgebrochen</translation>
+    </message>
+    <message>
         <source>the camera cannot be opened</source>
         <translation>die Kamera lässt sich nicht öffnen</translation>
     </message>
@@ -464,6 +468,10 @@
     <message>
         <source>the file does not exist</source>
         <translation>die Datei existiert nicht</translation>
+    </message>
+    <message>
+        <source>the observations do not settle it</source>
+        <translation>die Beobachtungen legen es nicht fest</translation>
     </message>
     <message>
         <source>the text cannot be understood</source>

@@ -450,6 +450,10 @@
         <translation>valor no utilizable</translation>
     </message>
     <message>
+        <source>stopped on request</source>
+        <translation>detenido a petición</translation>
+    </message>
+    <message>
         <source>the camera cannot be opened</source>
         <translation>no se puede abrir la cámara</translation>
     </message>
@@ -464,6 +468,10 @@
     <message>
         <source>the file does not exist</source>
         <translation>el archivo no existe</translation>
+    </message>
+    <message>
+        <source>the observations do not settle it</source>
+        <translation>las observaciones no lo determinan</translation>
     </message>
     <message>
         <source>the text cannot be understood</source>

@@ -450,6 +450,10 @@
         <translation>使えない値です</translation>
     </message>
     <message>
+        <source>stopped on request</source>
+        <translation>要求により中止しました</translation>
+    </message>
+    <message>
         <source>the camera cannot be opened</source>
         <translation>カメラを開けません</translation>
     </message>
@@ -464,6 +468,10 @@
     <message>
         <source>the file does not exist</source>
         <translation>ファイルがありません</translation>
+    </message>
+    <message>
+        <source>the observations do not settle it</source>
+        <translation>観測からは決まりません</translation>
     </message>
     <message>
         <source>the text cannot be understood</source>

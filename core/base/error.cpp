@@ -31,6 +31,10 @@ const char* phrase(ErrorCode code) {
     return "the camera stopped delivering images";
   case ErrorCode::NotFound:
     return "there is nothing of this name";
+  case ErrorCode::Undetermined:
+    return "the observations do not settle it";
+  case ErrorCode::Cancelled:
+    return "stopped on request";
   }
   return "failed";
 }

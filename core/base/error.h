@@ -24,6 +24,8 @@ enum class ErrorCode {
   DeviceUnavailable,
   ConnectionLost,
   NotFound,
+  Undetermined,
+  Cancelled,
 };
 
 /// One failure, as a value: which file (or device, or address), which field in it, and the
