@@ -20,6 +20,10 @@ using Kind = BundleBody::Kind;
 
 constexpr double kFunctionTolerance = 1e-10;
 constexpr double kParameterTolerance = 1e-10;
+constexpr double kDraftTolerance = 1e-5;
+/// Steps are damped by at least the inverse, in units of each parameter's own precision: where the
+/// world is not tied down, its normal equations are singular without.
+constexpr double kLargestTrust = 1e8;
 
 class StopWhenAsked final : public ceres::IterationCallback {
 public:
@@ -54,14 +58,14 @@ public:
     if (summary.termination_type == ceres::FAILURE) {
       return failure(ErrorCode::Undetermined, "", "", "the adjustment broke down");
     }
-    if (summary.termination_type == ceres::NO_CONVERGENCE) {
+    if (summary.termination_type == ceres::NO_CONVERGENCE && !model_.given.draft) {
       return failure(ErrorCode::Undetermined, "", "",
                      fmt::format("the adjustment did not settle within {} iterations",
                                  model_.given.maxIterations));
     }
     BundleResult result = solution();
     result.iterations = static_cast<int>(summary.iterations.size());
-    if (auto known = addCovariance(result); !known) {
+    if (auto known = model_.given.draft ? Status() : addCovariance(result); !known) {
       return tl::make_unexpected(known.error());
     }
     result.seconds =
@@ -74,7 +78,8 @@ private:
     ceres::Solver::Options options;
     options.num_threads = 1; // sums in one order: the same bits every time
     options.max_num_iterations = model_.given.maxIterations;
-    options.function_tolerance = kFunctionTolerance;
+    options.function_tolerance = model_.given.draft ? kDraftTolerance : kFunctionTolerance;
+    options.max_trust_region_radius = kLargestTrust;
     options.parameter_tolerance = kParameterTolerance;
     options.logging_type = ceres::SILENT;
     options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;

@@ -89,6 +89,9 @@ struct BundleProblem {
   /// Points and sticks are followed between instants through gaps up to this, seconds.
   double longestGap = 0.2;
   int maxIterations = 200;
+  /// Ends when the cost changes by less than 1e-5, or after maxIterations, settled or not; no
+  /// covariance and no noise factor. For steps on the way.
+  bool draft = false;
 };
 
 /// What the adjustment found.
