@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Nine real cameras and one steel ball: the points of ball9_arena, with their gaps and gross
+// errors. Truth is the authors' own calibration.
+#include "core/base/random.h"
+#include "core/calibration/bundle_cost.h"
+#include "core/calibration/wand_calibration.h"
+#include "core/calibration/wand_world.h"
+#include "core/geometry/ray.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <numbers>
+#include <sstream>
+
+namespace dewpoint {
+namespace {
+
+std::filesystem::path folder() {
+  const char* data = std::getenv("DEWPOINT_DATA");
+  return std::filesystem::path(data == nullptr ? "" : data) / "ball9_arena";
+}
+
+CameraRig authorsRig() {
+  std::ifstream stream(folder() / "calib.json");
+  const auto json = nlohmann::json::parse(stream);
+  CameraRig rig;
+  for (const auto& entry : json["cameras"]) {
+    Camera camera;
+    camera.name = "view " + std::to_string(entry["view"].get<int>());
+    const auto& k = entry["K"];
+    camera.intrinsics = {1280, 800, k[0][0], k[1][1], k[0][2], k[1][2]};
+    for (std::size_t i = 0; i < 5; ++i) {
+      camera.distortion[i] = entry["dist_k1k2p1p2k3"][i];
+    }
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) {
+        camera.cameraFromWorld.linear()(row, column) = entry["R"][row][column];
+      }
+      camera.cameraFromWorld.translation()[row] = 0.001 * entry["t_mm"][row].get<double>();
+    }
+    rig.push_back(camera);
+  }
+  return rig;
+}
+
+std::vector<std::vector<BallView>> detections() {
+  std::vector<std::vector<BallView>> views(9);
+  std::ifstream stream(folder() / "detections_single.csv");
+  std::string line;
+  std::getline(stream, line);
+  while (std::getline(stream, line)) {
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) {
+      cells.push_back(cell);
+    }
+    for (std::size_t v = 0; v < 9 && 4 + 3 * v < cells.size(); ++v) {
+      const std::string& u = cells[2 + 3 * v];
+      if (u.empty() || u == "nan") {
+        continue;
+      }
+      BallView view;
+      view.time = std::stod(cells[0]) / 30.0;
+      view.pixel = {std::stod(u), std::stod(cells[3 + 3 * v])};
+      view.sigma = 1.0;
+      if (view.pixel.allFinite()) {
+        views[v].push_back(view);
+      }
+    }
+  }
+  return views;
+}
+
+CameraRig moved(CameraRig rig, double place, double turn, std::uint32_t seed) {
+  const RandomStream random(5, seed, 0, RandomPurpose::Noise);
+  for (std::size_t c = 0; c < rig.size(); ++c) {
+    const auto a = random.normal4(std::uint32_t(c));
+    const auto b = random.normal4(std::uint32_t(c), 1);
+    const Eigen::Vector3d center =
+        rig[c].center() + place * Eigen::Vector3d(a[0], a[1], a[2]).normalized();
+    auto& pose = rig[c].cameraFromWorld;
+    pose.linear() = turned(turn * Eigen::Vector3d(b[0], b[1], b[2]).normalized()) * pose.linear();
+    pose.translation() = -pose.linear() * center;
+  }
+  return rig;
+}
+
+/// Median over all views, none left out, of how far each lies from the projection of the point that
+/// all views of its instant give together: the figure the authors' calibration is known by.
+double medianReprojection(const CameraRig& rig, const std::vector<std::vector<BallView>>& views) {
+  std::vector<Unprojector> unprojectors;
+  std::vector<Projector> projectors;
+  for (const Camera& camera : rig) {
+    unprojectors.emplace_back(camera);
+    projectors.emplace_back(camera);
+  }
+  std::map<long, std::vector<std::pair<std::size_t, Eigen::Vector2d>>> instants;
+  for (std::size_t c = 0; c < rig.size(); ++c) {
+    for (const BallView& view : views[c]) {
+      instants[std::lround(view.time * 30.0)].emplace_back(c, view.pixel);
+    }
+  }
+  std::vector<double> off;
+  for (const auto& [frame, seen] : instants) {
+    std::vector<Ray> rays;
+    for (const auto& [c, pixel] : seen) {
+      if (const auto ray = unprojectors[c].ray(pixel)) {
+        rays.push_back(*ray);
+      }
+    }
+    const auto point = nearestPoint(rays);
+    for (std::size_t i = 0; point && i < seen.size(); ++i) {
+      if (const auto pixel = projectors[seen[i].first].project(*point)) {
+        off.push_back((*pixel - seen[i].second).norm());
+      }
+    }
+  }
+  std::nth_element(off.begin(), off.begin() + std::ptrdiff_t(off.size() / 2), off.end());
+  return off[off.size() / 2];
+}
+
+TEST(Ball9Arena, WavingTheBallIsNoWorseThanTheAuthorsCalibration) {
+  if (!std::filesystem::exists(folder() / "detections_single.csv")) {
+    GTEST_SKIP() << "the recording ball9_arena is not in DEWPOINT_DATA";
+  }
+  WandProblem problem;
+  const CameraRig truth = authorsRig();
+  problem.views = detections();
+  problem.rough = moved(truth, 0.1, 3.0 / 180.0 * std::numbers::pi, 1);
+  const auto result = calibrateFromWand(problem);
+  ASSERT_TRUE(result) << sentence(result.error());
+  const double authors = medianReprojection(truth, problem.views);
+  const double ours = medianReprojection(result->cameras, problem.views);
+  EXPECT_LE(ours, authors);
+  const Similarity back = rigAlignment(result->cameras, truth, true);
+  double sum = 0.0;
+  double worst = 0.0;
+  for (std::size_t c = 0; c < truth.size(); ++c) {
+    const double off = (back * result->cameras[c].center() - truth[c].center()).norm();
+    sum += off * off;
+    worst = std::max(worst, off);
+  }
+  const double rms = std::sqrt(sum / double(truth.size()));
+  EXPECT_LT(rms, 0.005);
+  RecordProperty("authorsPx", std::to_string(authors));
+  std::cout << "authors " << authors << " px, ours " << ours << " px; cameras " << 1000.0 * rms
+            << " mm RMS, worst " << 1000.0 * worst << " mm; kept median " << result->medianPx
+            << " px; " << result->seconds << " s\n";
+}
+
+} // namespace
+} // namespace dewpoint
