@@ -16,6 +16,8 @@ int report(const Error& error) {
     return kExitOutput;
   case ErrorCode::EndedEarly:
     return kExitEndedEarly;
+  case ErrorCode::Cancelled:
+    return kExitInterrupted;
   default:
     return kExitBadInput;
   }
@@ -38,6 +40,7 @@ int run(int argc, char** argv) {
   addSuiteCommand(app, exitCode);
   addExportCommand(app, exitCode);
   addLearnColorCommand(app, exitCode);
+  addCalibrateCommand(app, exitCode);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -2,6 +2,7 @@
 #include "app/dewpoint-cli/track_job.h"
 
 #include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/interruption.h"
 #include "app/dewpoint-cli/progress.h"
 #include "core/base/text_file.h"
 #include "core/session/run_report.h"
@@ -12,15 +13,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <csignal>
 
 namespace dewpoint {
 namespace {
-
-std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
 
 /// Says each new notice of the source once.
 void sayNotices(const FrameSetSource& source, RunFigures& figures) {
@@ -46,7 +42,7 @@ Status trackFrames(const TrackJob& job, FrameSetSource& source, TrackingRun& run
                                          : job.endFrame.value_or(total.value_or(0));
   Progress progress("tracking", std::max<std::int64_t>(0, end - job.firstFrame));
   const bool bounded = total.has_value() || job.endFrame.has_value();
-  while (!interrupted && (!bounded || figures.frames < end - job.firstFrame)) {
+  while (!interruptionAsked() && (!bounded || figures.frames < end - job.firstFrame)) {
     auto frames = source.next();
     sayNotices(source, figures);
     if (!frames) {
@@ -124,8 +120,7 @@ int TrackJob::run(SessionInputs inputs) const {
   if (!writer) {
     return report(writer.error());
   }
-  std::signal(SIGINT, [](int) { interrupted = true; });
-  std::signal(SIGTERM, [](int) { interrupted = true; });
+  heedInterruption();
 
   // Before the run, so that one that is killed can be compared too.
   if (!inputs.project.scene.empty()) {
@@ -144,7 +139,7 @@ int TrackJob::run(SessionInputs inputs) const {
   const auto begin = std::chrono::steady_clock::now();
   const auto tracked = trackFrames(*this, *inputs.source, *run, *writer, kept, figures);
   figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  figures.finished = tracked.has_value() && !interrupted;
+  figures.finished = tracked.has_value() && !interruptionAsked();
   if (!tracked) {
     figures.notices.push_back(sentence(tracked.error()));
   }
@@ -159,7 +154,7 @@ int TrackJob::run(SessionInputs inputs) const {
   if (!ended) {
     return report(ended.error());
   }
-  return interrupted ? kExitInterrupted : kExitDone;
+  return interruptionAsked() ? kExitInterrupted : kExitDone;
 }
 
 } // namespace dewpoint

@@ -106,6 +106,13 @@ private:
     return options;
   }
 
+  bool aCameraVaries() const {
+    return std::any_of(model_.cameras.begin(), model_.cameras.end(), [&](const auto& camera) {
+      return model_.varies(camera.pose.data()) || model_.varies(camera.lens.data()) ||
+             model_.varies(&camera.offset);
+    });
+  }
+
   BundleResult solution() {
     BundleResult result;
     for (std::size_t c = 0; c < model_.cameras.size(); ++c) {

@@ -26,7 +26,7 @@ enum class WandScale {
   Rough,    ///< the rough rig: sizes are only as good as it
   Stick,    ///< the known length of the stick
   Distance, ///< between two places that were touched
-  Diameter  ///< the ball's apparent radius: a per cent at best
+  Diameter  ///< the ball's apparent radius: to about 0.05 px of it
 };
 
 /// The ball was held at two places a known distance apart.

@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kTouchSeconds = 0.1; ///< before and after a touch, while the ball is held
 constexpr std::size_t kFewestOfFall = 5;
+/// By how much all edges of a ball may lie too far in or out alike: that does not average out.
+constexpr double kEdgePx = 0.05;
 constexpr double kFlatEnough = 0.05; ///< metres that floor touches must spread in both directions
 
 Eigen::Vector3d meanOf(const std::vector<Eigen::Vector3d>& points) {
@@ -54,6 +56,7 @@ Result<ScaleFound> scaleOfDiameter(const WandProblem& problem, const BundleProbl
     projectors.emplace_back(camera);
   }
   std::vector<double> ratios;
+  double pixels = 0.0;
   for (std::size_t i = 0; i < bundle.observations.size(); ++i) {
     const BundleObservation& seen = bundle.observations[i];
     const double radius = problem.ballRadius[seen.point];
@@ -64,19 +67,20 @@ Result<ScaleFound> scaleOfDiameter(const WandProblem& problem, const BundleProbl
         projectors[seen.camera].project(now.states[seen.state].ends[seen.point], radius);
     if (image) {
       ratios.push_back(image->radius / seen.radius);
+      pixels += seen.radius;
     }
   }
   if (ratios.size() < 10) {
     return failure(ErrorCode::Undetermined, "", "diameter",
                    "the ball's radius is needed, in metres and in at least 10 images");
   }
+  const auto count = static_cast<double>(ratios.size());
   std::sort(ratios.begin(), ratios.end());
   const auto at = [&](double share) {
-    return ratios[static_cast<std::size_t>(share * static_cast<double>(ratios.size() - 1))];
+    return ratios[static_cast<std::size_t>(share * (count - 1.0))];
   };
-  // The edge of a color is uncertain by a tenth of a pixel in common: that does not average out.
-  const double spread = 0.5 * (at(0.84) - at(0.16)) / std::sqrt(double(ratios.size()));
-  return ScaleFound{at(0.5), std::hypot(spread, 0.015)};
+  const double spread = 0.5 * (at(0.84) - at(0.16)) / std::sqrt(count);
+  return ScaleFound{at(0.5), std::hypot(spread, kEdgePx * count / pixels)};
 }
 
 /// Rotates `up` to Z and leaves the rest as it was.

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/commands.h"
+
+#include <CLI/CLI.hpp>
+
+namespace dewpoint {
+
+void addCalibrateCommand(CLI::App& app, int& exitCode) {
+  auto* group = app.add_subcommand("calibrate", "Find out where the cameras are and how they see.");
+  group->require_subcommand(1);
+  addCalibrateWandCommand(*group, exitCode);
+}
+
+} // namespace dewpoint

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace dewpoint {
+
+/// From now on Ctrl-C (and a request to end) only asks for a stop.
+void heedInterruption();
+/// Whether it was pressed since.
+bool interruptionAsked();
+
+} // namespace dewpoint

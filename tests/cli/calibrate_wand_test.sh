@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# From a recording of a moving ball to a calibration, and what is said when that cannot be.
+. "$(dirname "$0")/common.sh"
+
+expectExit 0 calibrate --help
+expectText out.txt wand
+expectExit 0 calibrate wand --help
+expectText out.txt --target --stick --length --offsets --focal --floor --drop --out --apply
+
+# The demo's cameras are where its images were made from: they stay there, to a few centimetres (two
+# cameras and a path of 0.2 m say little more).
+expectExit 0 calibrate wand demo --out found.toml
+expectText out.txt 'camera 1' 'camera 2' 'Median reprojection error' 'Size:' 'World:'
+expectText found.toml '[cam_0]' '[cam_1]' 'name = "camera 1"'
+cp found.toml first.toml
+expectExit 0 calibrate wand demo --out found.toml
+cmp -s first.toml found.toml || fail "twice the same, but two results"
+
+expectExit 0 simulate demo --frames 90 --out made
+cp made/project.toml kept.toml
+expectExit 0 calibrate wand made/project.toml --diameter --apply
+expectText out.txt 'diameter'
+! cmp -s kept.toml made/project.toml || fail "--apply left the project as it was"
+
+# One sentence each.
+expectExit $kBadInput calibrate wand demo --target "green ball"
+expectSentence target "green ball"
+expectExit $kUsage calibrate wand demo --stick "pink ball" "pink ball"
+expectSentence --stick --length
+expectExit $kUsage calibrate wand demo --apply
+expectSentence --apply
+expectExit $kBadInput calibrate wand demo --floor 99
+expectSentence floor 99.00
+expectExit $kBadInput calibrate wand demo --frames 0 30 # the ball is at rest there
+expectSentence settle
+expectExit $kOutput calibrate wand demo --out nowhere/found.toml
+expectSentence nowhere/found.toml
