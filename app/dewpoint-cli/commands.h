@@ -30,6 +30,7 @@ void addSuiteCommand(CLI::App& app, int& exitCode);
 void addExportCommand(CLI::App& app, int& exitCode);
 void addLearnColorCommand(CLI::App& app, int& exitCode);
 void addCalibrateCommand(CLI::App& app, int& exitCode);
+void addCalibrationCommand(CLI::App& app, int& exitCode);
 
 /// The same into the group `calibrate`.
 void addCalibrateWandCommand(CLI::App& group, int& exitCode);

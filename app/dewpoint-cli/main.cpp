@@ -41,6 +41,7 @@ int run(int argc, char** argv) {
   addExportCommand(app, exitCode);
   addLearnColorCommand(app, exitCode);
   addCalibrateCommand(app, exitCode);
+  addCalibrationCommand(app, exitCode);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

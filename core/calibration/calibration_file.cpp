@@ -1,45 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/calibration_file.h"
 
-#include "core/base/table_reader.h"
 #include "core/base/text_file.h"
+#include "core/base/toml_text.h"
+#include "core/calibration/calibration_format.h"
 #include "core/calibration/camera_calibration.h"
+
+#include <fmt/format.h>
 
 namespace dewpoint {
 
 Result<CameraRig> loadCalibration(const std::filesystem::path& file) {
-  const auto table = readTomlFile(file);
-  if (!table) {
-    return tl::make_unexpected(table.error());
+  auto calibration = readCalibration(file);
+  if (!calibration) {
+    return tl::make_unexpected(calibration.error());
   }
-  CameraRig rig;
-  for (const auto& [key, node] : *table) {
-    const toml::table* section = node.as_table();
-    if (section == nullptr || key.str() == "metadata") {
-      continue;
-    }
-    auto camera = cameraFromToml(*section, file.string(), std::string(key.str()) + ".");
-    if (!camera) {
-      return tl::make_unexpected(camera.error());
-    }
-    if (camera->name.empty()) {
-      camera->name = key.str();
-    }
-    rig.push_back(std::move(*camera));
+  if (!calibration->hasPoses) {
+    return failure(ErrorCode::MissingKey, file.string(), "pose",
+                   "the file knows the lens only, not where the camera stands");
   }
-  if (rig.empty()) {
-    return failure(ErrorCode::MissingKey, file.string(), "cam_0", "the file holds no camera");
-  }
-  return rig;
+  return std::move(calibration->rig);
 }
 
-Status saveCalibration(const CameraRig& rig, const std::filesystem::path& file) {
+std::string calibrationText(const CameraRig& rig) {
   std::string text = "# Camera calibration: metres, radians, camera from world (OpenCV axes)\n";
   for (std::size_t k = 0; k < rig.size(); ++k) {
     text += fmt::format("\n[cam_{}]\nname = {}\n", k, quoted(rig[k].name)) +
             cameraToToml(rig[k], RotationForm::Vector);
   }
-  return writeTextFile(file, text + "\n[metadata]\nunit = \"m\"\n");
+  return text + "\n[metadata]\nunit = \"m\"\n";
+}
+
+Status saveCalibration(const CameraRig& rig, const std::filesystem::path& file) {
+  return writeTextFile(file, calibrationText(rig));
 }
 
 } // namespace dewpoint

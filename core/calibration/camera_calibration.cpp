@@ -2,16 +2,13 @@
 #include "core/calibration/camera_calibration.h"
 
 #include "core/base/table_reader.h"
-
-#include <Eigen/SVD>
+#include "core/calibration/rotation_check.h"
 
 #include <cmath>
 
 namespace dewpoint {
 namespace {
 
-constexpr double kRotationTolerance = 1e-3; // |RᵀR - 1|: published files carry 6 digits or more
-constexpr double kExactRotation = 1e-12;    // what rounding in double precision leaves
 constexpr double kLargest = 1e9;
 
 /// A 3x3 array of numbers under `key`.
@@ -85,36 +82,16 @@ void readDistortion(TableReader& reader, bool fisheye, std::array<double, 8>& di
   }
 }
 
-/// The nearest rotation of a matrix that is nearly one.
-std::optional<Eigen::Matrix3d> checkedRotation(TableReader& reader, const Eigen::Matrix3d& matrix) {
-  const double deviation =
-      (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (deviation > kRotationTolerance) {
-    reader.fail(
-        ErrorCode::BadValue, "rotation",
-        fmt::format("not a rotation: its rows are not orthonormal, off by {:.3g}", deviation));
-    return std::nullopt;
-  }
-  if (matrix.determinant() < 0.0) {
-    reader.fail(ErrorCode::BadValue, "rotation",
-                "not a rotation: it mirrors, its determinant is -1");
-    return std::nullopt;
-  }
-  if (deviation < kExactRotation) {
-    return matrix; // so that what was saved comes back bit by bit
-  }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * svd.matrixV().transpose();
-}
-
 void readRotation(TableReader& reader, Camera& camera) {
   const toml::node* node = reader.node("rotation");
   const toml::array* array = node != nullptr ? node->as_array() : nullptr;
   if (array != nullptr && array->size() == 3 && (*array)[0].is_array()) {
     Eigen::Matrix3d matrix;
     if (readMatrix(reader, "rotation", matrix)) {
-      if (const auto rotation = checkedRotation(reader, matrix)) {
+      if (const auto rotation = checkedRotation(matrix)) {
         camera.cameraFromWorld.linear() = *rotation;
+      } else {
+        reader.fail(ErrorCode::BadValue, "rotation", rotation.error());
       }
     }
     return;
@@ -122,19 +99,20 @@ void readRotation(TableReader& reader, Camera& camera) {
   reader.require("rotation");
   Eigen::Vector3d vector;
   if (reader.numbers("rotation", vector.data(), 3, -100, 100)) {
-    const double angle = vector.norm();
-    camera.cameraFromWorld.linear() =
-        angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
-                    : Eigen::Matrix3d::Identity();
+    camera.cameraFromWorld.linear() = rotationOfVector(vector);
   }
 }
 
 } // namespace
 
 Result<Camera> cameraFromToml(const toml::table& table, const std::string& file,
-                              const std::string& prefix) {
+                              const std::string& prefix,
+                              std::initializer_list<const char*> passedOver) {
   Camera camera;
   TableReader reader(table, file, prefix);
+  for (const char* key : passedOver) {
+    reader.node(key);
+  }
   reader.text("name", camera.name);
   readIntrinsics(reader, camera.intrinsics);
   bool fisheye = false;
@@ -161,8 +139,7 @@ std::string rotationText(const Eigen::Matrix3d& rotation, RotationForm form) {
     return fmt::format("[{}, {}, {}]", values(0), values(1), values(2));
   };
   if (form == RotationForm::Vector) {
-    const Eigen::AngleAxisd turn(rotation);
-    return row(Eigen::Vector3d(turn.angle() * turn.axis()));
+    return row(vectorOfRotation(rotation));
   }
   return fmt::format("[{}, {}, {}]", row(rotation.row(0)), row(rotation.row(1)),
                      row(rotation.row(2)));

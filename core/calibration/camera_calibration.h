@@ -6,6 +6,7 @@
 
 #include <toml++/toml.h>
 
+#include <initializer_list>
 #include <string>
 
 namespace dewpoint {
@@ -16,8 +17,10 @@ namespace dewpoint {
 /// matrix or a Rodrigues vector (radians), and `translation`, both camera from world; and ours:
 /// `unit`, the metres in one unit of `translation` (1 unless given). `name` is taken where present.
 /// Errors name `file` and `prefix` + key: not finite, focal length not positive, no rotation, ...
+/// Keys of other tools are errors, apart from those in `passedOver`.
 Result<Camera> cameraFromToml(const toml::table& table, const std::string& file,
-                              const std::string& prefix);
+                              const std::string& prefix,
+                              std::initializer_list<const char*> passedOver = {});
 
 /// How a rotation is written: the matrix comes back bit by bit, the Rodrigues vector (radians) is
 /// what other tools read.
