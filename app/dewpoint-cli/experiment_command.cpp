@@ -48,13 +48,13 @@ void sayTrial(const WandTrial& trial) {
   std::fflush(stdout);
 }
 
-int studyWands(std::uint64_t first, int seeds, double framesPerSecond) {
+int studyWands(std::uint64_t first, int seeds, const WandRecording& recording) {
   heedInterruption();
   fmt::print("{:>6} {:<33} {:>9} {:>8} {:>8} {:>9} {:>7} {:>6} {:>7}  within the bar\n", "seed",
              "case", "camera mm", "point mm", "scale %", "offset ms", "px", "views", "solve s");
   std::map<WandCase, std::vector<WandTrial>> all;
   for (int k = 0; k < seeds && !interruptionAsked(); ++k) {
-    studyWand(first + static_cast<std::uint64_t>(k), framesPerSecond, [&](const WandTrial& trial) {
+    studyWand(first + static_cast<std::uint64_t>(k), recording, [&](const WandTrial& trial) {
       sayTrial(trial);
       all[trial.kind].push_back(trial);
       return !interruptionAsked();
@@ -81,7 +81,7 @@ void addWandStudy(CLI::App& group, int& exitCode) {
   struct Options {
     std::uint64_t first = 5001;
     int seeds = 20;
-    double framesPerSecond = 15.0;
+    WandRecording recording;
   };
   auto* command = group.add_subcommand(
       "wand", "Calibration from a waved stick, rendered: how exact, from which starts, how fast.");
@@ -90,11 +90,17 @@ void addWandStudy(CLI::App& group, int& exitCode) {
   command->add_option("--seeds", options->seeds, "How many")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
-  command->add_option("--rate", options->framesPerSecond, "Images per second of each camera")
+  command
+      ->add_option("--rate", options->recording.framesPerSecond, "Images per second of each camera")
       ->check(CLI::Range(5.0, 120.0))
       ->capture_default_str();
+  command
+      ->add_option("--jpeg", options->recording.jpegQuality,
+                   "Quality of the images, 1 to 100; 0: not compressed")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
   command->callback([options, &exitCode] {
-    exitCode = studyWands(options->first, options->seeds, options->framesPerSecond);
+    exitCode = studyWands(options->first, options->seeds, options->recording);
   });
 }
 

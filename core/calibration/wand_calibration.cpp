@@ -28,6 +28,14 @@ constexpr double kGoodStart = 0.02;   ///< starts whose medians differ by less a
 /// Widths of the loss in pixels, for the starts and for the whole: from far to near.
 constexpr std::array<double, 3> kStartWidths{30.0, 8.0, 3.0};
 
+/// Of an adjustment that fails as a whole: what a person can do about it.
+Error withAdvice(Error error) {
+  if (error.code == ErrorCode::Undetermined && error.field.empty()) {
+    error.detail += "; wave through more of the volume, or ask for less at once";
+  }
+  return error;
+}
+
 /// One calibration on its way.
 class Wand {
 public:
@@ -178,7 +186,7 @@ private:
     for (int round = 0; round < kMostRounds; ++round) {
       auto now = adjust(bundle);
       if (!now) {
-        return tl::make_unexpected(now.error());
+        return tl::make_unexpected(withAdvice(now.error()));
       }
       const double median = medianResidual(bundle, *now);
       const double limit = std::max(kLeastLimitPx, kLimitMedians * median);

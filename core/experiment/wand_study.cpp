@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace dewpoint {
@@ -53,8 +54,8 @@ Target violetTarget() {
 /// One seed's hall: what is true, and what is recorded of it.
 class WavedHall {
 public:
-  WavedHall(std::uint64_t seed, double framesPerSecond)
-      : draws_(seed, "wand"), framesPerSecond_(framesPerSecond) {
+  WavedHall(std::uint64_t seed, const WandRecording& recording)
+      : draws_(seed, "wand"), framesPerSecond_(recording.framesPerSecond) {
     const auto phases = [&] {
       const double full = 2.0 * std::numbers::pi;
       return draws_.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(full));
@@ -70,6 +71,7 @@ public:
       stage_.views.push_back(cache.view(camera, simulation::Furnishing::Hall));
     }
     stage_.seed = seed;
+    stage_.jpegQuality = recording.jpegQuality;
     for (std::size_t ball = 0; ball < 2; ++ball) {
       simulation::StageBody& body = stage_.bodies.emplace_back();
       body.radius = kRadius;
@@ -130,8 +132,13 @@ public:
 private:
   static WandOptions optionsOf(WandCase kind) {
     WandOptions options;
-    options.targets = {"pink", "violet"};
-    options.stickLength = kStick;
+    const bool stick = kind != WandCase::OneBall;
+    options.targets = {"pink"};
+    if (stick) {
+      options.targets.emplace_back("violet");
+    }
+    options.stickLength = stick ? kStick : 0.0;
+    options.fromDiameter = !stick;
     options.findOffsets = kind == WandCase::Unsynced;
     if (kind == WandCase::Far) {
       options.roughPlace = 0.3;
@@ -153,12 +160,13 @@ private:
 
   void measure(const WandResult& result, WandTrial& trial) const {
     std::vector<Eigen::Vector3d> found, truth;
+    const std::size_t balls = trial.kind == WandCase::OneBall ? 1 : 2;
     for (std::size_t c = 0; c < rig_.size(); ++c) {
       found.push_back(result.cameras[c].center());
       truth.push_back(rig_[c].center());
     }
     for (const BundleState& state : result.bundle.states) {
-      for (std::size_t ball = 0; state.known && ball < 2; ++ball) {
+      for (std::size_t ball = 0; state.known && ball < balls; ++ball) {
         found.push_back(state.ends[ball]);
         truth.push_back(wave_.end(ball, state.time));
       }
@@ -196,12 +204,13 @@ private:
 
 } // namespace
 
-std::vector<WandTrial> studyWand(std::uint64_t seed, double framesPerSecond,
+std::vector<WandTrial> studyWand(std::uint64_t seed, const WandRecording& recording,
                                  const std::function<bool(const WandTrial&)>& report) {
-  const WavedHall hall(seed, framesPerSecond);
+  const WavedHall hall(seed, recording);
   const auto synced = hall.record(false);
   std::vector<WandTrial> trials;
-  for (const WandCase kind : {WandCase::Near, WandCase::Far, WandCase::Unsynced}) {
+  for (const WandCase kind :
+       {WandCase::Near, WandCase::Far, WandCase::OneBall, WandCase::Unsynced}) {
     trials.push_back(hall.trial(kind, kind == WandCase::Unsynced ? hall.record(true) : synced));
     trials.back().seed = seed;
     if (report && !report(trials.back())) {
@@ -212,7 +221,14 @@ std::vector<WandTrial> studyWand(std::uint64_t seed, double framesPerSecond,
 }
 
 double wandBar(WandCase kind) {
-  return kind == WandCase::Unsynced ? 2e-3 : 1.5e-3;
+  switch (kind) {
+  case WandCase::Unsynced:
+    return 2e-3;
+  case WandCase::OneBall:
+    return std::numeric_limits<double>::infinity();
+  default:
+    return 1.5e-3;
+  }
 }
 
 std::string wandCaseName(WandCase kind) {
@@ -221,6 +237,8 @@ std::string wandCaseName(WandCase kind) {
     return "10 cm, 3 degrees off";
   case WandCase::Far:
     return "30 cm, 10 degrees off";
+  case WandCase::OneBall:
+    return "one ball, size from its diameter";
   default:
     return "10 cm, 3 degrees, clocks +-16 ms";
   }

@@ -16,6 +16,13 @@ enum class WandCase {
   Near,     ///< every camera 10 cm and 3 degrees off
   Far,      ///< 30 cm and 10 degrees
   Unsynced, ///< as Near, and every clock up to 16 ms off
+  OneBall,  ///< as Near, with one ball, the size from its diameter; no bar
+};
+
+/// What is recorded.
+struct WandRecording {
+  double framesPerSecond = 15.0;
+  int jpegQuality = 0; ///< 1 to 100: images go through JPEG; 0: they do not
 };
 
 /// The figures of one calibration of the simulated hall. Lengths in metres.
@@ -34,13 +41,13 @@ struct WandTrial {
 };
 
 /// Calibrations of the hall's four VGA cameras from rendered images of a waved stick with two
-/// balls, seen through the color code that tracking uses: for one seed, all three cases. `report`
+/// balls, seen through the color code that tracking uses: for one seed, all cases. `report`
 /// gets each trial as it is done; it returns false to stop. 30 seconds, `framesPerSecond` images
 /// per second.
-std::vector<WandTrial> studyWand(std::uint64_t seed, double framesPerSecond,
+std::vector<WandTrial> studyWand(std::uint64_t seed, const WandRecording& recording,
                                  const std::function<bool(const WandTrial&)>& report);
 
-/// The bar of a case: largest RMS of cameras and points, metres.
+/// The bar of a case: largest RMS of cameras and points, metres; infinite where there is none.
 double wandBar(WandCase kind);
 std::string wandCaseName(WandCase kind);
 
