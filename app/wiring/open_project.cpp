@@ -8,6 +8,7 @@
 #include "core/trajectory/trajectory_reader.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace dewpoint {
 namespace {
@@ -18,9 +19,17 @@ bool isLive(const ProjectCamera& camera) {
 
 void fillFromScene(Project& project, const Scene& scene) {
   project.framesPerSecond = scene.framesPerSecond;
-  project.cameras.clear();
+  const std::vector<ProjectCamera> own = std::exchange(project.cameras, {});
   for (const auto& camera : scene.cameras) {
     project.cameras.push_back({camera, SourceKind::Simulation, "", 0});
+    const auto adjusted = std::ranges::find_if(own, [&](const ProjectCamera& candidate) {
+      return candidate.adjusted && candidate.camera.name == camera.name &&
+             candidate.camera.intrinsics.width == camera.intrinsics.width &&
+             candidate.camera.intrinsics.height == camera.intrinsics.height;
+    });
+    if (adjusted != own.end()) {
+      project.cameras.back() = *adjusted;
+    }
   }
 }
 
@@ -51,7 +60,7 @@ Result<std::unique_ptr<FrameSetSource>> openLiveCameras(const Project& project) 
   for (const auto& camera : project.cameras) {
     const auto& intrinsics = camera.camera.intrinsics;
     cameras.push_back({camera.camera.name, camera.location, camera.rotateDegrees, intrinsics.width,
-                       intrinsics.height});
+                       intrinsics.height, camera.mirrored});
   }
   return openLive(cameras);
 }
@@ -65,6 +74,7 @@ Result<std::unique_ptr<FrameSetSource>> openRecordings(const Project& project) {
                                                        : RecordedCamera::Kind::Images;
     recorded.path = camera.location;
     recorded.rotateDegrees = camera.rotateDegrees;
+    recorded.mirrored = camera.mirrored;
     recorded.width = camera.camera.intrinsics.width;
     recorded.height = camera.camera.intrinsics.height;
     cameras.push_back(std::move(recorded));

@@ -50,7 +50,8 @@ CameraThread::CameraThread(const LiveCamera& camera, LiveStreamFactory factory,
                            std::shared_ptr<Bell> bell, Clock::time_point zero)
     : shared_(std::make_shared<Shared>()) {
   shared_->camera = camera;
-  shared_->shape = {camera.name, camera.rotateDegrees, camera.width, camera.height};
+  shared_->shape = {camera.name, camera.rotateDegrees, camera.width, camera.height,
+                    camera.mirrored};
   shared_->factory = std::move(factory);
   shared_->bell = std::move(bell);
   shared_->zero = zero;

@@ -136,7 +136,8 @@ Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& 
     return failure(ErrorCode::MissingKey, "", "camera", "there is no camera to open");
   }
   for (const LiveCamera& camera : cameras) {
-    const PictureShape shape{camera.name, camera.rotateDegrees, camera.width, camera.height};
+    const PictureShape shape{camera.name, camera.rotateDegrees, camera.width, camera.height,
+                             camera.mirrored};
     if (auto usable = checkShape(shape, camera.location); !usable) {
       return tl::make_unexpected(usable.error());
     }

@@ -19,6 +19,7 @@ struct LiveCamera {
   int rotateDegrees = 0; ///< clockwise: 0, 90, 180 or 270
   int width = 0;         ///< expected after the rotation, pixels; 0: any
   int height = 0;        ///< expected after the rotation, pixels; 0: any
+  bool mirrored = false; ///< left to right, after the rotation
 };
 
 /// Starts one thread per camera, each opening, reading and reconnecting on its own, and returns at

@@ -24,6 +24,12 @@ Result<cv::Mat> asBgr(const cv::Mat& picture, const PictureShape& shape, const s
   return bgr;
 }
 
+cv::Mat mirrored(const cv::Mat& picture) {
+  cv::Mat result;
+  cv::flip(picture, result, 1); // about the vertical
+  return result;
+}
+
 cv::Mat turned(const cv::Mat& picture, int degrees) {
   if (degrees == 0) {
     return picture;
@@ -63,6 +69,7 @@ Result<cv::Mat> shaped(const cv::Mat& picture, const PictureShape& shape, const 
       return bgr;
     }
     cv::Mat result = turned(*bgr, shape.rotateDegrees);
+    result = shape.mirrored ? mirrored(result) : result;
     const bool fits = (shape.width == 0 || result.cols == shape.width) &&
                       (shape.height == 0 || result.rows == shape.height);
     if (!fits) {

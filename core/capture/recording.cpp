@@ -105,7 +105,7 @@ Result<PictureReaderPtr> openReader(const RecordedCamera& camera) {
 Result<Camera> openCamera(const RecordedCamera& description) {
   Camera camera;
   camera.shape = {description.name, description.rotateDegrees, description.width,
-                  description.height};
+                  description.height, description.mirrored};
   camera.path = description.path;
   if (auto usable = checkShape(camera.shape, camera.path); !usable) {
     return tl::make_unexpected(usable.error());

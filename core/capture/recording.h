@@ -26,6 +26,7 @@ struct RecordedCamera {
   int height = 0;        ///< expected after the rotation, pixels; 0: any
   std::function<cv::Mat(std::int64_t)> generate; ///< a fresh CV_8UC3 picture of that frame number
   std::int64_t generatedFrames = 0;
+  bool mirrored = false; ///< left to right, after the rotation
 };
 
 /// Opens synchronized recordings: frame k of each camera shows the same instant, k / rate seconds

@@ -49,11 +49,16 @@ LargestBlobFinder::find(const std::vector<cv::Mat>& masks) {
 BaselineTracker::BaselineTracker(const BaselineSetup& setup, const CameraRig& rig,
                                  std::vector<Target> targets)
     : setup_(setup), targets_(std::move(targets)) {
+  BaselineTracker::setCameras(rig);
+  restart(0);
+}
+
+void BaselineTracker::setCameras(const CameraRig& rig) {
+  cameras_ = std::vector<Unprojector>(rig.begin(), rig.end());
+  focalLengths_.clear();
   for (const Camera& camera : rig) {
-    cameras_.emplace_back(camera);
     focalLengths_.push_back(std::sqrt(camera.intrinsics.focalX * camera.intrinsics.focalY));
   }
-  restart(0);
 }
 
 void BaselineTracker::setTargets(const std::vector<Target>& targets) {

@@ -53,6 +53,7 @@ public:
 
   void configure(const ParameterValues&) override {}
   void setTargets(const std::vector<Target>& targets) override;
+  void setCameras(const CameraRig& rig) override;
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override { return 1; }
   void beginFrame(FrameSetPtr frames) override { frames_ = std::move(frames); }

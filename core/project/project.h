@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/calibration/measured_points.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/reference_grid.h"
 #include "core/tracking/parameters.h"
 #include "core/tracking/tracker.h"
 
@@ -21,6 +23,9 @@ struct ProjectCamera {
   SourceKind source = SourceKind::Simulation;
   std::string location;  ///< absolute path of the video or image folder, device, or address
   int rotateDegrees = 0; ///< images are turned clockwise by 0, 90, 180 or 270 before use
+  bool mirrored = false; ///< and then mirrored left to right
+  /// Of a simulated camera: its calibration is the project's own, not what the scene says.
+  bool adjusted = false;
 
   bool operator==(const ProjectCamera&) const = default;
 };
@@ -46,6 +51,8 @@ struct Project {
   std::optional<std::filesystem::path> truth; ///< truth.csv, absolute
   std::string scene;                          ///< name or file of the simulated scene, or empty
   std::vector<ProjectMark> marks;             ///< in the order of their frames
+  std::optional<ReferenceGrid> grid;          ///< laid over the images to adjust cameras by hand
+  std::vector<MeasuredPoint> points;          ///< measured with a tape, clicked in the images
   std::string layout; ///< of the window's views, as the window wrote it; empty: its own arrangement
 
   bool operator==(const Project&) const = default;

@@ -8,7 +8,7 @@ namespace {
 
 bool sameSource(const ProjectCamera& a, const ProjectCamera& b) {
   return a.camera.name == b.camera.name && a.source == b.source && a.location == b.location &&
-         a.rotateDegrees == b.rotateDegrees;
+         a.rotateDegrees == b.rotateDegrees && a.mirrored == b.mirrored;
 }
 
 } // namespace
@@ -24,6 +24,8 @@ ProjectChanges changesBetween(const Project& before, const Project& after) {
                     before.framesPerSecond != after.framesPerSecond ||
                     before.truth != after.truth || before.scene != after.scene;
   changes.marks = before.marks != after.marks;
+  changes.grid = before.grid != after.grid;
+  changes.points = before.points != after.points;
   changes.calibration = !changes.sources && before.cameras != after.cameras;
   return changes;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
+#include "core/project/project_room.h"
 
 #include <fmt/format.h>
 
@@ -77,7 +78,10 @@ Status checkProject(const Project& project) {
   if (auto good = checkTargets(project); !good) {
     return good;
   }
-  return checkCameras(project);
+  if (auto good = checkCameras(project); !good) {
+    return good;
+  }
+  return checkRoom(project);
 }
 
 } // namespace dewpoint

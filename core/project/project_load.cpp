@@ -6,6 +6,7 @@
 #include "core/project/project.h"
 #include "core/project/project_format.h"
 #include "core/project/project_migration.h"
+#include "core/project/project_room.h"
 
 #include <charconv>
 #include <cstdlib>
@@ -155,10 +156,16 @@ void readSource(TableReader& reader, const path& folder, ProjectCamera& camera) 
   if (camera.rotateDegrees % 90 != 0) {
     reader.fail(ErrorCode::BadValue, "rotate", "0, 90, 180 or 270 degrees are expected");
   }
+  reader.boolean("mirror", camera.mirrored);
+}
+
+bool hasSource(const toml::table& camera) {
+  return std::ranges::any_of(kSourceKeys,
+                             [&](const auto& key) { return camera.contains(key.first); });
 }
 
 ProjectCamera readCamera(const toml::table& table, const std::string& file, const path& folder,
-                         std::size_t index, const CameraRig& calibrated,
+                         std::size_t index, bool ofScene, const CameraRig& calibrated,
                          std::optional<Error>& error) {
   const std::string prefix = fmt::format("camera {}.", index + 1);
   TableReader reader(table, file, prefix);
@@ -166,7 +173,11 @@ ProjectCamera readCamera(const toml::table& table, const std::string& file, cons
   std::string name;
   reader.require("name");
   reader.text("name", name);
-  readSource(reader, folder, camera);
+  if (ofScene) {
+    camera.adjusted = true; // its images are the scene's
+  } else {
+    readSource(reader, folder, camera);
+  }
   if (const toml::table* calibration = reader.table("calibration")) {
     auto read = cameraFromToml(*calibration, file, prefix + "calibration.");
     if (read) {
@@ -261,8 +272,9 @@ void readParts(TableReader& reader, const std::string& file, Project& project) {
     reader.adopt(error);
   }
   for (const toml::table* table : reader.tables("camera")) {
-    project.cameras.push_back(
-        readCamera(*table, file, folder, project.cameras.size(), calibrated, error));
+    project.cameras.push_back(readCamera(*table, file, folder, project.cameras.size(),
+                                         !project.scene.empty() && !hasSource(*table), calibrated,
+                                         error));
     reader.adopt(error);
   }
 }
@@ -306,6 +318,7 @@ Result<Project> loadProject(const std::filesystem::path& file) {
   readHead(reader, project.file.parent_path(), project);
   readParts(reader, file.string(), project);
   readMarks(reader, file.string(), project);
+  readRoom(reader, file.string(), project);
   readWindow(reader, file.string(), project);
   if (auto error = reader.finish()) {
     return tl::make_unexpected(std::move(*error));

@@ -4,6 +4,7 @@
 #include "core/calibration/camera_calibration.h"
 #include "core/project/project.h"
 #include "core/project/project_format.h"
+#include "core/project/project_room.h"
 
 namespace dewpoint {
 namespace {
@@ -64,6 +65,9 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
   if (camera.rotateDegrees != 0) {
     text += fmt::format("rotate = {}   # degrees clockwise\n", camera.rotateDegrees);
   }
+  if (camera.mirrored) {
+    text += "mirror = true   # left to right, after the rotation\n";
+  }
   return text + "[camera.calibration]   # pixels, radians, metres; camera from world\n" +
          cameraToToml(camera.camera, RotationForm::Matrix);
 }
@@ -104,13 +108,14 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
     text += targetText(target);
   }
   for (const auto& camera : project.cameras) {
-    if (camera.source != SourceKind::Simulation) {
+    if (camera.source != SourceKind::Simulation || camera.adjusted) {
       text += cameraText(camera, folder);
     }
   }
   for (const auto& mark : project.marks) {
     text += fmt::format("\n[[mark]]\nframe = {}\nname = {}\n", mark.frame, quoted(mark.name));
   }
+  text += roomText(project);
   if (!project.layout.empty()) {
     text += "\n[window]   # how its views were laid out\nlayout = " + quoted(project.layout) + "\n";
   }

@@ -46,6 +46,9 @@ struct ShowMaps {
 struct SetTargets {
   std::vector<Target> targets;
 };
+struct SetCameras {
+  CameraRig rig;
+};
 struct ShowMasks {
   bool wanted = false;
 };
@@ -54,8 +57,8 @@ struct ShowMasks {
 using Command =
     std::variant<command::Play, command::Pause, command::StepFrame, command::StepIteration,
                  command::Restart, command::Configure, command::SetMethod, command::SetTargets,
-                 command::ShowMasks, command::ShowFrame, command::BackToHead, command::Rerun,
-                 command::ShowMaps>;
+                 command::SetCameras, command::ShowMasks, command::ShowFrame, command::BackToHead,
+                 command::Rerun, command::ShowMaps>;
 
 /// Commands on their way to the tracking thread, in order.
 class CommandQueue {
@@ -63,9 +66,11 @@ public:
   void push(Command command) {
     {
       const std::lock_guard lock(mutex_);
-      // Of a row of moments to show, as a scrubbing hand asks for them, only the last is of use.
-      if (std::holds_alternative<command::ShowFrame>(command) && !commands_.empty() &&
-          std::holds_alternative<command::ShowFrame>(commands_.back())) {
+      // Of a row of moments to show, as a scrubbing hand asks for them, only the last is of use; so
+      // it is with poses of cameras that are dragged.
+      const bool replaces = std::holds_alternative<command::ShowFrame>(command) ||
+                            std::holds_alternative<command::SetCameras>(command);
+      if (replaces && !commands_.empty() && commands_.back().index() == command.index()) {
         commands_.pop_back();
       }
       commands_.push_back(std::move(command));

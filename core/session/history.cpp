@@ -58,7 +58,15 @@ void History::thinCheckpoints() {
 }
 
 void History::changed(std::int64_t frame, int iterations, const RunChange& change) {
-  changes_[{frame, iterations}].push_back(change);
+  std::vector<RunChange>& there = changes_[{frame, iterations}];
+  const auto isOfCameras = [](const RunChange& one) {
+    return one.rig && !one.parameters && !one.targets;
+  };
+  if (!there.empty() && isOfCameras(there.back()) && isOfCameras(change)) {
+    there.back() = change; // a camera that is dragged
+  } else {
+    there.push_back(change);
+  }
 }
 
 void History::record(Moment moment) {

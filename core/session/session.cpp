@@ -104,6 +104,9 @@ void Session::setLikelihoodMapsWanted(bool wanted) {
 void Session::setTargets(const std::vector<Target>& targets) {
   impl_->loop.commands().push(command::SetTargets{targets});
 }
+void Session::setCameras(const CameraRig& rig) {
+  impl_->loop.commands().push(command::SetCameras{rig});
+}
 void Session::setMasksWanted(bool wanted) {
   impl_->loop.commands().push(command::ShowMasks{wanted});
 }

@@ -102,6 +102,9 @@ public:
   void setParameters(const ParameterValues& parameters);
   /// Other colors or radii take effect at once; another number of targets means new beliefs.
   void setTargets(const std::vector<Target>& targets);
+  /// Another calibration of the same cameras, from the next iteration on; what is believed stays. A
+  /// rig with other image sizes, or another number of cameras, is ignored: that is another run.
+  void setCameras(const CameraRig& rig);
   void setMasksWanted(bool wanted);
 
 private:

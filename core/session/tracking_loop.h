@@ -33,6 +33,7 @@ private:
   void obeyTravel(const Command& command);
   void changeMethod(const command::SetMethod& wish);
   void changeTargets(const std::vector<Target>& targets);
+  void changeCameras(const CameraRig& rig);
   /// False if there is nothing to track.
   bool restart(std::optional<std::uint64_t> seed);
 

@@ -56,10 +56,12 @@ void TrackingLoop::obeyChange(const Command& command) {
   if (const auto* configure = std::get_if<command::Configure>(&command)) {
     project_.parameters = configure->parameters;
     run_->configure(configure->parameters);
-    travel_->changed(*run_, {configure->parameters, std::nullopt});
+    travel_->changed(*run_, {configure->parameters, std::nullopt, std::nullopt});
     log_.change(project_);
   } else if (const auto* targets = std::get_if<command::SetTargets>(&command)) {
     changeTargets(targets->targets);
+  } else if (const auto* cameras = std::get_if<command::SetCameras>(&command)) {
+    changeCameras(cameras->rig);
   } else if (const auto* method = std::get_if<command::SetMethod>(&command)) {
     if (method->from) {
       rerun(*method->from, method);
@@ -102,7 +104,7 @@ void TrackingLoop::changeTargets(const std::vector<Target>& targets) {
   project_.targets = targets;
   if (targets.size() == run_->targets().size()) {
     run_->setTargets(targets);
-    travel_->changed(*run_, {std::nullopt, targets});
+    travel_->changed(*run_, {std::nullopt, targets, std::nullopt});
     return;
   }
   // Another number of targets: new beliefs, on the frame that the run stands at.
@@ -122,6 +124,19 @@ void TrackingLoop::changeTargets(const std::vector<Target>& targets) {
     run_->beginFrame(frames);
     frameFresh_ = true;
   }
+}
+
+void TrackingLoop::changeCameras(const CameraRig& rig) {
+  if (!haveSameImages(rig, *rig_)) {
+    return;
+  }
+  for (std::size_t k = 0; k < rig.size(); ++k) {
+    project_.cameras[k].camera = rig[k];
+  }
+  rig_ = std::make_shared<const CameraRig>(rig);
+  run_->setCameras(rig);
+  travel_->changed(*run_, {std::nullopt, std::nullopt, rig});
+  log_.change(project_);
 }
 
 bool TrackingLoop::restart(std::optional<std::uint64_t> seed) {
@@ -212,6 +227,11 @@ std::string TrackingLoop::differences(const Project& before) const {
                       color.intensityMin, color.intensityMax, target.radius));
     }
   }
+  for (std::size_t k = 0; k < std::min(before.cameras.size(), project_.cameras.size()); ++k) {
+    if (!(before.cameras[k].camera == project_.cameras[k].camera)) {
+      add(project_.cameras[k].camera.name, "another calibration");
+    }
+  }
   return text;
 }
 
@@ -262,6 +282,9 @@ void TrackingLoop::rerun(std::int64_t from, const command::SetMethod* method) {
     if (method == nullptr) {
       before.parameters = run_->parameters();
       before.targets = run_->targets();
+      for (std::size_t k = 0; k < before.cameras.size(); ++k) {
+        before.cameras[k].camera = run_->rig()[k];
+      }
     }
     travel_->forgetFrom(from);
     log_.goBack(from);
@@ -288,7 +311,10 @@ void TrackingLoop::rerun(std::int64_t from, const command::SetMethod* method) {
   if (run_->targets() != targets) {
     change.targets = targets;
   }
-  if (change.parameters || change.targets) {
+  if (run_->rig() != *rig_) {
+    change.rig = *rig_;
+  }
+  if (change.parameters || change.targets || change.rig) {
     run_->apply(change);
     travel_->changed(*run_, change);
   }

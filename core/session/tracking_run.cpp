@@ -17,6 +17,13 @@ CameraRig rigOf(const Project& project) {
   return rig;
 }
 
+bool haveSameImages(const CameraRig& a, const CameraRig& b) {
+  return std::ranges::equal(a, b, [](const Camera& first, const Camera& second) {
+    return first.intrinsics.width == second.intrinsics.width &&
+           first.intrinsics.height == second.intrinsics.height;
+  });
+}
+
 TrajectoryHeader trajectoryHeader(const Project& project) {
   TrajectoryHeader header;
   header.entries = {{"version", DEWPOINT_VERSION},
@@ -46,6 +53,7 @@ Result<TrackingRun> TrackingRun::create(const Project& project, int threadCount)
   run.tracker_ = std::move(*tracker);
   run.targets_ = project.targets;
   run.parameters_ = project.parameters;
+  run.rig_ = rigOf(project);
   run.team_ = std::make_unique<ThreadTeam>(threadCount);
   run.restart(project.seed);
   return run;
@@ -71,6 +79,13 @@ void TrackingRun::setTargets(const std::vector<Target>& targets) {
   tracker_->setTargets(targets_);
 }
 
+void TrackingRun::setCameras(const CameraRig& rig) {
+  if (haveSameImages(rig, rig_)) {
+    rig_ = rig;
+    tracker_->setCameras(rig_);
+  }
+}
+
 void TrackingRun::apply(const RunChange& change) {
   if (change.parameters) {
     configure(*change.parameters);
@@ -78,10 +93,13 @@ void TrackingRun::apply(const RunChange& change) {
   if (change.targets) {
     setTargets(*change.targets);
   }
+  if (change.rig) {
+    setCameras(*change.rig);
+  }
 }
 
 TrackingRun::State TrackingRun::save() const {
-  State state{nullptr, targets_, parameters_, iterations_, 0};
+  State state{nullptr, targets_, parameters_, iterations_, 0, rig_};
   if (std::unique_ptr<MultiTracker> copy = tracker_->clone()) {
     copy->beginFrame(nullptr); // the images of the last frame are not needed to go on
     state.bytes = copy->memoryBytes();
@@ -94,6 +112,7 @@ void TrackingRun::restore(const State& state) {
   tracker_ = state.tracker->clone();
   targets_ = state.targets;
   parameters_ = state.parameters;
+  rig_ = state.rig;
   frames_ = nullptr;
   iterations_ = state.iterations;
   frameIterations_ = 0;

@@ -20,10 +20,14 @@ CameraRig rigOf(const Project& project);
 /// Header of a trajectory of this project: method, seed, parameters, version, cameras.
 TrajectoryHeader trajectoryHeader(const Project& project);
 
-/// A change of a run under way: other parameters, or other colors.
+/// Whether cameras of both rigs have the same number and image sizes.
+bool haveSameImages(const CameraRig& a, const CameraRig& b);
+
+/// A change of a run under way: other parameters, other colors, or another calibration.
 struct RunChange {
   std::optional<ParameterValues> parameters;
   std::optional<std::vector<Target>> targets;
+  std::optional<CameraRig> rig;
 };
 
 /// The tracker of all targets fed with frame sets: what the window's tracking thread and
@@ -39,6 +43,9 @@ public:
   /// New colors for the same targets; a different number of targets is ignored (reopen instead).
   void setTargets(const std::vector<Target>& targets);
 
+  /// Another calibration of the same cameras; one for other images is ignored (reopen instead).
+  void setCameras(const CameraRig& rig);
+
   void apply(const RunChange& change);
 
   /// All that the run is between two frames, to go on from with the same bits.
@@ -48,6 +55,7 @@ public:
     ParameterValues parameters;
     std::int64_t iterations = 0;
     std::size_t bytes = 0;
+    CameraRig rig;
   };
   State save() const;
   void restore(const State& state);
@@ -61,6 +69,7 @@ public:
 
   std::int64_t iterations() const { return iterations_; }
   const std::vector<Target>& targets() const { return targets_; }
+  const CameraRig& rig() const { return rig_; }
   const ParameterValues& parameters() const { return parameters_; }
   const std::vector<TargetEstimate>& estimates() const { return tracker_->estimates(); }
   const FrameSetPtr& frames() const { return frames_; }
@@ -83,6 +92,7 @@ private:
   FrameSetPtr frames_;
   std::unique_ptr<ThreadTeam> team_;
   ParameterValues parameters_;
+  CameraRig rig_;
   std::int64_t iterations_ = 0;
   int frameIterations_ = 0;
 };

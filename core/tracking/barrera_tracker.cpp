@@ -32,6 +32,12 @@ void BarreraTracker::setTarget(const Target& target) {
   observation_.setClassifier(classifier_);
 }
 
+void BarreraTracker::setCameras(const CameraRig& rig) {
+  projectors_ = std::vector<Projector>(rig.begin(), rig.end());
+  observation_ = ColorWindow(rig, classifier_);
+  showImages();
+}
+
 void BarreraTracker::restart(std::uint64_t seed) {
   key_.seed = seed;
   key_.iteration = 0;
@@ -48,6 +54,10 @@ void BarreraTracker::beginFrame(FrameSetPtr frames) {
   key_.iteration = 0;
   key_.frame = frames ? static_cast<std::uint32_t>(frames->index) : 0;
   frames_ = std::move(frames);
+  showImages();
+}
+
+void BarreraTracker::showImages() {
   for (std::size_t camera = 0; camera < observation_.cameraCount(); ++camera) {
     observation_.setImage(camera, imageOf(camera));
   }

@@ -19,6 +19,7 @@ public:
   /// restart.
   void configure(const ParameterValues& parameters) override;
   void setTarget(const Target& target) override;
+  void setCameras(const CameraRig& rig) override;
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override;
   void beginFrame(FrameSetPtr frames) override;
@@ -31,6 +32,7 @@ public:
 
 private:
   Eigen::ArrayXXd drawStart() const;
+  void showImages();
   /// The image a camera shows; empty when there is none.
   cv::Mat imageOf(std::size_t camera) const;
   CameraReport explain(std::size_t camera) const;

@@ -77,6 +77,22 @@ void DewpointTracker::setTargets(const std::vector<Target>& targets) {
   }
 }
 
+void DewpointTracker::setCameras(const CameraRig& rig) {
+  if (rig.size() != rig_.size()) {
+    return; // another rig is another run
+  }
+  rig_ = rig;
+  search_ = CandidateSearch(rig);
+  lookAround_.reset();
+  // What hangs on the images, as backgrounds do, stays; the beliefs of look-alikes move along with
+  // those of the targets.
+  for (Tracked& tracked : tracked_) {
+    tracked.observation = SphereObservation(rig);
+    tracked.search.reset();
+    showImages(tracked.observation, tracked.classifier);
+  }
+}
+
 void DewpointTracker::restart(std::uint64_t seed) {
   key_ = {seed, 0, 0};
   lastTime_.reset();

@@ -24,6 +24,12 @@ void IndependentTrackers::setTargets(const std::vector<Target>& targets) {
   }
 }
 
+void IndependentTrackers::setCameras(const CameraRig& rig) {
+  for (auto& tracker : trackers_) {
+    tracker->setCameras(rig);
+  }
+}
+
 void IndependentTrackers::restart(std::uint64_t seed) {
   for (std::size_t k = 0; k < trackers_.size(); ++k) {
     trackers_[k]->restart(derivedSeed(seed, static_cast<std::uint32_t>(k)));

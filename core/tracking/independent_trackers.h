@@ -12,6 +12,7 @@ public:
 
   void configure(const ParameterValues& parameters) override;
   void setTargets(const std::vector<Target>& targets) override;
+  void setCameras(const CameraRig& rig) override;
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override;
   void beginFrame(FrameSetPtr frames) override;

@@ -18,6 +18,8 @@ public:
   virtual void configure(const ParameterValues& parameters) = 0;
   /// New colors and sizes for the same targets, in the same order and number.
   virtual void setTargets(const std::vector<Target>& targets) = 0;
+  /// Another calibration of the same cameras, from the next iteration on; beliefs stay.
+  virtual void setCameras(const CameraRig& rig) = 0;
   /// Forgets everything and starts anew.
   virtual void restart(std::uint64_t seed) = 0;
   virtual int iterationsPerFrame() const = 0;

@@ -63,6 +63,8 @@ public:
   virtual ~Tracker() = default;
   virtual void configure(const ParameterValues& parameters) = 0;
   virtual void setTarget(const Target& target) = 0;
+  /// Another calibration of the same cameras, from the next iteration on; beliefs stay.
+  virtual void setCameras(const CameraRig& rig) = 0;
   /// Forgets everything and starts anew.
   virtual void restart(std::uint64_t seed) = 0;
   virtual int iterationsPerFrame() const = 0;

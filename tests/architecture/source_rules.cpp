@@ -39,15 +39,26 @@ constexpr std::string_view kFrameHeader = "core/capture/frame.h";
 /// The value types that core/session hands out; besides core/session and core/base, the window
 /// sees nothing else of core.
 const Names& windowHeaders() {
-  static const Names kHeaders = {
-      "core/capture/frame.h",           "core/capture/frame_source.h",
-      "core/color/color_range.h",       "core/color/color_sample.h",
-      "core/color/color_learning.h",    "core/color/color_histogram.h",
-      "core/geometry/camera.h",         "core/project/project.h",
-      "core/project/project_changes.h", "core/tracking/parameters.h",
-      "core/tracking/tracker.h",        "core/trajectory/trajectory.h",
-      "core/trajectory/motion.h",       "core/trajectory/trajectory_export.h",
-      "core/trajectory/export_table.h"};
+  static const Names kHeaders = {"core/calibration/click_aids.h",
+                                 "core/calibration/hand_adjustment.h",
+                                 "core/calibration/measured_points.h",
+                                 "core/geometry/image_symmetry.h",
+                                 "core/geometry/reference_grid.h",
+                                 "core/capture/frame.h",
+                                 "core/capture/frame_source.h",
+                                 "core/color/color_range.h",
+                                 "core/color/color_sample.h",
+                                 "core/color/color_learning.h",
+                                 "core/color/color_histogram.h",
+                                 "core/geometry/camera.h",
+                                 "core/project/project.h",
+                                 "core/project/project_changes.h",
+                                 "core/tracking/parameters.h",
+                                 "core/tracking/tracker.h",
+                                 "core/trajectory/trajectory.h",
+                                 "core/trajectory/motion.h",
+                                 "core/trajectory/trajectory_export.h",
+                                 "core/trajectory/export_table.h"};
   return kHeaders;
 }
 

@@ -239,6 +239,18 @@ TEST(Recording, rotatesClockwise) {
   EXPECT_EQ(errorOf(tilted).code, ErrorCode::BadValue);
 }
 
+TEST(Recording, mirrorsAfterTurning) {
+  RecordedCamera camera = generated(1);
+  camera.rotateDegrees = 90;
+  camera.mirrored = true;
+  const auto source = openRecording({camera}, 0);
+  ASSERT_TRUE(source) << sentence(source.error());
+  const cv::Mat image = (*source)->next().value()->frames[0]->image;
+  // Turned clockwise the top left pixel is at the top right, mirrored it is at the left again.
+  EXPECT_EQ(image.at<cv::Vec3b>(0, 0), noise(0).at<cv::Vec3b>(0, 0));
+  EXPECT_EQ(image.at<cv::Vec3b>(image.rows - 1, 0), noise(0).at<cv::Vec3b>(0, kWidth - 1));
+}
+
 TEST(Recording, missingAndUnreadableFilesAreNamed) {
   const TemporaryFolder home;
   std::ofstream(home / "text.mkv") << "no video at all\n";

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project_room.h"
+
+#include <array>
+#include <set>
+
+namespace dewpoint {
+namespace {
+
+constexpr std::array<std::pair<const char*, GridKind>, 3> kGridKeys{
+    {{"floor", GridKind::Floor}, {"wall", GridKind::Wall}, {"box", GridKind::Box}}};
+constexpr double kLargest = 1e4; ///< metres
+
+ReferenceGrid readGrid(const toml::table& table, const std::string& file,
+                       std::optional<Error>& error) {
+  TableReader reader(table, file, "grid.");
+  ReferenceGrid grid;
+  std::string kind = kGridKeys.front().first;
+  reader.text("kind", kind);
+  const auto known =
+      std::ranges::find_if(kGridKeys, [&](const auto& entry) { return kind == entry.first; });
+  if (known == kGridKeys.end()) {
+    reader.fail(ErrorCode::BadValue, "kind", "floor, wall or box is expected");
+  } else {
+    grid.kind = known->second;
+  }
+  reader.numbers("size", grid.size.data(), 3, 0.0, kLargest);
+  reader.number("step", grid.step, 0.0, kLargest);
+  reader.numbers("origin", grid.origin.data(), 3, -kLargest, kLargest);
+  reader.number("turn", grid.turn, -100.0, 100.0);
+  error = reader.finish();
+  return grid;
+}
+
+MeasuredPoint readPoint(const toml::table& table, const std::string& file, std::size_t index,
+                        std::optional<Error>& error) {
+  const std::string prefix = fmt::format("point {}.", index + 1);
+  TableReader reader(table, file, prefix);
+  MeasuredPoint point;
+  reader.require("name");
+  reader.text("name", point.name);
+  reader.require("world");
+  reader.numbers("world", point.world.data(), 3, -kLargest, kLargest);
+  for (const toml::table* one : reader.tables("click")) {
+    TableReader click(*one, file, fmt::format("{}click {}.", prefix, point.clicks.size() + 1));
+    int camera = 1;
+    click.require("camera");
+    click.integer("camera", camera, 1, 1000);
+    PointClick& read = point.clicks.emplace_back();
+    read.camera = camera - 1;
+    click.require("pixel");
+    click.numbers("pixel", read.pixel.data(), 2);
+    reader.adopt(click.finish());
+  }
+  error = reader.finish();
+  return point;
+}
+
+Status checkPoint(const MeasuredPoint& point, std::size_t index, const Project& project) {
+  const std::string field = fmt::format("point {}", index + 1);
+  if (!point.world.allFinite() || point.world.cwiseAbs().maxCoeff() > kLargest) {
+    return failure(ErrorCode::BadValue, "", field + ".world",
+                   fmt::format("numbers up to {} m are expected", kLargest));
+  }
+  // The cameras of a scene come later, when it is opened.
+  const int cameras = project.cameras.empty() ? 1000 : static_cast<int>(project.cameras.size());
+  const bool sceneOpen =
+      project.scene.empty() || std::ranges::none_of(project.cameras, &ProjectCamera::adjusted);
+  std::set<int> seen;
+  for (const PointClick& click : point.clicks) {
+    if (click.camera < 0 || (sceneOpen && click.camera >= cameras)) {
+      return failure(ErrorCode::BadValue, "", field + ".click",
+                     fmt::format("there is no camera {}", click.camera + 1));
+    }
+    if (!seen.insert(click.camera).second) {
+      return failure(ErrorCode::BadValue, "", field + ".click",
+                     fmt::format("two clicks in camera {}", click.camera + 1));
+    }
+    if (!click.pixel.allFinite()) {
+      return failure(ErrorCode::BadValue, "", field + ".click", "a pixel is not finite");
+    }
+  }
+  return {};
+}
+
+} // namespace
+
+void readRoom(TableReader& reader, const std::string& file, Project& project) {
+  std::optional<Error> error;
+  if (const toml::table* table = reader.table("grid")) {
+    project.grid = readGrid(*table, file, error);
+    reader.adopt(error);
+  }
+  for (const toml::table* table : reader.tables("point")) {
+    project.points.push_back(readPoint(*table, file, project.points.size(), error));
+    reader.adopt(error);
+  }
+}
+
+std::string roomText(const Project& project) {
+  std::string text;
+  if (project.grid) {
+    const ReferenceGrid& grid = *project.grid;
+    const auto kind = std::ranges::find(kGridKeys, grid.kind, [](auto& one) { return one.second; });
+    text += fmt::format("\n[grid]   # metres, radians\nkind = \"{}\"\nsize = [{}, {}, {}]\n"
+                        "step = {}\norigin = [{}, {}, {}]\nturn = {}\n",
+                        kind->first, grid.size.x(), grid.size.y(), grid.size.z(), grid.step,
+                        grid.origin.x(), grid.origin.y(), grid.origin.z(), grid.turn);
+  }
+  for (const MeasuredPoint& point : project.points) {
+    text += fmt::format("\n[[point]]\nname = {}\nworld = [{}, {}, {}]\n", quoted(point.name),
+                        point.world.x(), point.world.y(), point.world.z());
+    for (const PointClick& click : point.clicks) {
+      text += fmt::format("[[point.click]]\ncamera = {}\npixel = [{}, {}]\n", click.camera + 1,
+                          click.pixel.x(), click.pixel.y());
+    }
+  }
+  return text;
+}
+
+Status checkRoom(const Project& project) {
+  if (project.grid) {
+    if (auto good = checkGrid(*project.grid); !good) {
+      return failure(good.error().code, "", "grid." + good.error().field, good.error().detail);
+    }
+  }
+  std::set<std::string> names;
+  for (std::size_t k = 0; k < project.points.size(); ++k) {
+    const MeasuredPoint& point = project.points[k];
+    if (point.name.empty() || !names.insert(point.name).second) {
+      return failure(ErrorCode::BadValue, "", fmt::format("point {}.name", k + 1),
+                     point.name.empty() ? "the name is empty"
+                                        : "the name '" + point.name + "' is used twice");
+    }
+    if (auto good = checkPoint(point, k, project); !good) {
+      return good;
+    }
+  }
+  return {};
+}
+
+} // namespace dewpoint

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/table_reader.h"
+#include "core/project/project.h"
+
+namespace dewpoint {
+
+/// What a project knows of the room, as its file says it: [grid] and [[point]].
+void readRoom(TableReader& reader, const std::string& file, Project& project);
+std::string roomText(const Project& project);
+/// A grid that can be drawn; points with finite places, clicked in cameras that are there, in each
+/// at most once.
+Status checkRoom(const Project& project);
+
+} // namespace dewpoint

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text_file.h"
+#include "core/project/project.h"
+#include "core/project/project_changes.h"
+
+#include <gtest/gtest.h>
+
+namespace dewpoint {
+namespace {
+
+constexpr const char* kRoom = R"(format = 2
+name = "room"
+
+[[camera]]
+name = "left"
+video = "left.mkv"
+rotate = 90
+mirror = true
+[camera.calibration]
+size = [640, 480]
+matrix = [[500.0, 0, 319.5], [0, 510.0, 239.5], [0, 0, 1]]
+rotation = [0, 0.1, 0]
+translation = [1.0, 2.0, 3.0]
+
+[grid]
+kind = "box"
+size = [3.5, 2, 2.4]
+step = 0.25
+origin = [0.1, -0.2, 0.3]
+turn = 0.5
+
+[[point]]
+name = "corner of the table"
+world = [0.5, 0.25, 0.74]
+[[point.click]]
+camera = 1
+pixel = [320.25, 120.5]
+
+[[point]]
+name = "door"
+world = [2, 0, 0]
+)";
+
+Result<Project> load(std::string text, const std::string& from = "", const std::string& to = "") {
+  if (const auto at = from.empty() ? std::string::npos : text.find(from); at != std::string::npos) {
+    text.replace(at, from.size(), to);
+  }
+  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+  const auto file =
+      std::filesystem::path(testing::TempDir()) / (std::string(info->name()) + "_room.toml");
+  EXPECT_TRUE(writeTextFile(file, text));
+  return loadProject(file);
+}
+
+std::string fieldOf(const std::string& from, const std::string& to) {
+  const auto project = load(kRoom, from, to);
+  EXPECT_FALSE(project) << from << " -> " << to;
+  return project ? "" : project.error().field;
+}
+
+TEST(ProjectRoom, ReadsGridPointsAndMirror) {
+  const auto project = load(kRoom);
+  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project->grid);
+  EXPECT_EQ(*project->grid,
+            (ReferenceGrid{GridKind::Box, {3.5, 2.0, 2.4}, 0.25, {0.1, -0.2, 0.3}, 0.5}));
+  ASSERT_EQ(project->points.size(), 2U);
+  EXPECT_EQ(project->points[0].world, Eigen::Vector3d(0.5, 0.25, 0.74));
+  ASSERT_EQ(project->points[0].clicks.size(), 1U);
+  EXPECT_EQ(project->points[0].clicks[0].camera, 0);
+  EXPECT_EQ(project->points[0].clicks[0].pixel, Eigen::Vector2d(320.25, 120.5));
+  EXPECT_TRUE(project->points[1].clicks.empty());
+  EXPECT_TRUE(project->cameras[0].mirrored);
+}
+
+TEST(ProjectRoom, SavesWhatItRead) {
+  const auto project = load(kRoom);
+  ASSERT_TRUE(project);
+  const auto again = load(projectText(*project, project->file.parent_path()));
+  ASSERT_TRUE(again) << sentence(again.error());
+  Project same = *again;
+  same.file = project->file;
+  EXPECT_EQ(same, *project);
+}
+
+TEST(ProjectRoom, WithoutThemAFileIsAsBefore) {
+  auto project = load(kRoom);
+  ASSERT_TRUE(project);
+  project->grid.reset();
+  project->points.clear();
+  project->cameras[0].mirrored = false;
+  const std::string text = projectText(*project, {});
+  EXPECT_EQ(text.find("[grid"), std::string::npos);
+  EXPECT_EQ(text.find("[[point"), std::string::npos);
+  EXPECT_EQ(text.find("mirror"), std::string::npos);
+}
+
+TEST(ProjectRoom, NamesWhatIsWrong) {
+  EXPECT_EQ(fieldOf("\"box\"", "\"ceiling\""), "grid.kind");
+  EXPECT_EQ(fieldOf("step = 0.25", "step = 0"), "grid.step");
+  EXPECT_EQ(fieldOf("[3.5, 2, 2.4]", "[3.5, 0, 2.4]"), "grid.size");
+  EXPECT_EQ(fieldOf("camera = 1", "camera = 2"), "point 1.click");
+  EXPECT_EQ(fieldOf("\"door\"", "\"corner of the table\""), "point 2.name");
+  EXPECT_EQ(fieldOf("\"door\"", "\"\""), "point 2.name");
+  EXPECT_EQ(fieldOf("world = [2, 0, 0]", ""), "point 2.world");
+  EXPECT_EQ(fieldOf("pixel = [320.25, 120.5]", ""), "point 1.click 1.pixel");
+  EXPECT_EQ(fieldOf("turn = 0.5", "turns = 0.5"), "grid.turns");
+}
+
+TEST(ProjectRoom, ChangesAreToldApart) {
+  const auto project = load(kRoom);
+  ASSERT_TRUE(project);
+  Project other = *project;
+  other.grid->step = 0.5;
+  EXPECT_TRUE(changesBetween(*project, other).grid);
+  EXPECT_FALSE(changesBetween(*project, other).calibration);
+  other = *project;
+  other.points[0].clicks[0].pixel.x() += 1.0;
+  EXPECT_TRUE(changesBetween(*project, other).points);
+  EXPECT_TRUE(changesBetween(*project, other).any());
+  other = *project;
+  other.cameras[0].mirrored = false;
+  EXPECT_TRUE(changesBetween(*project, other).sources);
+}
+
+TEST(ProjectRoom, ASceneCanHaveAnotherCalibration) {
+  const std::string text = "format = 2\nscene = \"demo\"\n\n[[camera]]\nname = \"camera 2\"\n"
+                           "[camera.calibration]\nsize = [320, 240]\n"
+                           "matrix = [[400, 0, 159.5], [0, 400, 119.5], [0, 0, 1]]\n"
+                           "rotation = [0, 0, 0]\ntranslation = [0, 0, 1]\n";
+  const auto project = load(text);
+  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_EQ(project->cameras.size(), 1U);
+  EXPECT_TRUE(project->cameras[0].adjusted);
+  EXPECT_EQ(project->cameras[0].source, SourceKind::Simulation);
+  const auto again = load(projectText(*project, {}));
+  ASSERT_TRUE(again) << sentence(again.error());
+  EXPECT_EQ(again->cameras, project->cameras);
+}
+
+} // namespace
+} // namespace dewpoint
