@@ -419,6 +419,14 @@
         <source>Copy the selected rows of the trajectory, or all</source>
         <translation>Die gewählten Zeilen der Bahn kopieren, oder alle</translation>
     </message>
+    <message>
+        <source>Calibrate by hand…</source>
+        <translation>Von Hand kalibrieren…</translation>
+    </message>
+    <message>
+        <source>Adjust cameras until a grid lies on the real thing in their images</source>
+        <translation>Kameras einstellen, bis ein Gitter in ihren Bildern auf dem Wirklichen liegt</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -1095,6 +1103,220 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::CalibrationPlace</name>
+    <message>
+        <source>Ways to calibrate</source>
+        <translation>Arten zu kalibrieren</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::CameraFields</name>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>The camera that is adjusted; clicking into its image chooses it too</source>
+        <translation>Die Kamera, die eingestellt wird; ein Klick in ihr Bild wählt sie auch</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Unit of positions</source>
+        <translation>Einheit der Positionen</translation>
+    </message>
+    <message>
+        <source>Unit in which positions are shown and typed</source>
+        <translation>Einheit, in der Positionen gezeigt und eingegeben werden</translation>
+    </message>
+    <message>
+        <source>Looks</source>
+        <translation>Blick</translation>
+    </message>
+    <message>
+        <source>at a point, roll</source>
+        <translation>auf einen Punkt, Rollen</translation>
+    </message>
+    <message>
+        <source>yaw, pitch, roll</source>
+        <translation>Gieren, Nicken, Rollen</translation>
+    </message>
+    <message>
+        <source>How the direction is said</source>
+        <translation>Wie die Richtung angegeben wird</translation>
+    </message>
+    <message>
+        <source>A point that the camera looks at, or angles: yaw from x towards y, pitch above the horizon, roll about the line of sight</source>
+        <translation>Ein Punkt, auf den die Kamera blickt, oder Winkel: Gieren von x nach y, Nicken über dem Horizont, Rollen um die Blickrichtung</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objektiv</translation>
+    </message>
+    <message>
+        <source>focal length</source>
+        <translation>Brennweite</translation>
+    </message>
+    <message>
+        <source>field of view</source>
+        <translation>Bildwinkel</translation>
+    </message>
+    <message>
+        <source>How the lens is said</source>
+        <translation>Wie das Objektiv angegeben wird</translation>
+    </message>
+    <message>
+        <source>Focal length in pixels, or the horizontal field of view in degrees</source>
+        <translation>Brennweite in Pixeln oder waagerechter Bildwinkel in Grad</translation>
+    </message>
+    <message>
+        <source>Focal length or field of view</source>
+        <translation>Brennweite oder Bildwinkel</translation>
+    </message>
+    <message>
+        <source>How much the camera magnifies; the keys + and − change it too</source>
+        <translation>Wie stark die Kamera vergrößert; auch die Tasten + und − ändern es</translation>
+    </message>
+    <message>
+        <source>Dragging</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>turns the camera</source>
+        <translation>dreht die Kamera</translation>
+    </message>
+    <message>
+        <source>slides the camera</source>
+        <translation>verschiebt die Kamera</translation>
+    </message>
+    <message>
+        <source>What dragging does</source>
+        <translation>Was Ziehen bewirkt</translation>
+    </message>
+    <message>
+        <source>What the camera does while the grid is dragged and nothing is held. Click points of the grid to hold up to three of them.</source>
+        <translation>Was die Kamera tut, während das Gitter gezogen wird und nichts festgehalten ist. Klicks auf Punkte des Gitters halten bis zu drei davon fest.</translation>
+    </message>
+    <message>
+        <source>Three held points: the focal length gives way</source>
+        <translation>Drei gehaltene Punkte: die Brennweite gibt nach</translation>
+    </message>
+    <message>
+        <source>Three held points fix the pose; dragging then changes the focal length, and the camera follows</source>
+        <translation>Drei gehaltene Punkte legen die Pose fest; Ziehen ändert dann die Brennweite, und die Kamera folgt</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>move</source>
+        <translation>verschieben</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>drehen</translation>
+    </message>
+    <message>
+        <source>What keys do</source>
+        <translation>Was Tasten bewirken</translation>
+    </message>
+    <message>
+        <source>Arrows or W A S D, with Q and E or the page keys: 1 cm or 0.2° a step. Shift: ten times as much; Ctrl with arrows and page keys: a tenth.</source>
+        <translation>Pfeile oder W A S D, dazu Q und E oder die Bildtasten: 1 cm oder 0,2° je Schritt. Umschalt: das Zehnfache; Strg mit Pfeilen und Bildtasten: ein Zehntel.</translation>
+    </message>
+    <message>
+        <source>as it looks</source>
+        <translation>wie sie blickt</translation>
+    </message>
+    <message>
+        <source>along x, y, z</source>
+        <translation>entlang x, y, z</translation>
+    </message>
+    <message>
+        <source>Directions of keys</source>
+        <translation>Richtungen der Tasten</translation>
+    </message>
+    <message>
+        <source>Right, forward and up as the camera looks, or the axes of the world</source>
+        <translation>Rechts, vorwärts und aufwärts, wie die Kamera blickt, oder die Achsen der Welt</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation>Gieren</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>Position %1</source>
+        <translation>Position %1</translation>
+    </message>
+    <message>
+        <source>Where the camera stands, along %1</source>
+        <translation>Wo die Kamera steht, entlang %1</translation>
+    </message>
+    <message>
+        <source>Looks at %1</source>
+        <translation>Blickt auf %1</translation>
+    </message>
+    <message>
+        <source>The point the camera looks at, along %1</source>
+        <translation>Der Punkt, auf den die Kamera blickt, entlang %1</translation>
+    </message>
+    <message>
+        <source>Direction from above: 0° along x, 90° along y</source>
+        <translation>Richtung von oben: 0° entlang x, 90° entlang y</translation>
+    </message>
+    <message>
+        <source>Above the horizon; straight down is −90°</source>
+        <translation>Über dem Horizont; senkrecht hinab ist −90°</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>Turned about its line of sight, clockwise</source>
+        <translation>Um die Blickrichtung gedreht, im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1: %2 %3</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>looks at</source>
+        <translation>blickt auf</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>Gieren</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::CameraPanel</name>
     <message>
         <source>Rename camera</source>
@@ -1177,6 +1399,18 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Choose the video of this camera</source>
         <translation>Das Video dieser Kamera wählen</translation>
+    </message>
+    <message>
+        <source>Mirror images</source>
+        <translation>Bilder spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>Gespiegelt</translation>
+    </message>
+    <message>
+        <source>Images are mirrored left to right, after they were turned</source>
+        <translation>Bilder werden nach dem Drehen seitenverkehrt</translation>
     </message>
 </context>
 <context>
@@ -1662,6 +1896,214 @@ bei %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::GridFields</name>
+    <message>
+        <source>Change the reference grid</source>
+        <translation>Bezugsgitter ändern</translation>
+    </message>
+    <message>
+        <source>Grid on</source>
+        <translation>Gitter auf</translation>
+    </message>
+    <message>
+        <source>the floor</source>
+        <translation>dem Boden</translation>
+    </message>
+    <message>
+        <source>a wall</source>
+        <translation>einer Wand</translation>
+    </message>
+    <message>
+        <source>a box</source>
+        <translation>einem Quader</translation>
+    </message>
+    <message>
+        <source>Kind of grid</source>
+        <translation>Art des Gitters</translation>
+    </message>
+    <message>
+        <source>What the grid lies on in the room</source>
+        <translation>Worauf das Gitter im Raum liegt</translation>
+    </message>
+    <message>
+        <source>Size along x, y, z</source>
+        <translation>Größe entlang x, y, z</translation>
+    </message>
+    <message>
+        <source>Begins at x, y, z</source>
+        <translation>Beginnt bei x, y, z</translation>
+    </message>
+    <message>
+        <source>Size along %1</source>
+        <translation>Größe entlang %1</translation>
+    </message>
+    <message>
+        <source>How far the grid reaches, in metres</source>
+        <translation>Wie weit das Gitter reicht, in Metern</translation>
+    </message>
+    <message>
+        <source>Origin %1</source>
+        <translation>Ursprung %1</translation>
+    </message>
+    <message>
+        <source>The corner where its axes begin, in metres</source>
+        <translation>Die Ecke, in der seine Achsen beginnen, in Metern</translation>
+    </message>
+    <message>
+        <source>Step, turn</source>
+        <translation>Schritt, Drehung</translation>
+    </message>
+    <message>
+        <source>Step of the grid</source>
+        <translation>Schritt des Gitters</translation>
+    </message>
+    <message>
+        <source>Metres from line to line</source>
+        <translation>Meter von Linie zu Linie</translation>
+    </message>
+    <message>
+        <source>Turn of the grid</source>
+        <translation>Drehung des Gitters</translation>
+    </message>
+    <message>
+        <source>Turned about the vertical, counterclockwise from above</source>
+        <translation>Um die Senkrechte gedreht, von oben gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Opacity of the grid</source>
+        <translation>Deckkraft des Gitters</translation>
+    </message>
+    <message>
+        <source>How strongly the grid is drawn over the images</source>
+        <translation>Wie kräftig das Gitter über den Bildern gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Show edges of the images</source>
+        <translation>Kanten der Bilder zeigen</translation>
+    </message>
+    <message>
+        <source>Let the rest of the images step back behind their edges</source>
+        <translation>Alles andere in den Bildern tritt hinter die Kanten zurück</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Show the cameras as they were before</source>
+        <translation>Die Kameras zeigen, wie sie vorher waren</translation>
+    </message>
+    <message>
+        <source>While held down (or B, over an image): the grid as it was when the calibration was opened</source>
+        <translation>Solange gedrückt (oder B, über einem Bild): das Gitter, wie es beim Öffnen der Kalibrierung war</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::GridLayer</name>
+    <message>
+        <source>Grid over the image of %1</source>
+        <translation>Gitter über dem Bild von %1</translation>
+    </message>
+    <message>
+        <source>Drag the grid onto the real thing; click to hold a point; arrows, W A S D, Q and E move or turn the camera</source>
+        <translation>Das Gitter auf das Wirkliche ziehen; Klick hält einen Punkt; Pfeile, W A S D, Q und E verschieben oder drehen die Kamera</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::HandDesk</name>
+    <message>
+        <source>camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>Three points are held already: click one of them to let go of it</source>
+        <translation>Drei Punkte sind schon gehalten: ein Klick auf einen lässt ihn los</translation>
+    </message>
+    <message>
+        <source>Drag the grid in %1</source>
+        <translation>Gitter in %1 ziehen</translation>
+    </message>
+    <message>
+        <source>No further: a point would leave what the camera can see</source>
+        <translation>Nicht weiter: ein Punkt läge außerhalb dessen, was die Kamera sehen kann</translation>
+    </message>
+    <message>
+        <source>No further: the held points and this one lie on one ray or line</source>
+        <translation>Nicht weiter: die gehaltenen Punkte und dieser liegen auf einem Strahl oder einer Geraden</translation>
+    </message>
+    <message>
+        <source>No further: no pose near this one shows the held points where they are</source>
+        <translation>Nicht weiter: keine Pose in der Nähe zeigt die gehaltenen Punkte dort, wo sie sind</translation>
+    </message>
+    <message>
+        <source>Three held points fix the pose: let go of one, or let the focal length change</source>
+        <translation>Drei gehaltene Punkte legen die Pose fest: einen loslassen oder die Brennweite nachgeben lassen</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>vorwärts</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>aufwärts</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>Gieren</translation>
+    </message>
+    <message>
+        <source>%1 %2 cm %3</source>
+        <translation>%1 %2 cm %3</translation>
+    </message>
+    <message>
+        <source>%1 %2° %3</source>
+        <translation>%1 %2° %3</translation>
+    </message>
+    <message>
+        <source>%1 focal length %2 %</source>
+        <translation>%1 Brennweite %2 %</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::HandPage</name>
+    <message>
+        <source>Drag the grid in an image until it lies on the real thing. Click a point of it to hold it there.</source>
+        <translation>Das Gitter in einem Bild ziehen, bis es auf dem Wirklichen liegt. Ein Klick auf einen Punkt hält ihn dort fest.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Reference grid</source>
+        <translation>Bezugsgitter</translation>
+    </message>
+    <message>
+        <source>Measured points</source>
+        <translation>Gemessene Punkte</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::MainWindow</name>
     <message>
         <source>Dewpoint</source>
@@ -1874,6 +2316,22 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
         <translation>Die Änderung gilt ab jetzt. „%1“ zeigt, was sie aus diesem Moment macht.</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Move %1 in the bird&apos;s-eye view</source>
+        <translation>%1 in der Vogelperspektive verschieben</translation>
+    </message>
+    <message>
+        <source>Turn %1 in the bird&apos;s-eye view</source>
+        <translation>%1 in der Vogelperspektive drehen</translation>
     </message>
 </context>
 <context>
@@ -2117,6 +2575,196 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Dewpoint plots</source>
         <translation>Dewpoint-Kurven</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PointDesk</name>
+    <message>
+        <source>%1 is rotated and mirrored: turn its images clockwise by %2 degrees, then mirror them</source>
+        <translation>%1 ist gedreht und gespiegelt: ihre Bilder um %2 Grad im Uhrzeigersinn drehen, dann spiegeln</translation>
+    </message>
+    <message>
+        <source>%1 is mirrored</source>
+        <translation>%1 ist gespiegelt</translation>
+    </message>
+    <message>
+        <source>%1 is rotated: turn its images clockwise by %2 degrees</source>
+        <translation>%1 ist gedreht: ihre Bilder um %2 Grad im Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>Add measured point</source>
+        <translation>Gemessenen Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove measured point</source>
+        <translation>Gemessenen Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Rename measured point</source>
+        <translation>Gemessenen Punkt umbenennen</translation>
+    </message>
+    <message>
+        <source>Place of %1</source>
+        <translation>Ort von %1</translation>
+    </message>
+    <message>
+        <source>Click %1 in %2</source>
+        <translation>%1 in %2 anklicken</translation>
+    </message>
+    <message>
+        <source>Forget %1 in %2</source>
+        <translation>%1 in %2 vergessen</translation>
+    </message>
+    <message>
+        <source>Solve cameras from measured points</source>
+        <translation>Kameras aus gemessenen Punkten bestimmen</translation>
+    </message>
+    <message>
+        <source>No point was clicked yet: choose one, then click it in the images</source>
+        <translation>Noch kein Punkt wurde angeklickt: einen wählen, dann in den Bildern anklicken</translation>
+    </message>
+    <message>
+        <source>%1: %2 px off on average</source>
+        <translation>%1: im Mittel %2 px daneben</translation>
+    </message>
+    <message>
+        <source>%1: %2 points are too few, click four or more</source>
+        <translation>%1: %2 Punkte sind zu wenige, vier oder mehr anklicken</translation>
+    </message>
+    <message>
+        <source>%1: its points lie on one line, add one beside it</source>
+        <translation>%1: ihre Punkte liegen auf einer Geraden, einen daneben hinzufügen</translation>
+    </message>
+    <message>
+        <source>%1: %2 px, but a second pose fits as well: add a point outside the plane</source>
+        <translation>%1: %2 px, aber eine zweite Pose passt ebenso gut: einen Punkt außerhalb der Ebene hinzufügen</translation>
+    </message>
+    <message>
+        <source>%1: no pose shows the points there</source>
+        <translation>%1: keine Pose zeigt die Punkte dort</translation>
+    </message>
+    <message>
+        <source>%1, unless it was mounted so</source>
+        <translation>%1, falls sie nicht so montiert ist</translation>
+    </message>
+    <message>
+        <source>%1: then its points fit to %2 px</source>
+        <translation>%1: dann passen ihre Punkte auf %2 px</translation>
+    </message>
+    <message>
+        <source>%1 does not fit the rest (%2 px, %3 mm): measure or click it again</source>
+        <translation>%1 passt nicht zum Rest (%2 px, %3 mm): neu messen oder neu anklicken</translation>
+    </message>
+    <message>
+        <source>Worst: %1 (%2 px, %3 mm)</source>
+        <translation>Am schlechtesten: %1 (%2 px, %3 mm)</translation>
+    </message>
+    <message>
+        <source>Set how %1 lies</source>
+        <translation>Lage der Bilder von %1 setzen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PointsTable</name>
+    <message>
+        <source>Measured points</source>
+        <translation>Gemessene Punkte</translation>
+    </message>
+    <message>
+        <source>Places measured with a tape, in metres: double click to type. A marked row fits worst.</source>
+        <translation>Mit dem Maßband gemessene Orte, in Metern: Doppelklick zum Eingeben. Die markierte Zeile passt am schlechtesten.</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>x m</source>
+        <translation>x m</translation>
+    </message>
+    <message>
+        <source>y m</source>
+        <translation>y m</translation>
+    </message>
+    <message>
+        <source>z m</source>
+        <translation>z m</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>gesehen</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Add point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a place of the room that you measured</source>
+        <translation>Einen Ort des Raumes hinzufügen, der gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Remove point</source>
+        <translation>Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen point</source>
+        <translation>Den gewählten Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Click in images</source>
+        <translation>In Bildern anklicken</translation>
+    </message>
+    <message>
+        <source>Then click the chosen point in every image that shows it: corners are found to a fraction of a pixel (Alt: exactly where you click). Esc ends it.</source>
+        <translation>Dann den gewählten Punkt in jedem Bild anklicken, das ihn zeigt: Ecken werden auf Bruchteile eines Pixels gefunden (Alt: genau wo geklickt wird). Esc beendet es.</translation>
+    </message>
+    <message>
+        <source>Forget click</source>
+        <translation>Klick vergessen</translation>
+    </message>
+    <message>
+        <source>Forget the click of this point in the chosen camera</source>
+        <translation>Den Klick dieses Punktes in der gewählten Kamera vergessen</translation>
+    </message>
+    <message>
+        <source>Solve focal lengths too</source>
+        <translation>Auch Brennweiten bestimmen</translation>
+    </message>
+    <message>
+        <source>For cameras with six points or more</source>
+        <translation>Für Kameras mit sechs oder mehr Punkten</translation>
+    </message>
+    <message>
+        <source>Solve cameras</source>
+        <translation>Kameras bestimmen</translation>
+    </message>
+    <message>
+        <source>Find the poses of all cameras in which points were clicked; four points or more each</source>
+        <translation>Die Posen aller Kameras finden, in denen Punkte angeklickt wurden; je vier oder mehr</translation>
+    </message>
+    <message>
+        <source>%1: %2 px, %3 mm</source>
+        <translation>%1: %2 px, %3 mm</translation>
+    </message>
+    <message>
+        <source>Set it: %1</source>
+        <translation>Setzen: %1</translation>
+    </message>
+    <message>
+        <source>Turn or mirror the images of this camera so, and solve again</source>
+        <translation>Die Bilder dieser Kamera so drehen oder spiegeln und neu bestimmen</translation>
     </message>
 </context>
 <context>

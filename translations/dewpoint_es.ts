@@ -419,6 +419,14 @@
         <source>Copy the selected rows of the trajectory, or all</source>
         <translation>Copiar las filas elegidas de la trayectoria, o todas</translation>
     </message>
+    <message>
+        <source>Calibrate by hand…</source>
+        <translation>Calibrar a mano…</translation>
+    </message>
+    <message>
+        <source>Adjust cameras until a grid lies on the real thing in their images</source>
+        <translation>Ajustar las cámaras hasta que una cuadrícula coincida con lo real en sus imágenes</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -1095,6 +1103,220 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::CalibrationPlace</name>
+    <message>
+        <source>Ways to calibrate</source>
+        <translation>Formas de calibrar</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::CameraFields</name>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>The camera that is adjusted; clicking into its image chooses it too</source>
+        <translation>La cámara que se ajusta; un clic en su imagen también la elige</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <source>Unit of positions</source>
+        <translation>Unidad de las posiciones</translation>
+    </message>
+    <message>
+        <source>Unit in which positions are shown and typed</source>
+        <translation>Unidad en la que se muestran y escriben las posiciones</translation>
+    </message>
+    <message>
+        <source>Looks</source>
+        <translation>Mira</translation>
+    </message>
+    <message>
+        <source>at a point, roll</source>
+        <translation>a un punto, alabeo</translation>
+    </message>
+    <message>
+        <source>yaw, pitch, roll</source>
+        <translation>guiñada, cabeceo, alabeo</translation>
+    </message>
+    <message>
+        <source>How the direction is said</source>
+        <translation>Cómo se indica la dirección</translation>
+    </message>
+    <message>
+        <source>A point that the camera looks at, or angles: yaw from x towards y, pitch above the horizon, roll about the line of sight</source>
+        <translation>Un punto al que mira la cámara, o ángulos: guiñada de x hacia y, cabeceo sobre el horizonte, alabeo alrededor de la línea de visión</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>focal length</source>
+        <translation>distancia focal</translation>
+    </message>
+    <message>
+        <source>field of view</source>
+        <translation>campo de visión</translation>
+    </message>
+    <message>
+        <source>How the lens is said</source>
+        <translation>Cómo se indica el objetivo</translation>
+    </message>
+    <message>
+        <source>Focal length in pixels, or the horizontal field of view in degrees</source>
+        <translation>Distancia focal en píxeles, o campo de visión horizontal en grados</translation>
+    </message>
+    <message>
+        <source>Focal length or field of view</source>
+        <translation>Distancia focal o campo de visión</translation>
+    </message>
+    <message>
+        <source>How much the camera magnifies; the keys + and − change it too</source>
+        <translation>Cuánto aumenta la cámara; las teclas + y − también lo cambian</translation>
+    </message>
+    <message>
+        <source>Dragging</source>
+        <translation>Arrastrar</translation>
+    </message>
+    <message>
+        <source>turns the camera</source>
+        <translation>gira la cámara</translation>
+    </message>
+    <message>
+        <source>slides the camera</source>
+        <translation>desplaza la cámara</translation>
+    </message>
+    <message>
+        <source>What dragging does</source>
+        <translation>Qué hace arrastrar</translation>
+    </message>
+    <message>
+        <source>What the camera does while the grid is dragged and nothing is held. Click points of the grid to hold up to three of them.</source>
+        <translation>Lo que hace la cámara mientras se arrastra la cuadrícula sin nada sujeto. Haga clic en puntos de la cuadrícula para sujetar hasta tres.</translation>
+    </message>
+    <message>
+        <source>Three held points: the focal length gives way</source>
+        <translation>Tres puntos sujetos: cede la distancia focal</translation>
+    </message>
+    <message>
+        <source>Three held points fix the pose; dragging then changes the focal length, and the camera follows</source>
+        <translation>Tres puntos sujetos fijan la pose; arrastrar cambia entonces la distancia focal, y la cámara la sigue</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>move</source>
+        <translation>mover</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>girar</translation>
+    </message>
+    <message>
+        <source>What keys do</source>
+        <translation>Qué hacen las teclas</translation>
+    </message>
+    <message>
+        <source>Arrows or W A S D, with Q and E or the page keys: 1 cm or 0.2° a step. Shift: ten times as much; Ctrl with arrows and page keys: a tenth.</source>
+        <translation>Flechas o W A S D, con Q y E o las teclas de página: 1 cm o 0,2° por paso. Mayús: diez veces más; Ctrl con flechas y teclas de página: una décima parte.</translation>
+    </message>
+    <message>
+        <source>as it looks</source>
+        <translation>según mira</translation>
+    </message>
+    <message>
+        <source>along x, y, z</source>
+        <translation>según x, y, z</translation>
+    </message>
+    <message>
+        <source>Directions of keys</source>
+        <translation>Direcciones de las teclas</translation>
+    </message>
+    <message>
+        <source>Right, forward and up as the camera looks, or the axes of the world</source>
+        <translation>Derecha, adelante y arriba según mira la cámara, o los ejes del mundo</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation>Guiñada</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>Cabeceo</translation>
+    </message>
+    <message>
+        <source>Position %1</source>
+        <translation>Posición %1</translation>
+    </message>
+    <message>
+        <source>Where the camera stands, along %1</source>
+        <translation>Dónde está la cámara, según %1</translation>
+    </message>
+    <message>
+        <source>Looks at %1</source>
+        <translation>Mira a %1</translation>
+    </message>
+    <message>
+        <source>The point the camera looks at, along %1</source>
+        <translation>El punto al que mira la cámara, según %1</translation>
+    </message>
+    <message>
+        <source>Direction from above: 0° along x, 90° along y</source>
+        <translation>Dirección desde arriba: 0° según x, 90° según y</translation>
+    </message>
+    <message>
+        <source>Above the horizon; straight down is −90°</source>
+        <translation>Sobre el horizonte; vertical hacia abajo es −90°</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>alabeo</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Alabeo</translation>
+    </message>
+    <message>
+        <source>Turned about its line of sight, clockwise</source>
+        <translation>Girada alrededor de su línea de visión, en sentido horario</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1: %2 %3</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>posición</translation>
+    </message>
+    <message>
+        <source>looks at</source>
+        <translation>mira a</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>guiñada</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>cabeceo</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::CameraPanel</name>
     <message>
         <source>Rename camera</source>
@@ -1177,6 +1399,18 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Choose the video of this camera</source>
         <translation>Elija el vídeo de esta cámara</translation>
+    </message>
+    <message>
+        <source>Mirror images</source>
+        <translation>Reflejar imágenes</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>Reflejada</translation>
+    </message>
+    <message>
+        <source>Images are mirrored left to right, after they were turned</source>
+        <translation>Las imágenes se reflejan de izquierda a derecha, tras girarlas</translation>
     </message>
 </context>
 <context>
@@ -1662,6 +1896,214 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::GridFields</name>
+    <message>
+        <source>Change the reference grid</source>
+        <translation>Cambiar la cuadrícula de referencia</translation>
+    </message>
+    <message>
+        <source>Grid on</source>
+        <translation>Cuadrícula en</translation>
+    </message>
+    <message>
+        <source>the floor</source>
+        <translation>el suelo</translation>
+    </message>
+    <message>
+        <source>a wall</source>
+        <translation>una pared</translation>
+    </message>
+    <message>
+        <source>a box</source>
+        <translation>una caja</translation>
+    </message>
+    <message>
+        <source>Kind of grid</source>
+        <translation>Tipo de cuadrícula</translation>
+    </message>
+    <message>
+        <source>What the grid lies on in the room</source>
+        <translation>Sobre qué está la cuadrícula en la sala</translation>
+    </message>
+    <message>
+        <source>Size along x, y, z</source>
+        <translation>Tamaño según x, y, z</translation>
+    </message>
+    <message>
+        <source>Begins at x, y, z</source>
+        <translation>Empieza en x, y, z</translation>
+    </message>
+    <message>
+        <source>Size along %1</source>
+        <translation>Tamaño según %1</translation>
+    </message>
+    <message>
+        <source>How far the grid reaches, in metres</source>
+        <translation>Hasta dónde llega la cuadrícula, en metros</translation>
+    </message>
+    <message>
+        <source>Origin %1</source>
+        <translation>Origen %1</translation>
+    </message>
+    <message>
+        <source>The corner where its axes begin, in metres</source>
+        <translation>La esquina donde empiezan sus ejes, en metros</translation>
+    </message>
+    <message>
+        <source>Step, turn</source>
+        <translation>Paso, giro</translation>
+    </message>
+    <message>
+        <source>Step of the grid</source>
+        <translation>Paso de la cuadrícula</translation>
+    </message>
+    <message>
+        <source>Metres from line to line</source>
+        <translation>Metros de línea a línea</translation>
+    </message>
+    <message>
+        <source>Turn of the grid</source>
+        <translation>Giro de la cuadrícula</translation>
+    </message>
+    <message>
+        <source>Turned about the vertical, counterclockwise from above</source>
+        <translation>Girada alrededor de la vertical, en sentido antihorario desde arriba</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacidad</translation>
+    </message>
+    <message>
+        <source>Opacity of the grid</source>
+        <translation>Opacidad de la cuadrícula</translation>
+    </message>
+    <message>
+        <source>How strongly the grid is drawn over the images</source>
+        <translation>Con qué fuerza se dibuja la cuadrícula sobre las imágenes</translation>
+    </message>
+    <message>
+        <source>Show edges of the images</source>
+        <translation>Mostrar los bordes de las imágenes</translation>
+    </message>
+    <message>
+        <source>Let the rest of the images step back behind their edges</source>
+        <translation>El resto de las imágenes se atenúa tras sus bordes</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>Show the cameras as they were before</source>
+        <translation>Mostrar las cámaras como estaban antes</translation>
+    </message>
+    <message>
+        <source>While held down (or B, over an image): the grid as it was when the calibration was opened</source>
+        <translation>Mientras se mantiene pulsado (o B, sobre una imagen): la cuadrícula como estaba al abrir la calibración</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::GridLayer</name>
+    <message>
+        <source>Grid over the image of %1</source>
+        <translation>Cuadrícula sobre la imagen de %1</translation>
+    </message>
+    <message>
+        <source>Drag the grid onto the real thing; click to hold a point; arrows, W A S D, Q and E move or turn the camera</source>
+        <translation>Arrastre la cuadrícula sobre lo real; un clic sujeta un punto; flechas, W A S D, Q y E mueven o giran la cámara</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>antes</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::HandDesk</name>
+    <message>
+        <source>camera %1</source>
+        <translation>cámara %1</translation>
+    </message>
+    <message>
+        <source>Three points are held already: click one of them to let go of it</source>
+        <translation>Ya hay tres puntos sujetos: haga clic en uno para soltarlo</translation>
+    </message>
+    <message>
+        <source>Drag the grid in %1</source>
+        <translation>Arrastrar la cuadrícula en %1</translation>
+    </message>
+    <message>
+        <source>No further: a point would leave what the camera can see</source>
+        <translation>No más allá: un punto saldría de lo que la cámara puede ver</translation>
+    </message>
+    <message>
+        <source>No further: the held points and this one lie on one ray or line</source>
+        <translation>No más allá: los puntos sujetos y este están en un mismo rayo o recta</translation>
+    </message>
+    <message>
+        <source>No further: no pose near this one shows the held points where they are</source>
+        <translation>No más allá: ninguna pose cercana muestra los puntos sujetos donde están</translation>
+    </message>
+    <message>
+        <source>Three held points fix the pose: let go of one, or let the focal length change</source>
+        <translation>Tres puntos sujetos fijan la pose: suelte uno, o deje que cambie la distancia focal</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecha</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>adelante</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>arriba</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>cabeceo</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>alabeo</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>guiñada</translation>
+    </message>
+    <message>
+        <source>%1 %2 cm %3</source>
+        <translation>%1 %2 cm %3</translation>
+    </message>
+    <message>
+        <source>%1 %2° %3</source>
+        <translation>%1 %2° %3</translation>
+    </message>
+    <message>
+        <source>%1 focal length %2 %</source>
+        <translation>%1 distancia focal %2 %</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::HandPage</name>
+    <message>
+        <source>Drag the grid in an image until it lies on the real thing. Click a point of it to hold it there.</source>
+        <translation>Arrastre la cuadrícula en una imagen hasta que coincida con lo real. Un clic en uno de sus puntos lo sujeta ahí.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Reference grid</source>
+        <translation>Cuadrícula de referencia</translation>
+    </message>
+    <message>
+        <source>Measured points</source>
+        <translation>Puntos medidos</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::MainWindow</name>
     <message>
         <source>Dewpoint</source>
@@ -1874,6 +2316,22 @@ en %4, %5, %6 m</translation>
     <message>
         <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
         <translation>El cambio vale a partir de ahora. «%1» muestra qué hace con este momento.</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>A mano</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Calibración</translation>
+    </message>
+    <message>
+        <source>Move %1 in the bird&apos;s-eye view</source>
+        <translation>Mover %1 en la vista aérea</translation>
+    </message>
+    <message>
+        <source>Turn %1 in the bird&apos;s-eye view</source>
+        <translation>Girar %1 en la vista aérea</translation>
     </message>
 </context>
 <context>
@@ -2117,6 +2575,196 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Dewpoint plots</source>
         <translation>Gráficos de Dewpoint</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PointDesk</name>
+    <message>
+        <source>%1 is rotated and mirrored: turn its images clockwise by %2 degrees, then mirror them</source>
+        <translation>%1 está girada y reflejada: gire sus imágenes %2 grados en sentido horario y refléjelas</translation>
+    </message>
+    <message>
+        <source>%1 is mirrored</source>
+        <translation>%1 está reflejada</translation>
+    </message>
+    <message>
+        <source>%1 is rotated: turn its images clockwise by %2 degrees</source>
+        <translation>%1 está girada: gire sus imágenes %2 grados en sentido horario</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>punto %1</translation>
+    </message>
+    <message>
+        <source>Add measured point</source>
+        <translation>Añadir punto medido</translation>
+    </message>
+    <message>
+        <source>Remove measured point</source>
+        <translation>Quitar punto medido</translation>
+    </message>
+    <message>
+        <source>Rename measured point</source>
+        <translation>Renombrar punto medido</translation>
+    </message>
+    <message>
+        <source>Place of %1</source>
+        <translation>Lugar de %1</translation>
+    </message>
+    <message>
+        <source>Click %1 in %2</source>
+        <translation>Marcar %1 en %2</translation>
+    </message>
+    <message>
+        <source>Forget %1 in %2</source>
+        <translation>Olvidar %1 en %2</translation>
+    </message>
+    <message>
+        <source>Solve cameras from measured points</source>
+        <translation>Resolver las cámaras con los puntos medidos</translation>
+    </message>
+    <message>
+        <source>No point was clicked yet: choose one, then click it in the images</source>
+        <translation>Aún no se ha marcado ningún punto: elija uno y márquelo en las imágenes</translation>
+    </message>
+    <message>
+        <source>%1: %2 px off on average</source>
+        <translation>%1: %2 px de error medio</translation>
+    </message>
+    <message>
+        <source>%1: %2 points are too few, click four or more</source>
+        <translation>%1: %2 puntos son pocos, marque cuatro o más</translation>
+    </message>
+    <message>
+        <source>%1: its points lie on one line, add one beside it</source>
+        <translation>%1: sus puntos están en una recta, añada uno fuera de ella</translation>
+    </message>
+    <message>
+        <source>%1: %2 px, but a second pose fits as well: add a point outside the plane</source>
+        <translation>%1: %2 px, pero otra pose encaja igual: añada un punto fuera del plano</translation>
+    </message>
+    <message>
+        <source>%1: no pose shows the points there</source>
+        <translation>%1: ninguna pose muestra ahí los puntos</translation>
+    </message>
+    <message>
+        <source>%1, unless it was mounted so</source>
+        <translation>%1, salvo que esté montada así</translation>
+    </message>
+    <message>
+        <source>%1: then its points fit to %2 px</source>
+        <translation>%1: entonces sus puntos encajan a %2 px</translation>
+    </message>
+    <message>
+        <source>%1 does not fit the rest (%2 px, %3 mm): measure or click it again</source>
+        <translation>%1 no encaja con el resto (%2 px, %3 mm): mídalo o márquelo otra vez</translation>
+    </message>
+    <message>
+        <source>Worst: %1 (%2 px, %3 mm)</source>
+        <translation>El peor: %1 (%2 px, %3 mm)</translation>
+    </message>
+    <message>
+        <source>Set how %1 lies</source>
+        <translation>Fijar la orientación de %1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PointsTable</name>
+    <message>
+        <source>Measured points</source>
+        <translation>Puntos medidos</translation>
+    </message>
+    <message>
+        <source>Places measured with a tape, in metres: double click to type. A marked row fits worst.</source>
+        <translation>Lugares medidos con cinta, en metros: doble clic para escribir. La fila marcada es la que peor encaja.</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punto</translation>
+    </message>
+    <message>
+        <source>x m</source>
+        <translation>x m</translation>
+    </message>
+    <message>
+        <source>y m</source>
+        <translation>y m</translation>
+    </message>
+    <message>
+        <source>z m</source>
+        <translation>z m</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>visto</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Add point</source>
+        <translation>Añadir punto</translation>
+    </message>
+    <message>
+        <source>Add a place of the room that you measured</source>
+        <translation>Añadir un lugar de la sala que haya medido</translation>
+    </message>
+    <message>
+        <source>Remove point</source>
+        <translation>Quitar punto</translation>
+    </message>
+    <message>
+        <source>Remove the chosen point</source>
+        <translation>Quitar el punto elegido</translation>
+    </message>
+    <message>
+        <source>Click in images</source>
+        <translation>Marcar en imágenes</translation>
+    </message>
+    <message>
+        <source>Then click the chosen point in every image that shows it: corners are found to a fraction of a pixel (Alt: exactly where you click). Esc ends it.</source>
+        <translation>Después marque el punto elegido en cada imagen que lo muestre: las esquinas se encuentran con precisión de fracción de píxel (Alt: justo donde hace clic). Esc termina.</translation>
+    </message>
+    <message>
+        <source>Forget click</source>
+        <translation>Olvidar la marca</translation>
+    </message>
+    <message>
+        <source>Forget the click of this point in the chosen camera</source>
+        <translation>Olvidar la marca de este punto en la cámara elegida</translation>
+    </message>
+    <message>
+        <source>Solve focal lengths too</source>
+        <translation>Resolver también las distancias focales</translation>
+    </message>
+    <message>
+        <source>For cameras with six points or more</source>
+        <translation>Para cámaras con seis puntos o más</translation>
+    </message>
+    <message>
+        <source>Solve cameras</source>
+        <translation>Resolver las cámaras</translation>
+    </message>
+    <message>
+        <source>Find the poses of all cameras in which points were clicked; four points or more each</source>
+        <translation>Hallar las poses de todas las cámaras en las que se marcaron puntos; cuatro o más en cada una</translation>
+    </message>
+    <message>
+        <source>%1: %2 px, %3 mm</source>
+        <translation>%1: %2 px, %3 mm</translation>
+    </message>
+    <message>
+        <source>Set it: %1</source>
+        <translation>Fijarlo: %1</translation>
+    </message>
+    <message>
+        <source>Turn or mirror the images of this camera so, and solve again</source>
+        <translation>Girar o reflejar así las imágenes de esta cámara y resolver de nuevo</translation>
     </message>
 </context>
 <context>

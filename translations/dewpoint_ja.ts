@@ -419,6 +419,14 @@
         <source>Copy the selected rows of the trajectory, or all</source>
         <translation>軌跡の選択行（なければ全行）をコピー</translation>
     </message>
+    <message>
+        <source>Calibrate by hand…</source>
+        <translation>手動で校正…</translation>
+    </message>
+    <message>
+        <source>Adjust cameras until a grid lies on the real thing in their images</source>
+        <translation>画像の中で格子が実物に重なるまでカメラを調整します</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -1095,6 +1103,220 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::CalibrationPlace</name>
+    <message>
+        <source>Ways to calibrate</source>
+        <translation>校正の方法</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::CameraFields</name>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>The camera that is adjusted; clicking into its image chooses it too</source>
+        <translation>調整するカメラ。画像をクリックしても選べます</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>メートル</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>センチメートル</translation>
+    </message>
+    <message>
+        <source>Unit of positions</source>
+        <translation>位置の単位</translation>
+    </message>
+    <message>
+        <source>Unit in which positions are shown and typed</source>
+        <translation>位置の表示と入力に使う単位</translation>
+    </message>
+    <message>
+        <source>Looks</source>
+        <translation>視線</translation>
+    </message>
+    <message>
+        <source>at a point, roll</source>
+        <translation>注視点とロール</translation>
+    </message>
+    <message>
+        <source>yaw, pitch, roll</source>
+        <translation>ヨー、ピッチ、ロール</translation>
+    </message>
+    <message>
+        <source>How the direction is said</source>
+        <translation>向きの表し方</translation>
+    </message>
+    <message>
+        <source>A point that the camera looks at, or angles: yaw from x towards y, pitch above the horizon, roll about the line of sight</source>
+        <translation>カメラの注視点、または角度: ヨーは x から y へ、ピッチは水平より上、ロールは視線まわり</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>レンズ</translation>
+    </message>
+    <message>
+        <source>focal length</source>
+        <translation>焦点距離</translation>
+    </message>
+    <message>
+        <source>field of view</source>
+        <translation>画角</translation>
+    </message>
+    <message>
+        <source>How the lens is said</source>
+        <translation>レンズの表し方</translation>
+    </message>
+    <message>
+        <source>Focal length in pixels, or the horizontal field of view in degrees</source>
+        <translation>焦点距離(ピクセル)または水平画角(度)</translation>
+    </message>
+    <message>
+        <source>Focal length or field of view</source>
+        <translation>焦点距離または画角</translation>
+    </message>
+    <message>
+        <source>How much the camera magnifies; the keys + and − change it too</source>
+        <translation>カメラの倍率。+ と − のキーでも変わります</translation>
+    </message>
+    <message>
+        <source>Dragging</source>
+        <translation>ドラッグ</translation>
+    </message>
+    <message>
+        <source>turns the camera</source>
+        <translation>カメラを回す</translation>
+    </message>
+    <message>
+        <source>slides the camera</source>
+        <translation>カメラをずらす</translation>
+    </message>
+    <message>
+        <source>What dragging does</source>
+        <translation>ドラッグの働き</translation>
+    </message>
+    <message>
+        <source>What the camera does while the grid is dragged and nothing is held. Click points of the grid to hold up to three of them.</source>
+        <translation>何も固定せずに格子をドラッグしたときのカメラの動き。格子の点をクリックすると三つまで固定できます。</translation>
+    </message>
+    <message>
+        <source>Three held points: the focal length gives way</source>
+        <translation>三点固定時は焦点距離が変わる</translation>
+    </message>
+    <message>
+        <source>Three held points fix the pose; dragging then changes the focal length, and the camera follows</source>
+        <translation>三点を固定すると姿勢が決まります。ドラッグは焦点距離を変え、カメラがそれに従います</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>What keys do</source>
+        <translation>キーの働き</translation>
+    </message>
+    <message>
+        <source>Arrows or W A S D, with Q and E or the page keys: 1 cm or 0.2° a step. Shift: ten times as much; Ctrl with arrows and page keys: a tenth.</source>
+        <translation>矢印または W A S D と Q、E または PageUp/PageDown: 一回 1 cm または 0.2°。Shift: 十倍。Ctrl と矢印・Page キー: 十分の一。</translation>
+    </message>
+    <message>
+        <source>as it looks</source>
+        <translation>カメラの向きに沿って</translation>
+    </message>
+    <message>
+        <source>along x, y, z</source>
+        <translation>x、y、z に沿って</translation>
+    </message>
+    <message>
+        <source>Directions of keys</source>
+        <translation>キーの方向</translation>
+    </message>
+    <message>
+        <source>Right, forward and up as the camera looks, or the axes of the world</source>
+        <translation>カメラから見た右・前・上、または世界の軸</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation>ヨー</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>ピッチ</translation>
+    </message>
+    <message>
+        <source>Position %1</source>
+        <translation>位置 %1</translation>
+    </message>
+    <message>
+        <source>Where the camera stands, along %1</source>
+        <translation>カメラの位置の %1 座標</translation>
+    </message>
+    <message>
+        <source>Looks at %1</source>
+        <translation>注視点 %1</translation>
+    </message>
+    <message>
+        <source>The point the camera looks at, along %1</source>
+        <translation>カメラの注視点の %1 座標</translation>
+    </message>
+    <message>
+        <source>Direction from above: 0° along x, 90° along y</source>
+        <translation>上から見た向き: x 方向が 0°、y 方向が 90°</translation>
+    </message>
+    <message>
+        <source>Above the horizon; straight down is −90°</source>
+        <translation>水平より上の角度。真下は −90°</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>ロール</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>ロール</translation>
+    </message>
+    <message>
+        <source>Turned about its line of sight, clockwise</source>
+        <translation>視線まわりの時計回りの回転</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1: %2 %3</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>looks at</source>
+        <translation>注視点</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>ヨー</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>ピッチ</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::CameraPanel</name>
     <message>
         <source>Rename camera</source>
@@ -1177,6 +1399,18 @@ at %4, %5, %6 m</source>
     <message>
         <source>Choose the video of this camera</source>
         <translation>このカメラの動画を選択</translation>
+    </message>
+    <message>
+        <source>Mirror images</source>
+        <translation>画像を反転</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>鏡像</translation>
+    </message>
+    <message>
+        <source>Images are mirrored left to right, after they were turned</source>
+        <translation>回転したあと、画像を左右に反転します</translation>
     </message>
 </context>
 <context>
@@ -1661,6 +1895,214 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::GridFields</name>
+    <message>
+        <source>Change the reference grid</source>
+        <translation>基準格子を変更</translation>
+    </message>
+    <message>
+        <source>Grid on</source>
+        <translation>格子の場所</translation>
+    </message>
+    <message>
+        <source>the floor</source>
+        <translation>床</translation>
+    </message>
+    <message>
+        <source>a wall</source>
+        <translation>壁</translation>
+    </message>
+    <message>
+        <source>a box</source>
+        <translation>箱</translation>
+    </message>
+    <message>
+        <source>Kind of grid</source>
+        <translation>格子の種類</translation>
+    </message>
+    <message>
+        <source>What the grid lies on in the room</source>
+        <translation>部屋の何に格子を置くか</translation>
+    </message>
+    <message>
+        <source>Size along x, y, z</source>
+        <translation>x、y、z 方向の大きさ</translation>
+    </message>
+    <message>
+        <source>Begins at x, y, z</source>
+        <translation>始点 x、y、z</translation>
+    </message>
+    <message>
+        <source>Size along %1</source>
+        <translation>%1 方向の大きさ</translation>
+    </message>
+    <message>
+        <source>How far the grid reaches, in metres</source>
+        <translation>格子の広がり(メートル)</translation>
+    </message>
+    <message>
+        <source>Origin %1</source>
+        <translation>原点 %1</translation>
+    </message>
+    <message>
+        <source>The corner where its axes begin, in metres</source>
+        <translation>軸が始まる角(メートル)</translation>
+    </message>
+    <message>
+        <source>Step, turn</source>
+        <translation>間隔、回転</translation>
+    </message>
+    <message>
+        <source>Step of the grid</source>
+        <translation>格子の間隔</translation>
+    </message>
+    <message>
+        <source>Metres from line to line</source>
+        <translation>線と線の間隔(メートル)</translation>
+    </message>
+    <message>
+        <source>Turn of the grid</source>
+        <translation>格子の回転</translation>
+    </message>
+    <message>
+        <source>Turned about the vertical, counterclockwise from above</source>
+        <translation>鉛直軸まわりの回転(上から見て反時計回り)</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>Opacity of the grid</source>
+        <translation>格子の不透明度</translation>
+    </message>
+    <message>
+        <source>How strongly the grid is drawn over the images</source>
+        <translation>画像の上に格子を描く濃さ</translation>
+    </message>
+    <message>
+        <source>Show edges of the images</source>
+        <translation>画像の輪郭を表示</translation>
+    </message>
+    <message>
+        <source>Let the rest of the images step back behind their edges</source>
+        <translation>輪郭以外を目立たなくします</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>前の状態</translation>
+    </message>
+    <message>
+        <source>Show the cameras as they were before</source>
+        <translation>カメラの以前の状態を表示</translation>
+    </message>
+    <message>
+        <source>While held down (or B, over an image): the grid as it was when the calibration was opened</source>
+        <translation>押している間(または画像上で B)、校正を開いたときの格子を表示</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::GridLayer</name>
+    <message>
+        <source>Grid over the image of %1</source>
+        <translation>%1 の画像の格子</translation>
+    </message>
+    <message>
+        <source>Drag the grid onto the real thing; click to hold a point; arrows, W A S D, Q and E move or turn the camera</source>
+        <translation>格子を実物に重ねるようにドラッグ。クリックで点を固定。矢印、W A S D、Q、E でカメラを移動・回転</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>前</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::HandDesk</name>
+    <message>
+        <source>camera %1</source>
+        <translation>カメラ %1</translation>
+    </message>
+    <message>
+        <source>Three points are held already: click one of them to let go of it</source>
+        <translation>すでに三点を固定しています。一つをクリックすると外れます</translation>
+    </message>
+    <message>
+        <source>Drag the grid in %1</source>
+        <translation>%1 で格子をドラッグ</translation>
+    </message>
+    <message>
+        <source>No further: a point would leave what the camera can see</source>
+        <translation>これ以上は動きません: 点がカメラの視界から外れます</translation>
+    </message>
+    <message>
+        <source>No further: the held points and this one lie on one ray or line</source>
+        <translation>これ以上は動きません: 固定点とこの点が一直線上にあります</translation>
+    </message>
+    <message>
+        <source>No further: no pose near this one shows the held points where they are</source>
+        <translation>これ以上は動きません: 近くに固定点を保つ姿勢がありません</translation>
+    </message>
+    <message>
+        <source>Three held points fix the pose: let go of one, or let the focal length change</source>
+        <translation>三点を固定すると姿勢が決まります。一つ外すか、焦点距離の変更を許してください</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>ピッチ</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>ロール</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>ヨー</translation>
+    </message>
+    <message>
+        <source>%1 %2 cm %3</source>
+        <translation>%1 %2 cm %3</translation>
+    </message>
+    <message>
+        <source>%1 %2° %3</source>
+        <translation>%1 %2° %3</translation>
+    </message>
+    <message>
+        <source>%1 focal length %2 %</source>
+        <translation>%1 焦点距離 %2 %</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::HandPage</name>
+    <message>
+        <source>Drag the grid in an image until it lies on the real thing. Click a point of it to hold it there.</source>
+        <translation>画像の中で格子を実物に重なるまでドラッグします。点をクリックするとそこに固定されます。</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Reference grid</source>
+        <translation>基準格子</translation>
+    </message>
+    <message>
+        <source>Measured points</source>
+        <translation>測定点</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::MainWindow</name>
     <message>
         <source>Dewpoint</source>
@@ -1873,6 +2315,22 @@ at %4, %5, %6 m</source>
     <message>
         <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
         <translation>変更は今後に適用されます。「%1」でこの時点からの結果を確かめられます。</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>手動</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>校正</translation>
+    </message>
+    <message>
+        <source>Move %1 in the bird&apos;s-eye view</source>
+        <translation>鳥瞰図で %1 を移動</translation>
+    </message>
+    <message>
+        <source>Turn %1 in the bird&apos;s-eye view</source>
+        <translation>鳥瞰図で %1 を回転</translation>
     </message>
 </context>
 <context>
@@ -2116,6 +2574,196 @@ at %4, %5, %6 m</source>
     <message>
         <source>Dewpoint plots</source>
         <translation>Dewpoint のグラフ</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PointDesk</name>
+    <message>
+        <source>%1 is rotated and mirrored: turn its images clockwise by %2 degrees, then mirror them</source>
+        <translation>%1 は回転し、鏡像です: 画像を時計回りに %2 度回してから反転してください</translation>
+    </message>
+    <message>
+        <source>%1 is mirrored</source>
+        <translation>%1 は鏡像です</translation>
+    </message>
+    <message>
+        <source>%1 is rotated: turn its images clockwise by %2 degrees</source>
+        <translation>%1 は回転しています: 画像を時計回りに %2 度回してください</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>点 %1</translation>
+    </message>
+    <message>
+        <source>Add measured point</source>
+        <translation>測定点を追加</translation>
+    </message>
+    <message>
+        <source>Remove measured point</source>
+        <translation>測定点を削除</translation>
+    </message>
+    <message>
+        <source>Rename measured point</source>
+        <translation>測定点の名前を変更</translation>
+    </message>
+    <message>
+        <source>Place of %1</source>
+        <translation>%1 の位置</translation>
+    </message>
+    <message>
+        <source>Click %1 in %2</source>
+        <translation>%2 で %1 をクリック</translation>
+    </message>
+    <message>
+        <source>Forget %1 in %2</source>
+        <translation>%2 の %1 を消す</translation>
+    </message>
+    <message>
+        <source>Solve cameras from measured points</source>
+        <translation>測定点からカメラを求める</translation>
+    </message>
+    <message>
+        <source>No point was clicked yet: choose one, then click it in the images</source>
+        <translation>まだ点がクリックされていません。点を選び、画像でクリックしてください</translation>
+    </message>
+    <message>
+        <source>%1: %2 px off on average</source>
+        <translation>%1: 平均 %2 px のずれ</translation>
+    </message>
+    <message>
+        <source>%1: %2 points are too few, click four or more</source>
+        <translation>%1: %2 点では足りません。四点以上クリックしてください</translation>
+    </message>
+    <message>
+        <source>%1: its points lie on one line, add one beside it</source>
+        <translation>%1: 点が一直線上にあります。外れた点を加えてください</translation>
+    </message>
+    <message>
+        <source>%1: %2 px, but a second pose fits as well: add a point outside the plane</source>
+        <translation>%1: %2 px ですが、別の姿勢も同じくらい合います。平面の外の点を加えてください</translation>
+    </message>
+    <message>
+        <source>%1: no pose shows the points there</source>
+        <translation>%1: その位置に点が見える姿勢がありません</translation>
+    </message>
+    <message>
+        <source>%1, unless it was mounted so</source>
+        <translation>%1(わざとそう取り付けた場合を除く)</translation>
+    </message>
+    <message>
+        <source>%1: then its points fit to %2 px</source>
+        <translation>%1: そうすると点が %2 px で合います</translation>
+    </message>
+    <message>
+        <source>%1 does not fit the rest (%2 px, %3 mm): measure or click it again</source>
+        <translation>%1 は他と合いません (%2 px、%3 mm)。測り直すかクリックし直してください</translation>
+    </message>
+    <message>
+        <source>Worst: %1 (%2 px, %3 mm)</source>
+        <translation>最大のずれ: %1 (%2 px、%3 mm)</translation>
+    </message>
+    <message>
+        <source>Set how %1 lies</source>
+        <translation>%1 の画像の向きを設定</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PointsTable</name>
+    <message>
+        <source>Measured points</source>
+        <translation>測定点</translation>
+    </message>
+    <message>
+        <source>Places measured with a tape, in metres: double click to type. A marked row fits worst.</source>
+        <translation>巻尺で測った位置(メートル)。ダブルクリックで入力。印の付いた行が最も合いません。</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>x m</source>
+        <translation>x m</translation>
+    </message>
+    <message>
+        <source>y m</source>
+        <translation>y m</translation>
+    </message>
+    <message>
+        <source>z m</source>
+        <translation>z m</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>可視</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Add point</source>
+        <translation>点を追加</translation>
+    </message>
+    <message>
+        <source>Add a place of the room that you measured</source>
+        <translation>測った場所を追加します</translation>
+    </message>
+    <message>
+        <source>Remove point</source>
+        <translation>点を削除</translation>
+    </message>
+    <message>
+        <source>Remove the chosen point</source>
+        <translation>選んだ点を削除します</translation>
+    </message>
+    <message>
+        <source>Click in images</source>
+        <translation>画像でクリック</translation>
+    </message>
+    <message>
+        <source>Then click the chosen point in every image that shows it: corners are found to a fraction of a pixel (Alt: exactly where you click). Esc ends it.</source>
+        <translation>選んだ点を、写っているすべての画像でクリックします。角はピクセル以下の精度で見つかります (Alt: クリックした場所そのまま)。Esc で終了。</translation>
+    </message>
+    <message>
+        <source>Forget click</source>
+        <translation>クリックを消す</translation>
+    </message>
+    <message>
+        <source>Forget the click of this point in the chosen camera</source>
+        <translation>選んだカメラでのこの点のクリックを消します</translation>
+    </message>
+    <message>
+        <source>Solve focal lengths too</source>
+        <translation>焦点距離も求める</translation>
+    </message>
+    <message>
+        <source>For cameras with six points or more</source>
+        <translation>六点以上あるカメラだけ</translation>
+    </message>
+    <message>
+        <source>Solve cameras</source>
+        <translation>カメラを求める</translation>
+    </message>
+    <message>
+        <source>Find the poses of all cameras in which points were clicked; four points or more each</source>
+        <translation>点をクリックしたすべてのカメラの姿勢を求めます(各四点以上)</translation>
+    </message>
+    <message>
+        <source>%1: %2 px, %3 mm</source>
+        <translation>%1: %2 px、%3 mm</translation>
+    </message>
+    <message>
+        <source>Set it: %1</source>
+        <translation>設定: %1</translation>
+    </message>
+    <message>
+        <source>Turn or mirror the images of this camera so, and solve again</source>
+        <translation>このカメラの画像をそのように回転・反転し、もう一度求めます</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@ namespace dewpoint {
 void addCalibrateCommand(CLI::App& app, int& exitCode) {
   auto* group = app.add_subcommand("calibrate", "Find out where the cameras are and how they see.");
   group->require_subcommand(1);
+  addCalibratePointsCommand(*group, exitCode);
   addCalibrateWandCommand(*group, exitCode);
 }
 

@@ -34,5 +34,6 @@ void addCalibrationCommand(CLI::App& app, int& exitCode);
 
 /// The same into the group `calibrate`.
 void addCalibrateWandCommand(CLI::App& group, int& exitCode);
+void addCalibratePointsCommand(CLI::App& group, int& exitCode);
 
 } // namespace dewpoint

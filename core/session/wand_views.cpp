@@ -154,7 +154,9 @@ Result<WandResult> calibrateFromRecording(const Project& project, FrameSetSource
 
 Project withCameras(Project project, const CameraRig& rig) {
   for (std::size_t c = 0; c < std::min(rig.size(), project.cameras.size()); ++c) {
-    project.cameras[c].camera = rig[c];
+    ProjectCamera& camera = project.cameras[c];
+    camera.adjusted = camera.adjusted || camera.source == SourceKind::Simulation;
+    camera.camera = rig[c];
   }
   return project;
 }

@@ -5,16 +5,21 @@
 #include "core/session/snapshot.h"
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/color/color_panel.h"
+#include "ui/document/document.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/view_picture.h"
 #include "ui/mainwindow/main_window.h"
 
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QPushButton>
+#include <QScrollArea>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QTableWidget>
 #include <QTest>
 #include <QToolButton>
 
@@ -53,6 +58,7 @@ private Q_SLOTS:
 
 private:
   void keep(const QImage& picture, const QString& name);
+  void keepCalibration(MainWindow& window);
 
   QString theme_;
 };
@@ -70,6 +76,46 @@ void ScreenshotsTest::keep(const QImage& picture, const QString& name) {
   QVERIFY(QDir().mkpath(folder));
   const QString file = QStringLiteral("%1/%2-%3.png").arg(folder, name, theme_);
   QVERIFY2(picture.save(file), qPrintable(file));
+}
+
+void ScreenshotsTest::keepCalibration(MainWindow& window) {
+  window.findChild<QAction*>("actionShowMask")->setChecked(false);
+  window.findChild<QAction*>("actionCalibrateByHand")->setChecked(true);
+  QTest::qWait(kSettleMs);
+  keep(window.grab().toImage(), QStringLiteral("calibration-hand"));
+  // Two measured points, one clicked three pixels beside.
+  const auto& cameras = window.document().project().cameras;
+  const Eigen::Vector3d ball = window.shown()->targets.at(0).truth.value();
+  std::vector<MeasuredPoint> points;
+  for (const auto& [name, offset] : {std::pair("table corner", Eigen::Vector3d(0.05, 0.05, -0.04)),
+                                     std::pair("door frame", Eigen::Vector3d(-0.06, 0.04, 0.03))}) {
+    MeasuredPoint& point = points.emplace_back();
+    point.name = name;
+    point.world = ball + offset;
+    for (std::size_t k = 0; k < cameras.size(); ++k) {
+      if (const auto seen = Projector(cameras[k].camera).project(point.world)) {
+        const double beside = points.size() == 2 && k == 0 ? 3.0 : 0.2;
+        point.clicks.push_back({static_cast<int>(k), *seen + Eigen::Vector2d(beside, 0.0)});
+      }
+    }
+  }
+  QVERIFY(window.document().edit(QStringLiteral("points"),
+                                 [&](Project& project) { project.points = points; }));
+  auto* list = window.findChild<QTableWidget*>("pointsList");
+  list->setCurrentCell(1, 0);
+  window.findChild<QPushButton*>("pointClick")->click();
+  window.findChild<QCheckBox*>("gridEdges")->setChecked(true);
+  for (QWidget* parent = list; parent != nullptr; parent = parent->parentWidget()) {
+    if (auto* scroll = qobject_cast<QScrollArea*>(parent)) {
+      scroll->ensureWidgetVisible(window.findChild<QWidget*>("pointSolve"));
+    }
+  }
+  auto* layer = window.findChild<QWidget*>("gridLayer0");
+  QTest::mouseMove(layer, layer->rect().center() - QPoint(20, 0));
+  QTest::qWait(kSettleMs);
+  keep(window.grab().toImage(), QStringLiteral("calibration-points"));
+  window.findChild<QCheckBox*>("gridEdges")->setChecked(false);
+  window.findChild<QAction*>("actionCalibrateByHand")->setChecked(false);
 }
 
 void ScreenshotsTest::everyView() {
@@ -107,6 +153,7 @@ void ScreenshotsTest::everyView() {
   window.findChild<QAction*>("actionShowMask")->setChecked(true);
   QTest::qWait(kSettleMs);
   keep(window.grab().toImage(), QStringLiteral("window-color"));
+  keepCalibration(window);
   window.findChild<QAction*>("actionShortcuts")->trigger();
   window.findChild<QAction*>("actionExportTrajectory")->trigger();
   QTest::qWait(kSettleMs);

@@ -60,6 +60,10 @@ std::vector<ActionDeclaration> editActions() {
       {"actionRemoveTarget", group, QT_TRANSLATE_NOOP("Actions", "Remove the target"),
        QT_TRANSLATE_NOOP("Actions", "Stop following the target that is chosen"), nullptr,
        Qt::SHIFT | Qt::Key_Delete},
+      {"actionCalibrateByHand", group, QT_TRANSLATE_NOOP("Actions", "Calibrate by hand…"),
+       QT_TRANSLATE_NOOP("Actions", "Adjust cameras until a grid lies on the real thing in their "
+                                    "images"),
+       "camera", Qt::Key_C, true},
       {"actionShortcuts", group, QT_TRANSLATE_NOOP("Actions", "Shortcuts…"),
        QT_TRANSLATE_NOOP("Actions", "See and change all shortcuts"), nullptr,
        Qt::CTRL | Qt::Key_Comma},

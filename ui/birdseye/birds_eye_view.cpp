@@ -238,6 +238,7 @@ void BirdsEyeView::paintEvent(QPaintEvent*) {
     return;
   }
   painter.drawImage(QPointF(0, 0), picture_);
+  paintHandles(painter);
   if (hasFocus()) {
     painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
@@ -287,6 +288,9 @@ void BirdsEyeView::mousePressEvent(QMouseEvent* event) {
                      : event->button() == Qt::MiddleButton ? Pointer::MiddlePress
                                                            : Pointer::RightPress;
   pressed_ = event->position();
+  if (event->button() == Qt::LeftButton && takeHandle(event->position())) {
+    return;
+  }
   sendPointer(static_cast<int>(press), event->position(), event->modifiers());
 }
 
@@ -294,6 +298,12 @@ void BirdsEyeView::mouseReleaseEvent(QMouseEvent* event) {
   const auto release = event->button() == Qt::LeftButton     ? Pointer::LeftRelease
                        : event->button() == Qt::MiddleButton ? Pointer::MiddleRelease
                                                              : Pointer::RightRelease;
+  if (event->button() == Qt::LeftButton && heldHandle_) {
+    heldHandle_.reset();
+    Q_EMIT cameraDropped();
+    update();
+    return;
+  }
   sendPointer(static_cast<int>(release), event->position(), event->modifiers());
   const QPointF moved = event->position() - pressed_;
   if (event->button() == Qt::LeftButton && moved.manhattanLength() < kClickPx) {
@@ -327,6 +337,10 @@ void BirdsEyeView::clickTail(QPointF position, bool extend) {
 }
 
 void BirdsEyeView::mouseMoveEvent(QMouseEvent* event) {
+  if (heldHandle_) {
+    dragHandle(event->position());
+    return;
+  }
   sendPointer(static_cast<int>(Pointer::Move), event->position(), event->modifiers());
 }
 

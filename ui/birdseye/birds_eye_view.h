@@ -11,9 +11,11 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+class QPainter;
 class QToolButton;
 
 namespace dewpoint {
@@ -42,6 +44,14 @@ public:
   /// Marks a part of a trajectory: strokes of places, metres; none: nothing is marked.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
 
+  /// A camera that can be taken hold of: where it stands, and a point it looks at; metres.
+  struct CameraHandle {
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
+    Eigen::Vector3d target = Eigen::Vector3d::Zero();
+  };
+  /// Cameras that can be dragged, the chosen one also by what it looks at; empty: none.
+  void setCameraHandles(std::vector<CameraHandle> handles, int chosen);
+
   Scene3d::View currentView() const;
   /// The picture as it is now, without the buttons; null without OpenGL. Device pixels.
   QImage currentPicture();
@@ -64,6 +74,13 @@ Q_SIGNALS:
   void viewChanged(dewpoint::Scene3d::View view);
   /// A click on a target's tail: the nearest place in it, metres. `extend`: with Shift.
   void tailClicked(int target, const Eigen::Vector3d& place, bool extend);
+  /// A handle was pressed.
+  void cameraChosen(int camera);
+  /// A camera (or the point it looks at) is dragged here, metres: in the plane of a flat view, else
+  /// parallel to the picture.
+  void cameraDragged(int camera, const Eigen::Vector3d& center);
+  void cameraAimed(int camera, const Eigen::Vector3d& target);
+  void cameraDropped();
 
 protected:
   void paintEvent(QPaintEvent* event) override;
@@ -87,6 +104,10 @@ private:
   void applyTheme();
   void retranslate();
   void clickTail(QPointF position, bool extend);
+  QPointF inWidget(const Eigen::Vector3d& point) const;
+  bool takeHandle(QPointF position);
+  void dragHandle(QPointF position);
+  void paintHandles(QPainter& painter) const;
   void sendPointer(int what, QPointF position, Qt::KeyboardModifiers modifiers);
   QSize pictureSize() const;
 
@@ -95,6 +116,15 @@ private:
   TrackSnapshotPtr snapshot_;
   std::array<QToolButton*, 3> buttons_{}; ///< above, front, free
   QImage picture_;
+  std::vector<CameraHandle> handles_;
+  int chosenHandle_ = -1;
+  struct HeldHandle {
+    int camera;
+    bool isTarget;
+    Eigen::Vector3d start;
+    QPointF from;
+  };
+  std::optional<HeldHandle> heldHandle_;
   QPointF pressed_;     ///< where the left button went down
   std::string failure_; ///< why there is no 3D; empty while there is
   QTimer timer_;

@@ -25,6 +25,7 @@ bool EditCommand::mergeWith(const QUndoCommand* other) {
     return false;
   }
   after_ = next->after_;
+  setText(next->text()); // it may say how much all of them are together
   setObsolete(!changesBetween(*before_, *after_).any()); // dragged there and back
   return true;
 }

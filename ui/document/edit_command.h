@@ -16,7 +16,8 @@ struct Project;
 class EditCommand : public QUndoCommand {
 public:
   using State = std::shared_ptr<const Project>;
-  /// Steps with the same key that is not empty become one while they follow each other.
+  /// Steps with the same key that is not empty become one while they follow each other, with the
+  /// name of the last.
   EditCommand(Document& document, const QString& name, State before, State after,
               std::string mergeKey);
 

@@ -5,6 +5,7 @@
 #include "ui/document/document.h"
 #include "ui/settings/retranslation.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFormLayout>
@@ -24,13 +25,15 @@ CameraPanel::CameraPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), list_(new QListWidget(this)),
       nameLabel_(new QLabel(this)), name_(new QLineEdit(this)), sourceLabel_(new QLabel(this)),
       source_(new QLineEdit(this)), browse_(new QPushButton(this)), turnLabel_(new QLabel(this)),
-      turn_(new QComboBox(this)), calibration_(new QLabel(this)), load_(new QPushButton(this)) {
+      turn_(new QComboBox(this)), mirror_(new QCheckBox(this)), calibration_(new QLabel(this)),
+      load_(new QPushButton(this)) {
   setObjectName(QStringLiteral("cameraPanel"));
   list_->setObjectName(QStringLiteral("cameraList"));
   name_->setObjectName(QStringLiteral("cameraName"));
   source_->setObjectName(QStringLiteral("cameraSource"));
   browse_->setObjectName(QStringLiteral("cameraBrowse"));
   turn_->setObjectName(QStringLiteral("cameraTurn"));
+  mirror_->setObjectName(QStringLiteral("cameraMirror"));
   load_->setObjectName(QStringLiteral("cameraLoadCalibration"));
   calibration_->setObjectName(QStringLiteral("cameraCalibration"));
   calibration_->setWordWrap(true);
@@ -47,6 +50,7 @@ CameraPanel::CameraPanel(Document& document, QWidget* parent)
   form->addRow(sourceLabel_, source_);
   form->addRow(nullptr, browse_);
   form->addRow(turnLabel_, turn_);
+  form->addRow(nullptr, mirror_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);
@@ -76,6 +80,9 @@ CameraPanel::CameraPanel(Document& document, QWidget* parent)
     edit(tr("Turn images"),
          [&](ProjectCamera& camera) { camera.rotateDegrees = turn_->itemData(index).toInt(); });
   });
+  connect(mirror_, &QCheckBox::clicked, this, [this](bool mirrored) {
+    edit(tr("Mirror images"), [&](ProjectCamera& camera) { camera.mirrored = mirrored; });
+  });
   connect(browse_, &QPushButton::clicked, this, &CameraPanel::relocate);
   connect(load_, &QPushButton::clicked, this, [this] {
     const QString file = QFileDialog::getOpenFileName(this, tr("Choose a calibration"), {},
@@ -96,6 +103,8 @@ void CameraPanel::say() {
   browse_->setToolTip(tr("Find the recording of this camera in another place"));
   turnLabel_->setText(tr("Turned"));
   turn_->setToolTip(tr("Images are turned clockwise by so much before use"));
+  mirror_->setText(tr("Mirrored"));
+  mirror_->setToolTip(tr("Images are mirrored left to right, after they were turned"));
   load_->setText(tr("Load calibration…"));
   load_->setToolTip(tr("Take the calibration of all cameras from a file"));
   refresh();
@@ -125,7 +134,7 @@ void CameraPanel::showChosen() {
   const ProjectCamera camera = any ? cameras[static_cast<std::size_t>(row)] : ProjectCamera();
   const bool own = any && camera.source != SourceKind::Simulation; // a scene brings its own
   const bool isFile = camera.source == SourceKind::Video || camera.source == SourceKind::Images;
-  for (QWidget* field : std::initializer_list<QWidget*>{name_, source_, turn_, load_}) {
+  for (QWidget* field : std::initializer_list<QWidget*>{name_, source_, turn_, mirror_, load_}) {
     field->setEnabled(own);
   }
   browse_->setEnabled(own && isFile);
@@ -133,6 +142,7 @@ void CameraPanel::showChosen() {
   source_->setText(any && !own ? tr("simulated") : QString::fromStdString(camera.location));
   source_->setCursorPosition(0);
   turn_->setCurrentIndex(turn_->findData(camera.rotateDegrees));
+  mirror_->setChecked(camera.mirrored);
   any ? showCalibration(camera) : calibration_->clear();
 }
 

@@ -5,6 +5,7 @@
 
 #include <functional>
 
+class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
@@ -49,6 +50,7 @@ private:
   QPushButton* browse_;
   QLabel* turnLabel_;
   QComboBox* turn_;
+  QCheckBox* mirror_;
   QLabel* calibration_;
   QPushButton* load_;
 };

@@ -8,6 +8,7 @@
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/bridge/error_sentence.h"
 #include "ui/bridge/session_bridge.h"
+#include "ui/calibration/grid_layer.h"
 #include "ui/camera/camera_view.h"
 #include "ui/color/color_panel.h"
 #include "ui/document/document.h"
@@ -102,7 +103,7 @@ void MainWindow::connectRun() {
     }
   });
   // Queued: what is being edited may be a view that goes with it.
-  connect(document_, &Document::calibrationChanged, this, &MainWindow::reopen,
+  connect(document_, &Document::calibrationChanged, this, &MainWindow::takeCalibration,
           Qt::QueuedConnection);
   connect(document_, &Document::sourcesChanged, this, &MainWindow::reopen, Qt::QueuedConnection);
   connect(document_, &Document::replaced, this, &MainWindow::updateTitle);
@@ -187,6 +188,9 @@ void MainWindow::showSnapshot(const TrackSnapshotPtr& snapshot) {
   for (CameraView* view : cameraViews_) {
     view->show(snapshot);
   }
+  for (GridLayer* layer : gridLayers_) {
+    layer->setSnapshot(snapshot);
+  }
   birdsEye_->show(snapshot);
   color_->setSnapshot(snapshot);
   figures_->show(*snapshot);
@@ -266,14 +270,30 @@ void MainWindow::updateTitle() {
 
 void MainWindow::updateEnabled() {
   const bool running = bridge_ != nullptr;
-  for (const char* id : {"actionPlay",         "actionNextFrame",        "actionNextIteration",
-                         "actionRestart",      "actionRestartNewSeed",   "actionShowMask",
-                         "actionShowEvidence", "actionPreviousFrame",    "actionRerun",
-                         "actionAddMark",      "actionRemoveMark",       "actionPreviousMark",
-                         "actionNextMark",     "actionZoomToSpan",       "actionSave",
-                         "actionSaveAs",       "actionExportTrajectory", "actionCloseProject",
-                         "actionRemoveTarget", "actionSavePicture",      "actionAddTarget",
-                         "actionLearnColor",   "actionResetLayout"}) {
+  for (const char* id : {"actionPlay",
+                         "actionNextFrame",
+                         "actionNextIteration",
+                         "actionRestart",
+                         "actionRestartNewSeed",
+                         "actionShowMask",
+                         "actionShowEvidence",
+                         "actionPreviousFrame",
+                         "actionRerun",
+                         "actionAddMark",
+                         "actionRemoveMark",
+                         "actionPreviousMark",
+                         "actionNextMark",
+                         "actionZoomToSpan",
+                         "actionSave",
+                         "actionSaveAs",
+                         "actionExportTrajectory",
+                         "actionCloseProject",
+                         "actionCalibrateByHand",
+                         "actionRemoveTarget",
+                         "actionSavePicture",
+                         "actionAddTarget",
+                         "actionLearnColor",
+                         "actionResetLayout"}) {
     action(id)->setEnabled(running);
   }
   action("actionOpen")->setEnabled(!loader_->isOpening());

@@ -20,15 +20,19 @@ class QStackedWidget;
 namespace dewpoint {
 
 class BirdsEyeView;
+class CalibrationPlace;
 class CameraView;
 class CameraPanel;
 class ColorPanel;
 class ConvergencePlot;
 class Document;
+class GridLayer;
+class HandDesk;
 class MessageBar;
 class NewProjectPage;
 class ParameterPanel;
 class PlotPanel;
+class PointDesk;
 class CommandPalette;
 class Recovery;
 class Selection;
@@ -96,6 +100,10 @@ private:
   void fillLanguageMenu(QMenu* menu);
   void offerRecovery();
   void makeInspector();
+  void makeCalibration();
+  void showCalibration(bool shown);
+  void showHandles();
+  void takeCalibration();
   void loadCalibrationOf(const QString& file);
   void clearViews();
   void resetLayout();
@@ -162,6 +170,11 @@ private:
   ColorPanel* color_ = nullptr;
   QDockWidget* colorDock_ = nullptr;
   CameraPanel* cameras_ = nullptr;
+  HandDesk* hand_ = nullptr;
+  PointDesk* points_ = nullptr;
+  CalibrationPlace* calibration_ = nullptr;
+  QDockWidget* calibrationDock_ = nullptr;
+  std::vector<GridLayer*> gridLayers_; ///< one per camera view
   QDockWidget* targetDock_ = nullptr;
   QDockWidget* cameraListDock_ = nullptr;
   Recovery* recovery_ = nullptr;

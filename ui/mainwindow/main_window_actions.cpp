@@ -48,7 +48,7 @@ void MainWindow::makeMenus() {
   project->insertMenu(action("actionOpenDemo"), recent);
   add(tr("&Edit"), "menuEdit",
       {"actionUndo", "actionRedo", nullptr, "actionLearnColor", "actionAddTarget",
-       "actionRemoveTarget", nullptr, "actionShortcuts"});
+       "actionRemoveTarget", nullptr, "actionCalibrateByHand", nullptr, "actionShortcuts"});
   add(tr("&Run"), "menuRun",
       {"actionPlay", "actionNextFrame", "actionNextIteration", "actionPreviousFrame", nullptr,
        "actionNow", "actionRerun", nullptr, "actionAddMark", "actionRemoveMark",

@@ -5,6 +5,7 @@
 #include "ui/actions/command_palette.h"
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/bridge/session_bridge.h"
+#include "ui/calibration/grid_layer.h"
 #include "ui/camera/camera_view.h"
 #include "ui/color/color_panel.h"
 #include "ui/document/document.h"
@@ -65,6 +66,7 @@ void MainWindow::makeDocks() {
 
   makeTimeline();
   makeInspector();
+  makeCalibration();
   auto* history = new QUndoView(document_->undoStack(), this);
   history->setObjectName(QStringLiteral("historyList"));
   history->setFrameShape(QFrame::NoFrame);
@@ -129,6 +131,7 @@ void MainWindow::makeCameraDocks() {
   }
   cameraDocks_.clear();
   cameraViews_.clear();
+  gridLayers_.clear();
   const auto& cameras = document_->project().cameras;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     auto* view = new CameraView(static_cast<int>(i), this);
@@ -140,6 +143,7 @@ void MainWindow::makeCameraDocks() {
     connect(view, &CameraView::stateChanged, bar, &DockTitle::setState);
     view->setMaskShown(action("actionShowMask")->isChecked());
     color_->attach(static_cast<int>(i), view);
+    gridLayers_.push_back(new GridLayer(static_cast<int>(i), view, *hand_, *points_));
     view->setEvidenceShown(action("actionShowEvidence")->isChecked());
     cameraDocks_.push_back(dock);
     cameraViews_.push_back(view);
@@ -150,6 +154,7 @@ void MainWindow::makeCameraDocks() {
   if (!layout.isEmpty()) {
     restoreState(layout);
   }
+  showCalibration(action("actionCalibrateByHand")->isChecked()); // a mode, no part of the layout
 }
 
 void MainWindow::keepLayout() {
@@ -191,7 +196,7 @@ void MainWindow::arrange() {
   splitDockWidget(birdsEyeDock_, parameterDock_, Qt::Horizontal);
   splitDockWidget(parameterDock_, historyDock_, Qt::Vertical); // before there are tabs
   // The inspector: one tab for each kind of thing that can be looked into.
-  for (QDockWidget* dock : {targetDock_, colorDock_, cameraListDock_}) {
+  for (QDockWidget* dock : {targetDock_, colorDock_, cameraListDock_, calibrationDock_}) {
     tabifyDockWidget(parameterDock_, dock);
   }
   showViews(bridge_ != nullptr);

@@ -114,6 +114,9 @@ void Scene3d::Parts::applyPalette() {
 }
 
 void Scene3d::Parts::showRig(const std::shared_ptr<const CameraRig>& shown) {
+  // Cameras that are adjusted: the picture holds still unless one leaves it.
+  const bool same =
+      rig && shown && std::ranges::equal(*rig, *shown, {}, &Camera::name, &Camera::name);
   rig = shown;
   rigBox.setEmpty();
   const CameraRig none;
@@ -126,7 +129,7 @@ void Scene3d::Parts::showRig(const std::shared_ptr<const CameraRig>& shown) {
   if (!rigBox.isEmpty()) {
     rigBox.extend(lookedAt(cameras));
   }
-  content = rigBox;
+  content = same ? content.merged(rigBox) : rigBox;
   const double size = rigBox.isEmpty() ? 2.0 : rigBox.diagonal().norm();
   frusta.show(cameras, std::clamp(0.09 * size, 0.05, 1.0));
   frusta.setPalette(palette());
@@ -377,6 +380,11 @@ Eigen::Vector3d Scene3d::focus() const {
 
 Eigen::Vector2d Scene3d::placeInPicture(const Eigen::Vector3d& point) const {
   return parts_->scale.place(point);
+}
+
+Eigen::Vector3d Scene3d::placeInWorld(const Eigen::Vector2d& place,
+                                      const Eigen::Vector3d& depth) const {
+  return parts_->scale.world(place, depth);
 }
 
 double Scene3d::metresPerPixel() const {

@@ -55,6 +55,8 @@ public:
   /// Where a point is in the picture, as of the last `prepareFrame`: device pixels right of and
   /// above the middle.
   Eigen::Vector2d placeInPicture(const Eigen::Vector3d& point) const;
+  /// The point that is there, as far from the eye as `depth` is: the inverse of placeInPicture().
+  Eigen::Vector3d placeInWorld(const Eigen::Vector2d& place, const Eigen::Vector3d& depth) const;
   /// Metres per device pixel at the focus, as of the last `prepareFrame`.
   double metresPerPixel() const;
 

@@ -43,6 +43,12 @@ Eigen::Vector2d ScreenScale::place(const Eigen::Vector3d& point) const {
   return Eigen::Vector2d((point - eye).dot(right), (point - eye).dot(up)) / perPixel;
 }
 
+Eigen::Vector3d ScreenScale::world(const Eigen::Vector2d& place,
+                                   const Eigen::Vector3d& like) const {
+  const double perPixel = parallel ? metresPerPixel : slope * std::max(depth(like), 1e-3);
+  return eye + depth(like) * direction + perPixel * (place.x() * right + place.y() * up);
+}
+
 double ScreenScale::nearerFactor(const Eigen::Vector3d& point, double distance) const {
   const double away = (point - eye).norm();
   return parallel || away <= 0.0 ? 1.0 : std::clamp(1.0 - distance / away, 0.3, 1.0);

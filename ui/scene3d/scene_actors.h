@@ -39,6 +39,8 @@ struct ScreenScale {
   double metres(const Eigen::Vector3d& point, double pixels) const;
   /// Where a point is in the picture: device pixels right of and above the middle.
   Eigen::Vector2d place(const Eigen::Vector3d& point) const;
+  /// The point at a place of the picture that is as deep in it as `like` is.
+  Eigen::Vector3d world(const Eigen::Vector2d& place, const Eigen::Vector3d& like) const;
 };
 
 /// An actor without lighting, of plain lines or faces.

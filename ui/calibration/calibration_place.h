@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+#include <functional>
+
+class QTabWidget;
+
+namespace dewpoint {
+
+/// Where cameras are calibrated: a panel beside the views, which stay live, with one page for each
+/// way to do it.
+class CalibrationPlace : public QWidget {
+  Q_OBJECT
+public:
+  explicit CalibrationPlace(QWidget* parent = nullptr);
+
+  /// Adds a page as a tab, in a scroll area; `title` is asked again when the language changes. The
+  /// page's objectName tells it from others.
+  void addPage(QWidget* page, const std::function<QString()>& title);
+  /// Shows the page with this objectName.
+  void showPage(const QString& name);
+  /// The objectName of the page that is shown; empty when there is none.
+  QString shownPage() const;
+
+Q_SIGNALS:
+  /// Another page is shown.
+  void pageChanged(const QString& name);
+
+private:
+  QTabWidget* tabs_;
+};
+
+} // namespace dewpoint

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The calibration place: a mode of the window, beside views that stay live.
+#include "core/session/session.h"
+#include "core/session/tracking_run.h"
+#include "ui/actions/action_registry.h"
+#include "ui/birdseye/birds_eye_view.h"
+#include "ui/bridge/session_bridge.h"
+#include "ui/calibration/calibration_place.h"
+#include "ui/calibration/grid_layer.h"
+#include "ui/calibration/hand_desk.h"
+#include "ui/calibration/hand_page.h"
+#include "ui/calibration/point_desk.h"
+#include "ui/document/document.h"
+#include "ui/mainwindow/main_window.h"
+
+#include <QAction>
+#include <QDockWidget>
+
+namespace dewpoint {
+
+void MainWindow::makeCalibration() {
+  hand_ = new HandDesk(*document_, this);
+  points_ = new PointDesk(*document_, *hand_, this);
+  calibration_ = new CalibrationPlace(this);
+  calibration_->addPage(new HandPage(*hand_, *points_), [] { return tr("By hand"); });
+  calibrationDock_ = makeDock(
+      QStringLiteral("calibrationDock"), [] { return tr("Calibration"); }, calibration_);
+  calibrationDock_->setProperty("closedByChoice", true);
+  calibrationDock_->setMinimumWidth(400); // room for the names of all tabs, and three numbers
+  connect(action("actionCalibrateByHand"), &QAction::toggled, this, &MainWindow::showCalibration);
+  connect(calibrationDock_->toggleViewAction(), &QAction::triggered,
+          action("actionCalibrateByHand"), &QAction::setChecked);
+  connect(hand_, &HandDesk::changed, this, &MainWindow::showHandles);
+  connect(birdsEye_, &BirdsEyeView::cameraChosen, hand_, &HandDesk::selectCamera);
+  connect(birdsEye_, &BirdsEyeView::cameraDragged, this,
+          [this](int camera, const Eigen::Vector3d& center) {
+            hand_->change(camera, tr("Move %1 in the bird's-eye view").arg(hand_->nameOf(camera)),
+                          withPosition(hand_->cameraAt(camera), center), "drag center");
+          });
+  connect(birdsEye_, &BirdsEyeView::cameraAimed, this,
+          [this](int camera, const Eigen::Vector3d& target) {
+            hand_->change(camera, tr("Turn %1 in the bird's-eye view").arg(hand_->nameOf(camera)),
+                          lookingAt(hand_->cameraAt(camera), target), "drag target");
+          });
+  connect(birdsEye_, &BirdsEyeView::cameraDropped, hand_, &HandDesk::endMerging);
+}
+
+void MainWindow::showCalibration(bool shown) {
+  calibrationDock_->setProperty("closedByChoice", !shown);
+  calibrationDock_->setVisible(shown);
+  if (shown) {
+    calibrationDock_->raise();
+    calibration_->showPage(QStringLiteral("handPage"));
+  }
+  hand_->setActive(shown);
+}
+
+void MainWindow::showHandles() {
+  std::vector<BirdsEyeView::CameraHandle> handles;
+  for (int k = 0; hand_->isActive() && k < hand_->cameraCount(); ++k) {
+    const Camera camera = hand_->cameraAt(k);
+    // As far away as what they look at: mostly within the picture.
+    const double distance = (hand_->grid().middle() - camera.center()).norm();
+    handles.push_back({camera.center(), camera.center() + distance * camera.opticalAxis()});
+  }
+  birdsEye_->setCameraHandles(std::move(handles), hand_->camera());
+}
+
+void MainWindow::takeCalibration() {
+  if (bridge_ == nullptr) {
+    return;
+  }
+  const CameraRig rig = rigOf(document_->project());
+  const auto shown = bridge_->session().newest();
+  if (shown->rig && haveSameImages(rig, *shown->rig)) {
+    bridge_->session().setCameras(rig); // the run goes on
+  } else {
+    reopen();
+  }
+}
+
+} // namespace dewpoint
