@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/bump_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace dewpoint {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kEvery = 1.0;     // seconds
+constexpr double kSettled = 1.0;   // seconds after a bump that count for nothing
+constexpr double kWindow = 2.0;    // seconds of residuals that are compared
+constexpr std::size_t kUsual = 60; // sightings of the first seconds
+constexpr std::size_t kFewest = 20;
+constexpr double kTargetTurn = 0.2 * kDegree;
+constexpr double kStandsOut = 3.0;
+constexpr double kSightingSigma = 1.0; // pixels: blob, and the other cameras' calibration
+
+} // namespace
+
+Result<ResolvedCamera> resolveBump(const Camera& camera, const CameraTurn& turn,
+                                   const std::deque<TargetSighting>& sightings, double since) {
+  std::vector<PointSighting> points;
+  for (const TargetSighting& one : sightings) {
+    if (one.time >= since) {
+      points.push_back({one.world, one.pixel, kSightingSigma});
+    }
+  }
+  BumpPrior prior;
+  prior.turn = turn.turn;
+  prior.turnSigma = std::max(prior.turnSigma, turn.sigma);
+  return resolveCamera(camera, prior, points);
+}
+
+BumpWatch::BumpWatch(const CameraRig& rig)
+    : rig_(rig), sentinel_(rig), sightings_(rig), usualResiduals_(rig.size()) {}
+
+void BumpWatch::restart() {
+  sentinel_.restart();
+  sightings_.restart();
+  std::ranges::fill(usualResiduals_, std::nullopt);
+  reports_.clear();
+  eventsSeen_ = 0;
+  due_ = 0.0;
+  lastTime_ = -1e18;
+}
+
+void BumpWatch::watch(const FrameSet& frames, const std::vector<Target>& targets,
+                      const std::vector<TargetEstimate>& estimates) {
+  const double time = seconds(frames.time);
+  if (time <= lastTime_) {
+    return; // a frame of the past that is tracked again
+  }
+  lastTime_ = time;
+  sentinel_.watch(frames);
+  sightings_.add(frames, targets, estimates);
+  for (; eventsSeen_ < sentinel_.events().size(); ++eventsSeen_) {
+    reports_.emplace_back().event = sentinel_.events()[eventsSeen_];
+  }
+  if (time < due_) {
+    return;
+  }
+  due_ = time + kEvery;
+  watchTargets(frames);
+  for (BumpReport& report : reports_) {
+    update(report, time);
+  }
+}
+
+void BumpWatch::watchTargets(const FrameSet& frames) {
+  const double time = seconds(frames.time);
+  const std::size_t count = rig_.size();
+  std::vector<double> turned(count, 0.0); // radians, by the residuals
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!usualResiduals_[k] && sightings_.of(k).size() >= kUsual) {
+      usualResiduals_[k] = sightings_.medianResidual(k, -1e18, kUsual);
+    }
+    const auto now = sightings_.medianResidual(k, time - kWindow, kFewest);
+    if (usualResiduals_[k] && now) {
+      turned[k] = (*now - *usualResiduals_[k]).norm() / rig_[k].intrinsics.focalX;
+    }
+  }
+  if (count < 3) {
+    return; // of two that disagree, who knows which
+  }
+  const auto worst = std::size_t(std::ranges::max_element(turned) - turned.begin());
+  const bool reported = std::ranges::any_of(reports_, [&](const BumpReport& report) {
+    return report.event.camera == worst && !report.back;
+  });
+  const double worstTurn = std::exchange(turned[worst], 0.0);
+  if (reported || sentinel_.camera(worst).judged || worstTurn < kTargetTurn ||
+      worstTurn < kStandsOut * *std::ranges::max_element(turned)) {
+    return;
+  }
+  BumpReport& report = reports_.emplace_back();
+  report.byTarget = true;
+  report.event = {worst, frames.index, frames.time, {}};
+  report.event.turn.turn.x() = worstTurn; // its size; the direction comes with the new pose
+  report.event.turn.sigma = worstTurn;
+}
+
+void BumpWatch::update(BumpReport& report, double time) {
+  const std::size_t camera = report.event.camera;
+  const double since = seconds(report.event.time) + (report.byTarget ? 0.0 : kSettled);
+  if (!report.byTarget) {
+    report.back = !sentinel_.camera(camera).moved;
+  }
+  if (const auto residual = sightings_.medianResidual(camera, time - kWindow, kFewest)) {
+    report.targetPixels = residual->norm();
+  }
+  CameraTurn turn = report.byTarget ? CameraTurn{} : sentinel_.camera(camera).turn;
+  turn.sigma = report.byTarget ? report.event.turn.sigma : turn.sigma;
+  // With two cameras the estimate leans on the bumped one too: the background alone is better.
+  const auto& sightings = rig_.size() < 3 ? std::deque<TargetSighting>() : sightings_.of(camera);
+  const auto resolved = resolveBump(rig_[camera], turn, sightings, since);
+  report.resolved = resolved && !report.back ? std::optional(*resolved) : std::nullopt;
+}
+
+std::vector<Error> BumpWatch::notices() const {
+  std::vector<Error> notices;
+  for (const BumpReport& report : reports_) {
+    const double degrees = report.event.turn.turn.norm() / kDegree;
+    notices.push_back(
+        {ErrorCode::Mismatch, "", rig_[report.event.camera].name,
+         fmt::format("the camera was turned by {:.2f} degrees, frame {}; calibrate it "
+                     "again",
+                     degrees, report.event.frame)});
+  }
+  return notices;
+}
+
+} // namespace dewpoint
