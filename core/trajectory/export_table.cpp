@@ -308,9 +308,11 @@ std::size_t ExportTable::gapCount() const {
 }
 
 Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOptions& options,
-                                    const TableWishes& wishes) {
-  const Trajectory after =
-      options.smooth ? smoothed(trajectory, SmootherOptions{options.longestGap}) : Trajectory();
+                                    const TableWishes& wishes,
+                                    const std::function<bool(double)>& progress) {
+  const Trajectory after = options.smooth
+                               ? smoothed(trajectory, SmootherOptions{options.longestGap, progress})
+                               : Trajectory();
   auto table = recordedTable(trajectory, options.smooth ? after : trajectory, options);
   if (!table) {
     return table;

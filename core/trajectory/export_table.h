@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,8 +55,10 @@ struct TableWishes {
 
 /// Picks, smooths, resamples, fills and turns. Places between recorded ones lie on the cubic
 /// through them whose slopes are those of the parabola through each three neighbors (exact for a
-/// ball in flight). NotFound names an unknown target; BadValue what is empty or not a number.
+/// ball in flight). NotFound names an unknown target; BadValue what is empty or not a number. Once
+/// `progress` (0 to 1) has returned false, what is returned is of no use.
 Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOptions& options,
-                                    const TableWishes& wishes);
+                                    const TableWishes& wishes,
+                                    const std::function<bool(double)>& progress = {});
 
 } // namespace dewpoint

@@ -18,6 +18,9 @@ constexpr std::size_t kMostLooksToFit = 2000;
 /// three degrees of freedom: one in 10^8 does), and how many of those in a row are a new path.
 constexpr double kGate = 40.0;
 constexpr int kNewPathLooks = 3;
+/// Looks that may be a mistake after the target was not seen for this many instants.
+constexpr std::size_t kMistakeLooks = 15;
+constexpr std::size_t kUnseenInstants = 3;
 /// Looks to either side that an outlier pulls along, and how often outliers are looked for.
 constexpr std::size_t kNeighbors = 10;
 constexpr int kMostPasses = 10;
@@ -25,6 +28,8 @@ constexpr int kMostPasses = 10;
 constexpr double kUsefulSigma = 0.1;
 /// An estimate that is taken for a look is not better than this, metres: it has to be inverted.
 constexpr double kLeastSigma = 1e-5;
+
+constexpr double kShareOfAStep = 0.03;
 
 using Path = std::vector<PathPoint>;
 
@@ -42,7 +47,7 @@ struct Fitted {
 };
 
 /// Pattern search (Hooke and Jeeves 1961) over the logarithms of strength and noise factor.
-Fitted fitOrder(std::span<const Path> paths, int order) {
+Fitted fitOrder(std::span<const Path> paths, int order, const std::function<bool()>& goesOn) {
   constexpr double kFirstStep = 2.0; // e² = 7.4-fold
   constexpr double kLastStep = 0.06;
   constexpr double kMostLog = 25.0;
@@ -64,7 +69,7 @@ Fitted fitOrder(std::span<const Path> paths, int order) {
     return true;
   };
   for (double step = kFirstStep; step > kLastStep; step *= 0.5) {
-    for (bool moved = true; moved;) {
+    for (bool moved = true; moved && (!goesOn || goesOn());) {
       moved = false;
       for (std::size_t axis = 0; axis < logs.size(); ++axis) {
         moved = tryMove(axis, step) || tryMove(axis, -step) || moved;
@@ -95,8 +100,9 @@ std::optional<SeenPlace> lookOf(const TrajectorySample& sample, bool hasSeen) {
 /// One target's samples in the order of time, and what belongs together of them.
 class TargetSmoother {
 public:
-  TargetSmoother(std::vector<TrajectorySample*> samples, const SmootherOptions& options)
-      : samples_(std::move(samples)), options_(options) {
+  TargetSmoother(std::vector<TrajectorySample*> samples, double longestGap,
+                 std::function<bool()> goesOn)
+      : samples_(std::move(samples)), longestGap_(longestGap), goesOn_(std::move(goesOn)) {
     std::erase_if(samples_, [](const auto* sample) { return !std::isfinite(sample->time); });
     std::ranges::stable_sort(samples_, {}, [](const auto* sample) { return sample->time; });
     const bool hasSeen =
@@ -113,9 +119,9 @@ public:
       return;
     }
     std::vector<std::size_t> begins = beginsAfterGaps();
-    const PathModel model = fitPathModel(pathsFrom(begins));
+    const PathModel model = fitPathModel(pathsFrom(begins), goesOn_);
     begins = withoutStrayLooks(begins, model);
-    for (std::size_t k = 0; k < begins.size(); ++k) {
+    for (std::size_t k = 0; k < begins.size() && goesOn_(); ++k) {
       smoothPart(begins[k], k + 1 < begins.size() ? begins[k + 1] : points_.size(), model);
     }
   }
@@ -127,7 +133,7 @@ private:
     double last = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < points_.size(); ++k) {
       if (points_[k].seen) {
-        if (points_[k].time - last > options_.longestGap) {
+        if (points_[k].time - last > longestGap_) {
           begins.push_back(k);
         }
         last = points_[k].time;
@@ -156,7 +162,9 @@ private:
       const std::size_t end = k + 1 < begins.size() ? begins[k + 1] : points_.size();
       std::size_t begin = begins[k];
       while (begin < end) {
-        result.push_back(begin);
+        if (result.empty() || result.back() != begin) { // the same again once a mistake is dropped
+          result.push_back(begin);
+        }
         begin = dropStrayLooks(begin, end, model);
       }
     }
@@ -178,11 +186,45 @@ private:
       }
       stray.push_back(k);
       if (stray.size() == kNewPathLooks) {
-        return stray.front();
+        return dropMistake(begin, stray, model) ? begin : stray.front();
       }
     }
     drop(stray);
     return end;
+  }
+
+  /// After a gap nearly any place is believed, also a wrong one; then those that follow look like a
+  /// jump. But when they agree with the path before the gap, the few looks between were the
+  /// mistake: these are dropped, and true is returned.
+  bool dropMistake(std::size_t begin, const std::vector<std::size_t>& after,
+                   const PathModel& model) {
+    std::vector<std::size_t> doubtful;
+    std::size_t unseen = 0;
+    std::size_t k = after.front();
+    for (; k > begin && unseen < kUnseenInstants && doubtful.size() <= kMistakeLooks; --k) {
+      unseen = points_[k - 1].seen ? 0 : unseen + 1;
+      if (points_[k - 1].seen) {
+        doubtful.push_back(k - 1);
+      }
+    }
+    const bool seenBefore = std::any_of(points_.begin() + static_cast<std::ptrdiff_t>(begin),
+                                        points_.begin() + static_cast<std::ptrdiff_t>(k),
+                                        [](const PathPoint& point) { return point.seen; });
+    if (unseen < kUnseenInstants || doubtful.size() > kMistakeLooks || !seenBefore) {
+      return false;
+    }
+    std::vector<PathPoint> without(points_.begin() + static_cast<std::ptrdiff_t>(begin),
+                                   points_.begin() + static_cast<std::ptrdiff_t>(after.back() + 1));
+    for (const std::size_t look : doubtful) {
+      without[look - begin].seen.reset();
+    }
+    const auto surprises = pathSurprises(without, model, kGate);
+    if (std::ranges::any_of(after,
+                            [&](std::size_t look) { return surprises[look - begin] > kGate; })) {
+      return false;
+    }
+    drop(doubtful);
+    return true;
   }
 
   void drop(std::vector<std::size_t>& looks) {
@@ -246,13 +288,15 @@ private:
   }
 
   std::vector<TrajectorySample*> samples_;
-  SmootherOptions options_;
+  double longestGap_;
+  std::function<bool()> goesOn_;
   std::vector<PathPoint> points_;
 };
 
 } // namespace
 
-PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths) {
+PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
+                       const std::function<bool()>& goesOn) {
   std::vector<Path> used;
   std::size_t left = kMostLooksToFit;
   for (const Path& path : paths) {
@@ -260,9 +304,9 @@ PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths) {
     used.emplace_back(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(count));
     left -= count;
   }
-  Fitted best = fitOrder(used, 2);
+  Fitted best = fitOrder(used, 2, goesOn);
   for (int order = 3; order <= kMostPathOrder; ++order) {
-    const Fitted other = fitOrder(used, order);
+    const Fitted other = fitOrder(used, order, goesOn);
     best = other.logLikelihood > best.logLikelihood ? other : best;
   }
   return best.model;
@@ -274,10 +318,23 @@ Trajectory smoothed(const Trajectory& live, const SmootherOptions& options) {
   for (TrajectorySample& sample : result.samples) {
     targets[sample.target].push_back(&sample);
   }
+  bool stopped = false;
+  double done = 0.0;
+  // How often it is asked varies with the run; each time the share grows a little towards the
+  // whole.
+  double share = 0.0;
+  const auto goesOn = [&] {
+    share += kShareOfAStep * (1.0 - share);
+    stopped = stopped || (options.progress &&
+                          !options.progress((done + share) / static_cast<double>(targets.size())));
+    return !stopped;
+  };
   for (auto& [name, samples] : targets) {
-    TargetSmoother(std::move(samples), options).run();
+    TargetSmoother(std::move(samples), options.longestGap, goesOn).run();
+    done += 1.0;
+    share = 0.0;
   }
-  return result;
+  return stopped ? live : result;
 }
 
 } // namespace dewpoint

@@ -94,17 +94,18 @@ Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const Expor
   if (summary.cancelled) {
     return summary;
   }
-  auto table = makeExportTable(trajectory, options, (*format)->wishes);
+  auto table = makeExportTable(trajectory, options, (*format)->wishes,
+                               [&](double done) { return goesOn(kShareOfTable * done); });
+  summary.cancelled = !goesOn(kShareOfTable);
+  if (summary.cancelled) {
+    return summary;
+  }
   if (!table) {
     return tl::make_unexpected(table.error());
   }
   summary.rows = table->rowCount();
   summary.targets = table->targets.size();
   summary.gaps = table->gapCount();
-  summary.cancelled = !goesOn(kShareOfTable);
-  if (summary.cancelled) {
-    return summary;
-  }
   const auto parts = (*format)->encode(*table, plainName(file));
   if (!parts) {
     return tl::make_unexpected(parts.error());

@@ -259,6 +259,45 @@ TEST(Smoothed, DropsAStrayLookAndFollowsAJump) {
   }
 }
 
+TEST(Smoothed, DropsAMistakeBehindAGap) {
+  const Drawn drawn = draw(13, 150, 0.1, 0.002);
+  Trajectory live = liveRun(drawn);
+  for (std::size_t k = 60; k < 80; ++k) { // two thirds of a second: nearly any place is possible
+    live.samples[k].valid = false;
+    live.samples[k].seen.reset();
+  }
+  Trajectory without = live;
+  for (std::size_t k = 80; k < 86; ++k) { // something beside it is taken for the target
+    live.samples[k].seen->position += Eigen::Vector3d(0.08, 0.0, 0.05);
+    without.samples[k].seen.reset();
+  }
+  const Trajectory after = smoothed(live);
+  const Trajectory expected = smoothed(without);
+  for (std::size_t k = 0; k < 150; ++k) {
+    const Eigen::Vector3d sigma = expected.samples[k].covariance.diagonal().cwiseSqrt();
+    // Only the model was fitted to other looks.
+    EXPECT_LT((after.samples[k].position - expected.samples[k].position).norm(), sigma.norm()) << k;
+  }
+}
+
+TEST(Smoothed, CanBeEnded) {
+  const Trajectory live = liveRun(draw(14, 200, 0.1, 0.002));
+  double last = 0.0;
+  int calls = 0;
+  SmootherOptions options;
+  options.progress = [&](double done) {
+    EXPECT_GE(done, last);
+    EXPECT_LE(done, 1.0);
+    last = done;
+    return ++calls < 5;
+  };
+  const Trajectory after = smoothed(live, options);
+  EXPECT_EQ(calls, 5);
+  for (std::size_t k = 0; k < live.samples.size(); ++k) {
+    EXPECT_EQ(after.samples[k].position, live.samples[k].position);
+  }
+}
+
 TEST(Smoothed, LeavesWhatItCannotSmooth) {
   Trajectory live = liveRun(draw(11, 4, 0.1, 0.002));
   EXPECT_EQ(smoothed(live).samples[2].position, live.samples[2].position);
