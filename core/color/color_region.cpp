@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -22,8 +24,17 @@ constexpr double kDarkest = 20.0;       ///< sum of channels where brightness st
 constexpr int kSmallest = 12;           ///< pixels of a region
 constexpr double kLargestShare = 0.5;   ///< of the image: more is no thing in it
 constexpr int kSeedReach = 2;           ///< pixels around the click whose median begins
-constexpr int kEdgeReach = 2;           ///< pixels across an outline over which its edge is seen
+/// Pixels across an outline over which its edge is seen: moving things are blurred, and the larger
+/// they appear the farther. Each counts from this radius of a region on, pixels.
+constexpr std::array<int, 3> kEdgeReach{2, 3, 4};
+constexpr std::array<double, 3> kReachFromRadius{0.0, 8.0, 16.0};
+/// Mean distance of a region from the clicked color, in levels: what counts little, and what is too
+/// much for one thing.
+constexpr double kLittleSpread = kLevelsPerUnit;
+constexpr double kMostSpread = 3.0 * kLevelsPerUnit;
+constexpr double kOutlineSlack = 1.3; ///< of the area, within which an outline is moved
 constexpr int kCorrections = 2;
+constexpr double kSameThing = 4.0; ///< colorDistance() up to which a click is corrected
 
 BgrColor pixelAt(const cv::Mat& bgr, int x, int y) {
   const std::uint8_t* pixel = bgr.ptr<std::uint8_t>(y) + 3 * std::ptrdiff_t{x};
@@ -75,33 +86,59 @@ cv::Mat floodLevels(const cv::Mat& levels, cv::Point click) {
   return flood;
 }
 
-/// Per level: area of the region, length of its outline in pixel edges, and the steps across it.
-struct NestedRegions {
-  std::array<double, kLevels + 1> area{}, outline{}, contrast{};
+using Steps = std::array<double, kEdgeReach.size()>;
 
-  void addEdge(int from, int to, double step) { // an outline from level `from` until `to`
+/// Per level: area of the region, the sum of its pixels' levels, length of its outline in pixel
+/// edges, and the steps across it for each reach.
+struct NestedRegions {
+  using PerLevel = std::array<double, kLevels + 1>;
+  PerLevel area{}, levelSum{}, outline{};
+  std::array<PerLevel, kEdgeReach.size()> contrast{};
+
+  void addEdge(int from, int to, const Steps& steps) { // an outline from level `from` until `to`
     outline[std::size_t(from)] += 1.0;
     outline[std::size_t(to)] -= 1.0;
-    contrast[std::size_t(from)] += step;
-    contrast[std::size_t(to)] -= step;
-  }
-  void accumulate() {
-    for (std::size_t i = 1; i <= kLevels; ++i) {
-      area[i] += area[i - 1];
-      outline[i] += outline[i - 1];
-      contrast[i] += contrast[i - 1];
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      contrast[i][std::size_t(from)] += steps[i];
+      contrast[i][std::size_t(to)] -= steps[i];
     }
   }
-  /// The strength of the edge along the outline, less where it is ragged.
+  void accumulate() {
+    for (PerLevel* values :
+         {&area, &levelSum, &outline, &contrast[0], &contrast[1], &contrast[2]}) {
+      std::partial_sum(values->begin(), values->end(), values->begin());
+    }
+  }
+  /// Mean level in the region.
+  double spread(std::size_t level) const { return levelSum[level] / area[level]; }
+
+  /// The strength of the edge along the outline against the differences within it (Fisher's
+  /// criterion), a little less where it is ragged.
   double score(std::size_t level) const {
+    const double radius = std::sqrt(area[level] / std::numbers::pi);
+    const auto larger = std::ranges::upper_bound(kReachFromRadius, radius);
+    const auto reach = std::size_t(larger - kReachFromRadius.begin()) - 1;
     const double compact = 4.0 * std::numbers::pi * area[level] / (outline[level] * outline[level]);
-    return contrast[level] / outline[level] * std::sqrt(std::min(1.0, compact));
+    return contrast[reach][level] / outline[level] / (kLittleSpread + spread(level)) *
+           std::pow(std::min(1.0, compact), 0.25);
   }
 };
 
 std::uint8_t clampedLevel(const cv::Mat& levels, cv::Point at) {
   return levels.at<std::uint8_t>(std::clamp(at.y, 0, levels.rows - 1),
                                  std::clamp(at.x, 0, levels.cols - 1));
+}
+
+/// How much farther from the clicked color it is outside than inside, across the outline between a
+/// pixel and the next one.
+Steps stepsAcross(const cv::Mat& levels, cv::Point at, cv::Point step) {
+  Steps steps{};
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const int inside = clampedLevel(levels, at - (kEdgeReach[i] - 1) * step);
+    const int outside = clampedLevel(levels, at + kEdgeReach[i] * step);
+    steps[i] = std::max(0, outside - inside);
+  }
+  return steps;
 }
 
 NestedRegions nestedRegions(const cv::Mat& levels, const cv::Mat& flood) {
@@ -115,14 +152,13 @@ NestedRegions nestedRegions(const cv::Mat& levels, const cv::Mat& flood) {
         continue;
       }
       regions.area[std::size_t(here)] += 1.0;
+      regions.levelSum[std::size_t(here)] += levels.at<std::uint8_t>(at);
       for (const cv::Point step : kNeighbors) {
         const cv::Point next = at + step;
         if (!frame.contains(next)) {
-          regions.addEdge(here, kLevels, 0.0); // the image's end is no edge
+          regions.addEdge(here, kLevels, {}); // the image's end is no edge
         } else if (const int there = flood.at<std::uint16_t>(next); there > here) {
-          const int inside = clampedLevel(levels, at - (kEdgeReach - 1) * step);
-          const int outside = clampedLevel(levels, at + kEdgeReach * step);
-          regions.addEdge(here, there, std::max(0, outside - inside));
+          regions.addEdge(here, there, stepsAcross(levels, at, step));
         }
       }
     }
@@ -138,21 +174,43 @@ void fillHoles(cv::Mat& mask) {
   cv::drawContours(mask, outlines, -1, cv::Scalar(255), cv::FILLED);
 }
 
+/// The level of the best region with at most so much spread and so large; nothing if there is none.
+std::optional<std::size_t> bestLevel(const NestedRegions& regions, double spread, double area) {
+  std::optional<std::size_t> best;
+  for (std::size_t level = 0; level + 1 < kLevels; ++level) {
+    if (regions.area[level] >= kSmallest && regions.area[level] < area &&
+        regions.outline[level] > 0.0 && regions.spread(level) <= spread &&
+        (!best || regions.score(level) > regions.score(*best))) {
+      best = level;
+    }
+  }
+  return best;
+}
+
+/// Seen over many pixels an outline lies too far inside; where it is steepest is where it is.
+std::size_t steepestFrom(const NestedRegions& regions, std::size_t level) {
+  const auto steepness = [&](std::size_t at) {
+    return regions.contrast[0][at] / regions.outline[at];
+  };
+  std::size_t best = level;
+  for (std::size_t next = level; next + 1 < kLevels; ++next) {
+    if (regions.area[next] > kOutlineSlack * regions.area[level]) {
+      break;
+    }
+    best = steepness(next) > steepness(best) ? next : best;
+  }
+  return best;
+}
+
 cv::Mat regionFrom(const cv::Mat& bgr, cv::Point click, const BgrColor& color) {
   const cv::Mat levels = levelsFrom(bgr, color);
   const cv::Mat flood = floodLevels(levels, click);
   const NestedRegions regions = nestedRegions(levels, flood);
   const double limit = kLargestShare * static_cast<double>(bgr.total());
-  std::size_t best = 0;
-  double bestScore = -1.0;
-  for (std::size_t level = 0; level + 1 < kLevels; ++level) {
-    if (regions.area[level] >= kSmallest && regions.area[level] < limit &&
-        regions.outline[level] > 0.0 && regions.score(level) > bestScore) {
-      best = level;
-      bestScore = regions.score(level);
-    }
-  }
-  cv::Mat mask = bestScore < 0.0 ? cv::Mat(flood < kLevels) : cv::Mat(flood <= double(best));
+  auto best = bestLevel(regions, kMostSpread, limit);
+  best = best ? best : bestLevel(regions, kLevels, limit); // a colorful thing, or a tiny one
+  cv::Mat mask =
+      best ? cv::Mat(flood <= double(steepestFrom(regions, *best))) : cv::Mat(flood < kLevels);
   fillHoles(mask);
   return mask;
 }
@@ -225,7 +283,11 @@ cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within) {
   cv::Mat region;
   for (int i = 0; i <= kCorrections; ++i) {
     region = regionFrom(smooth, at, color);
-    color = medianColor(colorsIn(smooth, region));
+    const BgrColor middle = medianColor(colorsIn(smooth, region));
+    if (colorDistance(middle, color) > kSameThing) {
+      break; // it would become something else
+    }
+    color = middle;
   }
   cv::Mat mask = cv::Mat::zeros(bgr.size(), CV_8UC1);
   region.copyTo(mask(part));

@@ -19,9 +19,10 @@ double colorDistance(const BgrColor& one, const BgrColor& other);
 ///
 /// Regions around the pixel are grown for every tolerance at once, by the least colorDistance that
 /// has to be crossed to get somewhere (a flood from the click). Of these nested regions the one is
-/// taken whose outline shows the strongest edge and is not ragged; as with maximally stable
-/// regions (Matas et al., BMVC 2002) no tolerance has to be chosen. The click is then corrected:
-/// the region's median color replaces that of the pixel. Highlights inside are filled.
+/// taken whose outline shows the strongest edge against the differences within it (Fisher's
+/// criterion) and is not ragged; as with maximally stable regions (Matas et al., BMVC 2002) no
+/// tolerance has to be chosen. On the whole it has about the clicked color. The click is then
+/// corrected: the region's median color replaces that of the pixel. Highlights inside are filled.
 ///
 /// `within` bounds it (a dragged box); empty: the image.
 cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within = {});

@@ -13,6 +13,8 @@ namespace {
 constexpr int kHues = 360;
 constexpr int kHundredths = 101;
 constexpr int kRounds = 12;
+/// What it must be better to let every hue through: things not in these images have other hues.
+constexpr double kWorthEveryHue = 0.02;
 /// Bins have their middle on whole numbers, bounds lie half a bin beyond.
 constexpr double kHalfBin = 0.5;
 
@@ -131,7 +133,7 @@ double improve(Axis axis, const std::vector<HsiColors>& target, const std::vecto
   const Interval best = bestInterval(profile, axis == Axis::Hue, all);
   if (axis == Axis::Hue) {
     const RangeScore every = scoreRange(open, target, rest);
-    if (every.f1 > best.f1) {
+    if (every.f1 > best.f1 + kWorthEveryHue) {
       range = open;
       return every.f1;
     }

@@ -18,9 +18,13 @@ constexpr std::size_t kMostLooksToFit = 2000;
 /// three degrees of freedom: one in 10^8 does), and how many of those in a row are a new path.
 constexpr double kGate = 40.0;
 constexpr int kNewPathLooks = 3;
-/// Looks that may be a mistake after the target was not seen for this many instants.
-constexpr std::size_t kMistakeLooks = 15;
-constexpr std::size_t kUnseenInstants = 3;
+/// After that many instants without a look the target may be mistaken for so many instants; and how
+/// many later looks have to agree with what was before.
+constexpr std::size_t kGapInstants = 3;
+constexpr std::size_t kMistakeInstants = 25;
+constexpr int kLooksThatTell = 5;
+/// The gate of looks that may be a mistake: one right one in 900 is dropped with them.
+constexpr double kDoubtfulGate = 16.0;
 /// Looks to either side that an outlier pulls along, and how often outliers are looked for.
 constexpr std::size_t kNeighbors = 10;
 constexpr int kMostPasses = 10;
@@ -186,7 +190,7 @@ private:
       }
       stray.push_back(k);
       if (stray.size() == kNewPathLooks) {
-        return dropMistake(begin, stray, model) ? begin : stray.front();
+        return dropMistake(begin, end, stray.front(), model) ? begin : stray.front();
       }
     }
     drop(stray);
@@ -194,37 +198,66 @@ private:
   }
 
   /// After a gap nearly any place is believed, also a wrong one; then those that follow look like a
-  /// jump. But when they agree with the path before the gap, the few looks between were the
-  /// mistake: these are dropped, and true is returned.
-  bool dropMistake(std::size_t begin, const std::vector<std::size_t>& after,
-                   const PathModel& model) {
-    std::vector<std::size_t> doubtful;
-    std::size_t unseen = 0;
-    std::size_t k = after.front();
-    for (; k > begin && unseen < kUnseenInstants && doubtful.size() <= kMistakeLooks; --k) {
-      unseen = points_[k - 1].seen ? 0 : unseen + 1;
-      if (points_[k - 1].seen) {
-        doubtful.push_back(k - 1);
-      }
-    }
-    const bool seenBefore = std::any_of(points_.begin() + static_cast<std::ptrdiff_t>(begin),
-                                        points_.begin() + static_cast<std::ptrdiff_t>(k),
-                                        [](const PathPoint& point) { return point.seen; });
-    if (unseen < kUnseenInstants || doubtful.size() > kMistakeLooks || !seenBefore) {
-      return false;
-    }
+  /// jump. But when, without the few looks behind the gap, the later ones agree with the path
+  /// before it, some of these few were a mistake: those that are not on the path are dropped, and
+  /// true is returned.
+  bool dropMistake(std::size_t begin, std::size_t end, std::size_t jump, const PathModel& model) {
+    const std::size_t first = firstBehindGap(begin, jump);
     std::vector<PathPoint> without(points_.begin() + static_cast<std::ptrdiff_t>(begin),
-                                   points_.begin() + static_cast<std::ptrdiff_t>(after.back() + 1));
-    for (const std::size_t look : doubtful) {
-      without[look - begin].seen.reset();
+                                   points_.begin() + static_cast<std::ptrdiff_t>(end));
+    for (std::size_t k = first; k < jump; ++k) {
+      without[k - begin].seen.reset();
     }
-    const auto surprises = pathSurprises(without, model, kGate);
-    if (std::ranges::any_of(after,
-                            [&](std::size_t look) { return surprises[look - begin] > kGate; })) {
-      return false;
+    for (std::size_t k = jump; first > begin && k < std::min(end, jump + kMistakeInstants); ++k) {
+      if (agrees(pathSurprises(without, model, kGate), without, k - begin)) {
+        const auto path = smoothPath(without, model);
+        std::vector<std::size_t> mistakes;
+        for (std::size_t look = first; look < k; ++look) {
+          if (points_[look].seen && !isOnPath(*points_[look].seen, path[look - begin], model)) {
+            mistakes.push_back(look);
+          }
+        }
+        const bool any = !mistakes.empty();
+        drop(mistakes);
+        return any;
+      }
+      without[k - begin].seen.reset();
     }
-    drop(doubtful);
-    return true;
+    return false;
+  }
+
+  /// The first look behind the last gap before the jump, if that is not long ago and something was
+  /// seen before the gap; otherwise `begin`.
+  std::size_t firstBehindGap(std::size_t begin, std::size_t jump) const {
+    std::size_t unseen = 0;
+    std::size_t first = jump;
+    for (std::size_t k = jump; k-- > begin && first + kMistakeInstants > jump;) {
+      if (points_[k].seen && unseen >= kGapInstants) {
+        return first;
+      }
+      first = points_[k].seen ? k : first;
+      unseen = points_[k].seen ? 0 : unseen + 1;
+    }
+    return begin;
+  }
+
+  /// Whether the next looks from `from` on are those that were expected.
+  static bool agrees(const std::vector<double>& surprises, const std::vector<PathPoint>& path,
+                     std::size_t from) {
+    int agreeing = 0;
+    for (std::size_t k = from; k < path.size() && agreeing < kLooksThatTell; ++k) {
+      if (path[k].seen && surprises[k] > kGate) {
+        return false;
+      }
+      agreeing += path[k].seen ? 1 : 0;
+    }
+    return agreeing == kLooksThatTell;
+  }
+
+  static bool isOnPath(const SeenPlace& look, const PathEstimate& path, const PathModel& model) {
+    const Eigen::Vector3d off = look.position - path.position;
+    const Eigen::Matrix3d spread = path.covariance + model.noiseFactor * look.covariance;
+    return off.dot(spread.llt().solve(off)) <= kDoubtfulGate;
   }
 
   void drop(std::vector<std::size_t>& looks) {
