@@ -8,12 +8,14 @@
 #include "core/simulation/scene_renderer.h"
 #include "tests/ui/event_loop_probe.h"
 #include "ui/birdseye/birds_eye_view.h"
+#include "ui/calibration/grid_layer.h"
 #include "ui/camera/camera_view.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
 
 #include <QAction>
 #include <QApplication>
+#include <QMouseEvent>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <fmt/format.h>
@@ -135,6 +137,7 @@ public:
     });
     fourViews();
     fourMasks();
+    fourGrids();
     return 0;
   }
 
@@ -184,6 +187,44 @@ private:
     fmt::print("range handle moved: four masks on screen after {:.1f} ms (median of {}), {:.1f} ms "
                "at most; a frame of the display is 16 ms\n",
                milliseconds[kMoves / 2], kMoves, milliseconds.back());
+  }
+
+  /// From a move of the mouse to the new grid in all four views, two points held, paused.
+  void fourGrids() {
+    window_.findChild<QAction*>("actionShowMask")->setChecked(false);
+    window_.findChild<QAction*>("actionCalibrateByHand")->setChecked(true);
+    wait(1000);
+    auto* layer = window_.findChild<GridLayer*>("gridLayer0");
+    const QPointF middle = layer->rect().toRectF().center();
+    const auto send = [&](QEvent::Type type, QPointF at) {
+      const bool moves = type == QEvent::MouseMove;
+      QMouseEvent event(type, at, layer->mapToGlobal(at), moves ? Qt::NoButton : Qt::LeftButton,
+                        type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, {});
+      QApplication::sendEvent(layer, &event);
+    };
+    for (const QPointF& offset : {QPointF(-50.0, 40.0), QPointF(60.0, 50.0)}) {
+      send(QEvent::MouseButtonPress, middle + offset);
+      send(QEvent::MouseButtonRelease, middle + offset);
+    }
+    std::vector<double> milliseconds;
+    const QPointF from = middle + QPointF(0.0, 20.0);
+    send(QEvent::MouseButtonPress, from);
+    for (int move = 0; move < kMoves; ++move) {
+      QElapsedTimer clock;
+      clock.start();
+      send(QEvent::MouseMove, from + QPointF(4.0 + 0.3 * move, 0.2 * move));
+      for (GridLayer* each : window_.findChildren<GridLayer*>()) {
+        each->repaint();
+      }
+      milliseconds.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
+      wait(10);
+    }
+    send(QEvent::MouseButtonRelease, from);
+    std::ranges::sort(milliseconds);
+    fmt::print(
+        "grid dragged, two points held: four grids on screen after {:.1f} ms (median of {}), "
+        "{:.1f} ms at most\n",
+        milliseconds[kMoves / 2], kMoves, milliseconds.back());
   }
 
   MainWindow window_{&openProject};

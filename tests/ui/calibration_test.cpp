@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QTableWidget>
+#include <QWheelEvent>
 
 namespace dewpoint {
 
@@ -30,6 +31,7 @@ private Q_SLOTS:
   void measuredPointsGiveTheCameraBack();
   void theBirdsEyeViewMovesCameras();
   void theRunGoesOn();
+  void theWheelScrollsThePage();
   void everythingHasAName();
 };
 
@@ -288,6 +290,16 @@ void CalibrationTest::theRunGoesOn() {
       kPatienceMs));
   QVERIFY(window_->shown()->iterations >= iterations); // nothing started over
   QVERIFY((window_->shown()->rig->front().center() - before.center()).norm() > 0.09);
+}
+
+void CalibrationTest::theWheelScrollsThePage() {
+  auto* mode = find<QComboBox>("handDragMode");
+  window_->setFocus();
+  const QPointF at = mode->rect().center();
+  QWheelEvent wheel(at, mode->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                    Qt::NoScrollPhase, false);
+  QApplication::sendEvent(mode, &wheel);
+  QCOMPARE(mode->currentIndex(), 0);
 }
 
 void CalibrationTest::everythingHasAName() {

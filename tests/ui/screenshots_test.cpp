@@ -15,6 +15,7 @@
 #include <QCheckBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
@@ -111,8 +112,10 @@ void ScreenshotsTest::keepCalibration(MainWindow& window) {
     }
   }
   auto* layer = window.findChild<QWidget*>("gridLayer0");
-  QTest::mouseMove(layer, layer->rect().center() - QPoint(20, 0));
-  QTest::qWait(kSettleMs);
+  const QPointF pointer = layer->rect().center() - QPointF(20.0, 0.0);
+  QMouseEvent move(QEvent::MouseMove, pointer, layer->mapToGlobal(pointer), Qt::NoButton,
+                   Qt::NoButton, Qt::NoModifier);
+  QApplication::sendEvent(layer, &move);
   keep(window.grab().toImage(), QStringLiteral("calibration-points"));
   window.findChild<QCheckBox*>("gridEdges")->setChecked(false);
   window.findChild<QAction*>("actionCalibrateByHand")->setChecked(false);

@@ -3,7 +3,12 @@
 
 #include "ui/settings/retranslation.h"
 
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QEvent>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -28,8 +33,26 @@ void CalibrationPlace::addPage(QWidget* page, const std::function<QString()>& ti
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(page);
   tabs_->addTab(scroll, QString());
+  for (QWidget* field : page->findChildren<QWidget*>()) {
+    if (qobject_cast<QComboBox*>(field) != nullptr ||
+        qobject_cast<QAbstractSpinBox*>(field) != nullptr ||
+        qobject_cast<QAbstractSlider*>(field) != nullptr) {
+      field->setFocusPolicy(field->focusPolicy() == Qt::NoFocus ? Qt::NoFocus : Qt::StrongFocus);
+      field->installEventFilter(this);
+    }
+  }
   inEveryLanguage(scroll,
                   [this, scroll, title] { tabs_->setTabText(tabs_->indexOf(scroll), title()); });
+}
+
+bool CalibrationPlace::eventFilter(QObject* watched, QEvent* event) {
+  const auto* field = qobject_cast<QWidget*>(watched);
+  const bool isBar = qobject_cast<QScrollBar*>(watched) != nullptr;
+  if (event->type() == QEvent::Wheel && field != nullptr && !field->hasFocus() && !isBar) {
+    event->ignore();
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 void CalibrationPlace::showPage(const QString& name) {

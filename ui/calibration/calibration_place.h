@@ -29,6 +29,10 @@ Q_SIGNALS:
   /// Another page is shown.
   void pageChanged(const QString& name);
 
+protected:
+  /// Turning the wheel over a field scrolls the page, unless the field has the focus.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
   QTabWidget* tabs_;
 };

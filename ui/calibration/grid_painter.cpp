@@ -47,14 +47,32 @@ void withHalo(QPainter& painter, const QColor& color, double width, const Draw& 
   draw();
 }
 
-void paintText(QPainter& painter, QPointF place, const QString& text, const QColor& color) {
+QRectF labelAt(const QPainter& painter, QPointF place, const QString& text) {
   const QRectF box = painter.fontMetrics().boundingRect(text).toRectF().adjusted(-3, -1, 3, 1);
-  const QRectF label(place + QPointF(5.0, -box.height() - 2.0), box.size());
+  return {place + QPointF(5.0, -box.height() - 2.0), box.size()};
+}
+
+void paintText(QPainter& painter, QPointF place, const QString& text, const QColor& color) {
+  const QRectF label = labelAt(painter, place, text);
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(0, 0, 0, 150));
   painter.drawRoundedRect(label, 3.0, 3.0);
   painter.setPen(color);
   painter.drawText(label, Qt::AlignCenter, text);
+}
+
+/// As many as have room; the names of the axes, which stand last, before all others.
+void paintLabels(QPainter& painter, const ProjectedGrid& grid, const ImagePlacement& placement) {
+  std::vector<QRectF> taken;
+  for (auto label = grid.labels.rbegin(); label != grid.labels.rend(); ++label) {
+    const QString text = QString::fromStdString(label->text);
+    const QPointF place = placeOf(label->at, placement);
+    const QRectF box = labelAt(painter, place, text);
+    if (std::ranges::none_of(taken, [&](const QRectF& other) { return other.intersects(box); })) {
+      paintText(painter, place, text, strokeOf(label->role).color);
+      taken.push_back(box);
+    }
+  }
 }
 
 } // namespace
@@ -84,10 +102,7 @@ void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacemen
       painter.drawPolyline(lines[k]);
     }
   }
-  for (const GridText<2>& label : grid.labels) {
-    paintText(painter, placeOf(label.at, placement), QString::fromStdString(label.text),
-              strokeOf(label.role).color);
-  }
+  paintLabels(painter, grid, placement);
   painter.restore();
 }
 
@@ -142,7 +157,8 @@ QImage edgeImage(const cv::Mat& image) {
     const auto* from = edges.ptr<uchar>(y);
     auto* to = reinterpret_cast<QRgb*>(result.scanLine(y));
     for (int x = 0; x < edges.cols; ++x) {
-      const int strength = std::min(255, 2 * from[x]);
+      constexpr int kNoise = 24; // of an image sensor
+      const int strength = std::clamp(2 * (from[x] - kNoise), 0, 255);
       to[x] = qRgba(strength, strength, strength / 4, strength);
     }
   }
