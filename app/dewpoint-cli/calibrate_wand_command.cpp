@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/frame_range.h"
 #include "app/dewpoint-cli/interruption.h"
 #include "app/dewpoint-cli/progress.h"
 #include "app/wiring/open_project.h"
@@ -23,8 +24,7 @@ struct WandCommandOptions {
   std::string target;
   std::vector<std::string> stick;
   std::vector<double> distance, drop, rough;
-  std::vector<std::int64_t> frames;
-  std::string out;
+  std::string frames, out;
   bool apply = false;
   WandOptions wand;
 };
@@ -51,13 +51,12 @@ Status settle(WandCommandOptions& options) {
     wand.roughPlace = options.rough[0];
     wand.roughTurn = options.rough[1] * kDegree;
   }
-  if (!options.frames.empty()) {
-    if (options.frames[0] < 0 || options.frames[1] <= options.frames[0]) {
-      return wrong("--frames", "expected the first frame and one past the last");
-    }
-    wand.firstFrame = options.frames[0];
-    wand.endFrame = options.frames[1];
+  const auto frames = parseFrames(options.frames);
+  if (!frames) {
+    return tl::make_unexpected(frames.error());
   }
+  wand.firstFrame = frames->first;
+  wand.endFrame = frames->end;
   if (options.apply && options.project.find(".toml") == std::string::npos) {
     return wrong("--apply", "only a project file can be changed");
   }
@@ -190,7 +189,8 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
       ->excludes(target);
   command->add_option("--length", wand.stickLength, "Between the balls' middles, metres")
       ->check(positive);
-  command->add_option("--frames", options->frames, "Only frames A to B-1")->expected(2);
+  command->add_option("--frames", options->frames,
+                      "Only frames A to B-1, as A:B (either may be empty)");
   command->add_flag("--offsets", wand.findOffsets, "Find how much later each camera's clock is");
   command->add_flag("--focal", wand.findFocal, "Find the focal lengths");
   command->add_flag("--k1", wand.findDistortion, "Find the first lens coefficient");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/interruption.h"
 #include "app/dewpoint-cli/progress.h"
 #include "core/experiment/baseline_methods.h"
 #include "core/experiment/suite_report.h"
@@ -8,15 +9,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <atomic>
-#include <csignal>
 #include <memory>
 
 namespace dewpoint {
 namespace {
-
-std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
 
 struct SuiteOptions {
   bool list = false;
@@ -69,7 +65,7 @@ Status runJobs(const std::vector<SuiteJob>& jobs, int threads, SuiteStore& store
     progress.show(++finished);
     return store.append(result);
   };
-  auto status = runSuite(jobs, threads, sink, [] { return interrupted.load(); });
+  auto status = runSuite(jobs, threads, sink, [] { return interruptionAsked(); });
   progress.finish();
   return status;
 }
@@ -84,8 +80,7 @@ int runSuiteCommand(const SuiteOptions& options) {
   if (!store) {
     return report(store.error());
   }
-  std::signal(SIGINT, [](int) { interrupted = true; });
-  std::signal(SIGTERM, [](int) { interrupted = true; });
+  heedInterruption();
   const auto jobs = planSuite(*request, store->results());
   const auto run = runJobs(jobs, options.threads, *store);
   const auto order = reportOrder(store->results(), scenarioCatalog());

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/frame_range.h"
 #include "app/dewpoint-cli/track_job.h"
 #include "app/wiring/open_project.h"
 
 #include <CLI/CLI.hpp>
 
-#include <charconv>
 #include <memory>
 #include <optional>
 
@@ -21,36 +21,6 @@ struct TrackOptions {
   std::string frames;
   std::vector<std::string> settings;
 };
-
-Status parseFrames(const std::string& text, TrackJob& job) {
-  const auto wrong = [&] {
-    return failure(ErrorCode::BadValue, "", "--frames", "expected A:B, found " + text);
-  };
-  const auto number = [](std::string_view part, std::int64_t& value) {
-    const auto [end, problem] = std::from_chars(part.data(), part.data() + part.size(), value);
-    return problem == std::errc() && end == part.data() + part.size() && value >= 0;
-  };
-  if (text.empty()) {
-    return {};
-  }
-  const auto colon = text.find(':');
-  if (colon == std::string::npos) {
-    return wrong();
-  }
-  const std::string_view first = std::string_view(text).substr(0, colon);
-  const std::string_view last = std::string_view(text).substr(colon + 1);
-  if (!first.empty() && !number(first, job.firstFrame)) {
-    return wrong();
-  }
-  std::int64_t end = 0;
-  if (!last.empty()) {
-    if (!number(last, end) || end <= job.firstFrame) {
-      return wrong();
-    }
-    job.endFrame = end;
-  }
-  return {};
-}
 
 Status applySettings(const TrackOptions& options, Project& project) {
   if (options.method && *options.method != project.method) {
@@ -85,10 +55,13 @@ int track(TrackOptions options) {
   if (!project) {
     return report(project.error());
   }
-  if (const auto parsed = parseFrames(options.frames, options.job); !parsed) {
-    report(parsed.error());
+  const auto frames = parseFrames(options.frames);
+  if (!frames) {
+    report(frames.error());
     return kExitUsage;
   }
+  options.job.firstFrame = frames->first;
+  options.job.endFrame = frames->end;
   if (const auto applied = applySettings(options, *project); !applied) {
     report(applied.error());
     return kExitUsage;

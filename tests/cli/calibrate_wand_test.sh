@@ -9,11 +9,11 @@ expectText out.txt --target --stick --length --offsets --focal --floor --drop --
 
 # The demo's cameras are where its images were made from: they stay there, to a few centimetres (two
 # cameras and a path of 0.2 m say little more).
-expectExit 0 calibrate wand demo --frames 60 200 --out found.toml
+expectExit 0 calibrate wand demo --frames 60:200 --out found.toml
 expectText out.txt 'camera 1' 'camera 2' 'Median reprojection error' 'Size:' 'World:'
 expectText found.toml '[cam_0]' '[cam_1]' 'name = "camera 1"'
 cp found.toml first.toml
-expectExit 0 calibrate wand demo --frames 60 200 --out found.toml
+expectExit 0 calibrate wand demo --frames 60:200 --out found.toml
 cmp -s first.toml found.toml || fail "twice the same, but two results"
 
 expectExit 0 simulate demo --frames 240 --out made
@@ -29,9 +29,9 @@ expectExit $kUsage calibrate wand demo --stick "pink ball" "pink ball"
 expectSentence --stick --length
 expectExit $kUsage calibrate wand demo --apply
 expectSentence --apply
-expectExit $kBadInput calibrate wand demo --frames 60 200 --floor 99
+expectExit $kBadInput calibrate wand demo --frames 60:200 --floor 99
 expectSentence floor 99.00
-expectExit $kBadInput calibrate wand demo --frames 0 30 # the ball is at rest there
+expectExit $kBadInput calibrate wand demo --frames :30 # the ball is at rest there
 expectSentence settle
-expectExit $kOutput calibrate wand demo --frames 60 200 --out nowhere/found.toml
+expectExit $kOutput calibrate wand demo --frames 60:200 --out nowhere/found.toml
 expectSentence nowhere/found.toml
