@@ -176,7 +176,8 @@ private:
 
   /// Everything that is asked for, on all views; gross errors are dropped round after round.
   Status narrow(BundleProblem bundle) {
-    bundle = thinned(bundle, given_.mostInstants, followsInTime(bundle));
+    const bool inTime = followsInTime(bundle); // then an instant costs far more
+    bundle = thinned(bundle, given_.mostInstants / (inTime ? 2 : 1), inTime);
     freeWhatIsAsked(bundle);
     setStick(bundle, kTightStick);
     result_.dropped.assign(bundle.cameras.size(), 0);
