@@ -133,26 +133,6 @@ std::string overviewRow(std::span<const SuiteCell> row, const std::vector<std::s
 
 } // namespace
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char letter : text) {
-    switch (letter) {
-    case '<':
-      result += "&lt;";
-      break;
-    case '>':
-      result += "&gt;";
-      break;
-    case '&':
-      result += "&amp;";
-      break;
-    default:
-      result += letter;
-    }
-  }
-  return result;
-}
-
 std::string figureText(double value) {
   if (std::isnan(value)) {
     return "-";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/markup.h"
 #include "core/experiment/suite_report.h"
 
 #include <span>
@@ -8,8 +9,6 @@
 
 namespace dewpoint {
 
-/// Text that may hold <, > or & as HTML.
-std::string escaped(const std::string& text);
 /// Three significant digits as people read them: "1.41", "23.4", "630", "never", "-" for nothing.
 std::string figureText(double value);
 

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <opencv2/core/mat.hpp>
+
+namespace dewpoint {
+
+/// OpenCV's rotation vector and translation (three doubles each) as a pose.
+Eigen::Isometry3d boardPoseOf(const cv::Mat& rotationVector, const cv::Mat& translation);
+
+} // namespace dewpoint
