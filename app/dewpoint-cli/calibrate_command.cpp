@@ -9,6 +9,8 @@ void addCalibrateCommand(CLI::App& app, int& exitCode) {
   auto* group = app.add_subcommand("calibrate", "Find out where the cameras are and how they see.");
   group->require_subcommand(1);
   addCalibratePointsCommand(*group, exitCode);
+  addCalibrateIntrinsicsCommand(*group, exitCode);
+  addCalibrateExtrinsicsCommand(*group, exitCode);
   addCalibrateWandCommand(*group, exitCode);
 }
 

@@ -29,10 +29,14 @@ void addExperimentCommand(CLI::App& app, int& exitCode);
 void addSuiteCommand(CLI::App& app, int& exitCode);
 void addExportCommand(CLI::App& app, int& exitCode);
 void addLearnColorCommand(CLI::App& app, int& exitCode);
+/// Below `calibration`, which it makes when it is not there yet.
+void addPrintBoardCommand(CLI::App& app, int& exitCode);
 void addCalibrateCommand(CLI::App& app, int& exitCode);
 void addCalibrationCommand(CLI::App& app, int& exitCode);
 
 /// The same into the group `calibrate`.
+void addCalibrateIntrinsicsCommand(CLI::App& group, int& exitCode);
+void addCalibrateExtrinsicsCommand(CLI::App& group, int& exitCode);
 void addCalibrateWandCommand(CLI::App& group, int& exitCode);
 void addCalibratePointsCommand(CLI::App& group, int& exitCode);
 

@@ -42,6 +42,7 @@ int run(int argc, char** argv) {
   addLearnColorCommand(app, exitCode);
   addCalibrateCommand(app, exitCode);
   addCalibrationCommand(app, exitCode);
+  addPrintBoardCommand(app, exitCode);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -21,6 +21,7 @@ constexpr double kLeastContrast = 15.0; // gray levels between the black and the
 constexpr std::size_t kNeighbors = 8;
 constexpr std::size_t kLeastNeighbors = 6;
 constexpr double kMostOffPx = 1.0;
+constexpr double kMostOffPart = 0.03; // of the spacing
 
 struct SeenMarker {
   cv::Point2d middle; ///< on the board, in squares
@@ -120,8 +121,10 @@ void keepConsistent(const BoardDescription& board, std::vector<int>& ids,
     }
     const cv::Mat map =
         near.size() < kLeastNeighbors ? cv::Mat() : cv::findHomography(page, image, cv::LMEDS);
-    if (map.empty() ||
-        cv::norm(mapped(cv::Matx33d(map), placeOf(ids[k])) - corners[k]) < kMostOffPx) {
+    // A lens bends what is large in the image more than that.
+    const double spacing = near.empty() ? 0.0 : cv::norm(corners[near.front()] - corners[k]);
+    if (map.empty() || cv::norm(mapped(cv::Matx33d(map), placeOf(ids[k])) - corners[k]) <
+                           std::max(kMostOffPx, kMostOffPart * spacing)) {
       keptIds.push_back(ids[k]);
       kept.push_back(corners[k]);
     }

@@ -152,13 +152,4 @@ Result<WandResult> calibrateFromRecording(const Project& project, FrameSetSource
                : Result<WandResult>(tl::make_unexpected(views.error()));
 }
 
-Project withCameras(Project project, const CameraRig& rig) {
-  for (std::size_t c = 0; c < std::min(rig.size(), project.cameras.size()); ++c) {
-    ProjectCamera& camera = project.cameras[c];
-    camera.adjusted = camera.adjusted || camera.source == SourceKind::Simulation;
-    camera.camera = rig[c];
-  }
-  return project;
-}
-
 } // namespace dewpoint

@@ -6,6 +6,7 @@
 #include "core/capture/frame_source.h"
 #include "core/observation/ball_image.h"
 #include "core/project/project.h"
+#include "core/session/calibrated_project.h"
 
 #include <cstdint>
 #include <functional>
@@ -76,8 +77,5 @@ Result<WandResult> calibrateFromViews(const Project& project,
 Result<WandResult> calibrateFromRecording(const Project& project, FrameSetSource& source,
                                           const WandOptions& options,
                                           const WandWorkCallback& callback = nullptr);
-
-/// The project with these cameras' calibration, in the same order.
-Project withCameras(Project project, const CameraRig& rig);
 
 } // namespace dewpoint

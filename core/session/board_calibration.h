@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/board_report.h"
+#include "core/calibration/extrinsics_from_board.h"
+#include "core/calibration/intrinsics_from_board.h"
+#include "core/capture/frame_source.h"
+#include "core/project/project.h"
+#include "core/session/calibrated_project.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dewpoint {
+
+/// What is wanted of a calibration from a board.
+struct BoardWish {
+  BoardDescription board;
+  IntrinsicsModel model = IntrinsicsModel::FiveCoefficients;
+  PixelShape pixels = PixelShape::Measured;
+  int views = 30;    ///< pictures per camera that intrinsics are estimated from
+  int instants = 60; ///< instants that poses are estimated from
+  int looks = 300;   ///< frames of a recording in which the board is looked for
+  /// The frame in which the board lies on the floor and makes the world; nothing: the first camera
+  /// keeps its pose.
+  std::optional<std::int64_t> worldFrame;
+  bool refineIntrinsics = false; ///< adjust the lenses with the poses
+};
+
+/// Where the cameras of a recording, or a set of pictures of one camera, saw the board.
+struct SeenBoards {
+  struct PerCamera {
+    std::string name;
+    int width = 0;
+    int height = 0;
+    int looked = 0; ///< pictures in which it was looked for
+    std::vector<BoardView> views;
+  };
+  std::vector<PerCamera> cameras;
+};
+
+/// Looks for the board in a recording, in frames spread over it evenly; all cameras at the same
+/// ones. BadValue when the cameras are live, Cancelled, and what the source says.
+Result<SeenBoards> lookForBoards(const Project& project, FrameSetSource& source,
+                                 const BoardWish& wish, const CalibrationProgress& progress = {});
+
+/// Looks for the board in picture files of one camera; views are named by their file's name.
+/// FileUnreadable, Mismatch when sizes differ, Cancelled.
+Result<SeenBoards> lookForBoards(const std::vector<std::filesystem::path>& pictures,
+                                 const BoardDescription& board, DetectionEffort effort,
+                                 const CalibrationProgress& progress = {});
+
+/// The intrinsics of each camera of `seen`, from views chosen by chooseViews(). The error names the
+/// camera.
+Result<std::vector<IntrinsicsResult>>
+intrinsicsFromBoards(const SeenBoards& seen, const BoardWish& wish,
+                     const CalibrationProgress& progress = {});
+
+/// The poses of a project's cameras, with the intrinsics it has, from instants chosen by
+/// chooseInstants().
+Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const SeenBoards& seen,
+                                              const BoardWish& wish,
+                                              const CalibrationProgress& progress = {});
+
+/// The report on intrinsics.
+BoardReport reportOf(const SeenBoards& seen, const BoardWish& wish,
+                     const std::vector<IntrinsicsResult>& results);
+
+} // namespace dewpoint

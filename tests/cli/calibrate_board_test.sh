@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Lenses and poses from a board.
+. "$(dirname "$0")/common.sh"
+
+# Boards to print: one page of A4 is 595 x 842 points.
+expectExit 0 calibration print-board chessboard:9x6:0.025 --paper A4 board.pdf
+[[ $(head -c 5 board.pdf) == %PDF- ]] || fail "board.pdf is no PDF"
+grep -aq 'MediaBox *\[ *0 0 841.*595' board.pdf || fail "not A4 lengthwise"
+expectExit $kUsage calibration print-board chessboard:9x6:25 no.pdf
+expectSentence BOARD millimetres
+expectExit $kUsage calibration print-board chessboard:9x6:0.025 --paper B5 no.pdf
+expectSentence --paper A4
+expectExit $kBadInput calibration print-board chessboard:9x6:0.05 no.pdf
+expectSentence --paper 0.025
+expectExit $kOutput calibration print-board chessboard:9x6:0.025 nowhere/board.pdf
+expectSentence nowhere/board.pdf
+
+# One sentence says what is wrong, and nothing is written.
+expectExit $kUsage calibrate intrinsics demo
+expectExit $kUsage calibrate intrinsics demo --board checker:9x6:0.025 --out no.toml
+expectSentence --board checker
+expectExit $kBadInput calibrate intrinsics none.jpg --board chessboard:9x6:0.025 --out no.toml
+expectSentence none.jpg
+printf 'no picture' >bad.jpg
+expectExit $kBadInput calibrate intrinsics bad.jpg --board chessboard:9x6:0.025 --out no.toml
+expectSentence bad.jpg picture
+expectExit $kBadInput calibrate intrinsics demo --looks 3 --board chessboard:9x6:0.025 --out no.toml
+expectSentence 'camera 1' 'board'
+expectExit $kBadInput calibrate extrinsics demo --looks 3 --board chessboard:9x6:0.025 --out no.toml
+expectSentence 'camera 2' 'board'
+[[ ! -e no.toml && ! -e no.pdf ]] || fail "something was written in spite of an error"
+
+pictures=${DEWPOINT_DATA:-}/opencv_left13
+[[ -d $pictures ]] || exit 77
+
+# The published calibration of OpenCV's sample pictures: rms 0.39259, f 535.916.
+expectExit 0 calibrate intrinsics --board chessboard:9x6:0.025 "$pictures"/left*.jpg --out left.toml \
+  --report left.html
+expectText out.txt 'rms 0.3926 px' 'K [[535.9' 'distortion [-0.266' 'doubtful: left02.jpg'
+expectText left.toml 'size = [640, 480]' 'matrix = [[535.9'
+expectText left.html '<svg' 'left02.jpg'
+cp left.toml first.toml
+expectExit 0 calibrate intrinsics --board chessboard:9x6:0.025 "$pictures"/left*.jpg --out left.toml
+cmp first.toml left.toml || fail "a second run gives other numbers"
+
+# Ctrl-C: the former calibration stays as it was.
+"$cli" calibrate intrinsics --board chessboard:8x5:0.025 "$pictures"/left*.jpg "$pictures"/left*.jpg \
+  "$pictures"/left*.jpg --corners exact --out left.toml >out.txt 2>err.txt &
+sleep 0.3
+kill -INT $!
+code=0
+wait $! || code=$?
+[[ $code == 130 ]] || fail "after Ctrl-C it ended with $code: $(cat out.txt err.txt)"
+expectText err.txt 'the former calibration is kept'
+cmp first.toml left.toml || fail "an interrupted calibration changed the file"
