@@ -22,23 +22,32 @@ bool isUsable(const cv::Mat& image) {
   return !image.empty() && (image.type() == CV_8UC3 || image.type() == CV_8UC1);
 }
 
+/// Whether there is more around a place than the noise of a sensor.
+bool hasContrast(const cv::Mat& piece, cv::Point2f place) {
+  constexpr int kReach = 4;
+  constexpr double kLeast = 24.0; // gray levels, smoothed
+  const cv::Rect around =
+      cv::Rect(static_cast<int>(place.x) - kReach, static_cast<int>(place.y) - kReach,
+               2 * kReach + 1, 2 * kReach + 1) &
+      cv::Rect(0, 0, piece.cols, piece.rows);
+  cv::Mat smooth;
+  cv::GaussianBlur(piece, smooth, {7, 7}, 1.3);
+  double low = 0.0;
+  double high = 0.0;
+  cv::minMaxLoc(smooth(around), &low, &high);
+  return high - low >= kLeast;
+}
+
 /// The strong corner of a piece of an image that is nearest to a place in it.
 std::optional<cv::Point2f> nearestCorner(const cv::Mat& piece, cv::Point2f place, double reach) {
   constexpr int kMost = 12;
   constexpr double kQuality = 0.25; // of the strongest corner there
   constexpr double kApart = 3.0;    // pixels
-  // Contrast below this is noise.
-  double low = 0.0;
-  double high = 0.0;
-  cv::minMaxLoc(piece, &low, &high);
-  if (high - low < 20.0) {
-    return std::nullopt;
-  }
   std::vector<cv::Point2f> corners;
   cv::goodFeaturesToTrack(piece, corners, kMost, kQuality, kApart);
   std::optional<cv::Point2f> nearest;
   for (const cv::Point2f& corner : corners) {
-    if (cv::norm(corner - place) < reach) {
+    if (cv::norm(corner - place) < reach && hasContrast(piece, corner)) {
       reach = cv::norm(corner - place);
       nearest = corner;
     }

@@ -42,6 +42,13 @@ TEST(ClickAids, ACrossingOfFieldsIsFoundExactly) {
   EXPECT_LT((*found - Eigen::Vector2d(30.0, 25.0)).norm(), 0.05);
 }
 
+TEST(ClickAids, NoiseHasNoCorners) {
+  cv::Mat image(60, 80, CV_8UC3);
+  cv::RNG numbers(7);
+  numbers.fill(image, cv::RNG::NORMAL, 150.0, 6.0); // as dim webcams have it
+  EXPECT_FALSE(snapToCorner(image, {40.0, 30.0}, 8.0));
+}
+
 TEST(ClickAids, NothingThereIsNothing) {
   EXPECT_FALSE(snapToCorner(corner(30, 25), {70.0, 8.0}, 6.0)) << "a flat place";
   EXPECT_FALSE(snapToCorner(corner(30, 25), {-500.0, 8.0}, 6.0));

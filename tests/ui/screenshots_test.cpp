@@ -4,6 +4,7 @@
 #include "app/wiring/open_project.h"
 #include "core/session/snapshot.h"
 #include "ui/birdseye/birds_eye_view.h"
+#include "ui/camera/camera_view.h"
 #include "ui/color/color_panel.h"
 #include "ui/document/document.h"
 #include "ui/export/export_dialog.h"
@@ -112,7 +113,10 @@ void ScreenshotsTest::keepCalibration(MainWindow& window) {
     }
   }
   auto* layer = window.findChild<QWidget*>("gridLayer0");
-  const QPointF pointer = layer->rect().center() - QPointF(20.0, 0.0);
+  // On the second point, a little beside its click.
+  const ImagePlacement& image = window.findChild<CameraView*>("cameraView0")->placement();
+  const Eigen::Vector2d click = points[1].clicks.at(0).pixel;
+  const QPointF pointer = image.corner + image.scale * QPointF(click.x() + 3.0, click.y() + 2.0);
   QMouseEvent move(QEvent::MouseMove, pointer, layer->mapToGlobal(pointer), Qt::NoButton,
                    Qt::NoButton, Qt::NoModifier);
   QApplication::sendEvent(layer, &move);

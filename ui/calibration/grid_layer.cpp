@@ -16,6 +16,7 @@
 #include <QPainterPath>
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -25,7 +26,7 @@ namespace {
 constexpr double kReachPx = 9.0; ///< of the widget: a crossing, pin or corner this near is meant
 constexpr double kDragPx = 3.0;
 constexpr double kSnapPx = 7.0; ///< of the image
-constexpr int kMagnifierSide = 152;
+constexpr int kLargestMagnifier = 152;
 constexpr int kMagnification = 8;
 
 } // namespace
@@ -263,17 +264,18 @@ void GridLayer::drawMagnifier(QPainter& painter) {
   const Eigen::Vector2d pixel = pixelAt(*pointer_);
   const Eigen::Vector2d meant =
       clicked(*pointer_, exact_ ? Qt::AltModifier : Qt::KeyboardModifiers());
-  const QImage picture = toImage(magnified(image->image, pixel, kMagnifierSide, kMagnification));
+  const int side = std::min({kLargestMagnifier, width() / 2, height() / 2});
+  const QImage picture = toImage(magnified(image->image, pixel, side, kMagnification));
   // Beside the pointer, on the side where there is room.
   constexpr double kBeside = 24.0;
   QPointF corner = *pointer_ + QPointF(kBeside, kBeside);
-  if (corner.x() + kMagnifierSide > width()) {
-    corner.setX(pointer_->x() - kBeside - kMagnifierSide);
+  if (corner.x() + side > width()) {
+    corner.setX(std::max(0.0, pointer_->x() - kBeside - side));
   }
-  if (corner.y() + kMagnifierSide > height()) {
-    corner.setY(pointer_->y() - kBeside - kMagnifierSide);
+  if (corner.y() + side > height()) {
+    corner.setY(std::max(0.0, pointer_->y() - kBeside - side));
   }
-  const QRectF area(corner, QSizeF(kMagnifierSide, kMagnifierSide));
+  const QRectF area(corner, QSizeF(side, side));
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   QPainterPath circle;
@@ -289,6 +291,7 @@ void GridLayer::drawMagnifier(QPainter& painter) {
   painter.drawLine(cross - QPointF(9, 0), cross + QPointF(9, 0));
   painter.drawLine(cross - QPointF(0, 9), cross + QPointF(0, 9));
   painter.setClipping(false);
+  painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(QColor(0, 0, 0, 170), 4.0));
   painter.drawEllipse(area);
   painter.setPen(QPen(Qt::white, 1.5));

@@ -49,7 +49,12 @@ void withHalo(QPainter& painter, const QColor& color, double width, const Draw& 
 
 QRectF labelAt(const QPainter& painter, QPointF place, const QString& text) {
   const QRectF box = painter.fontMetrics().boundingRect(text).toRectF().adjusted(-3, -1, 3, 1);
-  return {place + QPointF(5.0, -box.height() - 2.0), box.size()};
+  QRectF label(place + QPointF(5.0, -box.height() - 2.0), box.size());
+  if (const QRectF area = painter.clipBoundingRect(); !area.isEmpty()) {
+    label.moveRight(std::min(label.right(), area.right()));
+    label.moveTop(std::max(label.top(), area.top()));
+  }
+  return label;
 }
 
 void paintText(QPainter& painter, QPointF place, const QString& text, const QColor& color) {
