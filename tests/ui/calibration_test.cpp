@@ -13,6 +13,8 @@
 #include <QTableWidget>
 #include <QWheelEvent>
 
+#include <set>
+
 namespace dewpoint {
 
 class CalibrationTest : public QObject, private test::CalibrationWindow {
@@ -268,6 +270,14 @@ void CalibrationTest::theBirdsEyeViewMovesCameras() {
   QTest::mouseMove(view, from + QPoint(10, 0));
   QTest::mouseMove(view, from + QPoint(20, -10));
   QTest::mouseRelease(view, Qt::LeftButton, {}, from + QPoint(20, -10));
+  // With the focus, too, the picture is there: not one color all over.
+  QVERIFY(view->hasFocus());
+  const QImage picture = view->grab().toImage();
+  std::set<QRgb> colors;
+  for (int x = 0; x < picture.width(); ++x) {
+    colors.insert(picture.pixel(x, picture.height() / 3));
+  }
+  QVERIFY(colors.size() > 4);
   const Eigen::Vector3d moved = camera(0).center() - before.center();
   QVERIFY(std::abs(moved.x() - 20.0 * scale) < 1.5 * scale);
   QVERIFY(std::abs(moved.y() - 10.0 * scale) < 1.5 * scale);

@@ -72,6 +72,7 @@ void BirdsEyeView::dragHandle(QPointF position) {
 }
 
 void BirdsEyeView::paintHandles(QPainter& painter) const {
+  painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor color = palette().color(QPalette::Highlight);
   const QColor halo(0, 0, 0, 150);
@@ -95,6 +96,7 @@ void BirdsEyeView::paintHandles(QPainter& painter) const {
     painter.setBrush(k == chosenHandle_ ? QBrush(color) : QBrush(palette().color(QPalette::Base)));
     painter.drawEllipse(center, kCenterPx, kCenterPx);
   }
+  painter.restore();
 }
 
 } // namespace dewpoint
