@@ -330,6 +330,20 @@ void DeskTest::oneClickLearnsAColorAndTracksIt() {
     action("actionUndo")->trigger();
   }
   QVERIFY(window_->document().project().targets.empty());
+
+  // The same place by keys: the cross begins in the middle, Ctrl and an arrow move it by a pixel.
+  layer->setFocus();
+  QTest::keyClick(layer, Qt::Key_Left);
+  const QPointF middle(view->imageSize().width() / 2 - 1, view->imageSize().height() / 2 - 1);
+  const auto press = [&](double way, Qt::Key less, Qt::Key more) {
+    for (int i = 0; i < static_cast<int>(std::lround(std::abs(way))); ++i) {
+      QTest::keyClick(layer, way < 0.0 ? less : more, Qt::ControlModifier);
+    }
+  };
+  press(at->x() - middle.x(), Qt::Key_Left, Qt::Key_Right);
+  press(at->y() - middle.y(), Qt::Key_Up, Qt::Key_Down);
+  QTest::keyClick(layer, Qt::Key_Return);
+  QVERIFY(waitFor([this] { return window_->document().project().targets.size() == 1; }));
 }
 
 void DeskTest::thePickerIsDraggedByHandAndByKeys() {

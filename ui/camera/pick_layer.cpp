@@ -8,9 +8,15 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include <algorithm>
+#include <cmath>
+
 namespace dewpoint {
 
 namespace {
+
+constexpr double kStepsAcross = 64.0; ///< of an arrow key, over the width of the image
+constexpr double kArm = 14.0;         ///< of the cross, widget pixels
 
 /// Bright on a dark halo: readable on any image.
 void stroke(QPainter& painter, const QPolygonF& outline, Qt::PenStyle style) {
@@ -26,6 +32,7 @@ void stroke(QPainter& painter, const QPolygonF& outline, Qt::PenStyle style) {
 PickLayer::PickLayer(CameraView* view) : QWidget(view), view_(view) {
   setObjectName(view->objectName() + QStringLiteral("Pick"));
   setGeometry(view->rect());
+  setFocusPolicy(Qt::StrongFocus);
   view->installEventFilter(this);
 }
 
@@ -38,6 +45,8 @@ bool PickLayer::eventFilter(QObject* watched, QEvent* event) {
 
 void PickLayer::setPicking(bool picking) {
   picking_ = picking;
+  cross_.reset();
+  update();
   setCursor(picking ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
@@ -66,6 +75,7 @@ void PickLayer::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !pixelAt(event->position())) {
     return;
   }
+  cross_.reset();
   Q_EMIT chosen();
   if (picking_ || sample) {
     pressed_ = event->position();
@@ -103,17 +113,81 @@ void PickLayer::keyPressEvent(QKeyEvent* event) {
     update();
     return;
   }
-  QWidget::keyPressEvent(event);
+  if (!isForCross(*event)) {
+    QWidget::keyPressEvent(event);
+    return;
+  }
+  const bool points = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (points && cross_) {
+    Q_EMIT chosen();
+    Q_EMIT picked(QRectF(*cross_, QSizeF(0.0, 0.0)), event->modifiers() & ~Qt::KeypadModifier);
+  } else {
+    moveCross(event->key(), event->modifiers().testFlag(Qt::ControlModifier));
+  }
+}
+
+bool PickLayer::isForCross(const QKeyEvent& event) const {
+  switch (event.key()) {
+  case Qt::Key_Left:
+  case Qt::Key_Right:
+  case Qt::Key_Up:
+  case Qt::Key_Down:
+    return picking_ && !view_->imageSize().isEmpty();
+  case Qt::Key_Return:
+  case Qt::Key_Enter:
+    return cross_.has_value();
+  default:
+    return false;
+  }
+}
+
+void PickLayer::moveCross(int key, bool fine) {
+  const QSize image = view_->imageSize();
+  const QPointF middle((image.width() - 1) / 2.0, (image.height() - 1) / 2.0);
+  const double step = fine ? 1.0 : std::max(1.0, std::round(image.width() / kStepsAcross));
+  QPointF next = cross_.value_or(QPointF(std::floor(middle.x()), std::floor(middle.y())));
+  if (cross_) { // the first key only shows it
+    next += QPointF(key == Qt::Key_Left    ? -step
+                    : key == Qt::Key_Right ? step
+                                           : 0.0,
+                    key == Qt::Key_Up     ? -step
+                    : key == Qt::Key_Down ? step
+                                          : 0.0);
+  }
+  cross_ = QPointF(std::clamp(next.x(), 0.0, image.width() - 1.0),
+                   std::clamp(next.y(), 0.0, image.height() - 1.0));
+  update();
+}
+
+void PickLayer::focusOutEvent(QFocusEvent* event) {
+  cross_.reset();
+  update();
+  QWidget::focusOutEvent(event);
+}
+
+bool PickLayer::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && isForCross(*static_cast<QKeyEvent*>(event))) {
+    event->accept(); // else the arrows would travel in time
+    return true;
+  }
+  return QWidget::event(event);
 }
 
 void PickLayer::paintEvent(QPaintEvent*) {
-  if (!pressed_ && regions_.empty()) {
+  if (!pressed_ && !cross_ && regions_.empty()) {
     return;
   }
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   if (pressed_) {
     stroke(painter, QPolygonF(QRectF(*pressed_, now_).normalized()), Qt::DashLine);
+  }
+  if (cross_) {
+    const QPointF at = positionOf(*cross_);
+    for (const QPointF arm : {QPointF(kArm, 0.0), QPointF(0.0, kArm)}) {
+      stroke(painter, QPolygonF({at - arm, at - 0.3 * arm}), Qt::SolidLine);
+      stroke(painter, QPolygonF({at + 0.3 * arm, at + arm}), Qt::SolidLine);
+    }
   }
   for (const Region& region : regions_) {
     QPolygonF outline;

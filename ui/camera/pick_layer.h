@@ -12,6 +12,8 @@ namespace dewpoint {
 class CameraView;
 
 /// Lies over a camera view: lets a person point at things in its image, and outlines regions of it.
+/// By keys: while it has the focus and picks, the arrows move a cross (Ctrl: one pixel at a time),
+/// Enter points there; with Shift or Alt as with a click.
 class PickLayer : public QWidget {
   Q_OBJECT
 public:
@@ -39,15 +41,21 @@ protected:
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  bool event(QEvent* event) override;
 
 private:
   std::optional<QPointF> pixelAt(QPointF position) const;
   QPointF positionOf(QPointF pixel) const;
+  /// Whether the key moves the cross or points, when it is pressed here.
+  bool isForCross(const QKeyEvent& event) const;
+  void moveCross(int key, bool fine);
 
   CameraView* view_;
   bool picking_ = false;
   std::vector<Region> regions_;
   std::optional<QPointF> pressed_; ///< widget
+  std::optional<QPointF> cross_;   ///< pixel of the image; moved by keys
   QPointF now_;
 };
 

@@ -113,6 +113,10 @@ void ColorPanel::say() {
 void ColorPanel::attach(int camera, CameraView* view) {
   auto* layer = new PickLayer(view);
   layer->setPicking(picking_ || document_.project().targets.empty());
+  inEveryLanguage(layer, [layer, camera] {
+    layer->setAccessibleName(
+        tr("Image of camera %1: arrow keys move a cross, Enter points there").arg(camera + 1));
+  });
   layers_.emplace_back(camera, layer);
   connect(layer, &QObject::destroyed, this, [this, layer] {
     std::erase_if(layers_, [layer](const auto& one) { return one.second == layer; });
@@ -142,6 +146,9 @@ void ColorPanel::setPicking(bool picking) {
   learn_->setChecked(picking);
   for (const auto& [camera, layer] : layers_) {
     layer->setPicking(picking || document_.project().targets.empty());
+  }
+  if (picking && !layers_.empty()) {
+    layers_.front().second->setFocus(Qt::ShortcutFocusReason); // the keys move its cross
   }
 }
 
