@@ -4,7 +4,7 @@
 #include "app/dewpoint-cli/sample_place.h"
 #include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
-#include "core/color/color_learning.h"
+#include "core/color/familiar_color.h"
 #include "core/color/match_image.h"
 
 #include <CLI/CLI.hpp>
@@ -187,7 +187,7 @@ int learn(const LearnColorOptions& options) {
     return fail(images.error());
   }
   const auto& shown = images->at(options.frame);
-  const auto learned = learnColor(*samples, shown);
+  const auto learned = learnInRooms(*samples, shown, inputs->emptyRooms);
   if (!learned) {
     return fail(learned.error());
   }

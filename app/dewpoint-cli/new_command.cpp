@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
+#include "core/session/empty_rooms.h"
 #include "core/session/new_project.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace dewpoint {
@@ -14,6 +16,7 @@ struct NewOptions {
   std::string file;
   std::vector<std::string> cameras;
   std::string calibration;
+  std::vector<std::string> emptyRooms;
   bool force = false;
   NewProject project;
 };
@@ -30,6 +33,24 @@ NewCamera cameraFrom(const std::string& text) {
   return camera;
 }
 
+/// NAME=FILE into the camera of that name; then they are all read, so that what is wrong is said
+/// now.
+Status addEmptyRooms(const std::vector<std::string>& texts, Project& project) {
+  for (const std::string& text : texts) {
+    const auto equals = text.find('=');
+    const auto camera = std::ranges::find_if(project.cameras, [&](const ProjectCamera& one) {
+      return equals != std::string::npos && one.camera.name == text.substr(0, equals);
+    });
+    if (camera == project.cameras.end()) {
+      return failure(ErrorCode::BadValue, "", "--empty-room",
+                     "'" + text + "' does not begin with the name of a camera and '='");
+    }
+    camera->emptyRoom =
+        std::filesystem::absolute(text.substr(equals + 1)).lexically_normal().string();
+  }
+  return loadEmptyRooms(project).map([](const auto&) {});
+}
+
 int makeNew(NewOptions& options) {
   if (std::filesystem::exists(options.file) && !options.force) {
     return report(
@@ -41,9 +62,12 @@ int makeNew(NewOptions& options) {
   if (!options.calibration.empty()) {
     options.project.calibration = options.calibration;
   }
-  const auto made = makeProject(options.project);
+  auto made = makeProject(options.project);
   if (!made) {
     return report(made.error());
+  }
+  if (const auto added = addEmptyRooms(options.emptyRooms, made->project); !added) {
+    return report(added.error());
   }
   if (const auto saved = saveProject(made->project, options.file); !saved) {
     return report(saved.error());
@@ -73,6 +97,9 @@ void addNewCommand(CLI::App& app, int& exitCode) {
       ->required();
   command->add_option("--calibration", options->calibration,
                       "Calibration file; by the cameras' names, or else in its order");
+  command->add_option("--empty-room", options->emptyRooms,
+                      "NAME=FILE: image, video or folder of images in which that camera shows the "
+                      "scene without any target");
   command->add_option("--name", options->project.name, "Name of the project");
   command->add_option("--rate", options->project.framesPerSecond, "Images per second of folders")
       ->check(CLI::Range(0.1, 10000.0));

@@ -111,7 +111,7 @@ int TrackJob::run(SessionInputs inputs) const {
   if (problem) {
     return report({ErrorCode::FileUnwritable, folder.string(), "--out", problem.message()});
   }
-  auto run = TrackingRun::create(inputs.project, threads);
+  auto run = TrackingRun::create(inputs.project, threads, inputs.emptyRooms);
   if (!run) {
     return report(run.error());
   }

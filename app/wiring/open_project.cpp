@@ -3,6 +3,7 @@
 
 #include "core/capture/live_cameras.h"
 #include "core/capture/recording.h"
+#include "core/session/empty_rooms.h"
 #include "core/session/tracking_run.h"
 #include "core/simulation/scene_renderer.h"
 #include "core/trajectory/trajectory_reader.h"
@@ -174,6 +175,11 @@ Result<SessionInputs> openInputs(Project project) {
     }
     inputs.truth = std::move(*truth);
   }
+  auto rooms = loadEmptyRooms(project);
+  if (!rooms) {
+    return tl::make_unexpected(rooms.error());
+  }
+  inputs.emptyRooms = std::move(*rooms);
   inputs.project = std::move(project);
   return inputs;
 }

@@ -93,6 +93,10 @@ private:
 
 } // namespace
 
+bool isPictureFile(const std::string& path) {
+  return isPicture(path);
+}
+
 bool naturallyBefore(const std::string& left, const std::string& right) {
   std::string_view a = left;
   std::string_view b = right;
@@ -144,6 +148,10 @@ Result<PictureReaderPtr> openImageReader(const std::string& folder, const std::s
   }
   std::ranges::sort(files, naturallyBefore);
   return std::make_unique<ImageReader>(std::move(files), field);
+}
+
+Result<PictureReaderPtr> openPictureReader(const std::string& file, const std::string& field) {
+  return std::make_unique<ImageReader>(std::vector<std::string>{file}, field);
 }
 
 Result<PictureReaderPtr> openGeneratedReader(const RecordedCamera& camera,

@@ -29,9 +29,14 @@ public:
 
 using PictureReaderPtr = std::unique_ptr<PictureReader>;
 
+/// Whether a file is a picture, by the ending of its name.
+bool isPictureFile(const std::string& path);
+
 /// `field` names the camera in errors.
 Result<PictureReaderPtr> openVideoReader(const std::string& path, const std::string& field);
 Result<PictureReaderPtr> openImageReader(const std::string& folder, const std::string& field);
+/// One picture.
+Result<PictureReaderPtr> openPictureReader(const std::string& file, const std::string& field);
 Result<PictureReaderPtr> openGeneratedReader(const RecordedCamera& camera,
                                              const std::string& field);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S7: cameras that take their frames at different times. S8: light that changes.
 #include "core/experiment/scenario_places.h"
+#include "core/simulation/light.h"
 #include "core/simulation/rigs.h"
 #include "core/simulation/scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -72,20 +72,6 @@ bool withRamp(ScenarioDraft& draft) {
   return true;
 }
 
-/// What light of `kelvin` gives a sensor that is balanced for kBalanced, per channel (BGR) and
-/// relative to green: Planck's law at one wavelength per channel.
-Eigen::Vector3d temperatureGain(double kelvin) {
-  constexpr double kBalanced = 5500.0;
-  constexpr double kSecondRadiation = 0.014388; // h c / k, metre kelvin
-  constexpr std::array<double, 3> kWavelengths{460e-9, 540e-9, 620e-9};
-  Eigen::Vector3d gain;
-  for (int channel = 0; channel < 3; ++channel) {
-    const double exponent = kSecondRadiation / kWavelengths.at(static_cast<std::size_t>(channel));
-    gain[channel] = std::expm1(exponent / kBalanced) / std::expm1(exponent / kelvin);
-  }
-  return gain / gain[1];
-}
-
 bool withTemperature(ScenarioDraft& draft) {
   constexpr double kMiddle = 5500.0;
   constexpr double kSwing = 1000.0;
@@ -97,7 +83,8 @@ bool withTemperature(ScenarioDraft& draft) {
   const double phase = draft.draws.uniform(0.0, turn);
   draft.stage.light = [turn, phase](std::size_t, double time) {
     simulation::Light light;
-    light.gain = temperatureGain(kMiddle + kSwing * std::sin(turn * time / kPeriod + phase));
+    light.gain =
+        simulation::temperatureGain(kMiddle + kSwing * std::sin(turn * time / kPeriod + phase));
     return light;
   };
   return true;

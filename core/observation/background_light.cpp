@@ -123,6 +123,14 @@ BackgroundModel::lightSamples(const cv::Mat& image) const {
 }
 
 void BackgroundModel::followLight(const cv::Mat& image) {
+  followGain(image);
+  if (lightIsNew_) { // the light of now is the usual one, not that of the empty room
+    takeLightAsUsual();
+    lightIsNew_ = false;
+  }
+}
+
+void BackgroundModel::followGain(const cv::Mat& image) {
   if (mean_.empty() || mean_.size() != image.size() || image.type() != CV_8UC3) {
     return;
   }

@@ -78,6 +78,20 @@ struct LabelKernel {
   }
 };
 
+struct FamiliarKernel {
+  /// Overwrites Target by Explained where the empty room is seen: `agree` is 1 there and `familiar`
+  /// 255.
+  DEWPOINT_KERNEL void run(const std::uint8_t* familiar, const std::uint8_t* agree,
+                           std::int64_t count, std::uint8_t* label) {
+    constexpr auto kExplained = static_cast<std::uint8_t>(PixelLabel::Explained);
+    constexpr auto kTarget = static_cast<std::uint8_t>(PixelLabel::Target);
+    for (std::int64_t i = 0; i < count; ++i) {
+      const std::uint8_t empty = mask((label[i] == kTarget) & (agree[i] != 0));
+      label[i] = select(empty & familiar[i], kExplained, label[i]);
+    }
+  }
+};
+
 /// What becomes of a pixel: keep its mean, move it a little or half the way, or replace it.
 enum Move : std::uint8_t { Keep, MoveOld, MoveYoung, Replace };
 
@@ -98,6 +112,15 @@ struct CountKernel {
       news[i] = static_cast<std::uint8_t>(known & select(usual, 1, 2));
       novel[i] = static_cast<std::uint8_t>(waited & ~usual & ~replace);
       confidence[i] = select(usual, more, select(replace, 1, confidence[i]));
+    }
+  }
+};
+
+struct ForgetKernel {
+  /// familiar = 0 where the mean is replaced.
+  DEWPOINT_KERNEL void run(const std::uint8_t* move, std::int64_t count, std::uint8_t* familiar) {
+    for (std::int64_t i = 0; i < count; ++i) {
+      familiar[i] &= static_cast<std::uint8_t>(~mask(move[i] == Replace));
     }
   }
 };
@@ -139,14 +162,18 @@ struct MoveKernel {
 
 BackgroundModel::BackgroundModel(const BackgroundModel& other)
     : mean_(other.mean_.clone()), confidence_(other.confidence_.clone()),
-      novel_(other.novel_.clone()), phase_(other.phase_), known_(other.known_), new_(other.new_),
-      moves_(other.moves_), news_(other.news_), novelShare_(other.novelShare_),
-      light_(other.light_) {}
+      novel_(other.novel_.clone()), emptyRoom_(other.emptyRoom_),
+      familiar_(other.familiar_.clone()), lightIsNew_(other.lightIsNew_), phase_(other.phase_),
+      known_(other.known_), new_(other.new_), moves_(other.moves_), news_(other.news_),
+      novelShare_(other.novelShare_), light_(other.light_) {}
 
 BackgroundModel& BackgroundModel::operator=(BackgroundModel other) noexcept {
   std::swap(mean_, other.mean_);
   std::swap(confidence_, other.confidence_);
   std::swap(novel_, other.novel_);
+  std::swap(emptyRoom_, other.emptyRoom_);
+  std::swap(familiar_, other.familiar_);
+  lightIsNew_ = other.lightIsNew_;
   phase_ = other.phase_;
   known_ = other.known_;
   new_ = other.new_;
@@ -158,7 +185,8 @@ BackgroundModel& BackgroundModel::operator=(BackgroundModel other) noexcept {
 }
 
 std::size_t BackgroundModel::memoryBytes() const {
-  return mean_.total() * mean_.elemSize() + confidence_.total() + novel_.total();
+  return mean_.total() * mean_.elemSize() + confidence_.total() + novel_.total() +
+         familiar_.total();
 }
 
 void BackgroundModel::reset() {
@@ -166,6 +194,24 @@ void BackgroundModel::reset() {
   light_.setOnes();
   novelShare_ = 0.0;
   phase_ = 0;
+  familiar_ = cv::Mat();
+  lightIsNew_ = false;
+  if (emptyRoom_.type() == CV_8UC3 && !emptyRoom_.empty()) {
+    start(emptyRoom_);
+    confidence_.setTo(kMostConfident);
+    familiar_ = cv::Mat(emptyRoom_.size(), CV_8UC1, cv::Scalar(255));
+    lightIsNew_ = true;
+  }
+}
+
+void BackgroundModel::start(const cv::Mat& image) {
+  mean_ = image.clone();
+  light_.setOnes();
+  confidence_ = cv::Mat::zeros(image.size(), CV_8UC1);
+  novel_ = cv::Mat::zeros(image.size(), CV_8UC1);
+  familiar_ = cv::Mat();
+  moves_.resize(static_cast<std::size_t>(image.cols));
+  news_.resize(static_cast<std::size_t>(image.cols));
 }
 
 void BackgroundModel::learn(const cv::Mat& image, const std::vector<Hidden>& hidden) {
@@ -173,12 +219,7 @@ void BackgroundModel::learn(const cv::Mat& image, const std::vector<Hidden>& hid
     return;
   }
   if (mean_.size() != image.size()) {
-    mean_ = image.clone();
-    light_.setOnes();
-    confidence_ = cv::Mat::zeros(image.size(), CV_8UC1);
-    novel_ = cv::Mat::zeros(image.size(), CV_8UC1);
-    moves_.resize(static_cast<std::size_t>(image.cols));
-    news_.resize(static_cast<std::size_t>(image.cols));
+    start(image);
   }
   known_ = 0;
   new_ = 0;
@@ -197,6 +238,10 @@ void BackgroundModel::learnPixels(const cv::Mat& image, int row, int begin, int 
   runKernel<AgreeKernel>(pixel, static_cast<const std::uint8_t*>(mean), count, moves);
   runKernel<CountKernel>(count, moves, confidence_.ptr<std::uint8_t>(row) + begin,
                          novel_.ptr<std::uint8_t>(row) + begin, news_.data());
+  if (!familiar_.empty()) {
+    runKernel<ForgetKernel>(static_cast<const std::uint8_t*>(moves), count,
+                            familiar_.ptr<std::uint8_t>(row) + begin);
+  }
   runKernel<MoveKernel>(pixel, static_cast<const std::uint8_t*>(moves), count, mean);
   runKernel<TallyKernel>(static_cast<const std::uint8_t*>(news_.data()), count, &known_, &new_);
 }
@@ -242,7 +287,13 @@ void BackgroundModel::labelRow(const cv::Mat& image, int column, int row, int co
                            std::int64_t{count}, labels);
   }
   const std::int64_t most = known ? count : std::min<std::int64_t>(count, std::ssize(nothingKnown));
+  const bool familiar = known && !familiar_.empty();
+  const std::vector<std::uint8_t> agree(labels, labels + (familiar ? count : 0));
   runKernel<LabelKernel>(confidence, matched, most, labels);
+  if (familiar) {
+    runKernel<FamiliarKernel>(familiar_.ptr<std::uint8_t>(row) + column, agree.data(),
+                              std::int64_t{count}, labels);
+  }
 }
 
 } // namespace dewpoint

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/color/familiar_color.h"
+
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
@@ -24,8 +26,8 @@ public:
   static constexpr int kLearned = 3;
   /// A color is the usual one within this many gray levels (sensor noise) and an eighth of the mean
   /// (light that changes a little).
-  static constexpr int kTolerance = 14;
-  static constexpr int kToleranceShift = 3;
+  static constexpr int kTolerance = kFamiliarLevels;
+  static constexpr int kToleranceShift = kFamiliarShift;
 
   BackgroundModel() = default;
   /// A copy has pixels of its own.
@@ -34,7 +36,11 @@ public:
   BackgroundModel& operator=(BackgroundModel other) noexcept;
   ~BackgroundModel() = default;
 
-  /// Forgets everything.
+  /// What the camera shows when no target is there (CV_8UC3; empty: not known), known from the next
+  /// reset() on. What matches a target's color but did so in the empty room is explained then,
+  /// until something new stays there.
+  void setEmptyRoom(const cv::Mat& room) { emptyRoom_ = room.clone(); }
+  /// Forgets everything but the empty room.
   void reset();
   /// Before the labels of a new image are made: where the whole image has become brighter, darker
   /// or of another tint at once, what is usually there is what it was in this light. Does nothing
@@ -57,7 +63,8 @@ public:
   /// taken into account: it is the target's unless it shows what is usually there.
   static constexpr std::uint8_t kInUsualLight = 1;
   /// Labels (core/observation/label_image.h) of `count` pixels of one row, from `column` on: Target
-  /// where `matched` is 255, else Unlearned, Background or Unknown.
+  /// where `matched` is 255, unless the empty room is known to show the same there (Explained);
+  /// else Unlearned, Background or Unknown.
   void labelRow(const cv::Mat& image, int column, int row, int count, const std::uint8_t* matched,
                 std::uint8_t* labels) const;
 
@@ -65,11 +72,16 @@ private:
   struct LightSample;
   std::vector<LightSample> lightSamples(const cv::Mat& image) const;
   void learnRow(const cv::Mat& image, int row, const std::vector<Hidden>& hidden);
+  void start(const cv::Mat& image);
+  void followGain(const cv::Mat& image);
   void learnPixels(const cv::Mat& image, int row, int begin, int end);
 
   cv::Mat mean_;       ///< CV_8UC3
   cv::Mat confidence_; ///< CV_8UC1, observations that agreed, up to kMostConfident
   cv::Mat novel_;      ///< CV_8UC1, observations in a row that did not
+  cv::Mat emptyRoom_;  ///< CV_8UC3, never written to
+  cv::Mat familiar_;   ///< CV_8UC1, 255 where the mean is still that of the empty room; or empty
+  bool lightIsNew_ = false; ///< the room was empty in another light, perhaps
   int phase_ = 0;
   std::int64_t known_ = 0;
   std::int64_t new_ = 0;

@@ -42,10 +42,11 @@ struct EitherKernel {
 } // namespace
 
 void LabelImage::begin(const cv::Mat& image, const BackgroundModel& background,
-                       const ColorClassifier& classifier) {
+                       const ColorClassifier& classifier, const ColorClassifier& usual) {
   image_ = image;
   background_ = &background;
   classifier_ = &classifier;
+  usual_ = &usual;
   covered_ = {};
   explained_.clear();
   if (labels_.size() != image.size()) {
@@ -91,7 +92,7 @@ void LabelImage::matchInUsualLight(const std::uint8_t* row, int count) {
     return static_cast<std::int32_t>(std::lround((1 << kGainBits) / background_->light()[channel]));
   };
   runKernel<RelightKernel>(row, std::int64_t{count}, gain(0), gain(1), gain(2), relit_.data());
-  classifier_->matchRow(relit_.data(), count, again_.data());
+  usual_->matchRow(relit_.data(), count, again_.data());
   runKernel<EitherKernel>(static_cast<const std::uint8_t*>(again_.data()), std::int64_t{count},
                           matched_.data());
 }

@@ -19,7 +19,7 @@ enum class PixelLabel : std::uint8_t {
   Unlearned,  ///< does not match; what is usually there is not known yet
   Background, ///< does not match and shows what is usually there
   Unknown,    ///< does not match and shows something new
-  Explained,  ///< belongs to another target
+  Explained,  ///< matches, but belongs to another target or to the empty room
   Target,     ///< matches the target's color
 };
 inline constexpr std::size_t kPixelLabelCount = 5;
@@ -27,9 +27,14 @@ inline constexpr std::size_t kPixelLabelCount = 5;
 /// One camera's image with its labels, made where they are asked for.
 class LabelImage {
 public:
-  /// A new image (CV_8UC3) with the model of what is usually there; both outlive the labels.
+  /// A new image (CV_8UC3) with the model of what is usually there; all outlive the labels.
+  /// `usual` is the color in the usual light.
   void begin(const cv::Mat& image, const BackgroundModel& background,
-             const ColorClassifier& classifier);
+             const ColorClassifier& classifier, const ColorClassifier& usual);
+  void begin(const cv::Mat& image, const BackgroundModel& background,
+             const ColorClassifier& classifier) {
+    begin(image, background, classifier, classifier);
+  }
   /// No image from this camera.
   void clear();
 
@@ -74,6 +79,7 @@ private:
   cv::Mat image_;
   const BackgroundModel* background_ = nullptr;
   const ColorClassifier* classifier_ = nullptr;
+  const ColorClassifier* usual_ = nullptr;
   cv::Rect covered_;
   cv::Mat labels_;
   std::vector<Explanation> explained_;

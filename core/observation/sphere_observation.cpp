@@ -36,13 +36,13 @@ SphereObservation::SphereObservation(const CameraRig& rig) {
 
 void SphereObservation::setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
                                  const BackgroundModel& background,
-                                 const ColorClassifier& classifier) {
+                                 const ColorClassifier& classifier, const ColorClassifier& usual) {
   View& view = views_.at(camera);
   view.timeOffset = timeOffset;
   if (image.type() != CV_8UC3 || image.empty()) {
     view.labels.clear();
   } else {
-    view.labels.begin(image, background, classifier);
+    view.labels.begin(image, background, classifier, usual);
   }
 }
 

@@ -34,10 +34,15 @@ public:
   const LabelImage& labels(std::size_t camera) const { return views_[camera].labels; }
 
   /// The image a camera shows from now on, taken `timeOffset` seconds after the common instant.
-  /// Image, background and classifier must outlive their use. An empty image: the camera is left
-  /// out.
+  /// Image, background and classifiers must outlive their use; `usual` is the color in the usual
+  /// light. An empty image: the camera is left out.
   void setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
-                const BackgroundModel& background, const ColorClassifier& classifier);
+                const BackgroundModel& background, const ColorClassifier& classifier,
+                const ColorClassifier& usual);
+  void setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
+                const BackgroundModel& background, const ColorClassifier& classifier) {
+    setImage(camera, image, timeOffset, background, classifier, classifier);
+  }
   /// Radius of the sphere in metres, from now on.
   void setRadius(double radius) { radius_ = radius; }
   double radius() const { return radius_; }

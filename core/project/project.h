@@ -26,6 +26,9 @@ struct ProjectCamera {
   bool mirrored = false; ///< and then mirrored left to right
   /// Of a simulated camera: its calibration is the project's own, not what the scene says.
   bool adjusted = false;
+  /// Absolute path of an image, a video or a folder of images that show the scene without any
+  /// target, not yet turned; empty: there is none.
+  std::string emptyRoom = {};
 
   bool operator==(const ProjectCamera&) const = default;
 };

@@ -178,6 +178,7 @@ ProjectCamera readCamera(const toml::table& table, const std::string& file, cons
   } else {
     readSource(reader, folder, camera);
   }
+  camera.emptyRoom = readPath(reader, "empty_room", folder).string();
   if (const toml::table* calibration = reader.table("calibration")) {
     auto read = cameraFromToml(*calibration, file, prefix + "calibration.");
     if (read) {

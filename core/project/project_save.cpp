@@ -68,6 +68,9 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
   if (camera.mirrored) {
     text += "mirror = true   # left to right, after the rotation\n";
   }
+  if (!camera.emptyRoom.empty()) {
+    text += "empty_room = " + storedPath(camera.emptyRoom, folder) + "\n";
+  }
   return text + "[camera.calibration]   # pixels, radians, metres; camera from world\n" +
          cameraToToml(camera.camera, RotationForm::Matrix);
 }

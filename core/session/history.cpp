@@ -10,6 +10,11 @@ namespace {
 
 constexpr std::int64_t kFirstSpacing = 15; ///< frames between copies, as long as there is room
 
+bool hasParticles(const Moment& moment) {
+  return std::ranges::any_of(moment.targets,
+                             [](const auto& target) { return target.particles.size() > 0; });
+}
+
 } // namespace
 
 HistoryLimits HistoryLimits::of(std::size_t total, bool live) {
@@ -86,22 +91,31 @@ void History::thinMoments() {
   bool wanted = true;
   for (std::size_t k = 0; k < half; ++k) {
     Moment& moment = moments_[k];
-    const bool full = std::any_of(moment.targets.begin(), moment.targets.end(),
-                                  [](const auto& target) { return target.particles.size() > 0; });
-    if (full && !(wanted = !wanted)) {
-      momentBytes_ -= moment.bytes();
-      for (TargetMoment& target : moment.targets) {
-        target.particles.resize(0, 3);
-        target.weights.resize(0);
-        target.proposals = {};
-      }
-      momentBytes_ += moment.bytes();
+    if (hasParticles(moment) && !(wanted = !wanted)) {
+      forgetParticles(moment);
+    }
+  }
+  // A run is repeated through its moments: none is given up while there are particles to give up.
+  for (auto moment = moments_.begin();
+       momentBytes_ > limits_.moments && moment != std::prev(moments_.end()); ++moment) {
+    if (hasParticles(*moment)) {
+      forgetParticles(*moment);
     }
   }
   while (momentBytes_ > limits_.moments && moments_.size() > 1) {
     momentBytes_ -= moments_.front().bytes(); // estimates alone fill the memory
     moments_.pop_front();
   }
+}
+
+void History::forgetParticles(Moment& moment) {
+  momentBytes_ -= moment.bytes();
+  for (TargetMoment& target : moment.targets) {
+    target.particles.resize(0, 3);
+    target.weights.resize(0);
+    target.proposals = {};
+  }
+  momentBytes_ += moment.bytes();
 }
 
 void History::forgetFrom(std::int64_t frame) {

@@ -71,6 +71,7 @@ public:
 
 private:
   void thinMoments();
+  void forgetParticles(Moment& moment);
   void thinCheckpoints();
   std::deque<Moment>::const_iterator lowerBound(std::int64_t frame) const;
 

@@ -14,6 +14,7 @@ std::size_t Moment::bytes() const {
     sum += target.proposals.capacity() * sizeof(ProposedPlace);
     sum += target.reasons.capacity() * sizeof(CameraReport);
     sum += target.estimate.cameras.capacity() * sizeof(CameraEvidence);
+    sum += target.estimate.colors.capacity() * sizeof(ColorRange);
   }
   return sum;
 }

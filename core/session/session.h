@@ -6,6 +6,8 @@
 #include "core/session/snapshot.h"
 #include "core/trajectory/trajectory.h"
 
+#include <opencv2/core/mat.hpp>
+
 #include <concepts>
 #include <filesystem>
 #include <functional>
@@ -22,6 +24,8 @@ struct SessionInputs {
   Project project;
   std::unique_ptr<FrameSetSource> source;
   Trajectory truth; ///< empty when unknown
+  /// Of the cameras (loadEmptyRooms); may be empty.
+  std::vector<cv::Mat> emptyRooms = {};
   /// Bytes that going back in the run may take: images of live cameras, particles, copies.
   /// 0: 1 GB for live cameras, half of it for recordings.
   std::size_t historyBytes = 0;

@@ -65,8 +65,9 @@ struct BudgetFigures {
 /// Everything a view may show of one moment. Immutable once published.
 struct TrackSnapshot {
   std::shared_ptr<const CameraRig> rig;
-  FrameSetPtr frames;         ///< null before the first frame
-  std::vector<cv::Mat> masks; ///< per camera CV_8UC1, 255 = target color; empty unless wanted
+  FrameSetPtr frames;              ///< null before the first frame
+  std::vector<cv::Mat> emptyRooms; ///< per camera without targets; empty when that is not known
+  std::vector<cv::Mat> masks;      ///< per camera CV_8UC1, 255 = target color; empty unless wanted
   std::vector<TargetSnapshot> targets;
   std::int64_t frame = -1; ///< the one shown
   bool past = false;       ///< an other frame is shown than the run stands at

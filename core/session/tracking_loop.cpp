@@ -26,8 +26,9 @@ template <class T> void keepNewest(std::deque<T>& values, std::size_t most) {
 
 TrackingLoop::TrackingLoop(SessionInputs inputs)
     : project_(std::move(inputs.project)), source_(std::move(inputs.source)), truth_(inputs.truth),
+      emptyRooms_(std::move(inputs.emptyRooms)),
       rig_(std::make_shared<const CameraRig>(rigOf(project_))) {
-  auto run = TrackingRun::create(project_, 1);
+  auto run = TrackingRun::create(project_, 1, emptyRooms_);
   if (run) {
     run_.emplace(std::move(*run));
   } else {

@@ -76,6 +76,7 @@ private:
   Project project_;
   std::unique_ptr<FrameSetSource> source_;
   TruthTable truth_;
+  std::vector<cv::Mat> emptyRooms_;
   std::shared_ptr<const CameraRig> rig_;
   std::optional<TrackingRun> run_;
   std::optional<TimeTravel> travel_; ///< as long as there is a source

@@ -90,7 +90,7 @@ void TrackingLoop::changeMethod(const command::SetMethod& wish) {
   changed.method = wish.method;
   changed.parameters = wish.parameters;
   changed.targets = run_->targets();
-  auto run = TrackingRun::create(changed, 1);
+  auto run = TrackingRun::create(changed, 1, emptyRooms_);
   if (!run) {
     errors_.push_back(run.error());
     return;
@@ -108,7 +108,7 @@ void TrackingLoop::changeTargets(const std::vector<Target>& targets) {
     return;
   }
   // Another number of targets: new beliefs, on the frame that the run stands at.
-  auto run = TrackingRun::create(project_, 1);
+  auto run = TrackingRun::create(project_, 1, emptyRooms_);
   if (!run) {
     errors_.push_back(run.error());
     return;
@@ -241,7 +241,7 @@ bool TrackingLoop::goBackTo(std::int64_t from, const command::SetMethod* method)
     changed.method = method->method;
     changed.parameters = method->parameters;
     changed.targets = run_->targets();
-    auto run = TrackingRun::create(changed, 1);
+    auto run = TrackingRun::create(changed, 1, emptyRooms_);
     if (!run) {
       errors_.push_back(run.error());
       return false;

@@ -24,11 +24,15 @@ double median(std::deque<double> values) {
 
 std::vector<cv::Mat> TrackingLoop::masks(const TrackSnapshot& snapshot) {
   std::vector<cv::Mat> masks;
-  for (const auto& frame : snapshot.frames->frames) {
+  const auto& frames = snapshot.frames->frames;
+  for (std::size_t camera = 0; camera < frames.size(); ++camera) {
+    const FramePtr& frame = frames[camera];
     cv::Mat mask;
     for (const auto& target : snapshot.targets) {
+      const auto& followed = target.estimate.colors; // empty: the range is as it was learned
+      const ColorRange& range = camera < followed.size() ? followed[camera] : target.target.color;
       if (frame) {
-        const cv::Mat matched = matchImage(frame->image, ColorClassifier(target.target.color));
+        const cv::Mat matched = matchImage(frame->image, ColorClassifier(range));
         mask = mask.empty() ? matched : cv::Mat(mask | matched);
       }
     }
@@ -72,6 +76,7 @@ void TrackingLoop::addFigures(TrackSnapshot& snapshot) const {
 void TrackingLoop::publish(bool quickly) {
   auto snapshot = std::make_shared<TrackSnapshot>();
   snapshot->rig = rig_;
+  snapshot->emptyRooms = emptyRooms_;
   snapshot->seed = project_.seed;
   snapshot->state = state_;
   snapshot->past = view_.has_value();

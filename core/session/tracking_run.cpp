@@ -43,7 +43,8 @@ TrajectoryHeader trajectoryHeader(const Project& project) {
   return header;
 }
 
-Result<TrackingRun> TrackingRun::create(const Project& project, int threadCount) {
+Result<TrackingRun> TrackingRun::create(const Project& project, int threadCount,
+                                        const std::vector<cv::Mat>& emptyRooms) {
   auto tracker =
       makeMultiTracker(project.method, project.parameters, rigOf(project), project.targets);
   if (!tracker) {
@@ -51,6 +52,7 @@ Result<TrackingRun> TrackingRun::create(const Project& project, int threadCount)
   }
   TrackingRun run;
   run.tracker_ = std::move(*tracker);
+  run.tracker_->setEmptyRooms(emptyRooms);
   run.targets_ = project.targets;
   run.parameters_ = project.parameters;
   run.rig_ = rigOf(project);

@@ -7,6 +7,8 @@
 #include "core/tracking/multi_tracker.h"
 #include "core/trajectory/trajectory.h"
 
+#include <opencv2/core/mat.hpp>
+
 #include <map>
 #include <memory>
 #include <optional>
@@ -34,8 +36,9 @@ struct RunChange {
 /// the command line both drive. Not thread safe.
 class TrackingRun {
 public:
-  /// NotFound for an unknown method.
-  static Result<TrackingRun> create(const Project& project, int threadCount);
+  /// `emptyRooms` as of loadEmptyRooms(), or none. NotFound for an unknown method.
+  static Result<TrackingRun> create(const Project& project, int threadCount,
+                                    const std::vector<cv::Mat>& emptyRooms = {});
 
   /// Forgets all beliefs.
   void restart(std::uint64_t seed);

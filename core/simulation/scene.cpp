@@ -2,6 +2,7 @@
 #include "core/simulation/scene.h"
 
 #include "core/base/text_file.h"
+#include "core/simulation/light.h"
 
 #include <Eigen/Geometry>
 
@@ -147,6 +148,22 @@ Eigen::Vector3d occluderPosition(const Scene& scene, double time) {
   const Eigen::Vector3d right = viewer.cameraFromWorld.linear().row(0).transpose();
   return eye + kAlongLine * (ballPosition(scene, 0, time) - eye) +
          kSwing * std::cos(2.0 * std::numbers::pi * time / kPeriod) * right;
+}
+
+Eigen::Vector3d lightGain(const Scene& scene, double time) {
+  const auto& lights = scene.lights;
+  if (lights.empty()) {
+    return Eigen::Vector3d::Ones();
+  }
+  const auto next = std::ranges::upper_bound(lights, time, {}, &SceneLight::time);
+  const SceneLight& after = next == lights.end() ? lights.back() : *next;
+  const SceneLight& before = next == lights.begin() ? lights.front() : *(next - 1);
+  const double span = after.time - before.time;
+  const double share = span > 0.0 ? (time - before.time) / span : 0.0;
+  const double brightness =
+      before.brightness * std::pow(after.brightness / before.brightness, share);
+  return brightness *
+         simulation::temperatureGain(before.kelvin + share * (after.kelvin - before.kelvin));
 }
 
 double frameTime(const Scene& scene, std::int64_t frame) {

@@ -41,6 +41,14 @@ struct SceneBall {
   double intensityMax = 0.90;
 };
 
+/// The light at one instant; it changes evenly from one to the next (the brightness by equal
+/// factors in equal times) and is as the first says before it, and as the last says after it.
+struct SceneLight {
+  double time = 0.0;       ///< seconds
+  double brightness = 1.0; ///< factor; 1 is full light
+  double kelvin = 5500.0;  ///< color temperature; the cameras are balanced for 5500 K
+};
+
 /// As many look-alike balls as have a place on the desk.
 inline constexpr int kMaxLookAlikes = 4;
 
@@ -56,8 +64,9 @@ struct Scene {
   int lookAlikes = 0;    ///< further balls of the first ball's color, at rest; up to kMaxLookAlikes
   bool occluder = false; ///< a box that passes between the first ball and the first camera
   bool clutter = true;   ///< books, boxes, wood- and skin-colored things on the desk
-  double noiseSigma = 3.0;       ///< standard deviation of the sensor noise, gray levels
-  double exposureSeconds = 0.01; ///< how long the shutter is open: the motion blur
+  std::vector<SceneLight> lights; ///< in the order of their times; none: full light of 5500 K
+  double noiseSigma = 3.0;        ///< standard deviation of the sensor noise, gray levels
+  double exposureSeconds = 0.01;  ///< how long the shutter is open: the motion blur
 };
 
 /// The set-up of Barrera, Cañas and Matellán (2005): two cameras at the paper's positions, looking
@@ -88,6 +97,9 @@ Eigen::Vector3d lookAlikePosition(const Scene& scene, int index);
 
 /// The center of the occluder at `time` seconds, world frame, metres.
 Eigen::Vector3d occluderPosition(const Scene& scene, double time);
+
+/// The light at `time` seconds, as a factor per channel (BGR).
+Eigen::Vector3d lightGain(const Scene& scene, double time);
 
 /// Seconds at which frame `frame` is taken.
 double frameTime(const Scene& scene, std::int64_t frame);

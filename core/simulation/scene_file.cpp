@@ -86,6 +86,18 @@ Result<SceneBall> readBall(const toml::table& table, const std::string& file, st
   return ball;
 }
 
+Result<SceneLight> readLight(const toml::table& table, const std::string& file, std::size_t index) {
+  TableReader reader(table, file, fmt::format("light {}.", index + 1));
+  SceneLight light;
+  reader.number("time", light.time, 0.0, 1e9);
+  reader.number("brightness", light.brightness, 0.01, 100.0);
+  reader.number("kelvin", light.kelvin, 1000.0, 40000.0);
+  if (auto error = reader.finish()) {
+    return tl::make_unexpected(std::move(*error));
+  }
+  return light;
+}
+
 /// The pose: `position` with either `rotation` (the camera's axes in the world, row by row) or
 /// `target` and, if wanted, `roll` in degrees.
 void readPose(TableReader& reader, Camera& camera) {
@@ -181,12 +193,17 @@ Result<Scene> readScene(const toml::table& table, const std::string& file) {
   reader.number("exposure_seconds", scene.exposureSeconds, 0.0, 10.0);
   const auto balls = reader.tables("ball");
   const auto cameras = reader.tables("camera");
+  const auto lights = reader.tables("light");
   if (auto error = reader.finish()) {
     return tl::make_unexpected(std::move(*error));
   }
   Status status = readAll(balls, file, scene.balls, readBall);
   if (status) {
     status = readAll(cameras, file, scene.cameras, readCamera);
+  }
+  if (status) {
+    status = readAll(lights, file, scene.lights, readLight);
+    std::ranges::stable_sort(scene.lights, {}, &SceneLight::time);
   }
   if (!status) {
     return tl::make_unexpected(std::move(status.error()));
@@ -253,7 +270,12 @@ std::string sceneToml(const Scene& scene) {
   for (const Camera& camera : scene.cameras) {
     cameras.push_back(cameraTable(camera));
   }
-  const toml::table table{
+  toml::array lights;
+  for (const SceneLight& light : scene.lights) {
+    lights.push_back(toml::table{
+        {"time", light.time}, {"brightness", light.brightness}, {"kelvin", light.kelvin}});
+  }
+  toml::table table{
       {"name", scene.name},
       {"frames_per_second", scene.framesPerSecond},
       {"frame_count", scene.frameCount},
@@ -266,6 +288,9 @@ std::string sceneToml(const Scene& scene) {
       {"ball", balls},
       {"camera", cameras},
   };
+  if (!lights.empty()) {
+    table.insert("light", lights);
+  }
   std::ostringstream stream;
   stream << table << '\n';
   return stream.str();

@@ -91,6 +91,10 @@ cv::Mat SceneRenderer::render(int camera, std::int64_t frame) const {
   simulation::paintBodies(
       view, [this](double time) { return parts_->bodiesAt(time); },
       {frameTime(scene(), frame), scene().exposureSeconds}, image);
+  const Eigen::Vector3d gain = lightGain(scene(), frameTime(scene(), frame));
+  if (gain != Eigen::Vector3d::Ones()) {
+    cv::multiply(image, cv::Scalar(gain[0], gain[1], gain[2], 0.0), image);
+  }
   const RandomStream stream(scene().seed, static_cast<std::uint32_t>(frame),
                             static_cast<std::uint32_t>(camera), RandomPurpose::Simulation);
   return simulation::develop(image, scene().noiseSigma, stream);

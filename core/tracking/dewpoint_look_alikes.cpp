@@ -71,7 +71,7 @@ void DewpointTracker::watchLookAlikes(ThreadTeam& team) {
   }
   for (std::size_t k = 0; k < targetCount_; ++k) {
     if (isFirstOfItsColor(k)) {
-      findLookAlikes(Target(tracked_[k].belief.target()), team); // a copy: things are added
+      findLookAlikes(k, team);
     }
   }
 }
@@ -84,9 +84,9 @@ bool DewpointTracker::isFirstOfItsColor(std::size_t target) const {
                       });
 }
 
-DewpointTracker::Tracked DewpointTracker::thingLike(const Target& looks) const {
-  Tracked thing{TargetBelief(looks), SphereObservation(rig_), ColorClassifier(looks.color),
-                nullptr};
+DewpointTracker::Tracked DewpointTracker::thingLike(std::size_t target) const {
+  Tracked thing{TargetBelief(tracked_[target].belief.target()), SphereObservation(rig_),
+                tracked_[target].color, nullptr};
   thing.belief.configure(settings());
   thing.belief.setSearching(false);
   return thing;
@@ -107,22 +107,22 @@ void DewpointTracker::addLookAlike(Tracked thing, const Candidate& place, Thread
   streams_.push_back(nextLookAlike_++);
   tracked_.push_back(std::move(thing));
   Tracked& added = tracked_.back();
-  showImages(added.observation,
-             added.classifier); // its labels refer to the classifier, which moved
+  showImages(added.observation, added.color); // its labels refer to the color, which moved
   added.belief.adopt(place.center, place.radius, added.observation, keyOf(tracked_.size() - 1),
                      team);
 }
 
-void DewpointTracker::findLookAlikes(const Target& looks, ThreadTeam& team) {
+void DewpointTracker::findLookAlikes(std::size_t target, ThreadTeam& team) {
   if (tracked_.size() >= targetCount_ + kMostLookAlikes) {
     return;
   }
-  Tracked probe = thingLike(looks);
-  showImages(probe.observation, probe.classifier);
+  const double radius = tracked_[target].belief.target().radius;
+  Tracked probe = thingLike(target);
+  showImages(probe.observation, probe.color);
   explainOthers(probe.observation, probe); // else two things seen crosswise would make a third
-  probe.observation.setRadius(looks.radius);
+  probe.observation.setRadius(radius);
   for (const Candidate& candidate :
-       search_.find(probe.observation, looks.radius > 0.0, kMostLookAlikes)) {
+       search_.find(probe.observation, radius > 0.0, kMostLookAlikes)) {
     if (isNewLookAlike(candidate, probe.observation, candidate.logRatio)) {
       addLookAlike(std::move(probe), candidate, team);
       return; // one at a time
@@ -131,8 +131,9 @@ void DewpointTracker::findLookAlikes(const Target& looks, ThreadTeam& team) {
 }
 
 std::unique_ptr<SlicedSearch> DewpointTracker::beginSearch(const Tracked& own) {
-  auto search = std::make_unique<SlicedSearch>(rig_, own.belief.target(), frames_);
-  showImages(search->observation(), search->classifier());
+  auto search =
+      std::make_unique<SlicedSearch>(rig_, own.color, own.belief.target().radius, frames_);
+  showImages(search->observation(), search->color());
   explainOthers(search->observation(), own);
   return search;
 }
@@ -161,15 +162,15 @@ void DewpointTracker::lookAroundInSlices(ThreadTeam& team) {
     do { // the next target, of those that do not share their color with an earlier one
       lookAroundFor_ = (lookAroundFor_ + 1) % targetCount_;
     } while (!isFirstOfItsColor(lookAroundFor_));
-    lookAround_ = beginSearch(thingLike(tracked_[lookAroundFor_].belief.target()));
+    lookAround_ = beginSearch(thingLike(lookAroundFor_));
   }
   const auto places = goOn(lookAround_, kMostLookAlikes, false);
   if (places.empty()) {
     return;
   }
   // The places are some frames old: where are they now?
-  Tracked probe = thingLike(tracked_[lookAroundFor_].belief.target());
-  showImages(probe.observation, probe.classifier);
+  Tracked probe = thingLike(lookAroundFor_);
+  showImages(probe.observation, probe.color);
   explainOthers(probe.observation, probe);
   for (Candidate place : places) {
     OutlinePrior prior;

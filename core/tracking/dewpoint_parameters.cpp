@@ -36,6 +36,12 @@ std::vector<ParameterDeclaration> declare() {
        "Edge of the room in which a target may appear: larger asks for more evidence before a "
        "target is believed.",
        true},
+      {"color_adaptation", ParameterKind::Real, "Color adaptation", "s", 0.0, 600.0, 0.5, 0.0,
+       "How fast a target's color range follows slow changes of light, as a time constant; only "
+       "while the target is surely there, and in each camera by itself. 0 keeps the range as it "
+       "is; "
+       "2 is a good value in a room with daylight.",
+       false},
   };
   const auto start = startParameters({{0.5, 0.5, 0.25}, {0.5, 0.5, 0.25}});
   all.insert(all.end(), start.begin(), start.end());

@@ -61,7 +61,7 @@ DewpointTracker::DewpointTracker(const DewpointTracker& other)
       nextLookAround_(other.nextLookAround_) {
   for (const Tracked& tracked : other.tracked_) {
     // Searches that go on within a time budget begin anew: such a run cannot be repeated anyway.
-    tracked_.push_back({tracked.belief, SphereObservation(rig_), tracked.classifier, nullptr});
+    tracked_.push_back({tracked.belief, SphereObservation(rig_), tracked.color, nullptr});
   }
 }
 
@@ -195,7 +195,7 @@ std::vector<LikelihoodMap> DewpointTracker::likelihoodMaps(std::size_t target, i
       estimate.radius > 0.0 ? estimate.radius : tracked_[target].belief.target().radius;
   DewpointTracker copy(*this); // making labels must not change what this one does next
   Tracked& own = copy.tracked_[target];
-  copy.showImages(own.observation, own.classifier);
+  copy.showImages(own.observation, own.color);
   copy.explainOthers(own.observation, own);
   for (std::size_t camera = 0; camera < rig_.size(); ++camera) {
     LabelImage& labels = own.observation.labels(camera);

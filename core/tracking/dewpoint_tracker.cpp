@@ -28,8 +28,8 @@ DewpointTracker::DewpointTracker(const ParameterValues& parameters, const Camera
     : parameters_(parameters), rig_(rig), targetCount_(targets.size()), backgrounds_(rig.size()),
       search_(rig), estimates_(targets.size()) {
   for (const Target& target : targets) {
-    tracked_.push_back(
-        {TargetBelief(target), SphereObservation(rig), ColorClassifier(target.color), nullptr});
+    tracked_.push_back({TargetBelief(target), SphereObservation(rig),
+                        AdaptiveColor(target.color, rig.size()), nullptr});
   }
   restart(0);
 }
@@ -54,6 +54,9 @@ void DewpointTracker::configure(const ParameterValues& parameters) {
   parameters_ = parameters;
   for (Tracked& tracked : tracked_) {
     tracked.belief.configure(settings());
+    if (parameters_.at("color_adaptation") <= 0.0) {
+      tracked.color.forget();
+    }
   }
   if (!lastTime_) {
     restart(key_.seed);
@@ -70,9 +73,9 @@ void DewpointTracker::setTargets(const std::vector<Target>& targets) {
       for (BackgroundModel& background : backgrounds_) {
         background.takeLightAsUsual();
       }
+      tracked_[k].color = AdaptiveColor(targets[k].color, rig_.size());
     }
     tracked_[k].belief.setTarget(targets[k]);
-    tracked_[k].classifier = ColorClassifier(targets[k].color);
     tracked_[k].search.reset();
   }
 }
@@ -89,7 +92,13 @@ void DewpointTracker::setCameras(const CameraRig& rig) {
   for (Tracked& tracked : tracked_) {
     tracked.observation = SphereObservation(rig);
     tracked.search.reset();
-    showImages(tracked.observation, tracked.classifier);
+    showImages(tracked.observation, tracked.color);
+  }
+}
+
+void DewpointTracker::setEmptyRooms(const std::vector<cv::Mat>& rooms) {
+  for (std::size_t camera = 0; camera < std::min(rooms.size(), backgrounds_.size()); ++camera) {
+    backgrounds_[camera].setEmptyRoom(rooms[camera]);
   }
 }
 
@@ -109,6 +118,7 @@ void DewpointTracker::restart(std::uint64_t seed) {
   std::iota(streams_.begin(), streams_.end(), 0U);
   for (std::size_t k = 0; k < targetCount_; ++k) {
     tracked_[k].search.reset();
+    tracked_[k].color.forget();
     tracked_[k].belief.configure(settings());
     tracked_[k].belief.restart(startVolume(parameters_), keyOf(k).seed);
   }
@@ -142,13 +152,16 @@ FramePtr DewpointTracker::frameOf(std::size_t camera) const {
   return frames_ && camera < frames_->frames.size() ? frames_->frames[camera] : nullptr;
 }
 
-void DewpointTracker::showImages(SphereObservation& observation,
-                                 const ColorClassifier& classifier) {
+double DewpointTracker::timeOffsetOf(std::size_t camera) const {
+  const FramePtr frame = frameOf(camera);
+  return frame ? seconds(frame->captureTime - frames_->time) : 0.0;
+}
+
+void DewpointTracker::showImages(SphereObservation& observation, const AdaptiveColor& color) {
   for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
     const FramePtr frame = frameOf(camera);
-    const double offset = frame ? seconds(frame->captureTime - frames_->time) : 0.0;
-    observation.setImage(camera, frame ? frame->image : cv::Mat(), offset, backgrounds_[camera],
-                         classifier);
+    observation.setImage(camera, frame ? frame->image : cv::Mat(), timeOffsetOf(camera),
+                         backgrounds_[camera], color.inUse(camera), color.learned());
   }
 }
 
@@ -228,8 +241,10 @@ void DewpointTracker::iterate(ThreadTeam& team) {
   }
   for (std::size_t k = 0; k < targetCount_; ++k) {
     estimates_[k] = tracked_[k].belief.estimate(tracked_[k].observation);
+    estimates_[k].colors = tracked_[k].color.rangesInUse();
   }
   if (key_.iteration == 0) {
+    followColors();
     learnBackgrounds();
     lastTime_ = frames_ ? frames_->time : TimeStamp{};
   }
@@ -238,7 +253,7 @@ void DewpointTracker::iterate(ThreadTeam& team) {
 
 void DewpointTracker::updateBelief(std::size_t index, ThreadTeam& team) {
   Tracked& tracked = tracked_[index];
-  showImages(tracked.observation, tracked.classifier);
+  showImages(tracked.observation, tracked.color);
   explainOthers(tracked.observation, tracked);
   const auto findNow = [this](SphereObservation& observation, bool radiusKnown, std::size_t limit) {
     return search_.find(observation, radiusKnown, limit);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/observation/adaptive_color.h"
 #include "core/observation/background_model.h"
 #include "core/tracking/multi_tracker.h"
 #include "core/tracking/sliced_search.h"
@@ -26,6 +27,7 @@ public:
   void configure(const ParameterValues& parameters) override;
   void setTargets(const std::vector<Target>& targets) override;
   void setCameras(const CameraRig& rig) override;
+  void setEmptyRooms(const std::vector<cv::Mat>& rooms) override;
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override;
   void beginFrame(FrameSetPtr frames) override;
@@ -44,7 +46,7 @@ private:
   struct Tracked {
     TargetBelief belief;
     SphereObservation observation;
-    ColorClassifier classifier;
+    AdaptiveColor color;
     std::unique_ptr<SlicedSearch> search; ///< within a time budget, while it goes on
   };
   static constexpr double kWellSeen = 0.55; ///< share of the best evidence
@@ -56,7 +58,9 @@ private:
   double secondsSinceLastFrame() const;
   /// Null when there is none.
   FramePtr frameOf(std::size_t camera) const;
-  void showImages(SphereObservation& observation, const ColorClassifier& classifier);
+  /// Seconds by which a camera looked after the common instant.
+  double timeOffsetOf(std::size_t camera) const;
+  void showImages(SphereObservation& observation, const AdaptiveColor& color);
   CameraReport explain(std::size_t target, std::size_t camera,
                        const std::optional<OccupiedSphere>& expected) const;
   std::optional<double> gapToLookAlike(std::size_t target, std::size_t camera,
@@ -77,11 +81,12 @@ private:
   /// Whether another target has the same looks.
   bool hasTwins(std::size_t target) const;
   bool isFirstOfItsColor(std::size_t target) const;
-  Tracked thingLike(const Target& looks) const;
+  /// Of the looks of a target.
+  Tracked thingLike(std::size_t target) const;
   bool isNewLookAlike(const Candidate& candidate, SphereObservation& observation,
                       double logRatio) const;
   void addLookAlike(Tracked thing, const Candidate& place, ThreadTeam& team);
-  void findLookAlikes(const Target& looks, ThreadTeam& team);
+  void findLookAlikes(std::size_t target, ThreadTeam& team);
   /// Within a time budget searches go on for several frames, on the images they began with.
   std::unique_ptr<SlicedSearch> beginSearch(const Tracked& own);
   /// The places when the search is done, which it then is no more; until then none.
@@ -91,6 +96,15 @@ private:
   /// Before the labels of a frame: the backgrounds in the light of now.
   void followLight();
   void learnBackgrounds();
+  /// Parameter `color_adaptation`: the colors of targets that are surely there follow the light.
+  void followColors();
+  void followColor(std::size_t target, double share);
+  bool isSurelyThere(std::size_t target) const;
+  /// Whether a camera shows a target whole and alone, whose outline there is `outline`.
+  bool showsWhole(std::size_t target, std::size_t camera, const SphereImage& outline) const;
+  /// Outlines of the other things, or of those of one color only.
+  std::vector<SphereImage> outlinesOfOthers(std::size_t target, std::size_t camera,
+                                            bool sameColor) const;
   RandomKey keyOf(std::size_t index) const;
 
   ParameterValues parameters_;

@@ -3,6 +3,8 @@
 
 #include "core/tracking/tracker.h"
 
+#include <opencv2/core/mat.hpp>
+
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -20,7 +22,10 @@ public:
   virtual void setTargets(const std::vector<Target>& targets) = 0;
   /// Another calibration of the same cameras, from the next iteration on; beliefs stay.
   virtual void setCameras(const CameraRig& rig) = 0;
-  /// Forgets everything and starts anew.
+  /// What the cameras show when no target is there, in the order of the rig (CV_8UC3; empty where
+  /// it is not known); from the next restart on. Methods that know no background ignore it.
+  virtual void setEmptyRooms(const std::vector<cv::Mat>& /*rooms*/) {}
+  /// Forgets everything but the empty rooms and starts anew.
   virtual void restart(std::uint64_t seed) = 0;
   virtual int iterationsPerFrame() const = 0;
   virtual void beginFrame(FrameSetPtr frames) = 0;

@@ -10,9 +10,10 @@ constexpr int kBands = 4; ///< pieces in which the labels of an image are made
 
 } // namespace
 
-SlicedSearch::SlicedSearch(const CameraRig& rig, const Target& looks, FrameSetPtr frames)
-    : frames_(std::move(frames)), observation_(rig), classifier_(looks.color),
-      radius_(looks.radius), spots_(rig.size()) {}
+SlicedSearch::SlicedSearch(const CameraRig& rig, AdaptiveColor color, double radius,
+                           FrameSetPtr frames)
+    : frames_(std::move(frames)), observation_(rig), color_(std::move(color)), radius_(radius),
+      spots_(rig.size()) {}
 
 bool SlicedSearch::labelsDone() const {
   const LabelImage& labels = observation_.labels(camera_);

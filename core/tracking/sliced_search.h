@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/capture/frame.h"
+#include "core/observation/adaptive_color.h"
 #include "core/tracking/candidate_search.h"
 #include "core/tracking/time_budget.h"
-#include "core/tracking/tracker.h"
 
 #include <vector>
 
@@ -13,11 +14,11 @@ namespace dewpoint {
 /// all on the images of the frame it began with. What it finds is as old as that frame.
 class SlicedSearch {
 public:
-  SlicedSearch(const CameraRig& rig, const Target& looks, FrameSetPtr frames);
+  SlicedSearch(const CameraRig& rig, AdaptiveColor color, double radius, FrameSetPtr frames);
 
   /// To be shown the images before the first advance().
   SphereObservation& observation() { return observation_; }
-  const ColorClassifier& classifier() const { return classifier_; }
+  const AdaptiveColor& color() const { return color_; }
 
   /// Goes on as far as there is time, by a piece at least when it is urgent; whether it is done.
   bool advance(const CandidateSearch& search, TimeBudget& budget, std::size_t limit, bool urgent);
@@ -30,7 +31,7 @@ private:
 
   FrameSetPtr frames_; ///< keeps the images
   SphereObservation observation_;
-  ColorClassifier classifier_;
+  AdaptiveColor color_;
   double radius_;
   std::size_t camera_ = 0; ///< at work on this one; when past the last, places are next
   std::vector<std::vector<CandidateSearch::Spot>> spots_;

@@ -52,6 +52,9 @@ struct TargetEstimate {
   /// What each camera says about the mean, in the order of the rig; empty when the method cannot
   /// tell, or has no place to ask about.
   std::vector<CameraEvidence> cameras;
+  /// The color range in use in each camera where it follows the light; empty while all cameras use
+  /// the target's own.
+  std::vector<ColorRange> colors;
   /// Root mean square distance of the particles to their mean, metres.
   double spread() const;
 };

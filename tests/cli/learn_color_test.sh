@@ -28,6 +28,18 @@ expectText again.toml 'name = "pink ball"' 'box = [95, 135, 50, 50]' 'excluded =
 expectExit 0 learn-color taught.toml --pixel 157,117 --target other --out two.toml
 [[ $(grep -c '^\[\[target\]\]' two.toml) == 2 ]] || fail "no second target was made"
 
+# Pictures of the empty room are kept in the project and read; a missing file is one sentence.
+expectExit 0 new empty.toml --camera "camera 1=made/camera-1.mkv" \
+  --camera "camera 2=made/camera-2.mkv" --calibration made/calibration.toml \
+  --empty-room "camera 2=made/camera-2.mkv"
+expectExit 0 learn-color empty.toml --pixel 157,117 --out known.toml
+expectText known.toml 'empty_room'
+expectExit 0 track known.toml --out known
+[[ $(rowCount known/trajectory.csv) == 5 ]] || fail "$(rowCount known/trajectory.csv) rows, not 5"
+sed 's/^empty_room.*/empty_room = "gone.png"/' known.toml >gone.toml
+expectExit $kBadInput track gone.toml --out gone
+expectSentence gone.png "camera 2"
+
 # One sentence says what is wrong, and nothing is written.
 expectExit $kBadInput learn-color two.toml --pixel 157,117 --out no.toml
 expectSentence two.toml --target

@@ -29,3 +29,17 @@ expectSentence waved.toml target
 expectExit $kBadInput new other.toml --camera a=nowhere.mp4
 expectSentence nowhere.mp4
 [[ ! -e other.toml ]] || fail "a project of nothing"
+
+# Pictures of the empty room: a video will do; what is wrong is one sentence with file and camera.
+expectExit 0 new empty.toml "${cameras[@]}" --calibration made/calibration.toml \
+  --empty-room "camera 1=made/camera-1.mkv"
+expectText empty.toml 'empty_room = "made/camera-1.mkv"'
+[[ $(grep -c empty_room empty.toml) == 1 ]] || fail "$(cat empty.toml)"
+expectExit $kBadInput new no.toml "${cameras[@]}" --empty-room "camera 1=nowhere.png"
+expectSentence nowhere.png "camera 1"
+expectExit $kBadInput new no.toml "${cameras[@]}" --calibration made/calibration.toml \
+  --empty-room "camera 2=made/camera-1.mkv"
+expectSentence camera-1.mkv "camera 2" "320 x 240"
+expectExit $kBadInput new no.toml "${cameras[@]}" --empty-room nobody=made/camera-1.mkv
+expectSentence --empty-room nobody
+[[ ! -e no.toml ]] || fail "a project was written in spite of an error"

@@ -241,6 +241,53 @@ TEST(BackgroundModel, FollowsALampAndATint) {
   EXPECT_EQ(count(labelsOf(model, now), PixelLabel::Background), kAll);
 }
 
+std::array<std::uint8_t, kWidth> matchedRow(const BackgroundModel& model, const cv::Mat& image,
+                                            int row) {
+  std::array<std::uint8_t, kWidth> labels{};
+  std::array<std::uint8_t, kWidth> matched{};
+  matched.fill(255);
+  model.labelRow(image, 0, row, kWidth, matched.data(), labels.data());
+  return labels;
+}
+bool all(const std::array<std::uint8_t, kWidth>& labels, PixelLabel label) {
+  return std::ranges::all_of(labels, [&](auto one) { return one == std::uint8_t(label); });
+}
+
+TEST(BackgroundModel, TheEmptyRoomIsKnownFromTheFirstImage) {
+  BackgroundModel model;
+  model.setEmptyRoom(checkered());
+  EXPECT_EQ(count(labelsOf(model, checkered()), PixelLabel::Unlearned), kAll) << "not yet";
+  model.reset();
+  const cv::Mat darker = lit(checkered(), cv::Scalar::all(0.7)); // the day it is used on
+  model.followLight(darker);
+  EXPECT_EQ(count(labelsOf(model, darker), PixelLabel::Background), kAll);
+  EXPECT_EQ(model.light().maxCoeff(), 1.0) << "the light of the run is the usual one";
+  EXPECT_EQ(count(labelsOf(model, plain(0, 0, 255)), PixelLabel::Unknown), kAll);
+  // What matches but did so in the empty room is no target; anything else that matches is.
+  EXPECT_TRUE(all(matchedRow(model, darker, 5), PixelLabel::Explained));
+  EXPECT_TRUE(all(matchedRow(model, plain(0, 0, 255), 5), PixelLabel::Target));
+
+  const BackgroundModel copy = model;
+  EXPECT_TRUE(all(matchedRow(copy, darker, 5), PixelLabel::Explained));
+  // What stays is usual in the end, but was not in the empty room.
+  for (int frame = 0; frame < 200; ++frame) {
+    model.learn(plain(0, 0, 255), {});
+  }
+  EXPECT_EQ(count(labelsOf(model, plain(0, 0, 255)), PixelLabel::Background), kAll);
+  EXPECT_TRUE(all(matchedRow(model, plain(0, 0, 255), 5), PixelLabel::Target));
+  model.reset();
+  EXPECT_TRUE(all(matchedRow(model, checkered(), 5), PixelLabel::Explained));
+}
+
+TEST(BackgroundModel, AnEmptyRoomOfAnotherSizeIsForgotten) {
+  BackgroundModel model;
+  model.setEmptyRoom(cv::Mat(10, 12, CV_8UC3, cv::Scalar(1, 2, 3)));
+  model.reset();
+  learn(model, checkered());
+  EXPECT_EQ(count(labelsOf(model, checkered()), PixelLabel::Background), kAll);
+  EXPECT_TRUE(all(matchedRow(model, checkered(), 5), PixelLabel::Target));
+}
+
 TEST(BackgroundModel, IsNotMisledByWhatIsNoLight) {
   BackgroundModel model;
   learn(model, checkered());

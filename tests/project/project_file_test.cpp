@@ -103,6 +103,26 @@ TEST(ProjectFile, SavedTwiceItIsTheSameBytes) {
   EXPECT_EQ(second->cameras.front().location, first->cameras.front().location);
 }
 
+TEST(ProjectFile, KeepsTheEmptyRoomOfACamera) {
+  const auto project = load(kGood, "video = \"left.mkv\"\n",
+                            "video = \"left.mkv\"\nempty_room = \"empty/left.png\"\n");
+  ASSERT_TRUE(project) << sentence(project.error());
+  const std::filesystem::path room = project->cameras.front().emptyRoom;
+  EXPECT_EQ(room, project->file.parent_path() / "empty/left.png");
+  const auto file = fileNamed("saved.toml");
+  ASSERT_TRUE(saveProject(*project, file));
+  EXPECT_NE(readTextFile(file)->find("empty_room = \"empty/left.png\""), std::string::npos);
+  const auto again = loadProject(file);
+  ASSERT_TRUE(again) << sentence(again.error());
+  EXPECT_EQ(again->cameras, project->cameras);
+  Project without = *project;
+  without.cameras.front().emptyRoom.clear();
+  EXPECT_TRUE(changesBetween(without, *project).sources);
+  EXPECT_EQ(projectText(without, file.parent_path()).find("empty_room"), std::string::npos);
+  EXPECT_EQ(errorOf("video = \"left.mkv\"\n", "video = \"left.mkv\"\nempty_room = 3\n").field,
+            "camera 1.empty_room");
+}
+
 constexpr const char* kSamples = R"([[target.sample]]
 camera = 2
 frame = 17

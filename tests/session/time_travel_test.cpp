@@ -162,6 +162,69 @@ TEST_P(TimeTravelTest, PlayingFromAMomentShowsWhatWasRecorded) {
   EXPECT_EQ(session.newest()->state, PlayState::Paused);
 }
 
+/// A recording in light that fades to half.
+class FadingRecording final : public FrameSetSource {
+public:
+  std::optional<std::int64_t> frameCount() const override { return kFrames; }
+  double framesPerSecond() const override { return 1e6; }
+  Result<FrameSetPtr> next() override {
+    if (next_ >= kFrames) {
+      return FrameSetPtr();
+    }
+    const auto bright = DrawnRecording::frame(next_);
+    auto set = std::make_shared<FrameSet>(*bright);
+    for (FramePtr& frame : set->frames) {
+      if (frame) {
+        auto dark = std::make_shared<Frame>(*frame);
+        dark->image = frame->image * (1.0 - 0.5 * double(next_) / kFrames);
+        frame = dark;
+      }
+    }
+    ++next_;
+    return set;
+  }
+  Status seek(std::int64_t frame) override {
+    next_ = frame;
+    return {};
+  }
+
+private:
+  std::int64_t next_ = 0;
+};
+
+TEST(TimeTravelOfColors, RangesThatFollowTheLightAreHeldByTheCopies) {
+  const auto inputs = [] {
+    SessionInputs result = drawnInputs("dewpoint", kFrames);
+    result.source = std::make_unique<FadingRecording>();
+    result.historyBytes = std::size_t{100} << 20;
+    EXPECT_TRUE(result.project.parameters.set("color_adaptation", 0.5));
+    return result;
+  };
+  Session session(inputs());
+  session.setMasksWanted(true);
+  const Trajectory first = playedToTheEnd(session);
+  session.showFrame(80);
+  ASSERT_TRUE(shows(session, 80));
+  const std::vector<ColorRange> then = session.newest()->targets[0].estimate.colors;
+  ASSERT_EQ(then.size(), 2U);
+  EXPECT_LT(then[0].intensityMax, 0.9 * drawn::kRed.intensityMax);
+  for (const std::int64_t from : {70, 41, 12, 0}) {
+    rerun(session, from);
+    EXPECT_TRUE(sameBits(session.trajectory(), first)) << from;
+    session.showFrame(80);
+    ASSERT_TRUE(shows(session, 80));
+    EXPECT_EQ(session.newest()->targets[0].estimate.colors, then) << from;
+  }
+  // Without it the run is another one.
+  ParameterValues off = inputs().project.parameters;
+  ASSERT_TRUE(off.set("color_adaptation", 0.0));
+  session.setParameters(off);
+  rerun(session, 30);
+  session.showFrame(80);
+  ASSERT_TRUE(shows(session, 80));
+  EXPECT_TRUE(session.newest()->targets[0].estimate.colors.empty());
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, TimeTravelTest,
                          testing::Values(Case{"barrera", std::size_t{100} << 20},
                                          Case{"dewpoint", std::size_t{100} << 20},

@@ -87,6 +87,31 @@ TEST(SceneRenderer, SensorNoiseHasTheStatedSize) {
   EXPECT_NEAR(mean[1], 0.0, 0.1);
 }
 
+TEST(SceneRenderer, TheLightChangesAsTheSceneSays) {
+  Scene scene = stillScene();
+  scene.noiseSigma = 0.0;
+  const cv::Mat full = SceneRenderer(scene).render(0, 0);
+  scene.lights = {{1.0, 0.5, 5500.0}, {3.0, 0.125, 5500.0}};
+  EXPECT_NEAR(lightGain(scene, 0.0)[1], 0.5, 1e-12);
+  EXPECT_NEAR(lightGain(scene, 2.0)[1], 0.25, 1e-12) << "equal factors in equal times";
+  EXPECT_NEAR(lightGain(scene, 9.0)[1], 0.125, 1e-12);
+  const cv::Mat dark = SceneRenderer(scene).render(0, 300);
+  EXPECT_LE(cv::norm(dark, full * 0.125, cv::NORM_INF), 1.0);
+  scene.lights = {{0.0, 1.0, 4500.0}};
+  const Eigen::Vector3d warm = lightGain(scene, 0.0);
+  // Planck's law by hand: exp(-0.014388 (1/4500 - 1/5500) (1/460e-9 - 1/540e-9)) = 0.829.
+  EXPECT_NEAR(warm[0], 0.829, 0.003);
+  EXPECT_EQ(warm[1], 1.0);
+  EXPECT_GT(warm[2], 1.1);
+
+  const auto again = parseScene(sceneToml(scene), "scene.toml");
+  ASSERT_TRUE(again) << sentence(again.error());
+  ASSERT_EQ(again->lights.size(), 1U);
+  EXPECT_EQ(again->lights[0].kelvin, 4500.0);
+  EXPECT_EQ(parseScene("[[light]]\nbrightness = 0\n", "dark.toml").error().field,
+            "light 1.brightness");
+}
+
 TEST(SceneRenderer, LookAlikesAddBallsOfTheSameColor) {
   Scene scene = stillScene();
   const double one = cv::countNonZero(pinkPixels(SceneRenderer(scene).render(0, 0)));

@@ -44,7 +44,7 @@ public:
   const CandidateSearch& search() const { return search_; }
   /// The same search in pieces, not yet begun.
   SlicedSearch inPieces(double radius = kRadius) {
-    SlicedSearch sliced(rig_, {"ball", radius, drawn::kRed}, nullptr);
+    SlicedSearch sliced(rig_, AdaptiveColor(drawn::kRed, rig_.size()), radius, nullptr);
     for (std::size_t k = 0; k < rig_.size(); ++k) {
       sliced.observation().setImage(k, images_[k], 0.0, backgrounds_[k], classifier_);
     }

@@ -30,6 +30,10 @@ std::string freshName(const Project& project) {
 ColorTeacher::ColorTeacher(Document& document, QObject* parent)
     : QObject(parent), document_(document) {}
 
+std::vector<cv::Mat> ColorTeacher::emptyRooms() const {
+  return snapshot_ ? snapshot_->emptyRooms : std::vector<cv::Mat>{};
+}
+
 std::vector<cv::Mat> ColorTeacher::images() const {
   std::vector<cv::Mat> images;
   if (snapshot_ && snapshot_->frames) {
@@ -82,7 +86,7 @@ void ColorTeacher::point(int camera, const QRectF& region, Lesson lesson) {
   const QString step = lesson == Lesson::Exclude ? tr("Exclude color")
                        : lesson == Lesson::Add   ? tr("Add color sample")
                                                  : tr("Learn color");
-  start([this, shown, camera, frame, region, lesson, samples, target, step,
+  start([this, shown, rooms = emptyRooms(), camera, frame, region, lesson, samples, target, step,
          index]() mutable -> std::function<void()> {
     ColorSample place;
     place.excluded = lesson == Lesson::Exclude;
@@ -97,7 +101,7 @@ void ColorTeacher::point(int camera, const QRectF& region, Lesson lesson) {
       return [this, error = sample.error()] { Q_EMIT failed(errorSentence(error)); };
     }
     samples.push_back(std::move(*sample));
-    const auto color = learnColor(samples, shown);
+    const auto color = learnInRooms(samples, shown, rooms);
     if (!color) {
       return [this, error = color.error()] { Q_EMIT failed(errorSentence(error)); };
     }
@@ -124,8 +128,9 @@ void ColorTeacher::removeSample(int index) {
     adopt(target, samples, same, step);
     return;
   }
-  start([this, samples, target, step, shown = images()]() -> std::function<void()> {
-    const auto color = learnColor(samples, shown);
+  start([this, samples, target, step, shown = images(),
+         rooms = emptyRooms()]() -> std::function<void()> {
+    const auto color = learnInRooms(samples, shown, rooms);
     if (!color) {
       return [this, error = color.error()] { Q_EMIT failed(errorSentence(error)); };
     }
@@ -162,8 +167,8 @@ void ColorTeacher::judge() {
     return;
   }
   const Target target = project.targets[static_cast<std::size_t>(target_)];
-  start([this, target, shown = images()]() -> std::function<void()> {
-    const ColorVerdict verdict = judgeColor(target.color, target.samples, shown);
+  start([this, target, shown = images(), rooms = emptyRooms()]() -> std::function<void()> {
+    const ColorVerdict verdict = judgeInRooms(target.color, target.samples, shown, rooms);
     return [this, verdict] { Q_EMIT judged(verdict); };
   });
 }

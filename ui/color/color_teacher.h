@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/color/color_learning.h"
+#include "core/color/familiar_color.h"
 #include "core/session/snapshot.h"
 
 #include <QObject>
@@ -45,6 +45,7 @@ Q_SIGNALS:
 private:
   using Work = std::function<std::function<void()>()>;
   std::vector<cv::Mat> images() const;
+  std::vector<cv::Mat> emptyRooms() const;
   /// Does `work` in the thread, then what it returns here; of several only the last counts.
   void start(Work work);
   void adopt(int target, const std::vector<ColorSample>& samples, const LearnedColor& color,

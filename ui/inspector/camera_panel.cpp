@@ -2,6 +2,8 @@
 #include "ui/inspector/camera_panel.h"
 
 #include "core/project/project.h"
+#include "core/session/empty_rooms.h"
+#include "ui/bridge/error_sentence.h"
 #include "ui/document/document.h"
 #include "ui/settings/retranslation.h"
 
@@ -9,12 +11,14 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -24,14 +28,25 @@ namespace dewpoint {
 CameraPanel::CameraPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), list_(new QListWidget(this)),
       nameLabel_(new QLabel(this)), name_(new QLineEdit(this)), sourceLabel_(new QLabel(this)),
-      source_(new QLineEdit(this)), browse_(new QPushButton(this)), turnLabel_(new QLabel(this)),
-      turn_(new QComboBox(this)), mirror_(new QCheckBox(this)), calibration_(new QLabel(this)),
-      load_(new QPushButton(this)) {
+      source_(new QLineEdit(this)), browse_(new QPushButton(this)),
+      emptyRoomLabel_(new QLabel(this)), emptyRoom_(new QLineEdit(this)),
+      emptyRoomBrowse_(new QPushButton(this)), emptyRoomTake_(new QPushButton(this)),
+      turnLabel_(new QLabel(this)), turn_(new QComboBox(this)), mirror_(new QCheckBox(this)),
+      calibration_(new QLabel(this)), load_(new QPushButton(this)) {
   setObjectName(QStringLiteral("cameraPanel"));
+  makeFields();
+  inEveryLanguage(this, [this] { say(); });
+  connectFields();
+}
+
+void CameraPanel::makeFields() {
   list_->setObjectName(QStringLiteral("cameraList"));
   name_->setObjectName(QStringLiteral("cameraName"));
   source_->setObjectName(QStringLiteral("cameraSource"));
   browse_->setObjectName(QStringLiteral("cameraBrowse"));
+  emptyRoom_->setObjectName(QStringLiteral("cameraEmptyRoom"));
+  emptyRoomBrowse_->setObjectName(QStringLiteral("cameraEmptyRoomBrowse"));
+  emptyRoomTake_->setObjectName(QStringLiteral("cameraEmptyRoomTake"));
   turn_->setObjectName(QStringLiteral("cameraTurn"));
   mirror_->setObjectName(QStringLiteral("cameraMirror"));
   load_->setObjectName(QStringLiteral("cameraLoadCalibration"));
@@ -44,6 +59,7 @@ CameraPanel::CameraPanel(Document& document, QWidget* parent)
   nameLabel_->setBuddy(name_);
   sourceLabel_->setBuddy(source_);
   turnLabel_->setBuddy(turn_);
+  emptyRoomLabel_->setBuddy(emptyRoom_);
   auto* form = new QFormLayout;
   form->setSpacing(8);
   form->addRow(nameLabel_, name_);
@@ -51,6 +67,12 @@ CameraPanel::CameraPanel(Document& document, QWidget* parent)
   form->addRow(nullptr, browse_);
   form->addRow(turnLabel_, turn_);
   form->addRow(nullptr, mirror_);
+  form->addRow(emptyRoomLabel_, emptyRoom_);
+  auto* rooms = new QHBoxLayout;
+  rooms->setSpacing(8);
+  rooms->addWidget(emptyRoomBrowse_);
+  rooms->addWidget(emptyRoomTake_, 1);
+  form->addRow(nullptr, rooms);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);
@@ -58,7 +80,9 @@ CameraPanel::CameraPanel(Document& document, QWidget* parent)
   column->addLayout(form);
   column->addWidget(calibration_);
   column->addWidget(load_);
-  inEveryLanguage(this, [this] { say(); });
+}
+
+void CameraPanel::connectFields() {
   connect(&document_, &Document::replaced, this, &CameraPanel::refresh);
   connect(&document_, &Document::sourcesChanged, this, &CameraPanel::refresh);
   connect(&document_, &Document::calibrationChanged, this, &CameraPanel::showChosen);
@@ -84,6 +108,10 @@ CameraPanel::CameraPanel(Document& document, QWidget* parent)
     edit(tr("Mirror images"), [&](ProjectCamera& camera) { camera.mirrored = mirrored; });
   });
   connect(browse_, &QPushButton::clicked, this, &CameraPanel::relocate);
+  connect(emptyRoom_, &QLineEdit::editingFinished, this,
+          [this] { setEmptyRoom(emptyRoom_->text().trimmed()); });
+  connect(emptyRoomBrowse_, &QPushButton::clicked, this, &CameraPanel::chooseEmptyRoom);
+  connect(emptyRoomTake_, &QPushButton::clicked, this, &CameraPanel::takeEmptyRoom);
   connect(load_, &QPushButton::clicked, this, [this] {
     const QString file = QFileDialog::getOpenFileName(this, tr("Choose a calibration"), {},
                                                       tr("Calibrations (*.toml);;All files (*)"));
@@ -105,6 +133,15 @@ void CameraPanel::say() {
   turn_->setToolTip(tr("Images are turned clockwise by so much before use"));
   mirror_->setText(tr("Mirrored"));
   mirror_->setToolTip(tr("Images are mirrored left to right, after they were turned"));
+  emptyRoomLabel_->setText(tr("Empty room"));
+  emptyRoom_->setToolTip(tr("Image, video or folder of images in which this camera shows the scene "
+                            "without any target: what has its color there is not taken for it"));
+  emptyRoomBrowse_->setText(tr("Choose…"));
+  emptyRoomBrowse_->setAccessibleName(tr("Choose the empty room"));
+  emptyRoomBrowse_->setToolTip(tr("Find an image or a video of the scene without any target"));
+  emptyRoomTake_->setText(tr("Use the image shown"));
+  emptyRoomTake_->setToolTip(
+      tr("Keep the image this camera shows now as the one of the empty room"));
   load_->setText(tr("Load calibration…"));
   load_->setToolTip(tr("Take the calibration of all cameras from a file"));
   refresh();
@@ -134,10 +171,14 @@ void CameraPanel::showChosen() {
   const ProjectCamera camera = any ? cameras[static_cast<std::size_t>(row)] : ProjectCamera();
   const bool own = any && camera.source != SourceKind::Simulation; // a scene brings its own
   const bool isFile = camera.source == SourceKind::Video || camera.source == SourceKind::Images;
-  for (QWidget* field : std::initializer_list<QWidget*>{name_, source_, turn_, mirror_, load_}) {
+  for (QWidget* field : std::initializer_list<QWidget*>{name_, source_, turn_, mirror_, load_,
+                                                        emptyRoom_, emptyRoomBrowse_}) {
     field->setEnabled(own);
   }
   browse_->setEnabled(own && isFile);
+  emptyRoomTake_->setEnabled(own && !shownImage().empty());
+  emptyRoom_->setText(QString::fromStdString(camera.emptyRoom));
+  emptyRoom_->setCursorPosition(0);
   name_->setText(QString::fromStdString(camera.camera.name));
   source_->setText(any && !own ? tr("simulated") : QString::fromStdString(camera.location));
   source_->setCursorPosition(0);
@@ -185,6 +226,50 @@ void CameraPanel::relocate() {
   if (!file.isEmpty()) {
     edit(tr("Change source of images"),
          [&](ProjectCamera& changed) { changed.location = file.toStdString(); });
+  }
+}
+
+cv::Mat CameraPanel::shownImage() const {
+  const auto row = static_cast<std::size_t>(std::max(0, list_->currentRow()));
+  const bool any = snapshot_ && !snapshot_->preview && snapshot_->frames &&
+                   row < snapshot_->frames->frames.size() && snapshot_->frames->frames[row];
+  return any ? snapshot_->frames->frames[row]->image : cv::Mat();
+}
+
+void CameraPanel::setSnapshot(TrackSnapshotPtr snapshot) {
+  snapshot_ = std::move(snapshot);
+  emptyRoomTake_->setEnabled(source_->isEnabled() && !shownImage().empty());
+}
+
+void CameraPanel::setEmptyRoom(const QString& file) {
+  edit(tr("Change empty room"),
+       [&](ProjectCamera& camera) { camera.emptyRoom = file.toStdString(); });
+}
+
+void CameraPanel::chooseEmptyRoom() {
+  const QString file = QFileDialog::getOpenFileName(
+      this, tr("Choose an image or a video of the empty room"), emptyRoom_->text());
+  if (!file.isEmpty()) {
+    setEmptyRoom(file);
+  }
+}
+
+void CameraPanel::takeEmptyRoom() {
+  const int row = list_->currentRow();
+  const cv::Mat image = shownImage();
+  if (row < 0 || image.empty()) {
+    return;
+  }
+  const Project& project = document_.project();
+  const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+  const std::filesystem::path folder =
+      project.file.empty() ? std::filesystem::path(own.toStdString()) / "empty-rooms"
+                           : project.file.parent_path();
+  const auto kept = keepEmptyRoom(project, static_cast<std::size_t>(row), image, folder);
+  if (kept) {
+    setEmptyRoom(QString::fromStdString(kept->string()));
+  } else {
+    Q_EMIT failed(errorSentence(kept.error()));
   }
 }
 

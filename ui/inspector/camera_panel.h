@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/snapshot.h"
+
 #include <QWidget>
 
 #include <functional>
@@ -27,11 +29,14 @@ public:
   explicit CameraPanel(Document& document, QWidget* parent = nullptr);
 
   void choose(int camera);
+  /// The images that a picture of the empty room may be taken from: those shown.
+  void setSnapshot(TrackSnapshotPtr snapshot);
 
 Q_SIGNALS:
   void cameraChosen(int camera);
   /// A calibration file is to be read for all cameras.
   void calibrationWanted(const QString& file);
+  void failed(const QString& sentence);
 
 private:
   void say();
@@ -40,6 +45,13 @@ private:
   void showCalibration(const ProjectCamera& camera);
   void edit(const QString& step, const std::function<void(ProjectCamera&)>& change);
   void relocate();
+  void chooseEmptyRoom();
+  void takeEmptyRoom();
+  void setEmptyRoom(const QString& file);
+  void makeFields();
+  void connectFields();
+  /// The image that the chosen camera shows; empty when there is none.
+  cv::Mat shownImage() const;
 
   Document& document_;
   QListWidget* list_;
@@ -48,11 +60,16 @@ private:
   QLabel* sourceLabel_;
   QLineEdit* source_;
   QPushButton* browse_;
+  QLabel* emptyRoomLabel_;
+  QLineEdit* emptyRoom_;
+  QPushButton* emptyRoomBrowse_;
+  QPushButton* emptyRoomTake_;
   QLabel* turnLabel_;
   QComboBox* turn_;
   QCheckBox* mirror_;
   QLabel* calibration_;
   QPushButton* load_;
+  TrackSnapshotPtr snapshot_;
 };
 
 } // namespace dewpoint

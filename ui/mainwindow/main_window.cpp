@@ -12,6 +12,7 @@
 #include "ui/camera/camera_view.h"
 #include "ui/color/color_panel.h"
 #include "ui/document/document.h"
+#include "ui/inspector/camera_panel.h"
 #include "ui/inspector/target_panel.h"
 #include "ui/mainwindow/message_bar.h"
 #include "ui/mainwindow/status_figures.h"
@@ -170,6 +171,7 @@ void MainWindow::startSession(SessionInputs inputs, bool unsaved) {
 
 void MainWindow::clearViews() {
   shown_.reset();
+  cameras_->setSnapshot({});
   selection_->clear();
   logGeneration_ = 0;
   logPosition_ = 0;
@@ -193,6 +195,7 @@ void MainWindow::showSnapshot(const TrackSnapshotPtr& snapshot) {
   }
   birdsEye_->show(snapshot);
   color_->setSnapshot(snapshot);
+  cameras_->setSnapshot(snapshot);
   figures_->show(*snapshot);
   plot_->show(*snapshot);
   trajectory_->show(*snapshot);

@@ -105,6 +105,8 @@ void MainWindow::makeInspector() {
   cameraListDock_ = makeDock(
       QStringLiteral("cameraListDock"), [] { return tr("Cameras"); }, cameras_);
   connect(cameras_, &CameraPanel::calibrationWanted, this, &MainWindow::loadCalibrationOf);
+  connect(cameras_, &CameraPanel::failed, this,
+          [this](const QString& sentence) { messages_->showError(sentence); });
   color_ = new ColorPanel(*document_, this);
   auto* colorScroll = new QScrollArea(this);
   colorScroll->setObjectName(QStringLiteral("colorScroll"));

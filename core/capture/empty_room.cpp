@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/empty_room.h"
+
+#include "core/capture/picture_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace dewpoint {
+namespace {
+
+Result<PictureReaderPtr> openReader(const std::string& location, const std::string& field) {
+  if (std::filesystem::is_directory(location)) {
+    return openImageReader(location, field);
+  }
+  return isPictureFile(location) ? openPictureReader(location, field)
+                                 : openVideoReader(location, field);
+}
+
+Result<std::vector<cv::Mat>> readSome(PictureReader& reader, const PictureShape& camera) {
+  const std::int64_t count = std::min<std::int64_t>(kEmptyRoomPictures, reader.frameCount());
+  std::vector<cv::Mat> pictures;
+  for (std::int64_t k = 0; k < count; ++k) {
+    const std::int64_t frame = k * reader.frameCount() / count;
+    const auto picture = reader.read(frame);
+    if (!picture) {
+      return tl::make_unexpected(picture.error());
+    }
+    if (picture->empty()) {
+      break;
+    }
+    auto turned = shaped(*picture, camera, reader.fileOf(frame));
+    if (!turned) {
+      return tl::make_unexpected(turned.error());
+    }
+    pictures.push_back(turned->clone());
+  }
+  if (pictures.empty()) {
+    return failure(ErrorCode::FileUnreadable, reader.fileOf(0), cameraField(camera.camera),
+                   "there is no picture of the empty room in it");
+  }
+  return pictures;
+}
+
+cv::Mat medianOf(const std::vector<cv::Mat>& pictures) {
+  if (pictures.size() == 1) {
+    return pictures.front();
+  }
+  cv::Mat median(pictures.front().size(), CV_8UC3);
+  std::array<std::uint8_t, kEmptyRoomPictures> values{};
+  const auto end = values.begin() + std::ssize(pictures);
+  const auto middle = values.begin() + std::ssize(pictures) / 2;
+  for (int row = 0; row < median.rows; ++row) {
+    auto* out = median.ptr<std::uint8_t>(row);
+    for (int i = 0; i < 3 * median.cols; ++i) {
+      std::ranges::transform(pictures, values.begin(), [&](const cv::Mat& picture) {
+        return picture.ptr<std::uint8_t>(row)[i];
+      });
+      std::nth_element(values.begin(), middle, end);
+      out[i] = *middle;
+    }
+  }
+  return median;
+}
+
+} // namespace
+
+Result<cv::Mat> readEmptyRoom(const std::string& location, const PictureShape& camera) {
+  const std::string field = cameraField(camera.camera);
+  std::error_code problem;
+  if (!std::filesystem::exists(location, problem)) {
+    return failure(ErrorCode::FileMissing, location, field, "");
+  }
+  return openReader(location, field)
+      .and_then([&](const PictureReaderPtr& reader) { return readSome(*reader, camera); })
+      .map([](const std::vector<cv::Mat>& pictures) { return medianOf(pictures); });
+}
+
+} // namespace dewpoint

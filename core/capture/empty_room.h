@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/picture.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <string>
+
+namespace dewpoint {
+
+/// What a camera shows when no target is there (CV_8UC3, turned): the picture in a file, or the
+/// median, pixel by pixel, of up to kEmptyRoomPictures evenly picked ones of a video or of a folder
+/// of pictures. FileMissing, FileUnreadable or Mismatch name the file and the camera.
+Result<cv::Mat> readEmptyRoom(const std::string& location, const PictureShape& camera);
+
+inline constexpr int kEmptyRoomPictures = 15;
+
+} // namespace dewpoint
