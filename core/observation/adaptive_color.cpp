@@ -291,27 +291,28 @@ void AdaptiveColor::begin(PerCamera& camera, const Look& look, const Quantiles& 
   camera.now = camera.reference;
 }
 
-bool AdaptiveColor::step(PerCamera& camera, const Look& look, const Quantiles& next) const {
+std::optional<double> AdaptiveColor::step(PerCamera& camera, const Look& look,
+                                          const Quantiles& next) const {
   const ColorRange range = rangeOf(camera, next, camera.slack);
   if (!isUsable(range)) {
-    return false;
+    return std::nullopt;
   }
   const ColorClassifier classifier(range);
   const Counts before = look.count(camera.classifier);
   const Counts after = look.count(classifier);
   if (after.ringShare() > std::max(kMostOfRing, before.ringShare()) ||
       after.restShare() > std::max(2.0 * camera.restShare + kMostOfRest, before.restShare())) {
-    return false;
+    return std::nullopt;
   }
   camera.now = next;
   camera.range = range;
   camera.classifier = classifier;
-  return true;
+  return after.f1();
 }
 
-void AdaptiveColor::tighten(PerCamera& camera, const Look& look) const {
+void AdaptiveColor::tighten(PerCamera& camera, const Look& look, double f1) const {
   const std::size_t bound = static_cast<std::size_t>(camera.looks) % kBounds;
-  double best = look.count(camera.classifier).f1() + kWorthwhile;
+  double best = f1 + kWorthwhile;
   const double before = camera.slack[bound];
   for (const double tried :
        {std::max(kTightest, before * kTighter), std::min(1.0, before / kTighter)}) {
@@ -319,9 +320,9 @@ void AdaptiveColor::tighten(PerCamera& camera, const Look& look) const {
     slack[bound] = tried;
     const ColorRange range = rangeOf(camera, camera.now, slack);
     const ColorClassifier classifier(isUsable(range) ? range : camera.range);
-    const double f1 = look.count(classifier).f1();
-    if (f1 > best) {
-      best = f1;
+    const double now = look.count(classifier).f1();
+    if (now > best) {
+      best = now;
       camera.slack[bound] = tried;
     }
   }
@@ -348,11 +349,11 @@ bool AdaptiveColor::follow(std::size_t index, const cv::Mat& image, const Sphere
   for (std::size_t k = 0; k < kBounds; ++k) {
     next[k] = camera.now[k] + share * (measured[k] - camera.now[k]);
   }
-  const bool stepped = step(camera, look, next);
-  if (stepped) {
-    tighten(camera, look);
+  const auto f1 = step(camera, look, next);
+  if (f1) {
+    tighten(camera, look, *f1);
   }
-  return stepped;
+  return f1.has_value();
 }
 
 } // namespace dewpoint

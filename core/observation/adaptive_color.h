@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace dewpoint {
@@ -66,8 +67,9 @@ private:
   bool measure(const PerCamera& camera, const Look& look, Quantiles& measured) const;
   ColorRange rangeOf(const PerCamera& camera, const Quantiles& now, const Quantiles& slack) const;
   void begin(PerCamera& camera, const Look& look, const Quantiles& measured) const;
-  bool step(PerCamera& camera, const Look& look, const Quantiles& next) const;
-  void tighten(PerCamera& camera, const Look& look) const;
+  /// The F1 score after the step; nothing when it was not taken.
+  std::optional<double> step(PerCamera& camera, const Look& look, const Quantiles& next) const;
+  void tighten(PerCamera& camera, const Look& look, double f1) const;
 
   ColorRange learned_;
   ColorClassifier learnedClassifier_;
