@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/color/familiar_color.h"
 #include "core/project/project.h"
 
 #include <opencv2/core/mat.hpp>

@@ -31,10 +31,8 @@
 #include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
-#include <QUndoStack>
 #include <QUrl>
 
-#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -64,7 +62,6 @@ private Q_SLOTS:
   void theLayoutBelongsToTheProject();
   void namesAndSizesAreUndoable();
   void workLeftBehindIsOffered();
-  void theEmptyRoomIsAStepThatCanBeUndone();
   void oneClickLearnsAColorAndTracksIt();
   void thePickerIsDraggedByHandAndByKeys();
 
@@ -294,43 +291,6 @@ void DeskTest::workLeftBehindIsOffered() {
   QVERIFY(window_->document().isUnsaved());
   // This window has a copy of its own soon, and the old one is gone.
   QVERIFY(waitFor([&] { return !std::filesystem::exists(recovery / "0123.toml"); }));
-}
-
-void DeskTest::theEmptyRoomIsAStepThatCanBeUndone() {
-  QVERIFY(recordDemo(folder_.path().toStdString()));
-  drop({file("left.mkv"), file("right.mkv"), file("calibration.toml")});
-  QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
-  QVERIFY(isOpen(2));
-  Document& document = window_->document();
-  QVERIFY(document.saveAs(file("desk.toml").toStdString()));
-  find<QListWidget>("cameraList")->setCurrentRow(1);
-  auto* take = find<QPushButton>("cameraEmptyRoomTake");
-  auto* field = find<QLineEdit>("cameraEmptyRoom");
-  QVERIFY(waitFor([&] { return take->isEnabled(); }));
-  QVERIFY(window_->shown()->emptyRooms[1].empty());
-  take->click();
-  const std::string kept = document.project().cameras[1].emptyRoom;
-  QVERIFY(std::filesystem::exists(kept));
-  QVERIFY(std::filesystem::path(kept).parent_path() == folder_.path().toStdString());
-  QCOMPARE(field->text(), QString::fromStdString(kept));
-  QVERIFY(waitFor([&] {
-    return window_->shown() && window_->shown()->frames &&
-           window_->shown()->emptyRooms.size() == 2 && !window_->shown()->emptyRooms[1].empty();
-  }));
-  QVERIFY(window_->shown()->emptyRooms[0].empty());
-  QCOMPARE(window_->shown()->emptyRooms[1].cols, window_->shown()->frames->frames[1]->image.cols);
-
-  document.undoStack()->undo();
-  QVERIFY(document.project().cameras[1].emptyRoom.empty());
-  QVERIFY(field->text().isEmpty());
-  QVERIFY(std::filesystem::exists(kept)); // it can be redone
-  QVERIFY(waitFor([&] { return window_->shown() && window_->shown()->frames; }));
-
-  field->setText(file("gone.png"));
-  QTest::keyClick(field, Qt::Key_Return);
-  QVERIFY(waitFor(
-      [this] { return find<QLabel>("messageText")->text().contains(QStringLiteral("gone.png")); }));
-  QVERIFY(find<QLabel>("messageText")->text().contains(QStringLiteral("right")));
 }
 
 void DeskTest::oneClickLearnsAColorAndTracksIt() {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/color/familiar_color.h"
+#include "core/color/color_learning.h"
+#include "core/session/empty_rooms.h"
 #include "core/session/snapshot.h"
 
 #include <QObject>

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures of the empty room, given to a camera in the window.
+#include "app/wiring/open_project.h"
+#include "core/session/new_project.h"
+#include "core/session/snapshot.h"
+#include "tests/ui/recorded_demo.h"
+#include "ui/birdseye/birds_eye_view.h"
+#include "ui/document/document.h"
+#include "ui/mainwindow/main_window.h"
+
+#include <QApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUndoStack>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+namespace dewpoint {
+
+class EmptyRoomTest : public QObject {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void init();
+  void cleanup() { window_.reset(); }
+  void theEmptyRoomIsAStepThatCanBeUndone();
+
+private:
+  template <class T> T* find(const char* name) {
+    T* found = window_->findChild<T*>(QLatin1String(name));
+    if (found == nullptr) {
+      qFatal("no child named %s", name);
+    }
+    return found;
+  }
+  QString file(const char* name) const { return folder_.filePath(QLatin1String(name)); }
+  static bool waitFor(const std::function<bool()>& holds) {
+    return QTest::qWaitFor(holds, DEWPOINT_PATIENCE_MS);
+  }
+
+  QTemporaryDir folder_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+void EmptyRoomTest::init() {
+  QSettings().clear();
+  window_ = std::make_unique<MainWindow>(&openProject);
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+}
+
+void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
+  QVERIFY(recordDemo(folder_.path().toStdString()));
+  NewProject wanted;
+  wanted.cameras = {{"left", SourceKind::Video, file("left.mkv").toStdString()},
+                    {"right", SourceKind::Video, file("right.mkv").toStdString()}};
+  wanted.calibration = file("calibration.toml").toStdString();
+  const auto made = makeProject(wanted);
+  QVERIFY(made);
+  QVERIFY(saveProject(made->project, file("desk.toml").toStdString()));
+  window_->openProject(file("desk.toml").toStdString());
+  QVERIFY(waitFor([this] { return window_->shown() && window_->shown()->frame >= 0; }));
+  Document& document = window_->document();
+  find<QListWidget>("cameraList")->setCurrentRow(1);
+  auto* take = find<QPushButton>("cameraEmptyRoomTake");
+  auto* field = find<QLineEdit>("cameraEmptyRoom");
+  QVERIFY(waitFor([&] { return take->isEnabled(); }));
+  QVERIFY(window_->shown()->emptyRooms[1].empty());
+  take->click();
+  const std::string kept = document.project().cameras[1].emptyRoom;
+  QVERIFY(std::filesystem::exists(kept));
+  QVERIFY(std::filesystem::path(kept).parent_path() == folder_.path().toStdString());
+  QCOMPARE(field->text(), QString::fromStdString(kept));
+  QVERIFY(waitFor([&] {
+    return window_->shown() && window_->shown()->frames &&
+           window_->shown()->emptyRooms.size() == 2 && !window_->shown()->emptyRooms[1].empty();
+  }));
+  QVERIFY(window_->shown()->emptyRooms[0].empty());
+  QCOMPARE(window_->shown()->emptyRooms[1].cols, window_->shown()->frames->frames[1]->image.cols);
+
+  document.undoStack()->undo();
+  QVERIFY(document.project().cameras[1].emptyRoom.empty());
+  QVERIFY(field->text().isEmpty());
+  QVERIFY(std::filesystem::exists(kept)); // it can be redone
+  QVERIFY(waitFor([&] { return window_->shown() && window_->shown()->frames; }));
+
+  field->setText(file("gone.png"));
+  QTest::keyClick(field, Qt::Key_Return);
+  QVERIFY(waitFor(
+      [this] { return find<QLabel>("messageText")->text().contains(QStringLiteral("gone.png")); }));
+  QVERIFY(find<QLabel>("messageText")->text().contains(QStringLiteral("right")));
+}
+
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
+  QApplication::setApplicationName(QStringLiteral("empty-room"));
+  dewpoint::EmptyRoomTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "empty_room_test.moc"
