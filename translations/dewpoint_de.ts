@@ -740,6 +740,14 @@
         <source>How long one iteration may take: fewer particles are used, and searches are spread over several frames, to keep to it. 0 sets no limit; with a limit a run depends on the speed of the machine and cannot be repeated bit by bit.</source>
         <translation>Wie lange eine Iteration dauern darf: Um das einzuhalten, werden weniger Partikel benutzt und Suchen über mehrere Bilder verteilt. 0 setzt keine Grenze; mit einer Grenze hängt ein Lauf von der Geschwindigkeit des Rechners ab und lässt sich nicht Bit für Bit wiederholen.</translation>
     </message>
+    <message>
+        <source>Color adaptation</source>
+        <translation>Farbanpassung</translation>
+    </message>
+    <message>
+        <source>How fast a target&apos;s color range follows slow changes of light, as a time constant; only while the target is surely there, and in each camera by itself. 0 keeps the range as it is; 2 is a good value in a room with daylight.</source>
+        <translation>Wie schnell der Farbbereich eines Ziels langsamen Änderungen des Lichts folgt, als Zeitkonstante; nur während das Ziel sicher da ist, und in jeder Kamera für sich. 0 lässt den Bereich, wie er ist; 2 ist ein guter Wert in einem Raum mit Tageslicht.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterRow</name>
@@ -1411,6 +1419,38 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Images are mirrored left to right, after they were turned</source>
         <translation>Bilder werden nach dem Drehen seitenverkehrt</translation>
+    </message>
+    <message>
+        <source>Empty room</source>
+        <translation>Leerer Raum</translation>
+    </message>
+    <message>
+        <source>Image, video or folder of images in which this camera shows the scene without any target: what has its color there is not taken for it</source>
+        <translation>Bild, Video oder Ordner mit Bildern, in denen diese Kamera die Szene ohne Ziel zeigt: Was dort seine Farbe hat, wird nicht für das Ziel gehalten</translation>
+    </message>
+    <message>
+        <source>Choose the empty room</source>
+        <translation>Leeren Raum wählen</translation>
+    </message>
+    <message>
+        <source>Find an image or a video of the scene without any target</source>
+        <translation>Ein Bild oder Video der Szene ohne Ziel suchen</translation>
+    </message>
+    <message>
+        <source>Use the image shown</source>
+        <translation>Gezeigtes Bild verwenden</translation>
+    </message>
+    <message>
+        <source>Keep the image this camera shows now as the one of the empty room</source>
+        <translation>Das Bild, das diese Kamera jetzt zeigt, als das des leeren Raums behalten</translation>
+    </message>
+    <message>
+        <source>Change empty room</source>
+        <translation>Leeren Raum ändern</translation>
+    </message>
+    <message>
+        <source>Choose an image or a video of the empty room</source>
+        <translation>Bild oder Video des leeren Raums wählen</translation>
     </message>
 </context>
 <context>

@@ -740,6 +740,14 @@
         <source>How long one iteration may take: fewer particles are used, and searches are spread over several frames, to keep to it. 0 sets no limit; with a limit a run depends on the speed of the machine and cannot be repeated bit by bit.</source>
         <translation>Cuánto puede durar una iteración: para respetarlo se usan menos partículas y las búsquedas se reparten entre varios fotogramas. 0 no pone límite; con un límite, una ejecución depende de la velocidad del equipo y no se puede repetir bit a bit.</translation>
     </message>
+    <message>
+        <source>Color adaptation</source>
+        <translation>Adaptación del color</translation>
+    </message>
+    <message>
+        <source>How fast a target&apos;s color range follows slow changes of light, as a time constant; only while the target is surely there, and in each camera by itself. 0 keeps the range as it is; 2 is a good value in a room with daylight.</source>
+        <translation>Con qué rapidez el rango de color de un objetivo sigue los cambios lentos de luz, como constante de tiempo; solo mientras el objetivo está ahí con seguridad, y en cada cámara por separado. 0 deja el rango como está; 2 es un buen valor en una sala con luz natural.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterRow</name>
@@ -1411,6 +1419,38 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Images are mirrored left to right, after they were turned</source>
         <translation>Las imágenes se reflejan de izquierda a derecha, tras girarlas</translation>
+    </message>
+    <message>
+        <source>Empty room</source>
+        <translation>Sala vacía</translation>
+    </message>
+    <message>
+        <source>Image, video or folder of images in which this camera shows the scene without any target: what has its color there is not taken for it</source>
+        <translation>Imagen, vídeo o carpeta de imágenes en que esta cámara muestra la escena sin ningún objetivo: lo que allí tiene su color no se toma por él</translation>
+    </message>
+    <message>
+        <source>Choose the empty room</source>
+        <translation>Elegir la sala vacía</translation>
+    </message>
+    <message>
+        <source>Find an image or a video of the scene without any target</source>
+        <translation>Buscar una imagen o un vídeo de la escena sin ningún objetivo</translation>
+    </message>
+    <message>
+        <source>Use the image shown</source>
+        <translation>Usar la imagen mostrada</translation>
+    </message>
+    <message>
+        <source>Keep the image this camera shows now as the one of the empty room</source>
+        <translation>Guardar la imagen que muestra ahora esta cámara como la de la sala vacía</translation>
+    </message>
+    <message>
+        <source>Change empty room</source>
+        <translation>Cambiar la sala vacía</translation>
+    </message>
+    <message>
+        <source>Choose an image or a video of the empty room</source>
+        <translation>Elegir una imagen o un vídeo de la sala vacía</translation>
     </message>
 </context>
 <context>

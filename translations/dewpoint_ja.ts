@@ -740,6 +740,14 @@
         <source>How long one iteration may take: fewer particles are used, and searches are spread over several frames, to keep to it. 0 sets no limit; with a limit a run depends on the speed of the machine and cannot be repeated bit by bit.</source>
         <translation>1 回の反復にかけてよい時間です。これを守るために粒子を減らし、探索を複数のフレームに分けます。0 は上限なしです。上限があると、実行はマシンの速度に左右され、ビット単位では再現できません。</translation>
     </message>
+    <message>
+        <source>Color adaptation</source>
+        <translation>色の追従</translation>
+    </message>
+    <message>
+        <source>How fast a target&apos;s color range follows slow changes of light, as a time constant; only while the target is surely there, and in each camera by itself. 0 keeps the range as it is; 2 is a good value in a room with daylight.</source>
+        <translation>ターゲットの色範囲が光のゆっくりした変化に追従する速さ(時定数)。ターゲットが確かに見えている間だけ、カメラごとに追従します。0では範囲は変わりません。自然光の入る部屋では2が適しています。</translation>
+    </message>
 </context>
 <context>
     <name>ParameterRow</name>
@@ -1411,6 +1419,38 @@ at %4, %5, %6 m</source>
     <message>
         <source>Images are mirrored left to right, after they were turned</source>
         <translation>回転したあと、画像を左右に反転します</translation>
+    </message>
+    <message>
+        <source>Empty room</source>
+        <translation>空の部屋</translation>
+    </message>
+    <message>
+        <source>Image, video or folder of images in which this camera shows the scene without any target: what has its color there is not taken for it</source>
+        <translation>このカメラがターゲットのない場面を写した画像、動画、または画像のフォルダー。そこで同じ色だったものはターゲットとみなしません</translation>
+    </message>
+    <message>
+        <source>Choose the empty room</source>
+        <translation>空の部屋を選択</translation>
+    </message>
+    <message>
+        <source>Find an image or a video of the scene without any target</source>
+        <translation>ターゲットのない場面の画像か動画を探します</translation>
+    </message>
+    <message>
+        <source>Use the image shown</source>
+        <translation>表示中の画像を使う</translation>
+    </message>
+    <message>
+        <source>Keep the image this camera shows now as the one of the empty room</source>
+        <translation>このカメラが今表示している画像を空の部屋の画像として保存します</translation>
+    </message>
+    <message>
+        <source>Change empty room</source>
+        <translation>空の部屋を変更</translation>
+    </message>
+    <message>
+        <source>Choose an image or a video of the empty room</source>
+        <translation>空の部屋の画像か動画を選択</translation>
     </message>
 </context>
 <context>
