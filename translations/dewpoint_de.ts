@@ -1530,6 +1530,10 @@ bei %4, %5, %6 m</translation>
         <source>matches too</source>
         <translation>passt auch</translation>
     </message>
+    <message>
+        <source>Image of camera %1: arrow keys move a cross, Enter points there</source>
+        <translation>Bild der Kamera %1: Pfeiltasten bewegen ein Kreuz, Enter zeigt dorthin</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ColorPicker</name>

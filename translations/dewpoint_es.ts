@@ -1530,6 +1530,10 @@ en %4, %5, %6 m</translation>
         <source>matches too</source>
         <translation>también coincide</translation>
     </message>
+    <message>
+        <source>Image of camera %1: arrow keys move a cross, Enter points there</source>
+        <translation>Imagen de la cámara %1: las flechas mueven una cruz, Intro señala ahí</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ColorPicker</name>

@@ -1530,6 +1530,10 @@ at %4, %5, %6 m</source>
         <source>matches too</source>
         <translation>これも一致</translation>
     </message>
+    <message>
+        <source>Image of camera %1: arrow keys move a cross, Enter points there</source>
+        <translation>カメラ %1 の画像: 矢印キーで十字を動かし、Enter でその場所を指します</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ColorPicker</name>

@@ -2,6 +2,7 @@
 #include "core/calibration/calibration_file.h"
 #include "core/calibration/convert_calibration.h"
 #include "core/calibration/lens_refit.h"
+#include "tests/calibration/own_folder.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/calib3d.hpp>
@@ -32,7 +33,7 @@ CameraRig plainRig() {
 CalibrationTarget target(const CalibrationFormat& format) {
   CalibrationTarget result;
   result.format = format.name;
-  result.path = std::filesystem::path(testing::TempDir()) / "convert" / format.name;
+  result.path = ownFolder() / format.name;
   if (format.layout != FileLayout::FilePerCamera) {
     result.path += format.extension;
   }
@@ -142,7 +143,7 @@ TEST(ConvertCalibration, RefusesWhatTheFormatCannotHold) {
             ErrorCode::Mismatch);
   EXPECT_FALSE(writeCalibration(rig, target(**calibrationFormat("multical"))));
   auto wanted = target(**calibrationFormat("mrcal"));
-  wanted.path = std::filesystem::path(testing::TempDir()) / "convert" / "unasked";
+  wanted.path = ownFolder() / "unasked";
   std::filesystem::remove_all(wanted.path);
   wanted.replace = false;
   ASSERT_TRUE(writeCalibration(plainRig(), wanted));

@@ -2,6 +2,7 @@
 // Files of other tools (golden/make_golden.py says who wrote which, and whose pixels these are).
 #include "core/calibration/calibration_file.h"
 #include "core/calibration/calibration_format.h"
+#include "tests/calibration/own_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -108,7 +109,7 @@ Error errorOf(const std::string& file, const std::string& from, const std::strin
   const auto at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
-  const auto copy = std::filesystem::path(testing::TempDir()) / ("wrong_" + file);
+  const auto copy = ownFolder() / ("wrong_" + file);
   std::ofstream(copy) << text;
   const auto calibration = readCalibration(copy, hints);
   EXPECT_FALSE(calibration) << file << ": " << from;
@@ -144,7 +145,7 @@ TEST(FormatGolden, WrongUnitsAreNamedWithTheLikelyCause) {
   for (Camera& camera : scaled->rig) {
     camera.cameraFromWorld.translation() *= 0.001;
   }
-  const auto file = std::filesystem::path(testing::TempDir()) / "scaled.toml";
+  const auto file = ownFolder() / "scaled.toml";
   ASSERT_TRUE(saveCalibration(scaled->rig, file));
   const auto calibration = loadCalibration(file);
   ASSERT_FALSE(calibration);
@@ -157,7 +158,7 @@ TEST(FormatGolden, PosesTheWrongWayRoundAreSuspected) {
   for (Camera& camera : *rig) {
     camera.cameraFromWorld = camera.cameraFromWorld.inverse();
   }
-  const auto file = std::filesystem::path(testing::TempDir()) / "inverted.toml";
+  const auto file = ownFolder() / "inverted.toml";
   ASSERT_TRUE(saveCalibration(*rig, file));
   const auto doubted = readCalibration(file);
   ASSERT_FALSE(doubted);
