@@ -22,6 +22,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dewpoint {
 
@@ -189,7 +190,8 @@ void CameraPanel::showChosen() {
 
 void CameraPanel::showCalibration(const ProjectCamera& camera) {
   const auto number = [](double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
+    const double unit = std::pow(10.0, -decimals);
+    return QLocale().toString(std::round(value / unit) * unit + 0.0, 'f', decimals); // no "-0.000"
   };
   const Intrinsics& in = camera.camera.intrinsics;
   const Eigen::Vector3d place = camera.camera.center();

@@ -208,7 +208,9 @@ void PlotRow::fit(double least, double most) {
   }
   case PlotQuantity::Position:
   case PlotQuantity::LogLikelihood: {
-    const double step = roundedUp(std::max(most - least, 1e-3)) / 5.0;
+    // Finer than a millimetre, or a difference in probability that says nothing, is not enlarged.
+    const double finest = declaration_->quantity == PlotQuantity::Position ? 1e-3 : 1.0;
+    const double step = roundedUp(std::max(most - least, finest)) / 5.0;
     yAxis()->setRange((std::floor(least / step) - 0.2) * step,
                       (std::floor(most / step) + 1.0) * step);
     break;
