@@ -193,6 +193,9 @@ void PointsTable::refresh() {
   remove_->setEnabled(any);
   click_->setEnabled(any);
   click_->setChecked(points_.isClicking());
+  // A shape as well: dark themes hardly show a pressed button.
+  click_->setText((points_.isClicking() ? QStringLiteral("● ") : QString()) +
+                  tr("Click in images"));
   forget_->setEnabled(any && clickIn(points_.points()[static_cast<std::size_t>(points_.chosen())],
                                      hand_.camera()) != nullptr);
   solve_->setEnabled(count > 0 && !points_.isSolving());
