@@ -18,6 +18,10 @@ constexpr int kMostRounds = 10;
 constexpr double kClearAspect = 0.003;
 constexpr double kClearSigmas = 5.0;
 
+/// Of the image's diagonal: real corners are off by a tenth of that; and widths: 3 degrees of view.
+constexpr double kMostRms = 0.0025;
+constexpr double kLongestFocal = 20.0;
+
 using Views = std::vector<const BoardView*>;
 
 struct Solution {
@@ -118,7 +122,11 @@ public:
         return tl::make_unexpected(checked.error());
       }
     }
-    return finished();
+    IntrinsicsResult result = finished();
+    if (const auto plausible = checkPlausible(result); !plausible) {
+      return tl::make_unexpected(plausible.error());
+    }
+    return result;
   }
 
 private:
@@ -191,6 +199,20 @@ private:
       square_ = true;
     }
     return {};
+  }
+
+  /// A board with another number of corners than was said can be found and solved, too; but then
+  /// nothing fits.
+  Status checkPlausible(const IntrinsicsResult& result) const {
+    const double limit = kMostRms * std::hypot(request_.width, request_.height);
+    const double focal = result.camera.intrinsics.focalX;
+    if (result.rmsPx <= limit && focal <= kLongestFocal * request_.width) {
+      return {};
+    }
+    return failure(ErrorCode::BadValue, "", "board",
+                   fmt::format("with it the corners are {:.1f} px off on average and the focal "
+                               "length would be {:.0f} px; count its inner corners again",
+                               result.rmsPx, focal));
   }
 
   IntrinsicsResult finished() {

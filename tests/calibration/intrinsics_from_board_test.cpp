@@ -109,6 +109,16 @@ TEST(IntrinsicsFromBoard, TooFewViewsAndCancel) {
   EXPECT_EQ(few.error().code, ErrorCode::NotFound);
 }
 
+// Counted along the wrong side, corners 6 and 7 of a row of nine become the ends of different rows.
+TEST(IntrinsicsFromBoard, AWrongNumberOfCornersIsNamed) {
+  auto request = requestOf(testCamera(), 0.1, 15);
+  request.board = boardOf("chessboard:6x9:0.025");
+  const auto result = calibrateIntrinsics(request);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::BadValue);
+  EXPECT_EQ(result.error().field, "board");
+}
+
 // Published: opencv/opencv samples/data/left_intrinsics.yml (0dd31c3b).
 TEST(IntrinsicsFromBoard, OpenCvLeft13) {
   const auto folder = dataFolder("opencv_left13");
