@@ -75,6 +75,13 @@ cv::Mat likelyTarget(const cv::Mat& image, const ColorRange& range, double area)
   return mask;
 }
 
+ColorSample clickInMiddle(ColorSample box) {
+  box.x += box.width / 2.0;
+  box.y += box.height / 2.0;
+  box.width = box.height = 0.0;
+  return box;
+}
+
 /// Where the clicks of one camera still show what was clicked; empty if nowhere.
 cv::Mat clickedTargets(const std::vector<ColorSample>& samples, int camera, const cv::Mat& image) {
   cv::Mat mask;
@@ -85,6 +92,9 @@ cv::Mat clickedTargets(const std::vector<ColorSample>& samples, int camera, cons
     const cv::Mat region = regionOfSample(image, sample);
     if (stillShows(image, region, sample)) {
       mask = mask.empty() ? region : cv::Mat(mask | region);
+      if (sample.isBox()) { // what goes on around the box is not background
+        mask |= regionOfSample(image, clickInMiddle(sample));
+      }
     }
   }
   return mask;

@@ -23,6 +23,7 @@ constexpr double kShadingScale = 0.5;   ///< natural logarithm of the brightness
 constexpr double kDarkest = 20.0;       ///< sum of channels where brightness stops to say much
 constexpr int kSmallest = 12;           ///< pixels of a region
 constexpr double kLargestShare = 0.5;   ///< of the image: more is no thing in it
+constexpr double kNoOutline = 1.0;      ///< units of colorDistance(): a box lies within the thing
 constexpr int kSeedReach = 2;           ///< pixels around the click whose median begins
 /// Pixels across an outline over which its edge is seen: moving things are blurred, and the larger
 /// they appear the farther. Each counts from this radius of a region on, pixels.
@@ -58,11 +59,11 @@ const std::array<cv::Point, 4> kNeighbors{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
 /// The least level that must be allowed to come from the click to each pixel; kLevels where the
 /// flood did not come, because it had become too large.
-cv::Mat floodLevels(const cv::Mat& levels, cv::Point click) {
+cv::Mat floodLevels(const cv::Mat& levels, cv::Point click, double largest) {
   cv::Mat flood(levels.size(), CV_16UC1, cv::Scalar(kLevels));
   std::vector<std::vector<cv::Point>> waiting(kLevels);
   const cv::Rect frame({0, 0}, levels.size());
-  const auto limit = static_cast<std::size_t>(kLargestShare * static_cast<double>(levels.total()));
+  const auto limit = static_cast<std::size_t>(largest);
   flood.at<std::uint16_t>(click) = 0;
   waiting[0].push_back(click);
   std::size_t area = 0;
@@ -202,13 +203,18 @@ std::size_t steepestFrom(const NestedRegions& regions, std::size_t level) {
   return best;
 }
 
-cv::Mat regionFrom(const cv::Mat& bgr, cv::Point click, const BgrColor& color) {
+/// `bounded`: the image is a box that a person has dragged; it may lie within the thing.
+cv::Mat regionFrom(const cv::Mat& bgr, cv::Point click, const BgrColor& color, bool bounded) {
   const cv::Mat levels = levelsFrom(bgr, color);
-  const cv::Mat flood = floodLevels(levels, click);
+  const double limit = (bounded ? 1.0 : kLargestShare) * static_cast<double>(bgr.total());
+  const cv::Mat flood = floodLevels(levels, click, limit);
   const NestedRegions regions = nestedRegions(levels, flood);
-  const double limit = kLargestShare * static_cast<double>(bgr.total());
   auto best = bestLevel(regions, kMostSpread, limit);
   best = best ? best : bestLevel(regions, kLevels, limit); // a colorful thing, or a tiny one
+  if (bounded && (!best || regions.contrast[0][*best] <
+                               kNoOutline * kLevelsPerUnit * regions.outline[*best])) {
+    return {bgr.size(), CV_8UC1, cv::Scalar(255)};
+  }
   cv::Mat mask =
       best ? cv::Mat(flood <= double(steepestFrom(regions, *best))) : cv::Mat(flood < kLevels);
   fillHoles(mask);
@@ -282,7 +288,7 @@ cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within) {
       medianColor(colorsIn(smooth(seed), cv::Mat(seed.size(), CV_8UC1, cv::Scalar(255))));
   cv::Mat region;
   for (int i = 0; i <= kCorrections; ++i) {
-    region = regionFrom(smooth, at, color);
+    region = regionFrom(smooth, at, color, !within.empty());
     const BgrColor middle = medianColor(colorsIn(smooth, region));
     if (colorDistance(middle, color) > kSameThing) {
       break; // it would become something else

@@ -24,7 +24,8 @@ double colorDistance(const BgrColor& one, const BgrColor& other);
 /// tolerance has to be chosen. On the whole it has about the clicked color. The click is then
 /// corrected: the region's median color replaces that of the pixel. Highlights inside are filled.
 ///
-/// `within` bounds it (a dragged box); empty: the image.
+/// `within` bounds it (a dragged box; without a clear outline in it, it is the box itself); empty:
+/// the image.
 cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within = {});
 
 /// The region of a sample's place in an image, as takeSample() grew it.
