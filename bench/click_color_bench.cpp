@@ -2,6 +2,7 @@
 // How well one click teaches a color: the pixel F1 score of the learned range over the other frames
 // of recordings with known targets, and over simulated views with exact truth.
 //   click_color_bench [DATA_FOLDER]        (default: $DEWPOINT_DATA)
+#include "bench/pixel_truth.h"
 #include "core/color/color_learning.h"
 #include "core/color/match_image.h"
 #include "core/geometry/camera.h"
@@ -37,17 +38,8 @@ struct Subject {
   double rim = 0.0;            ///< pixels on either side of the outline that count for neither
 };
 
-struct Score {
-  double both = 0.0, found = 0.0, truth = 0.0;
-  double f1() const { return found + truth > 0.0 ? 2.0 * both / (found + truth) : 0.0; }
-};
-
-Score scoreOf(const cv::Mat& match, const cv::Mat& truth, const cv::Mat& counted) {
-  Score score;
-  score.both = cv::countNonZero(match & truth & counted);
-  score.found = cv::countNonZero(match & counted);
-  score.truth = cv::countNonZero(truth & counted);
-  return score;
+PixelScore scoreOf(const cv::Mat& match, const cv::Mat& truth, const cv::Mat& counted) {
+  return pixelScore(match & counted, truth & counted);
 }
 
 /// The place as a mask, `more` pixels larger (smaller where negative).
@@ -229,21 +221,6 @@ void benchRecording(const std::string& folder, const char* pattern, std::vector<
     }
     scores.push_back(benchSubject(images, subject, subject.places.begin()->first));
   }
-}
-
-/// 255 where the ray of a pixel hits the ball: exact but for what moves during the exposure.
-cv::Mat ballMask(const Camera& camera, const Eigen::Vector3d& position, double radius) {
-  const Eigen::Vector3d ball = camera.cameraFromWorld * position;
-  const Intrinsics& lens = camera.intrinsics;
-  cv::Mat mask = cv::Mat::zeros(lens.height, lens.width, CV_8UC1);
-  for (int y = 0; y < mask.rows; ++y) {
-    for (int x = 0; x < mask.cols; ++x) {
-      const Eigen::Vector3d ray((x - lens.centerX) / lens.focalX, (y - lens.centerY) / lens.focalY,
-                                1.0);
-      mask.at<std::uint8_t>(y, x) = ray.normalized().cross(ball).norm() < radius ? 255 : 0;
-    }
-  }
-  return mask;
 }
 
 /// One click in the first camera's first image; all pixels of both cameras' later images.
