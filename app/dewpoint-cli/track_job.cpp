@@ -5,6 +5,7 @@
 #include "app/dewpoint-cli/interruption.h"
 #include "app/dewpoint-cli/progress.h"
 #include "core/base/text_file.h"
+#include "core/session/bump_watch.h"
 #include "core/session/run_report.h"
 #include "core/session/tracking_run.h"
 #include "core/trajectory/evaluation.h"
@@ -29,9 +30,24 @@ void sayNotices(const FrameSetSource& source, RunFigures& figures) {
   }
 }
 
+/// Says each new bump of a camera once.
+void sayBumps(const BumpWatch& bumps, std::size_t& said, RunFigures& figures) {
+  if (said == bumps.reports().size()) {
+    return;
+  }
+  const auto notices = bumps.notices();
+  for (; said < notices.size(); ++said) {
+    figures.notices.push_back(sentence(notices[said]));
+    fmt::print(stderr, "dewpoint-cli: note: {}.\n", figures.notices.back());
+  }
+}
+
 /// The loop itself; what stopped it, if it was not the end.
 Status trackFrames(const TrackJob& job, FrameSetSource& source, TrackingRun& run,
-                   TrajectoryWriter& writer, Trajectory& kept, RunFigures& figures) {
+                   const CameraRig& rig, TrajectoryWriter& writer, Trajectory& kept,
+                   RunFigures& figures) {
+  BumpWatch bumps(rig);
+  std::size_t bumpsSaid = 0;
   if (job.firstFrame > 0) {
     if (const auto sought = source.seek(job.firstFrame); !sought) {
       return sought;
@@ -63,6 +79,8 @@ Status trackFrames(const TrackJob& job, FrameSetSource& source, TrackingRun& run
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - arrived;
     figures.latency.add(took.count());
+    bumps.watch(**frames, run.targets(), run.estimates());
+    sayBumps(bumps, bumpsSaid, figures);
     for (const auto& sample : run.samples()) {
       if (const auto written = writer.write(sample); !written) {
         progress.finish();
@@ -137,7 +155,8 @@ int TrackJob::run(SessionInputs inputs) const {
   }
   Trajectory kept{header, {}};
   const auto begin = std::chrono::steady_clock::now();
-  const auto tracked = trackFrames(*this, *inputs.source, *run, *writer, kept, figures);
+  const auto tracked =
+      trackFrames(*this, *inputs.source, *run, rigOf(inputs.project), *writer, kept, figures);
   figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   figures.finished = tracked.has_value() && !interruptionAsked();
   if (!tracked) {

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/capture/frame.h"
 #include "core/geometry/camera.h"
+#include "core/session/bump_watch.h"
 #include "core/session/moment.h"
 
 #include <Eigen/Core>
@@ -87,6 +88,8 @@ struct TrackSnapshot {
   std::uint64_t seed = 0;
   PlayState state = PlayState::Paused;
   std::vector<Error> notices;
+  /// Cameras that were bumped since the run began; each has its notice too.
+  std::vector<BumpReport> bumps;
 };
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 

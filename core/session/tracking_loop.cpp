@@ -27,7 +27,7 @@ template <class T> void keepNewest(std::deque<T>& values, std::size_t most) {
 TrackingLoop::TrackingLoop(SessionInputs inputs)
     : project_(std::move(inputs.project)), source_(std::move(inputs.source)), truth_(inputs.truth),
       emptyRooms_(std::move(inputs.emptyRooms)),
-      rig_(std::make_shared<const CameraRig>(rigOf(project_))) {
+      rig_(std::make_shared<const CameraRig>(rigOf(project_))), bumps_(*rig_) {
   auto run = TrackingRun::create(project_, 1, emptyRooms_);
   if (run) {
     run_.emplace(std::move(*run));
@@ -131,6 +131,7 @@ void TrackingLoop::iterateFrame() {
       iterateOnce();
     }
     frameFresh_ = false; // also without any target
+    bumps_.watch(*run_->frames(), run_->targets(), run_->estimates());
     const auto now = Clock::now();
     using Seconds = std::chrono::duration<double>;
     log_.countFrame(Seconds(now - arrival_).count(), Seconds(now - *firstArrival_).count());

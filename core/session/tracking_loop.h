@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/bump_watch.h"
 #include "core/session/command_queue.h"
 #include "core/session/run_log.h"
 #include "core/session/session.h"
@@ -79,6 +80,7 @@ private:
   std::vector<cv::Mat> emptyRooms_;
   std::shared_ptr<const CameraRig> rig_;
   std::optional<TrackingRun> run_;
+  BumpWatch bumps_;                  ///< of the cameras as they were calibrated
   std::optional<TimeTravel> travel_; ///< as long as there is a source
   CommandQueue commands_;
   SnapshotPublisher publisher_;

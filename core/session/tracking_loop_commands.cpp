@@ -135,6 +135,7 @@ void TrackingLoop::changeCameras(const CameraRig& rig) {
   }
   rig_ = std::make_shared<const CameraRig>(rig);
   run_->setCameras(rig);
+  bumps_.setCameras(rig);
   travel_->changed(*run_, {std::nullopt, std::nullopt, rig});
   log_.change(project_);
 }
@@ -145,6 +146,9 @@ bool TrackingLoop::restart(std::optional<std::uint64_t> seed) {
   run_->restart(project_.seed);
   log_.restart(project_);
   travel_->clear();
+  if (!source_->isLive()) { // live cameras stay where they are; the calibrated place is still known
+    bumps_.restart();
+  }
   view_.reset();
   rerun_.reset();
   atEnd_ = false;

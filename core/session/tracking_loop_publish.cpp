@@ -4,6 +4,7 @@
 #include "core/session/tracking_loop.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace dewpoint {
 namespace {
@@ -107,6 +108,8 @@ void TrackingLoop::publish(bool quickly) {
   }
   exactDue_ = snapshot->preview;
   snapshot->notices = errors_;
+  snapshot->bumps = bumps_.reports();
+  std::ranges::move(bumps_.notices(), std::back_inserter(snapshot->notices));
   if (source_) {
     const auto more = source_->notices();
     snapshot->notices.insert(snapshot->notices.end(), more.begin(), more.end());

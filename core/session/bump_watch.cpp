@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/bump_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kEvery = 1.0;   // seconds
+constexpr double kSettled = 1.0; // seconds after a bump that count for nothing
+constexpr double kWindow = 2.0;  // seconds of residuals that are compared
+constexpr std::size_t kFewest = 10;
+constexpr double kSightingSigma = 1.0; // pixels: blob, and the other cameras' calibration
+
+} // namespace
+
+Result<ResolvedCamera> resolveBump(const Camera& camera, const CameraTurn& turn,
+                                   const std::deque<TargetSighting>& sightings, double since) {
+  std::vector<PointSighting> points;
+  for (const TargetSighting& one : sightings) {
+    if (one.time >= since) {
+      points.push_back({one.world, one.pixel, kSightingSigma});
+    }
+  }
+  BumpPrior prior;
+  prior.turn = turn.turn;
+  prior.turnSigma = std::max(prior.turnSigma, turn.sigma);
+  return resolveCamera(camera, prior, points);
+}
+
+BumpWatch::BumpWatch(const CameraRig& rig) : rig_(rig), sentinel_(rig), sightings_(rig) {}
+
+void BumpWatch::restart() {
+  sentinel_.restart();
+  sightings_.restart();
+  reports_.clear();
+  eventsSeen_ = 0;
+  due_ = 0.0;
+  lastTime_ = -1e18;
+}
+
+void BumpWatch::setCameras(const CameraRig& rig) {
+  for (std::size_t k = 0; k < std::min(rig.size(), rig_.size()); ++k) {
+    if (rig[k] != rig_[k]) {
+      sentinel_.accept(k, rig[k]);
+      std::erase_if(reports_, [&](const BumpReport& report) { return report.event.camera == k; });
+    }
+  }
+  rig_ = rig;
+  sightings_ = TargetSightings(rig);
+}
+
+void BumpWatch::watch(const FrameSet& frames, const std::vector<Target>& targets,
+                      const std::vector<TargetEstimate>& estimates) {
+  const double time = seconds(frames.time);
+  if (time <= lastTime_) {
+    return; // a frame of the past that is tracked again
+  }
+  lastTime_ = time;
+  sentinel_.watch(frames);
+  sightings_.add(frames, targets, estimates);
+  for (; eventsSeen_ < sentinel_.events().size(); ++eventsSeen_) {
+    reports_.emplace_back().event = sentinel_.events()[eventsSeen_];
+  }
+  if (time < due_) {
+    return;
+  }
+  due_ = time + kEvery;
+  for (BumpReport& report : reports_) {
+    update(report, time);
+  }
+}
+
+void BumpWatch::update(BumpReport& report, double time) {
+  const std::size_t camera = report.event.camera;
+  const double since = seconds(report.event.time) + kSettled;
+  report.back = !sentinel_.camera(camera).moved;
+  if (const auto now = sightings_.summary(camera, time - kWindow, kFewest)) {
+    report.targetPixels = now->residual.norm();
+  }
+  const CameraTurn& turn = sentinel_.camera(camera).turn;
+  // With two cameras the estimate leans on the bumped one too: the background alone is better.
+  const auto& sightings = rig_.size() < 3 ? std::deque<TargetSighting>() : sightings_.of(camera);
+  const auto resolved = resolveBump(rig_[camera], turn, sightings, since);
+  report.resolved = resolved && !report.back ? std::optional(*resolved) : std::nullopt;
+}
+
+std::vector<Error> BumpWatch::notices() const {
+  std::vector<Error> notices;
+  for (const BumpReport& report : reports_) {
+    const double degrees = report.event.turn.turn.norm() / kDegree;
+    notices.push_back(
+        {ErrorCode::Mismatch, "", rig_[report.event.camera].name,
+         fmt::format("the camera was turned by {:.2f} degrees, frame {}; calibrate it "
+                     "again",
+                     degrees, report.event.frame)});
+  }
+  return notices;
+}
+
+} // namespace dewpoint
