@@ -5,6 +5,7 @@
 #include "app/dewpoint-cli/progress.h"
 #include "app/wiring/open_project.h"
 #include "core/calibration/calibration_file.h"
+#include "core/calibration/verdict.h"
 #include "core/session/wand_views.h"
 
 #include <CLI/CLI.hpp>
@@ -140,6 +141,17 @@ void sayDecisions(const WandOptions& options, const WandResult& result) {
   }
 }
 
+void sayVerdict(const WandOptions& options, const WandResult& result) {
+  const auto verdict = judgeWand(result, options.floorTimes);
+  fmt::print("Verdict: {}\n",
+             verdict ? verdictSentence(*verdict) : "none; " + sentence(verdict.error()));
+  if (verdict && verdict->modelFactor > 1.0) {
+    fmt::print("Solutions without a part of the recording differ {:.1f} times more than noise "
+               "explains; the verdict includes that.\n",
+               verdict->modelFactor);
+  }
+}
+
 int calibrate(WandCommandOptions options) {
   if (const auto settled = settle(options); !settled) {
     report(settled.error());
@@ -165,6 +177,7 @@ int calibrate(WandCommandOptions options) {
   }
   sayCameras(options.wand, before, *result);
   sayDecisions(options.wand, *result);
+  sayVerdict(options.wand, *result);
   auto written = options.out.empty() ? Status() : saveCalibration(result->cameras, options.out);
   if (written && options.apply) {
     written = saveProject(withCameras(inputs->project, result->cameras), options.project);
