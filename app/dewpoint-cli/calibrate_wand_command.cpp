@@ -150,6 +150,9 @@ void sayVerdict(const WandOptions& options, const WandResult& result) {
                "explains; the verdict includes that.\n",
                verdict->modelFactor);
   }
+  for (const NamedFault& fault : result.faults) {
+    fmt::print("Fault: {}\n", fault.sentence);
+  }
 }
 
 int calibrate(WandCommandOptions options) {

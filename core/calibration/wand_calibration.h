@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/calibration/bundle_adjustment.h"
+#include "core/calibration/fault.h"
 
 #include <array>
 #include <cstdint>
@@ -84,10 +85,11 @@ struct WandResult {
   bool floorFound = false;
   double floorRms = 0.0; ///< metres, of the touched places about the plane
   std::optional<WandDrop> drop;
-  double upTurned = 0.0; ///< radians between the rough rig's up and the result's
-  BundleProblem problem; ///< what was adjusted last, in the result's world
-  BundleResult bundle;   ///< and its outcome, with the covariance
-  double seconds = 0.0;  ///< of computing
+  double upTurned = 0.0;               ///< radians between the rough rig's up and the result's
+  BundleProblem problem;               ///< what was adjusted last, in the result's world
+  BundleResult bundle;                 ///< and its outcome, with the covariance
+  double seconds = 0.0;                ///< of computing
+  std::vector<NamedFault> faults = {}; ///< left to findWandFaults()
 };
 
 /// Where the computation is. Return false to stop it.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/wand_views.h"
 
+#include "core/calibration/fault_finder.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -138,6 +140,13 @@ Result<WandResult> calibrateFromViews(const Project& project,
   auto result = calibrateFromWand(*problem, [&](const WandProgress& now) {
     return !callback || callback({false, now.step, now.steps, now.rms});
   });
+  const bool cancelled = !result && result.error().code == ErrorCode::Cancelled;
+  const auto report = cancelled ? FaultReport{} : findWandFaults(*problem).value_or(FaultReport{});
+  if (result) {
+    result->faults = report.faults;
+  } else if (!report.faults.empty()) {
+    result.error().detail += "; " + report.faults.front().sentence;
+  }
   if (!result && result.error().file.empty()) {
     result.error().file = project.file.string();
   }

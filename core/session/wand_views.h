@@ -67,7 +67,8 @@ struct WandWork {
 using WandWorkCallback = std::function<bool(const WandWork&)>;
 
 /// Calibrates from views that were collected, live or from a recording: the same bits from the
-/// command line and from the window. The project itself is not changed.
+/// command line and from the window. The project itself is not changed. Faults that explain the
+/// views better are named in the result, or in the error.
 Result<WandResult> calibrateFromViews(const Project& project,
                                       const std::vector<std::vector<BallView>>& views,
                                       const WandOptions& options,
