@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace dewpoint {
 namespace {
@@ -115,6 +116,10 @@ std::optional<NamedFault> squareCount(const FaultQuestion& question,
 /// Whether the cameras see the wrong side: of a board (its z goes into it), or of the floor.
 std::optional<NamedFault> mirrored(const FaultQuestion& question,
                                    const std::vector<SeenBoard>& boards, const CameraRig& rig) {
+  std::vector<std::set<std::size_t>> seeing(question.problem.states.size());
+  for (const BundleObservation& seen : question.problem.observations) {
+    seeing[seen.state].insert(seen.camera);
+  }
   std::size_t front = 0;
   std::size_t back = 0;
   for (const SeenBoard& board : boards) {
@@ -123,7 +128,8 @@ std::optional<NamedFault> mirrored(const FaultQuestion& question,
     if (!found) {
       continue;
     }
-    for (const Camera& camera : rig) {
+    for (const std::size_t c : seeing[board.state]) {
+      const Camera& camera = rig[c];
       const Eigen::Vector3d inBody = found->worldFromBody.rotation.transpose() *
                                      (camera.center() - found->worldFromBody.translation);
       const bool above =

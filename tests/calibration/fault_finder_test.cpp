@@ -224,6 +224,9 @@ FaultQuestion shown(std::uint32_t seed, bool floor, double noise = 0.1) {
       real.pretranslate(Eigen::Vector3d(0.5 * draw[2], 0.5 * draw[3], 0.7 + 0.03 * k));
     }
     for (std::size_t c = 0; c < truth.size(); ++c) {
+      if ((real.inverse() * truth[c].center()).z() > 0.0) {
+        continue; // nothing is printed on its back
+      }
       for (std::size_t id = 0; id < body.points.size(); ++id) {
         const auto pixel = Projector(truth[c]).project(real * body.points[id]);
         const auto draw = random.normal4(count++);
