@@ -3051,6 +3051,10 @@ bei %4, %5, %6 m</translation>
         <source>Held: the cameras confirm the estimate. Lost: not so for a second.</source>
         <translation>Gehalten: Die Kameras bestätigen die Schätzung. Verloren: seit einer Sekunde nicht.</translation>
     </message>
+    <message>
+        <source>No target yet</source>
+        <translation>Noch kein Ziel</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::TargetPanel</name>

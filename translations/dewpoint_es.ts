@@ -3051,6 +3051,10 @@ en %4, %5, %6 m</translation>
         <source>Held: the cameras confirm the estimate. Lost: not so for a second.</source>
         <translation>Seguido: las cámaras confirman la estimación. Perdido: no desde hace un segundo.</translation>
     </message>
+    <message>
+        <source>No target yet</source>
+        <translation>Aún sin objetivo</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::TargetPanel</name>

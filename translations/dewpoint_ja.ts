@@ -3050,6 +3050,10 @@ at %4, %5, %6 m</source>
         <source>Held: the cameras confirm the estimate. Lost: not so for a second.</source>
         <translation>保持: カメラが推定を裏付けています。喪失: 1 秒以上裏付けがありません。</translation>
     </message>
+    <message>
+        <source>No target yet</source>
+        <translation>ターゲットなし</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::TargetPanel</name>

@@ -333,7 +333,6 @@ void DeskTest::oneClickLearnsAColorAndTracksIt() {
 
   // The same place by keys: the cross begins in the middle, Ctrl and an arrow move it by a pixel.
   layer->setFocus();
-  QTest::keyClick(layer, Qt::Key_Left);
   const QPointF middle(view->imageSize().width() / 2 - 1, view->imageSize().height() / 2 - 1);
   const auto press = [&](double way, Qt::Key less, Qt::Key more) {
     for (int i = 0; i < static_cast<int>(std::lround(std::abs(way))); ++i) {

@@ -113,6 +113,10 @@ void PickLayer::keyPressEvent(QKeyEvent* event) {
     update();
     return;
   }
+  if (event->key() == Qt::Key_Escape && picking_) {
+    Q_EMIT cancelled();
+    return;
+  }
   if (!isForCross(*event)) {
     QWidget::keyPressEvent(event);
     return;
@@ -157,6 +161,13 @@ void PickLayer::moveCross(int key, bool fine) {
   cross_ = QPointF(std::clamp(next.x(), 0.0, image.width() - 1.0),
                    std::clamp(next.y(), 0.0, image.height() - 1.0));
   update();
+}
+
+void PickLayer::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  if (picking_ && event->reason() != Qt::MouseFocusReason && !view_->imageSize().isEmpty()) {
+    moveCross(0, false); // shows where the keys are
+  }
 }
 
 void PickLayer::focusOutEvent(QFocusEvent* event) {

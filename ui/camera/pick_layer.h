@@ -31,6 +31,8 @@ public:
 Q_SIGNALS:
   /// A click (an empty size) or a dragged box, in pixels of the image.
   void picked(const QRectF& region, Qt::KeyboardModifiers modifiers);
+  /// Esc: nothing more is to be pointed at.
+  void cancelled();
   /// A plain click while nothing is being picked: the view was chosen.
   void chosen();
 
@@ -41,6 +43,7 @@ protected:
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   bool event(QEvent* event) override;
 

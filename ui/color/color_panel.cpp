@@ -122,6 +122,7 @@ void ColorPanel::attach(int camera, CameraView* view) {
     std::erase_if(layers_, [layer](const auto& one) { return one.second == layer; });
   });
   connect(layer, &PickLayer::chosen, this, [this, camera] { Q_EMIT cameraChosen(camera); });
+  connect(layer, &PickLayer::cancelled, this, [this] { setPicking(false); });
   connect(layer, &PickLayer::picked, this,
           [this, camera](const QRectF& region, Qt::KeyboardModifiers modifiers) {
             pickedIn(camera, region, modifiers);

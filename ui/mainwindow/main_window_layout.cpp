@@ -80,6 +80,11 @@ void MainWindow::makeDocks() {
 
   palette_ = new CommandPalette(*actions_, this);
   figures_ = new StatusFigures(this);
+  inEveryLanguage(figures_, [this] {
+    if (shown_) {
+      figures_->show(*shown_);
+    }
+  });
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(figures_, 1);
 }

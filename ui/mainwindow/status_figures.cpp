@@ -137,6 +137,7 @@ QLabel* StatusFigures::figure(const char* name) {
 
 void StatusFigures::clear() {
   state_ = HoldState::NoImages;
+  noTarget_ = false;
   reason_->clear();
   for (QLabel* label : {playing_, frame_, rate_, time_, sampleSize_, spread_, position_}) {
     label->setText(QStringLiteral("–"));
@@ -165,8 +166,13 @@ void StatusFigures::show(const TrackSnapshot& snapshot) {
     position_->setText(tr("x %1  y %2  z %3 m")
                            .arg(number(estimate.mean.x(), 3), number(estimate.mean.y(), 3),
                                 number(estimate.mean.z(), 3)));
+  } else { // not those of another moment
+    for (QLabel* label : {sampleSize_, spread_, position_}) {
+      label->setText(QStringLiteral("–"));
+    }
   }
   state_ = holdState(snapshot);
+  noTarget_ = snapshot.targets.empty();
   const TargetSnapshot* target = targetToExplain(snapshot, -1);
   const bool mustSay = target != nullptr && target->status != TargetStatus::Held;
   const QString reason = mustSay ? reasonText(target->reasons, cameraNames(snapshot)) : QString();
@@ -183,7 +189,7 @@ void StatusFigures::changeEvent(QEvent* event) {
 }
 
 void StatusFigures::applyPalette() {
-  held_->setText(holdText(state_));
+  held_->setText(noTarget_ ? tr("No target yet") : holdText(state_));
   QPalette colors = held_->palette();
   const QColor color = holdColor(state_, palette());
   if (colors.color(QPalette::WindowText) != color) {

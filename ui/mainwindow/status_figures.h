@@ -43,6 +43,7 @@ private:
   QLabel* reason_; ///< why it is not held
   QLabel* held_;
   HoldState state_ = HoldState::NoImages;
+  bool noTarget_ = false; ///< images come, but nothing is to be followed yet
 };
 
 } // namespace dewpoint
