@@ -602,6 +602,10 @@
         <source>– no images</source>
         <translation>– keine Bilder</translation>
     </message>
+    <message>
+        <source>No target yet</source>
+        <translation>Noch kein Ziel</translation>
+    </message>
 </context>
 <context>
     <name>Method</name>
@@ -1070,6 +1074,10 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <source>Something %1 %2 of %3 matches too.</source>
         <translation>Etwas %1 %2 in %3 passt auch.</translation>
     </message>
+    <message>
+        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
+        <translation>Das füllt einen großen Teil des Bildes: Klicke das Ding selbst an oder ziehe einen Rahmen darum.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BirdsEyeView</name>
@@ -1452,6 +1460,18 @@ bei %4, %5, %6 m</translation>
         <source>Choose an image or a video of the empty room</source>
         <translation>Bild oder Video des leeren Raums wählen</translation>
     </message>
+    <message>
+        <source>“%1” is in this image: where it is now it would be taken for the room. Better show a moment without it.</source>
+        <translation>„%1“ ist in diesem Bild: Wo es jetzt ist, würde es für den Raum gehalten. Besser einen Moment ohne es zeigen.</translation>
+    </message>
+    <message>
+        <source>Use it all the same</source>
+        <translation>Trotzdem verwenden</translation>
+    </message>
+    <message>
+        <source>The image shown is now the empty room of %1; it is kept as %2.</source>
+        <translation>Das gezeigte Bild ist jetzt der leere Raum von %1; es liegt in %2.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::CameraView</name>
@@ -1533,6 +1553,14 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Image of camera %1: arrow keys move a cross, Enter points there</source>
         <translation>Bild der Kamera %1: Pfeiltasten bewegen ein Kreuz, Enter zeigt dorthin</translation>
+    </message>
+    <message>
+        <source>Click the thing to follow</source>
+        <translation>Klicke an, was verfolgt werden soll</translation>
+    </message>
+    <message>
+        <source>Click the target</source>
+        <translation>Klicke das Ziel an</translation>
     </message>
 </context>
 <context>
@@ -1630,6 +1658,10 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Actions found</source>
         <translation>Gefundene Aktionen</translation>
+    </message>
+    <message>
+        <source>Nothing here is called “%1”.</source>
+        <translation>Hier heißt nichts „%1“.</translation>
     </message>
 </context>
 <context>
@@ -2214,10 +2246,6 @@ bei %4, %5, %6 m</translation>
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Message</source>
-        <translation>Meldung</translation>
-    </message>
-    <message>
         <source>&amp;Project</source>
         <translation>&amp;Projekt</translation>
     </message>
@@ -2376,6 +2404,14 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Turn %1 in the bird&apos;s-eye view</source>
         <translation>%1 in der Vogelperspektive drehen</translation>
+    </message>
+    <message>
+        <source>Show this view</source>
+        <translation>Diese Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Speak this language</source>
+        <translation>Diese Sprache sprechen</translation>
     </message>
 </context>
 <context>
@@ -3050,10 +3086,6 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Held: the cameras confirm the estimate. Lost: not so for a second.</source>
         <translation>Gehalten: Die Kameras bestätigen die Schätzung. Verloren: seit einer Sekunde nicht.</translation>
-    </message>
-    <message>
-        <source>No target yet</source>
-        <translation>Noch kein Ziel</translation>
     </message>
 </context>
 <context>

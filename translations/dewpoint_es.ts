@@ -602,6 +602,10 @@
         <source>– no images</source>
         <translation>– sin imágenes</translation>
     </message>
+    <message>
+        <source>No target yet</source>
+        <translation>Aún sin objetivo</translation>
+    </message>
 </context>
 <context>
     <name>Method</name>
@@ -1070,6 +1074,10 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <source>Something %1 %2 of %3 matches too.</source>
         <translation>Algo %1 %2 de %3 también coincide.</translation>
     </message>
+    <message>
+        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
+        <translation>Esto llena gran parte de la imagen: haz clic en la cosa misma o arrastra un recuadro sobre ella.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BirdsEyeView</name>
@@ -1452,6 +1460,18 @@ en %4, %5, %6 m</translation>
         <source>Choose an image or a video of the empty room</source>
         <translation>Elegir una imagen o un vídeo de la sala vacía</translation>
     </message>
+    <message>
+        <source>“%1” is in this image: where it is now it would be taken for the room. Better show a moment without it.</source>
+        <translation>«%1» está en esta imagen: donde está ahora se tomaría por la habitación. Mejor muestra un momento sin él.</translation>
+    </message>
+    <message>
+        <source>Use it all the same</source>
+        <translation>Usarla de todos modos</translation>
+    </message>
+    <message>
+        <source>The image shown is now the empty room of %1; it is kept as %2.</source>
+        <translation>La imagen mostrada es ahora la habitación vacía de %1; se guarda como %2.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::CameraView</name>
@@ -1533,6 +1553,14 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Image of camera %1: arrow keys move a cross, Enter points there</source>
         <translation>Imagen de la cámara %1: las flechas mueven una cruz, Intro señala ahí</translation>
+    </message>
+    <message>
+        <source>Click the thing to follow</source>
+        <translation>Haz clic en lo que quieras seguir</translation>
+    </message>
+    <message>
+        <source>Click the target</source>
+        <translation>Haz clic en el objetivo</translation>
     </message>
 </context>
 <context>
@@ -1630,6 +1658,10 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Actions found</source>
         <translation>Acciones encontradas</translation>
+    </message>
+    <message>
+        <source>Nothing here is called “%1”.</source>
+        <translation>Aquí no hay nada llamado «%1».</translation>
     </message>
 </context>
 <context>
@@ -2214,10 +2246,6 @@ en %4, %5, %6 m</translation>
         <translation>Pausa</translation>
     </message>
     <message>
-        <source>Message</source>
-        <translation>Mensaje</translation>
-    </message>
-    <message>
         <source>&amp;Project</source>
         <translation>&amp;Proyecto</translation>
     </message>
@@ -2376,6 +2404,14 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Turn %1 in the bird&apos;s-eye view</source>
         <translation>Girar %1 en la vista aérea</translation>
+    </message>
+    <message>
+        <source>Show this view</source>
+        <translation>Mostrar esta vista</translation>
+    </message>
+    <message>
+        <source>Speak this language</source>
+        <translation>Hablar este idioma</translation>
     </message>
 </context>
 <context>
@@ -3050,10 +3086,6 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Held: the cameras confirm the estimate. Lost: not so for a second.</source>
         <translation>Seguido: las cámaras confirman la estimación. Perdido: no desde hace un segundo.</translation>
-    </message>
-    <message>
-        <source>No target yet</source>
-        <translation>Aún sin objetivo</translation>
     </message>
 </context>
 <context>

@@ -325,7 +325,7 @@
     </message>
     <message>
         <source>Show how likely the cameras find each place around the target, and which places were considered</source>
-        <translation>対象の周囲の各位置をカメラがどれだけ確からしいと見るか、どの位置が候補になったかを表示します</translation>
+        <translation>ターゲットの周囲の各位置をカメラがどれだけ確からしいと見るか、どの位置が候補になったかを表示します</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -361,7 +361,7 @@
     </message>
     <message>
         <source>Probability that the target is at the estimate, by all cameras and by each alone</source>
-        <translation>推定位置に対象がある確率（全カメラおよび各カメラ単独）</translation>
+        <translation>推定位置にターゲットがある確率（全カメラおよび各カメラ単独）</translation>
     </message>
     <message>
         <source>Plot error</source>
@@ -377,7 +377,7 @@
     </message>
     <message>
         <source>Microseconds that each filter iteration took, per target</source>
-        <translation>対象ごとの各フィルタ反復にかかったマイクロ秒</translation>
+        <translation>ターゲットごとの各フィルタ反復にかかったマイクロ秒</translation>
     </message>
     <message>
         <source>Over time</source>
@@ -506,7 +506,7 @@
     <name>Export</name>
     <message>
         <source>CSV, one row per target and time</source>
-        <translation>CSV（対象と時刻ごとに1行）</translation>
+        <translation>CSV（ターゲットと時刻ごとに1行）</translation>
     </message>
     <message>
         <source>CSV, one row per time (spreadsheets)</source>
@@ -562,7 +562,7 @@
     </message>
     <message>
         <source>Targets: %1, rows: %2 at %3 per second, %4.</source>
-        <translation>対象: %1、行: %2（毎秒 %3）、%4。</translation>
+        <translation>ターゲット: %1、行: %2（毎秒 %3）、%4。</translation>
     </message>
 </context>
 <context>
@@ -601,6 +601,10 @@
     <message>
         <source>– no images</source>
         <translation>– 画像なし</translation>
+    </message>
+    <message>
+        <source>No target yet</source>
+        <translation>ターゲットなし</translation>
     </message>
 </context>
 <context>
@@ -1070,6 +1074,10 @@ From %2 to %3%4; default %5%4.</source>
         <source>Something %1 %2 of %3 matches too.</source>
         <translation>%3 の%2にある%1も一致します。</translation>
     </message>
+    <message>
+        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
+        <translation>画像の大部分を占めています。物そのものをクリックするか、枠で囲んでください。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BirdsEyeView</name>
@@ -1452,6 +1460,18 @@ at %4, %5, %6 m</source>
         <source>Choose an image or a video of the empty room</source>
         <translation>空の部屋の画像か動画を選択</translation>
     </message>
+    <message>
+        <source>“%1” is in this image: where it is now it would be taken for the room. Better show a moment without it.</source>
+        <translation>この画像には「%1」が写っています。今の位置では部屋の一部とみなされます。写っていない瞬間を表示するほうがよいでしょう。</translation>
+    </message>
+    <message>
+        <source>Use it all the same</source>
+        <translation>それでも使う</translation>
+    </message>
+    <message>
+        <source>The image shown is now the empty room of %1; it is kept as %2.</source>
+        <translation>表示中の画像を %1 の無人の部屋にしました。%2 に保存されています。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::CameraView</name>
@@ -1533,6 +1553,14 @@ at %4, %5, %6 m</source>
     <message>
         <source>Image of camera %1: arrow keys move a cross, Enter points there</source>
         <translation>カメラ %1 の画像: 矢印キーで十字を動かし、Enter でその場所を指します</translation>
+    </message>
+    <message>
+        <source>Click the thing to follow</source>
+        <translation>追跡したいものをクリック</translation>
+    </message>
+    <message>
+        <source>Click the target</source>
+        <translation>ターゲットをクリック</translation>
     </message>
 </context>
 <context>
@@ -1630,6 +1658,10 @@ at %4, %5, %6 m</source>
     <message>
         <source>Actions found</source>
         <translation>見つかった操作</translation>
+    </message>
+    <message>
+        <source>Nothing here is called “%1”.</source>
+        <translation>「%1」という名前のものはありません。</translation>
     </message>
 </context>
 <context>
@@ -1742,7 +1774,7 @@ at %4, %5, %6 m</source>
     </message>
     <message>
         <source>What to write where the target is not known</source>
-        <translation>対象が不明な所に何を書くか</translation>
+        <translation>ターゲットが不明な所に何を書くか</translation>
     </message>
     <message>
         <source>Longest gap</source>
@@ -1917,7 +1949,7 @@ at %4, %5, %6 m</source>
     </message>
     <message>
         <source>target</source>
-        <translation>対象</translation>
+        <translation>ターゲット</translation>
     </message>
     <message>
         <source>frame %1</source>
@@ -2213,10 +2245,6 @@ at %4, %5, %6 m</source>
         <translation>一時停止</translation>
     </message>
     <message>
-        <source>Message</source>
-        <translation>メッセージ</translation>
-    </message>
-    <message>
         <source>&amp;Project</source>
         <translation>プロジェクト(&amp;P)</translation>
     </message>
@@ -2375,6 +2403,14 @@ at %4, %5, %6 m</source>
     <message>
         <source>Turn %1 in the bird&apos;s-eye view</source>
         <translation>鳥瞰図で %1 を回転</translation>
+    </message>
+    <message>
+        <source>Show this view</source>
+        <translation>このビューを表示します</translation>
+    </message>
+    <message>
+        <source>Speak this language</source>
+        <translation>この言語で表示します</translation>
     </message>
 </context>
 <context>
@@ -3050,10 +3086,6 @@ at %4, %5, %6 m</source>
         <source>Held: the cameras confirm the estimate. Lost: not so for a second.</source>
         <translation>保持: カメラが推定を裏付けています。喪失: 1 秒以上裏付けがありません。</translation>
     </message>
-    <message>
-        <source>No target yet</source>
-        <translation>ターゲットなし</translation>
-    </message>
 </context>
 <context>
     <name>dewpoint::TargetPanel</name>
@@ -3169,11 +3201,11 @@ at %4, %5, %6 m</source>
     </message>
     <message>
         <source>target</source>
-        <translation>対象</translation>
+        <translation>ターゲット</translation>
     </message>
     <message>
         <source>Name of the target</source>
-        <translation>対象の名前</translation>
+        <translation>ターゲットの名前</translation>
     </message>
     <message>
         <source>%1, m</source>
@@ -3205,7 +3237,7 @@ at %4, %5, %6 m</source>
     </message>
     <message>
         <source>Cameras that see the target</source>
-        <translation>対象が見えているカメラの数</translation>
+        <translation>ターゲットが見えているカメラの数</translation>
     </message>
     <message>
         <source>existence</source>
@@ -3213,7 +3245,7 @@ at %4, %5, %6 m</source>
     </message>
     <message>
         <source>Probability that the target is where the estimate says</source>
-        <translation>推定どおりの位置に対象がある確率</translation>
+        <translation>推定どおりの位置にターゲットがある確率</translation>
     </message>
     <message>
         <source>state</source>
@@ -3254,7 +3286,7 @@ at %4, %5, %6 m</source>
     </message>
     <message>
         <source>The trajectory appears here as soon as the target is tracked.</source>
-        <translation>対象の追跡が始まると、ここに軌跡が表示されます。</translation>
+        <translation>ターゲットの追跡が始まると、ここに軌跡が表示されます。</translation>
     </message>
     <message numerus="yes">
         <source>%n samples</source>

@@ -46,6 +46,8 @@ const char* advice(Suggestion suggestion) {
     return "The target is nearly gray: a stronger color would help.";
   case Suggestion::UseAnotherColor:
     return "Much of the room has this color: another one would help.";
+  case Suggestion::ClickThingItself:
+    return "This fills much of the image: point at the thing itself, or give a box on it.";
   case Suggestion::None:
     break;
   }

@@ -7,8 +7,10 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 
 namespace dewpoint {
@@ -22,6 +24,7 @@ struct ExportCommand {
   std::string gaps = "leave";
   std::string axes;
   std::string unit;
+  std::string format;
   bool noHeader = false;
   bool preview = false;
   ExportOptions options;
@@ -47,7 +50,34 @@ Result<std::optional<SpanEnd>> parseSpanEnd(const std::string& text, const char*
   return std::optional(end);
 }
 
+/// The format that is asked for, or the one that the file's ending means. BadValue when the ending
+/// is that of another one, or of none.
+Result<std::string> formatFor(const std::string& wanted, const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  const auto ofEnding = std::ranges::find(exportFormats(), ending, &ExportFormat::suffix);
+  const bool isKnown = ofEnding != exportFormats().end();
+  if (wanted.empty()) {
+    if (!isKnown && !ending.empty()) {
+      return failure(ErrorCode::BadValue, "", "--out",
+                     fmt::format("no format's files end in {}; give --format", ending));
+    }
+    return std::string(isKnown ? ofEnding->id : exportFormats().front().id);
+  }
+  const auto format = exportFormat(wanted);
+  if (format && isKnown && (*format)->suffix != ending) {
+    return failure(ErrorCode::BadValue, "", "--out",
+                   fmt::format("{} is the ending of format {}, but --format is {}", ending,
+                               ofEnding->id, wanted));
+  }
+  return wanted;
+}
+
 Status completeOptions(ExportCommand& command) {
+  auto format = formatFor(command.format, command.file);
+  if (!format) {
+    return tl::make_unexpected(format.error());
+  }
+  command.options.format = std::move(*format);
   const auto from = parseSpanEnd(command.from, "--from");
   if (!from) {
     return tl::make_unexpected(from.error());
@@ -123,7 +153,7 @@ int exportCommand(ExportCommand& command) {
 }
 
 std::string formatHelp() {
-  std::string text = "Format:";
+  std::string text = "Format; by the ending of --out unless given:";
   for (const ExportFormat& format : exportFormats()) {
     text += fmt::format(" {}", format.id);
   }
@@ -147,9 +177,7 @@ void addExportCommand(CLI::App& app, int& exitCode) {
   ExportOptions& options = wishes->options;
   command->add_option("TRAJECTORY", wishes->source, "Trajectory (CSV), or the folder of a run")
       ->required();
-  command->add_option("--format", options.format, formatHelp())
-      ->check(CLI::IsMember(formatIds()))
-      ->capture_default_str();
+  command->add_option("--format", wishes->format, formatHelp())->check(CLI::IsMember(formatIds()));
   command->add_option("--out", wishes->file, "File to write");
   command->add_option("--targets", options.targets, "Targets; all unless given")->delimiter(',');
   command->add_option("--from", wishes->from, "First time in seconds, or frame as 75f");

@@ -164,11 +164,28 @@ Status keep(const LearnColorOptions& options, const LearnedColor& learned,
   return checkProject(project).and_then([&] { return saveProject(project, options.out); });
 }
 
+Status checkMask(const std::string& mask) {
+  const std::string ending = std::filesystem::path(mask).extension().string();
+  if (!mask.empty() && ending != ".png") {
+    return failure(ErrorCode::BadValue, "", "--mask",
+                   fmt::format("a PNG is written; the file cannot end in “{}”", ending));
+  }
+  return {};
+}
+
 int learn(const LearnColorOptions& options) {
   const auto fail = [&](Error error) {
-    error.file = error.file.empty() ? options.project : error.file;
+    if (error.field == "pixel" || error.field == "box") { // what was typed, in no file
+      error.field = options.box.empty() ? "--pixel" : "--box";
+    } else if (error.file.empty()) {
+      error.file = options.project;
+    }
     return report(error);
   };
+  if (const auto writable = checkMask(options.mask); !writable) {
+    report(writable.error());
+    return kExitUsage;
+  }
   auto project = resolveProject(options.project);
   if (!project) {
     return report(project.error());

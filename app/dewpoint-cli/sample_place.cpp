@@ -54,7 +54,7 @@ Result<int> cameraNamed(const Project& project, const std::string& text, const c
   if (number && *number >= 1 && *number <= static_cast<int>(cameras.size())) {
     return *number - 1;
   }
-  return failure(ErrorCode::BadValue, project.file.string(), option,
+  return failure(ErrorCode::BadValue, "", option,
                  fmt::format("there are {} cameras and none is called {}", cameras.size(), text));
 }
 

@@ -51,28 +51,56 @@ void widen(cv::Mat& mask) {
   cv::dilate(mask, mask, cv::getStructuringElement(cv::MORPH_ELLIPSE, size));
 }
 
+/// Things that match a range, as cv::connectedComponentsWithStats() tells them apart.
+struct MatchingThings {
+  cv::Mat labels, statistics;
+  int count = 0;
+
+  MatchingThings(const cv::Mat& image, const ColorRange& range) {
+    cv::Mat centers;
+    count = cv::connectedComponentsWithStats(matchImage(image, ColorClassifier(range)), labels,
+                                             statistics, centers);
+  }
+  int area(int thing) const { return statistics.at<int>(thing, cv::CC_STAT_AREA); }
+  /// Whether it can be a target of this area by its size.
+  bool isAsLarge(int thing, double target) const {
+    return area(thing) > target / (kOtherSize * kOtherSize) && area(thing) < target * kOtherSize;
+  }
+};
+
 /// The largest thing that matches, if it can be the target by its size; else nothing.
 cv::Mat likelyTarget(const cv::Mat& image, const ColorRange& range, double area) {
-  const cv::Mat match = matchImage(image, ColorClassifier(range));
-  cv::Mat labels;
-  cv::Mat statistics;
-  cv::Mat centers;
-  const int count = cv::connectedComponentsWithStats(match, labels, statistics, centers);
+  const MatchingThings things(image, range);
   int largest = 0;
-  for (int i = 1; i < count; ++i) {
-    if (largest == 0 ||
-        statistics.at<int>(i, cv::CC_STAT_AREA) > statistics.at<int>(largest, cv::CC_STAT_AREA)) {
+  for (int i = 1; i < things.count; ++i) {
+    if (largest == 0 || things.area(i) > things.area(largest)) {
       largest = i;
     }
   }
   cv::Mat mask = cv::Mat::zeros(image.size(), CV_8UC1);
-  if (largest > 0) {
-    const double found = statistics.at<int>(largest, cv::CC_STAT_AREA);
-    if (found > area / (kOtherSize * kOtherSize) && found < area * kOtherSize) {
-      mask.setTo(255, labels == largest);
-    }
+  if (largest > 0 && things.isAsLarge(largest, area)) {
+    mask.setTo(255, things.labels == largest);
   }
   return mask;
+}
+
+/// Adds the rest of things that are in the mask already, by part: shading makes a target of one
+/// color many.
+void completeThings(const cv::Mat& image, const ColorRange& range, double area, cv::Mat& mask) {
+  const MatchingThings things(image, range);
+  std::vector<bool> inMask(std::size_t(things.count), false);
+  for (int y = 0; y < mask.rows; ++y) {
+    for (int x = 0; x < mask.cols; ++x) {
+      if (mask.at<std::uint8_t>(y, x) != 0) {
+        inMask[std::size_t(things.labels.at<int>(y, x))] = true;
+      }
+    }
+  }
+  for (int i = 1; i < things.count; ++i) {
+    if (inMask[std::size_t(i)] && things.isAsLarge(i, area)) {
+      mask.setTo(255, things.labels == i);
+    }
+  }
 }
 
 ColorSample clickInMiddle(ColorSample box) {
@@ -101,10 +129,15 @@ cv::Mat clickedTargets(const std::vector<ColorSample>& samples, int camera, cons
 }
 
 cv::Mat targetMask(const std::vector<ColorSample>& samples, int camera, const cv::Mat& image,
-                   const ColorRange& typical, double area) {
+                   const ColorRange& typical, const std::optional<ColorRange>& range, double area) {
   cv::Mat mask = clickedTargets(samples, camera, image);
   if (mask.empty()) {
     mask = likelyTarget(image, typical, area);
+    if (range && cv::countNonZero(mask) == 0) {
+      mask = likelyTarget(image, *range, area);
+    } else if (range) {
+      completeThings(image, *range, area, mask);
+    }
   }
   widen(mask);
   return mask;
@@ -138,7 +171,8 @@ std::vector<HsiColors> inOtherLight(const std::vector<HsiColors>& colors) {
 }
 
 ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
-                            const std::vector<cv::Mat>& images) {
+                            const std::vector<cv::Mat>& images,
+                            const std::optional<ColorRange>& range) {
   ColorEvidence evidence;
   const auto shown = std::ranges::count(samples, false, &ColorSample::excluded);
   for (const ColorSample& sample : samples) {
@@ -166,8 +200,10 @@ ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
   for (std::size_t i = 0; i < images.size(); ++i) {
     cv::Mat& mask = evidence.targetMasks.emplace_back();
     if (images[i].type() == CV_8UC3) {
-      mask = targetMask(samples, int(i), images[i], typical, evidence.targetArea);
+      mask = targetMask(samples, int(i), images[i], typical, range, evidence.targetArea);
       rest.add(images[i], mask);
+      evidence.imageShare =
+          std::max(evidence.imageShare, evidence.targetArea / double(images[i].total()));
     }
   }
   evidence.rest = rest.colors();

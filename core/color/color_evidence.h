@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/color/color_range.h"
 #include "core/color/color_sample.h"
 #include "core/color/hsi_counts.h"
 
 #include <opencv2/core/mat.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace dewpoint {
@@ -17,6 +19,7 @@ struct ColorEvidence {
   double targetWeight = 0.0;
   double restWeight = 0.0;
   double targetArea = 0.0; ///< pixels of the largest sample: how large the target is in an image
+  double imageShare = 0.0; ///< of the smallest image that targetArea takes, 0 to 1
   BgrColor typicalColor{}; ///< the median of what was sampled
   /// Per camera, CV_8UC1: 255 where the target is or may be, so that it says nothing about the
   /// rest. Empty where there is no image.
@@ -24,9 +27,11 @@ struct ColorEvidence {
 };
 
 /// Where the images still show what was clicked, the region grown from the click is the target, and
-/// else the one thing of its color that is about as large.
+/// else the one thing of its color that is about as large. With `range`, all of that thing that
+/// matches it is the target.
 ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
-                            const std::vector<cv::Mat>& images);
+                            const std::vector<cv::Mat>& images,
+                            const std::optional<ColorRange>& range = std::nullopt);
 
 /// The target's colors as other places and moments will show them: lighter and darker, paler and
 /// fuller, a little of another hue. The weight stays.

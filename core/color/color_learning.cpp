@@ -20,13 +20,13 @@ Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
   }
   LearnedColor learned;
   learned.range = fitRange(inOtherLight(evidence.target), evidence.rest);
-  learned.verdict = verdictOn(learned.range, evidence, images);
+  learned.verdict = judgeColor(learned.range, samples, images);
   return learned;
 }
 
 ColorVerdict judgeColor(const ColorRange& range, const std::vector<ColorSample>& samples,
                         const std::vector<cv::Mat>& images) {
-  return verdictOn(range, colorEvidence(samples, images), images);
+  return verdictOn(range, colorEvidence(samples, images, range), images);
 }
 
 } // namespace dewpoint

@@ -52,12 +52,15 @@ enum class Suggestion : std::uint8_t {
   RemoveLookAlike,  ///< one thing of the same color: cover it or take it out of view
   MoreLight,        ///< the target is nearly black
   LessExposure,     ///< the target is nearly white: its color is lost
-  UseStrongerColor, ///< the target is nearly gray, and much else is
+  UseStrongerColor, ///< the target is nearly gray
   UseAnotherColor,  ///< much of the room has this color
+  ClickThingItself, ///< what was clicked fills much of an image: a wall, not a thing
 };
 
 /// How well a color range tells the target from the rest.
 struct ColorVerdict {
+  /// False when there is no sample: then nothing but backgroundShare, of all pixels, is known.
+  bool targetKnown = true;
   /// F1 score of the range, 0 to 1: of what matches and what is target, the share that is both.
   /// The samples stand for the target, what is around them in the images for the rest.
   double separability = 0.0;

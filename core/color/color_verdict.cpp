@@ -25,6 +25,7 @@ constexpr double kFewMatch = 0.75;         ///< of the target
 constexpr double kDark = 0.08;             ///< intensity
 constexpr double kBright = 0.94;           ///< intensity, with kPale
 constexpr double kPale = 0.12;             ///< saturation
+constexpr double kMostOfImage = 0.25;      ///< that a target fills
 constexpr double kTellable = 3.0;          ///< colorDistance()
 constexpr double kOneThing = 0.5;          ///< of all that matches beside the target
 
@@ -97,6 +98,12 @@ Suggestion suggestionFor(const ColorVerdict& verdict, const ColorEvidence& evide
   if (typical.intensity > kBright && typical.saturation < kPale) {
     return Suggestion::LessExposure;
   }
+  if (evidence.imageShare > kMostOfImage) {
+    return Suggestion::ClickThingItself;
+  }
+  if (typical.saturation < kPale && verdict.separability >= kGood) {
+    return Suggestion::UseStrongerColor; // the next change of light makes it like the walls
+  }
   if (verdict.separability >= kGood) {
     return Suggestion::None;
   }
@@ -153,6 +160,10 @@ ColorVerdict verdictOn(const ColorRange& range, const ColorEvidence& evidence,
   verdict.separability = score.f1;
   verdict.targetShare = evidence.targetWeight > 0.0 ? score.target / evidence.targetWeight : 0.0;
   verdict.backgroundShare = evidence.restWeight > 0.0 ? score.rest / evidence.restWeight : 0.0;
+  verdict.targetKnown = evidence.targetWeight > 0.0;
+  if (!verdict.targetKnown) {
+    return verdict;
+  }
   std::vector<FoundRegion> found;
   const ColorClassifier classifier(range);
   const double smallest = std::max(kSmallestLookAlike, kLookAlikeShare * evidence.targetArea);

@@ -8,8 +8,13 @@ namespace {
 
 bool sameSource(const ProjectCamera& a, const ProjectCamera& b) {
   return a.camera.name == b.camera.name && a.source == b.source && a.location == b.location &&
-         a.rotateDegrees == b.rotateDegrees && a.mirrored == b.mirrored &&
-         a.emptyRoom == b.emptyRoom;
+         a.rotateDegrees == b.rotateDegrees && a.mirrored == b.mirrored;
+}
+
+bool sameCalibration(const ProjectCamera& a, const ProjectCamera& b) {
+  ProjectCamera withRoom = a;
+  withRoom.emptyRoom = b.emptyRoom;
+  return withRoom == b;
 }
 
 } // namespace
@@ -27,7 +32,11 @@ ProjectChanges changesBetween(const Project& before, const Project& after) {
   changes.marks = before.marks != after.marks;
   changes.grid = before.grid != after.grid;
   changes.points = before.points != after.points;
-  changes.calibration = !changes.sources && before.cameras != after.cameras;
+  changes.emptyRooms =
+      !changes.sources && !std::ranges::equal(before.cameras, after.cameras, {},
+                                              &ProjectCamera::emptyRoom, &ProjectCamera::emptyRoom);
+  changes.calibration =
+      !changes.sources && !std::ranges::equal(before.cameras, after.cameras, sameCalibration);
   return changes;
 }
 

@@ -14,13 +14,14 @@ struct ProjectChanges {
   bool targets = false;     ///< their number, order, names, colors or radii
   bool calibration = false; ///< of cameras that are otherwise the same
   bool marks = false;
-  bool grid = false;    ///< the reference grid
-  bool points = false;  ///< measured points and their clicks
-  bool sources = false; ///< which cameras there are, and where images and truth come from
+  bool grid = false;       ///< the reference grid
+  bool points = false;     ///< measured points and their clicks
+  bool emptyRooms = false; ///< of cameras with the same sources
+  bool sources = false;    ///< which cameras there are, and where images and truth come from
 
   bool any() const {
     return name || method || seed || parameters || targets || calibration || sources || marks ||
-           grid || points;
+           grid || points || emptyRooms;
   }
 };
 

@@ -49,6 +49,10 @@ struct SetTargets {
 struct SetCameras {
   CameraRig rig;
 };
+struct SetEmptyRooms {
+  std::vector<std::string> files; ///< as the project names them
+  std::vector<cv::Mat> rooms;
+};
 struct ShowMasks {
   bool wanted = false;
 };
@@ -57,8 +61,8 @@ struct ShowMasks {
 using Command =
     std::variant<command::Play, command::Pause, command::StepFrame, command::StepIteration,
                  command::Restart, command::Configure, command::SetMethod, command::SetTargets,
-                 command::SetCameras, command::ShowMasks, command::ShowFrame, command::BackToHead,
-                 command::Rerun, command::ShowMaps>;
+                 command::SetCameras, command::SetEmptyRooms, command::ShowMasks,
+                 command::ShowFrame, command::BackToHead, command::Rerun, command::ShowMaps>;
 
 /// Commands on their way to the tracking thread, in order.
 class CommandQueue {

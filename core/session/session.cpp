@@ -107,6 +107,10 @@ void Session::setTargets(const std::vector<Target>& targets) {
 void Session::setCameras(const CameraRig& rig) {
   impl_->loop.commands().push(command::SetCameras{rig});
 }
+void Session::setEmptyRooms(const std::vector<std::string>& files,
+                            const std::vector<cv::Mat>& rooms) {
+  impl_->loop.commands().push(command::SetEmptyRooms{files, rooms});
+}
 void Session::setMasksWanted(bool wanted) {
   impl_->loop.commands().push(command::ShowMasks{wanted});
 }

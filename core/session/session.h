@@ -109,6 +109,9 @@ public:
   /// Another calibration of the same cameras, from the next iteration on; what is believed stays. A
   /// rig with other image sizes, or another number of cameras, is ignored: that is another run.
   void setCameras(const CameraRig& rig);
+  /// Other empty rooms of the same cameras (loadEmptyRooms), and the files they are from; what is
+  /// believed stays.
+  void setEmptyRooms(const std::vector<std::string>& files, const std::vector<cv::Mat>& rooms);
   void setMasksWanted(bool wanted);
 
 private:

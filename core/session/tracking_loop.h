@@ -35,6 +35,7 @@ private:
   void changeMethod(const command::SetMethod& wish);
   void changeTargets(const std::vector<Target>& targets);
   void changeCameras(const CameraRig& rig);
+  void changeEmptyRooms(const command::SetEmptyRooms& wish);
   /// False if there is nothing to track.
   bool restart(std::optional<std::uint64_t> seed);
 

@@ -62,6 +62,8 @@ void TrackingLoop::obeyChange(const Command& command) {
     changeTargets(targets->targets);
   } else if (const auto* cameras = std::get_if<command::SetCameras>(&command)) {
     changeCameras(cameras->rig);
+  } else if (const auto* rooms = std::get_if<command::SetEmptyRooms>(&command)) {
+    changeEmptyRooms(*rooms);
   } else if (const auto* method = std::get_if<command::SetMethod>(&command)) {
     if (method->from) {
       rerun(*method->from, method);
@@ -137,6 +139,19 @@ void TrackingLoop::changeCameras(const CameraRig& rig) {
   run_->setCameras(rig);
   bumps_.setCameras(rig);
   travel_->changed(*run_, {std::nullopt, std::nullopt, rig});
+  log_.change(project_);
+}
+
+void TrackingLoop::changeEmptyRooms(const command::SetEmptyRooms& wish) {
+  if (wish.rooms.size() != project_.cameras.size()) {
+    return;
+  }
+  for (std::size_t k = 0; k < wish.files.size(); ++k) {
+    project_.cameras[k].emptyRoom = wish.files[k];
+  }
+  emptyRooms_ = wish.rooms;
+  run_->setEmptyRooms(emptyRooms_);
+  travel_->changed(*run_, {std::nullopt, std::nullopt, std::nullopt, emptyRooms_});
   log_.change(project_);
 }
 
@@ -234,6 +249,9 @@ std::string TrackingLoop::differences(const Project& before) const {
   for (std::size_t k = 0; k < std::min(before.cameras.size(), project_.cameras.size()); ++k) {
     if (!(before.cameras[k].camera == project_.cameras[k].camera)) {
       add(project_.cameras[k].camera.name, "another calibration");
+    }
+    if (before.cameras[k].emptyRoom != project_.cameras[k].emptyRoom) {
+      add(project_.cameras[k].camera.name, "another empty room");
     }
   }
   return text;

@@ -88,6 +88,10 @@ void TrackingRun::setCameras(const CameraRig& rig) {
   }
 }
 
+void TrackingRun::setEmptyRooms(const std::vector<cv::Mat>& rooms) {
+  tracker_->setEmptyRooms(rooms);
+}
+
 void TrackingRun::apply(const RunChange& change) {
   if (change.parameters) {
     configure(*change.parameters);
@@ -97,6 +101,9 @@ void TrackingRun::apply(const RunChange& change) {
   }
   if (change.rig) {
     setCameras(*change.rig);
+  }
+  if (change.emptyRooms) {
+    setEmptyRooms(*change.emptyRooms);
   }
 }
 

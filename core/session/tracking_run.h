@@ -25,11 +25,13 @@ TrajectoryHeader trajectoryHeader(const Project& project);
 /// Whether cameras of both rigs have the same number and image sizes.
 bool haveSameImages(const CameraRig& a, const CameraRig& b);
 
-/// A change of a run under way: other parameters, other colors, or another calibration.
+/// A change of a run under way: other parameters, other colors, another calibration,
+/// or another empty room.
 struct RunChange {
   std::optional<ParameterValues> parameters;
   std::optional<std::vector<Target>> targets;
   std::optional<CameraRig> rig;
+  std::optional<std::vector<cv::Mat>> emptyRooms = std::nullopt;
 };
 
 /// The tracker of all targets fed with frame sets: what the window's tracking thread and
@@ -48,6 +50,8 @@ public:
 
   /// Another calibration of the same cameras; one for other images is ignored (reopen instead).
   void setCameras(const CameraRig& rig);
+  /// As of loadEmptyRooms(); what is believed stays.
+  void setEmptyRooms(const std::vector<cv::Mat>& rooms);
 
   void apply(const RunChange& change);
 

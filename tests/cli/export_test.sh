@@ -27,6 +27,12 @@ expectExit 0 export run/trajectory.csv --smooth --from 10f --to 0.9s --rate 60 -
 expectExit 0 export run --smooth --out smooth.csv
 expectExit 0 evaluate smooth.csv run/truth.csv
 
+expectExit 0 export run --out by-ending.npz
+[[ $(head -c 2 by-ending.npz) == PK ]] || fail 'the ending does not choose the format'
+expectExit $kUsage export run --format csv --out x.c3d
+expectSentence c3d csv
+expectExit $kUsage export run --out x.doc
+expectSentence doc format
 expectExit $kUsage export run --format doc --out x
 expectExit $kUsage export run
 expectExit $kUsage export run --from soon --out x

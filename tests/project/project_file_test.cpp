@@ -117,7 +117,8 @@ TEST(ProjectFile, KeepsTheEmptyRoomOfACamera) {
   EXPECT_EQ(again->cameras, project->cameras);
   Project without = *project;
   without.cameras.front().emptyRoom.clear();
-  EXPECT_TRUE(changesBetween(without, *project).sources);
+  EXPECT_TRUE(changesBetween(without, *project).emptyRooms);
+  EXPECT_FALSE(changesBetween(without, *project).sources) << "the recording is the same";
   EXPECT_EQ(projectText(without, file.parent_path()).find("empty_room"), std::string::npos);
   EXPECT_EQ(errorOf("video = \"left.mkv\"\n", "video = \"left.mkv\"\nempty_room = 3\n").field,
             "camera 1.empty_room");

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <iterator>
 
 namespace dewpoint {
 
@@ -78,7 +79,23 @@ CommandPalette::CommandPalette(ActionRegistry& registry, QWidget* window)
   connect(list_, &QListWidget::itemClicked, this, &CommandPalette::runCurrent);
 }
 
+std::vector<CommandPalette::Entry> CommandPalette::everything() const {
+  std::vector<Entry> entries;
+  for (QAction* action : registry_.all()) {
+    if (action->isEnabled() && action->isVisible()) {
+      entries.push_back({registry_.groupOf(action), plainText(*action), registry_.hintOf(action),
+                         action->shortcut().toString(QKeySequence::NativeText), action->icon(),
+                         [action] { action->trigger(); }});
+    }
+  }
+  if (more_) {
+    std::ranges::move(more_(), std::back_inserter(entries));
+  }
+  return entries;
+}
+
 void CommandPalette::open() {
+  entries_ = everything();
   search_->clear();
   filter({});
   list_->setFixedHeight(kRows * kRowHeight + 4);
@@ -93,43 +110,48 @@ void CommandPalette::open() {
 void CommandPalette::filter(const QString& search) {
   struct Row {
     int fit;
-    QAction* action;
+    int entry;
   };
   std::vector<Row> rows;
-  for (QAction* action : registry_.all()) {
+  for (int i = 0; i < static_cast<int>(entries_.size()); ++i) {
+    const Entry& entry = entries_[static_cast<std::size_t>(i)];
     // The name counts twice as much as what else is known of an action.
-    const int byName = fitOf(search, plainText(*action));
-    const int byHint =
-        fitOf(search, registry_.groupOf(action) + QLatin1Char(' ') + registry_.hintOf(action));
-    const int fit = std::max(2 * byName, byHint);
-    if (fit >= 0 && action->isEnabled() && action->isVisible()) {
-      rows.push_back({fit, action});
+    const int byHint = fitOf(search, entry.group + QLatin1Char(' ') + entry.hint);
+    if (const int fit = std::max(2 * fitOf(search, entry.name), byHint); fit >= 0) {
+      rows.push_back({fit, i});
     }
   }
   std::ranges::stable_sort(rows, std::greater{}, &Row::fit);
   list_->clear();
   for (const Row& row : rows) {
-    const QString keys = row.action->shortcut().toString(QKeySequence::NativeText);
+    const Entry& entry = entries_[static_cast<std::size_t>(row.entry)];
     auto* item = new QListWidgetItem(
-        row.action->icon(),
-        registry_.groupOf(row.action) + QStringLiteral(" › ") + plainText(*row.action) +
-            (keys.isEmpty() ? QString() : QStringLiteral("   ") + keys),
+        entry.icon,
+        entry.group + QStringLiteral(" › ") + entry.name +
+            (entry.keys.isEmpty() ? QString() : QStringLiteral("   ") + entry.keys),
         list_);
     item->setSizeHint({0, kRowHeight});
-    item->setToolTip(registry_.hintOf(row.action));
-    item->setData(Qt::UserRole, QVariant::fromValue<QObject*>(row.action));
+    item->setToolTip(entry.hint);
+    item->setData(Qt::UserRole, row.entry);
+  }
+  if (rows.empty()) {
+    auto* nothing = new QListWidgetItem(tr("Nothing here is called “%1”.").arg(search), list_);
+    nothing->setSizeHint({0, kRowHeight});
+    nothing->setFlags(Qt::NoItemFlags);
+    return;
   }
   list_->setCurrentRow(0);
 }
 
 void CommandPalette::runCurrent() {
   const QListWidgetItem* item = list_->currentItem();
-  if (item == nullptr) {
+  if (item == nullptr || !item->flags().testFlag(Qt::ItemIsEnabled)) {
+    search_->selectAll(); // nothing was found: ready for another word
     return;
   }
-  auto* action = qobject_cast<QAction*>(item->data(Qt::UserRole).value<QObject*>());
+  const auto run = entries_[static_cast<std::size_t>(item->data(Qt::UserRole).toInt())].run;
   hide(); // first: the action may open something of its own
-  action->trigger();
+  run();
 }
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {

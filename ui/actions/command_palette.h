@@ -2,6 +2,11 @@
 #pragma once
 
 #include <QFrame>
+#include <QIcon>
+#include <QString>
+
+#include <functional>
+#include <vector>
 
 class QLineEdit;
 class QListWidget;
@@ -16,6 +21,18 @@ class CommandPalette : public QFrame {
 public:
   CommandPalette(ActionRegistry& registry, QWidget* window);
 
+  /// One thing that can be done, as it is listed.
+  struct Entry {
+    QString group;
+    QString name;
+    QString hint;
+    QString keys = {};
+    QIcon icon = {};
+    std::function<void()> run;
+  };
+  /// What can be done besides the actions, asked for each time the palette opens.
+  void setMore(std::function<std::vector<Entry>()> more) { more_ = std::move(more); }
+
   /// Opens over the top of the window, with an empty search.
   void open();
 
@@ -25,10 +42,13 @@ protected:
 private:
   void filter(const QString& search);
   void runCurrent();
+  std::vector<Entry> everything() const;
 
   ActionRegistry& registry_;
   QLineEdit* search_;
   QListWidget* list_;
+  std::function<std::vector<Entry>()> more_;
+  std::vector<Entry> entries_; ///< while it is open
 };
 
 /// How well `search` fits `text`: every letter in order, better the closer together and the nearer

@@ -23,8 +23,11 @@ HoldState holdState(TargetStatus status) {
 }
 
 HoldState holdState(const TrackSnapshot& snapshot) {
-  if (!snapshot.frames || snapshot.targets.empty()) {
+  if (!snapshot.frames) {
     return HoldState::NoImages;
+  }
+  if (snapshot.targets.empty()) {
+    return HoldState::NoTarget;
   }
   const auto any = [&](TargetStatus status) {
     return std::ranges::any_of(snapshot.targets,

@@ -76,7 +76,7 @@ HoldState CameraView::stateNow() const {
   if (!frameOf(snapshot_, camera_)) {
     return HoldState::Missing;
   }
-  return snapshot_->targets.empty() ? HoldState::Searching : holdState(*snapshot_);
+  return holdState(*snapshot_);
 }
 
 const QImage& CameraView::scaledImage(const QSize& devicePixels) {

@@ -184,12 +184,36 @@ bool PickLayer::event(QEvent* event) {
   return QWidget::event(event);
 }
 
+void PickLayer::setHint(const QString& hint) {
+  if (hint_ != hint) {
+    hint_ = hint;
+    update();
+  }
+}
+
+void PickLayer::paintHint(QPainter& painter) const {
+  const QSizeF text = painter.fontMetrics().size(Qt::TextSingleLine, hint_);
+  const QSizeF pill(text.width() + 24.0, text.height() + 10.0);
+  const double bottom = std::min(positionOf(QPointF(0.0, view_->imageSize().height())).y(),
+                                 static_cast<double>(height()));
+  const QRectF place(QPointF((width() - pill.width()) / 2.0, bottom - pill.height() - 10.0), pill);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(0, 0, 0, 190));
+  painter.drawRoundedRect(place, pill.height() / 2.0, pill.height() / 2.0);
+  painter.setPen(Qt::white);
+  painter.drawText(place, Qt::AlignCenter, hint_);
+}
+
 void PickLayer::paintEvent(QPaintEvent*) {
-  if (!pressed_ && !cross_ && regions_.empty()) {
+  const bool hints = picking_ && !hint_.isEmpty() && !view_->imageSize().isEmpty();
+  if (!pressed_ && !cross_ && regions_.empty() && !hints) {
     return;
   }
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  if (hints) {
+    paintHint(painter);
+  }
   if (pressed_) {
     stroke(painter, QPolygonF(QRectF(*pressed_, now_).normalized()), Qt::DashLine);
   }

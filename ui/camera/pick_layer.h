@@ -27,6 +27,8 @@ public:
     QString text;
   };
   void setRegions(std::vector<Region> regions);
+  /// What a click is for, shown at the lower edge of the image while it picks; empty: nothing.
+  void setHint(const QString& hint);
 
 Q_SIGNALS:
   /// A click (an empty size) or a dragged box, in pixels of the image.
@@ -50,6 +52,7 @@ protected:
 private:
   std::optional<QPointF> pixelAt(QPointF position) const;
   QPointF positionOf(QPointF pixel) const;
+  void paintHint(QPainter& painter) const;
   /// Whether the key moves the cross or points, when it is pressed here.
   bool isForCross(const QKeyEvent& event) const;
   void moveCross(int key, bool fine);
@@ -57,6 +60,7 @@ private:
   CameraView* view_;
   bool picking_ = false;
   std::vector<Region> regions_;
+  QString hint_;
   std::optional<QPointF> pressed_; ///< widget
   std::optional<QPointF> cross_;   ///< pixel of the image; moved by keys
   QPointF now_;

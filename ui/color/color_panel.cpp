@@ -18,16 +18,20 @@
 #include <QPushButton>
 #include <QShortcut>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace dewpoint {
 
 namespace {
 
 constexpr qint64 kSurveyMs = 1000;
+constexpr int kJudgeMs = 200;                ///< after the last change
+constexpr std::int64_t kOutlinedFrames = 10; ///< an outline stays so long over a running video
 
 } // namespace
 
@@ -35,7 +39,7 @@ ColorPanel::ColorPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), teacher_(new ColorTeacher(document, this)),
       name_(new QLabel(this)), learn_(new QToolButton(this)), picker_(new ColorPicker(this)),
       verdict_(new QLabel(this)), samplesTitle_(new QLabel(this)), samples_(new QListWidget(this)),
-      remove_(new QPushButton(this)) {
+      remove_(new QPushButton(this)), judgeSoon_(new QTimer(this)) {
   setObjectName(QStringLiteral("colorPanel"));
   learn_->setObjectName(QStringLiteral("colorLearn"));
   learn_->setCheckable(true);
@@ -90,9 +94,12 @@ void ColorPanel::connectTeacher() {
     Q_EMIT learned(target);
   });
   connect(teacher_, &ColorTeacher::judged, this, &ColorPanel::showVerdict);
+  judgeSoon_->setSingleShot(true);
+  judgeSoon_->setInterval(kJudgeMs);
+  connect(judgeSoon_, &QTimer::timeout, this, &ColorPanel::judgeNow);
   connect(teacher_, &ColorTeacher::failed, this, &ColorPanel::failed);
   connect(teacher_, &ColorTeacher::busyChanged, this, [this](bool busy) {
-    if (busy) {
+    if (busy && !judged_) {
       verdict_->setText(tr("Looking at the images…"));
     }
   });
@@ -112,7 +119,6 @@ void ColorPanel::say() {
 
 void ColorPanel::attach(int camera, CameraView* view) {
   auto* layer = new PickLayer(view);
-  layer->setPicking(picking_ || document_.project().targets.empty());
   inEveryLanguage(layer, [layer, camera] {
     layer->setAccessibleName(
         tr("Image of camera %1: arrow keys move a cross, Enter points there").arg(camera + 1));
@@ -127,6 +133,7 @@ void ColorPanel::attach(int camera, CameraView* view) {
           [this, camera](const QRectF& region, Qt::KeyboardModifiers modifiers) {
             pickedIn(camera, region, modifiers);
           });
+  setPicking(picking_);
 }
 
 void ColorPanel::pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers) {
@@ -145,8 +152,10 @@ void ColorPanel::setPicking(bool picking) {
   }
   const QSignalBlocker quiet(learn_);
   learn_->setChecked(picking);
+  const bool noTarget = document_.project().targets.empty();
   for (const auto& [camera, layer] : layers_) {
-    layer->setPicking(picking || document_.project().targets.empty());
+    layer->setPicking(picking || noTarget);
+    layer->setHint(noTarget ? tr("Click the thing to follow") : tr("Click the target"));
   }
   if (picking && !layers_.empty()) {
     layers_.front().second->setFocus(Qt::ShortcutFocusReason); // the keys move its cross
@@ -174,14 +183,48 @@ void ColorPanel::refresh() {
     picker_->setRange(target.color);
   }
   refreshSamples();
-  if (!judged_) {
+  if (judged_) {
+    sayVerdict();
+  } else {
     verdict_->setText(any ? tr("Drag ring and bars, or press Learn and click the target.")
                           : tr("Click the thing to follow in any camera image."));
-    for (const auto& [camera, layer] : layers_) {
-      layer->setRegions({});
+    clearRegions();
+    if (any) {
+      judgeSoon_->start();
     }
   }
   setPicking(picking_);
+}
+
+void ColorPanel::clearRegions() {
+  outlined_ = false;
+  for (const auto& [camera, layer] : layers_) {
+    layer->setRegions({});
+  }
+}
+
+void ColorPanel::judgeNow() {
+  if (inFront_ && snapshot_ && snapshot_->frames && !teacher_->isBusy()) {
+    teacher_->setTarget(target_);
+    teacher_->judge();
+  }
+}
+
+/// A verdict is about one moment: its outlines go when another one is shown, and it is made anew
+/// where a person stays.
+void ColorPanel::keepVerdictCurrent() {
+  if (!snapshot_->frames || teacher_->isBusy()) {
+    return;
+  }
+  const bool moved = std::abs(snapshot_->frame - judgedFrame_) > kOutlinedFrames;
+  if (outlined_ && moved) {
+    clearRegions();
+  }
+  const bool stays = snapshot_->state != PlayState::Playing && !snapshot_->preview &&
+                     snapshot_->frame != judgedFrame_;
+  if ((!judged_ || stays) && !judgeSoon_->isActive() && picker_->isEnabled()) {
+    judgeSoon_->start();
+  }
 }
 
 void ColorPanel::refreshSamples() {
@@ -221,13 +264,30 @@ void ColorPanel::editRange(const ColorRange& range) {
       "color of target " + std::to_string(target_));
 }
 
-void ColorPanel::showVerdict(const ColorVerdict& verdict) {
-  judged_ = true;
+void ColorPanel::setInFront(bool inFront) {
+  inFront_ = inFront;
+  if (!inFront) {
+    clearRegions();
+    judgedFrame_ = -1;
+  } else if (snapshot_) {
+    keepVerdictCurrent();
+  }
+}
+
+void ColorPanel::sayVerdict() {
   std::vector<QString> cameras;
   for (const auto& camera : document_.project().cameras) {
     cameras.push_back(QString::fromStdString(camera.camera.name));
   }
-  verdict_->setText(verdictText(verdict, cameras));
+  verdict_->setText(verdictText(said_, cameras));
+}
+
+void ColorPanel::showVerdict(const ColorVerdict& verdict) {
+  judged_ = true;
+  judgedFrame_ = snapshot_ ? snapshot_->frame : -1;
+  outlined_ = true;
+  said_ = verdict;
+  sayVerdict();
   for (const auto& [camera, layer] : layers_) {
     std::vector<PickLayer::Region> regions;
     for (const LookAlikeRegion& region : verdict.lookAlikes) {
@@ -246,6 +306,9 @@ void ColorPanel::showVerdict(const ColorVerdict& verdict) {
 void ColorPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   snapshot_ = snapshot;
   teacher_->setSnapshot(snapshot);
+  if (inFront_ && snapshot_) {
+    keepVerdictCurrent();
+  }
   if (isVisible() && (!sinceSurvey_.isValid() || sinceSurvey_.elapsed() > kSurveyMs)) {
     sinceSurvey_.start();
     surveyImages();

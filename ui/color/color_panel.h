@@ -14,6 +14,7 @@
 class QLabel;
 class QListWidget;
 class QPushButton;
+class QTimer;
 class QToolButton;
 
 namespace dewpoint {
@@ -38,6 +39,8 @@ public:
   void setTarget(int target);
   /// Whether a plain click in a view teaches the color.
   void setPicking(bool picking);
+  /// Whether the panel can be seen: only then colors are judged.
+  void setInFront(bool inFront);
   bool isPicking() const { return picking_; }
 
 Q_SIGNALS:
@@ -54,7 +57,11 @@ private:
   void connectTeacher();
   void pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
   void editRange(const ColorRange& range);
+  void sayVerdict();
   void showVerdict(const ColorVerdict& verdict);
+  void judgeNow();
+  void keepVerdictCurrent();
+  void clearRegions();
   void surveyImages();
   void removeSample();
 
@@ -71,7 +78,12 @@ private:
   TrackSnapshotPtr snapshot_;
   int target_ = 0;
   bool picking_ = false;
-  bool judged_ = false; ///< the verdict is about the range shown
+  ColorVerdict said_;
+  bool inFront_ = false;          ///< the panel is seen, not behind another tab
+  bool judged_ = false;           ///< the verdict is about the range shown
+  std::int64_t judgedFrame_ = -1; ///< and about this frame
+  bool outlined_ = false;         ///< look-alikes are outlined in the views
+  QTimer* judgeSoon_;
   QElapsedTimer sinceSurvey_;
   bool surveying_ = false;
   std::jthread survey_;

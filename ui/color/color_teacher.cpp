@@ -46,6 +46,7 @@ std::vector<cv::Mat> ColorTeacher::images() const {
 
 void ColorTeacher::start(Work work) {
   const std::uint64_t number = ++newest_;
+  busy_ = true;
   Q_EMIT busyChanged(true);
   // An earlier work is waited for by the new thread, never by this one.
   worker_ = std::jthread([this, number, before = std::make_shared<std::jthread>(std::move(worker_)),
@@ -56,6 +57,7 @@ void ColorTeacher::start(Work work) {
         this,
         [this, number, finish] {
           if (number == newest_) {
+            busy_ = false;
             Q_EMIT busyChanged(false);
             (*finish)();
           }

@@ -33,6 +33,7 @@ public:
   void point(int camera, const QRectF& region, Lesson lesson);
   /// Takes a sample away and learns from the rest; the last one keeps the color as it is.
   void removeSample(int index);
+  bool isBusy() const { return busy_; }
   /// Judges the color of the target as it is in the images shown.
   void judge();
 
@@ -55,6 +56,7 @@ private:
   Document& document_;
   TrackSnapshotPtr snapshot_;
   int target_ = 0;
+  bool busy_ = false;
   std::uint64_t newest_ = 0; ///< number of the work that counts
   std::jthread worker_;
 };

@@ -54,6 +54,8 @@ QString suggestionSentence(Suggestion suggestion) {
     return tr("The target is nearly gray: a stronger color would help.");
   case Suggestion::UseAnotherColor:
     return tr("Much of the room has this color: another one would help.");
+  case Suggestion::ClickThingItself:
+    return tr("This fills much of the image: click the thing itself, or drag a box on it.");
   case Suggestion::None:
     break;
   }
@@ -74,6 +76,10 @@ QString colorName(ColorWord color) {
 }
 
 QString verdictText(const ColorVerdict& verdict, const std::vector<QString>& cameras) {
+  if (!verdict.targetKnown) {
+    return tr("%1 % of the images match. Shift-click the target to learn how well it stands out.")
+        .arg(QLocale().toString(100.0 * verdict.backgroundShare, 'f', 2));
+  }
   QStringList sentences{separationSentence(verdict.separability)};
   sentences << tr("%1 % of the background matches too.")
                    .arg(QLocale().toString(100.0 * verdict.backgroundShare, 'f', 2));

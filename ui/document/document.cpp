@@ -89,6 +89,9 @@ void Document::announce(const Project& before, const ProjectChanges& changes) {
   if (changes.calibration) {
     Q_EMIT calibrationChanged();
   }
+  if (changes.emptyRooms) {
+    Q_EMIT emptyRoomsChanged();
+  }
   if (changes.sources) {
     Q_EMIT sourcesChanged();
   }

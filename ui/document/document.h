@@ -62,6 +62,7 @@ Q_SIGNALS:
   void methodChanged();
   void targetsChanged();
   void calibrationChanged();
+  void emptyRoomsChanged();
   void sourcesChanged();
   void fileChanged();
 

@@ -17,6 +17,7 @@
 #include <QListWidget>
 #include <QLocale>
 #include <QPushButton>
+#include <QRectF>
 #include <QSignalBlocker>
 #include <QStandardPaths>
 #include <QVBoxLayout>
@@ -87,6 +88,7 @@ void CameraPanel::connectFields() {
   connect(&document_, &Document::replaced, this, &CameraPanel::refresh);
   connect(&document_, &Document::sourcesChanged, this, &CameraPanel::refresh);
   connect(&document_, &Document::calibrationChanged, this, &CameraPanel::showChosen);
+  connect(&document_, &Document::emptyRoomsChanged, this, &CameraPanel::showChosen);
   connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
     showChosen();
     Q_EMIT cameraChosen(row);
@@ -256,23 +258,59 @@ void CameraPanel::chooseEmptyRoom() {
   }
 }
 
+QString CameraPanel::targetSeenBy(int camera) const {
+  const auto index = static_cast<std::size_t>(camera);
+  if (!snapshot_ || !snapshot_->rig || index >= snapshot_->rig->size()) {
+    return {};
+  }
+  const Camera& its = (*snapshot_->rig)[index];
+  const Projector projector(its);
+  for (const TargetSnapshot& target : snapshot_->targets) {
+    const auto pixel = target.status == TargetStatus::Held ? projector.project(target.estimate.mean)
+                                                           : std::optional<Eigen::Vector2d>();
+    if (pixel && QRectF(0.0, 0.0, its.intrinsics.width, its.intrinsics.height)
+                     .contains(pixel->x(), pixel->y())) {
+      return QString::fromStdString(target.target.name);
+    }
+  }
+  return {};
+}
+
 void CameraPanel::takeEmptyRoom() {
   const int row = list_->currentRow();
   const cv::Mat image = shownImage();
   if (row < 0 || image.empty()) {
     return;
   }
+  if (const QString target = targetSeenBy(row); !target.isEmpty()) {
+    Q_EMIT asked(tr("“%1” is in this image: where it is now it would be taken for the room. Better "
+                    "show a moment without it.")
+                     .arg(target),
+                 tr("Use it all the same"), [this, row, image] { keepAsEmptyRoom(row, image); });
+    return;
+  }
+  keepAsEmptyRoom(row, image);
+}
+
+void CameraPanel::keepAsEmptyRoom(int camera, const cv::Mat& image) {
   const Project& project = document_.project();
+  if (camera >= static_cast<int>(project.cameras.size())) {
+    return; // another project was opened meanwhile
+  }
   const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
   const std::filesystem::path folder =
       project.file.empty() ? std::filesystem::path(own.toStdString()) / "empty-rooms"
                            : project.file.parent_path();
-  const auto kept = keepEmptyRoom(project, static_cast<std::size_t>(row), image, folder);
-  if (kept) {
-    setEmptyRoom(QString::fromStdString(kept->string()));
-  } else {
+  const auto kept = keepEmptyRoom(project, static_cast<std::size_t>(camera), image, folder);
+  if (!kept) {
     Q_EMIT failed(errorSentence(kept.error()));
+    return;
   }
+  list_->setCurrentRow(camera);
+  setEmptyRoom(QString::fromStdString(kept->string()));
+  Q_EMIT said(tr("The image shown is now the empty room of %1; it is kept as %2.")
+                  .arg(QString::fromStdString(project.cameras[std::size_t(camera)].camera.name),
+                       QString::fromStdString(kept->string())));
 }
 
 } // namespace dewpoint

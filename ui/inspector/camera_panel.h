@@ -37,6 +37,10 @@ Q_SIGNALS:
   /// A calibration file is to be read for all cameras.
   void calibrationWanted(const QString& file);
   void failed(const QString& sentence);
+  /// Something was done, and this is what.
+  void said(const QString& sentence);
+  /// Something is done only after this question was answered with yes.
+  void asked(const QString& question, const QString& yes, const std::function<void()>& act);
 
 private:
   void say();
@@ -48,6 +52,9 @@ private:
   void chooseEmptyRoom();
   void takeEmptyRoom();
   void setEmptyRoom(const QString& file);
+  void keepAsEmptyRoom(int camera, const cv::Mat& image);
+  /// The target that is tracked in the image of a camera that is shown; empty: none.
+  QString targetSeenBy(int camera) const;
   void makeFields();
   void connectFields();
   /// The image that the chosen camera shows; empty when there is none.

@@ -106,6 +106,7 @@ void MainWindow::connectRun() {
   // Queued: what is being edited may be a view that goes with it.
   connect(document_, &Document::calibrationChanged, this, &MainWindow::takeCalibration,
           Qt::QueuedConnection);
+  connectRooms();
   connect(document_, &Document::sourcesChanged, this, &MainWindow::reopen, Qt::QueuedConnection);
   connect(document_, &Document::replaced, this, &MainWindow::updateTitle);
   connect(document_, &Document::changed, this, &MainWindow::updateTitle);
@@ -147,6 +148,8 @@ void MainWindow::adoptInputs(SessionInputs inputs) {
 }
 
 void MainWindow::startSession(SessionInputs inputs, bool unsaved) {
+  // Without a target a recording waits for the click instead of running away.
+  const bool waits = unsaved || (inputs.project.targets.empty() && !inputs.source->isLive());
   bridge_ = new SessionBridge(std::move(inputs), this);
   connect(bridge_, &SessionBridge::snapshotChanged, this, &MainWindow::showSnapshot);
   trajectory_->follow([session = &bridge_->session()](auto& generation, auto& position) {
@@ -161,7 +164,7 @@ void MainWindow::startSession(SessionInputs inputs, bool unsaved) {
   if (const QString note = std::exchange(unsavedNote_, {}); !note.isEmpty()) {
     messages_->showNotice(note);
   }
-  if (playOnOpen_ && !unsaved) {
+  if (playOnOpen_ && !waits) {
     bridge_->session().play();
   } else {
     bridge_->session().stepFrame(); // something to look at
@@ -228,8 +231,8 @@ void MainWindow::trackLearned(int target) {
   targets_->choose(target);
   colorDock_->raise();
   action("actionShowMask")->setChecked(true);
-  if (bridge_ != nullptr && shown_ && shown_->state == PlayState::Paused) {
-    bridge_->session().play();
+  if (bridge_ != nullptr && shown_ && shown_->state != PlayState::Playing) {
+    togglePlay(); // at the end: from the beginning
   }
 }
 
@@ -298,6 +301,9 @@ void MainWindow::updateEnabled() {
                          "actionLearnColor",
                          "actionResetLayout"}) {
     action(id)->setEnabled(running);
+  }
+  if (!running) {
+    action("actionNow")->setEnabled(false); // else the moment shown decides
   }
   action("actionOpen")->setEnabled(!loader_->isOpening());
   action("actionOpenDemo")->setEnabled(!loader_->isOpening());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/actions/command_palette.h"
 #include "ui/mainwindow/project_loader.h"
 #include "ui/settings/theme.h"
 
@@ -28,12 +29,12 @@ class ConvergencePlot;
 class Document;
 class GridLayer;
 class HandDesk;
+class LongJob;
 class MessageBar;
 class NewProjectPage;
 class ParameterPanel;
 class PlotPanel;
 class PointDesk;
-class CommandPalette;
 class Recovery;
 class Selection;
 class StartPage;
@@ -85,6 +86,8 @@ Q_SIGNALS:
 protected:
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
+  /// Keys do not reach into docks that lie behind another tab.
+  bool focusNextPrevChild(bool next) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -98,12 +101,15 @@ private:
   void fillRecentMenu(QMenu* menu);
   void fillViewMenu(QMenu* view);
   void fillLanguageMenu(QMenu* menu);
+  std::vector<CommandPalette::Entry> moreForPalette();
   void offerRecovery();
   void makeInspector();
   void makeCalibration();
   void showCalibration(bool shown);
   void showHandles();
   void takeCalibration();
+  void connectRooms();
+  void takeEmptyRooms();
   void loadCalibrationOf(const QString& file);
   void clearViews();
   void resetLayout();
@@ -177,6 +183,7 @@ private:
   std::vector<GridLayer*> gridLayers_; ///< one per camera view
   QDockWidget* targetDock_ = nullptr;
   QDockWidget* cameraListDock_ = nullptr;
+  LongJob* emptyRoomJob_ = nullptr;
   Recovery* recovery_ = nullptr;
   QDockWidget* birdsEyeDock_ = nullptr;
   QDockWidget* plotDock_ = nullptr;

@@ -187,6 +187,30 @@ void MainWindow::fillLanguageMenu(QMenu* menu) {
   }
 }
 
+std::vector<CommandPalette::Entry> MainWindow::moreForPalette() {
+  std::vector<CommandPalette::Entry> entries;
+  if (bridge_ != nullptr) {
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) {
+      if (dock != calibrationDock_) { // that one is an action
+        entries.push_back({tr("Views"), dock->windowTitle(), tr("Show this view"), {}, {}, [dock] {
+                             dock->setProperty("closedByChoice", false);
+                             dock->show();
+                             dock->raise();
+                           }});
+      }
+    }
+  }
+  for (QAction* language : findChildren<QAction*>()) {
+    if (language->objectName().startsWith(QStringLiteral("qt_language_"))) {
+      entries.push_back(
+          {tr("Language"), language->text(), tr("Speak this language"), {}, {}, [language] {
+             language->trigger();
+           }});
+    }
+  }
+  return entries;
+}
+
 void MainWindow::setLanguage(const QString& language) {
   QSettings().setValue(QStringLiteral("language"), language);
   useLanguage(language);

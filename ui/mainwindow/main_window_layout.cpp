@@ -33,6 +33,28 @@
 
 namespace dewpoint {
 
+namespace {
+/// Property of docks: nothing of them is seen, because they lie behind another tab.
+constexpr auto kBehind = "behind";
+} // namespace
+
+bool MainWindow::focusNextPrevChild(bool next) {
+  const auto isBehind = [](const QWidget* widget) {
+    for (; widget != nullptr; widget = widget->parentWidget()) {
+      if (widget->property(kBehind).toBool()) {
+        return true;
+      }
+    }
+    return false;
+  };
+  const QWidget* before = focusWidget();
+  bool moved = QMainWindow::focusNextPrevChild(next);
+  while (moved && focusWidget() != before && isBehind(focusWidget())) {
+    moved = QMainWindow::focusNextPrevChild(next);
+  }
+  return moved;
+}
+
 QDockWidget* MainWindow::makeDock(const QString& name, const std::function<QString()>& title,
                                   QWidget* content) {
   auto* dock = new QDockWidget(this);
@@ -43,6 +65,8 @@ QDockWidget* MainWindow::makeDock(const QString& name, const std::function<QStri
                     QDockWidget::DockWidgetClosable);
   connect(dock->toggleViewAction(), &QAction::triggered, dock,
           [dock](bool shown) { dock->setProperty("closedByChoice", !shown); });
+  connect(dock, &QDockWidget::visibilityChanged, dock,
+          [dock](bool seen) { dock->setProperty(kBehind, !seen); });
   auto* bar = new DockTitle(dock);
   dock->setTitleBarWidget(bar);
   addPictureMenu(dock, bar);
@@ -79,6 +103,7 @@ void MainWindow::makeDocks() {
   historyDock_->setProperty("closedByChoice", true);
 
   palette_ = new CommandPalette(*actions_, this);
+  palette_->setMore([this] { return moreForPalette(); });
   figures_ = new StatusFigures(this);
   inEveryLanguage(figures_, [this] {
     if (shown_) {
@@ -120,6 +145,7 @@ void MainWindow::makeInspector() {
   colorScroll->setWidget(color_);
   colorDock_ = makeDock(
       QStringLiteral("colorDock"), [] { return tr("Color"); }, colorScroll);
+  connect(colorDock_, &QDockWidget::visibilityChanged, color_, &ColorPanel::setInFront);
   connect(color_, &ColorPanel::failed, this,
           [this](const QString& sentence) { messages_->showError(sentence); });
   connect(color_, &ColorPanel::pickingChanged, action("actionLearnColor"), &QAction::setChecked);
@@ -223,7 +249,7 @@ void MainWindow::shareSpace() {
     widths[1] = inner - widths.front();
   }
   resizeDocks(row, widths, Qt::Horizontal);
-  const int plotHeight = height() * 24 / 100;
+  const int plotHeight = height() * 29 / 100;
   const int timelineHeight = timelineDock_->sizeHint().height();
   resizeDocks({birdsEyeDock_, plotDock_, timelineDock_},
               {height() - plotHeight - timelineHeight, plotHeight, timelineHeight}, Qt::Vertical);
@@ -298,16 +324,8 @@ void MainWindow::makeToolBar() {
   bar->widgetForAction(action("actionPlay"))
       ->setMinimumWidth(bar->fontMetrics().horizontalAdvance(tr("Pause")) + 40);
 
-  addToolBarBreak();
-  QToolBar* messageRow = addToolBar(QString());
-  inEveryLanguage(messageRow, [messageRow] { messageRow->setWindowTitle(tr("Message")); });
-  messageRow->setObjectName(QStringLiteral("messageRow"));
-  messageRow->setMovable(false);
-  messageRow->setContextMenuPolicy(Qt::PreventContextMenu);
   messages_ = new MessageBar(this);
-  messageRow->addWidget(messages_);
-  messageRow->hide();
-  connect(messages_, &MessageBar::wanted, messageRow, &QWidget::setVisible);
+  messages_->keepBelow(bar);
 }
 
 } // namespace dewpoint

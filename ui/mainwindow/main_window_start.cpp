@@ -9,6 +9,7 @@
 #include "ui/document/recovery.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/message_bar.h"
+#include "ui/mainwindow/status_figures.h"
 #include "ui/start/new_project_page.h"
 #include "ui/start/recent_projects.h"
 #include "ui/start/start_page.h"
@@ -86,6 +87,7 @@ void MainWindow::showStart(bool shown) {
 
 void MainWindow::showViews(bool shown) {
   start_->setVisible(!shown);
+  figures_->setVisible(shown); // there is nothing to measure yet
   for (QDockWidget* dock : findChildren<QDockWidget*>()) {
     if (!shown) {
       dock->hide();

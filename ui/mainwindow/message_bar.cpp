@@ -9,13 +9,25 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTimer>
 #include <QToolButton>
+
+#include <algorithm>
 
 namespace dewpoint {
 
+namespace {
+/// How long a notice stays: to be found, and to be read.
+constexpr int kShortestMs = 4000;
+constexpr int kMsPerLetter = 70;
+constexpr int kMargin = 16;
+constexpr int kBesideText = 110;  ///< mark, button and margins
+constexpr int kAnswerWidth = 170; ///< about that of a button
+} // namespace
+
 MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), mark_(new QLabel(this)), text_(new QLabel(this)),
-      close_(new QToolButton(this)) {
+      close_(new QToolButton(this)), leave_(new QTimer(this)) {
   setObjectName(QStringLiteral("messageBar"));
   mark_->setObjectName(QStringLiteral("messageMark"));
   text_->setObjectName(QStringLiteral("messageText"));
@@ -31,6 +43,10 @@ MessageBar::MessageBar(QWidget* parent)
   layout->addWidget(text_, 1);
   layout->addWidget(close_);
   connect(close_, &QToolButton::clicked, this, &MessageBar::close);
+  leave_->setSingleShot(true);
+  connect(leave_, &QTimer::timeout, this, &MessageBar::close);
+  setFrameShape(QFrame::StyledPanel);
+  hide();
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::Button);
   applyPalette();
@@ -47,9 +63,10 @@ QString MessageBar::text() const {
 }
 
 void MessageBar::close() {
+  leave_->stop();
   text_->clear();
   clearAnswers();
-  Q_EMIT wanted(false);
+  hide();
 }
 
 void MessageBar::clearAnswers() {
@@ -73,6 +90,8 @@ void MessageBar::ask(const QString& question, const std::vector<Answer>& answers
     });
     answers_.push_back(button);
   }
+  leave_->stop();
+  place();
 }
 
 void MessageBar::say(const QString& text, bool isError) {
@@ -81,7 +100,53 @@ void MessageBar::say(const QString& text, bool isError) {
   mark_->setText(isError ? QStringLiteral("▲") : QStringLiteral("●"));
   text_->setText(text);
   applyPalette();
-  Q_EMIT wanted(true);
+  show();
+  raise();
+  place();
+  leaveSoon();
+}
+
+void MessageBar::leaveSoon() {
+  leave_->stop();
+  if (!isError_ && answers_.empty()) {
+    leave_->start(kShortestMs + kMsPerLetter * static_cast<int>(text_->text().size()));
+  }
+}
+
+void MessageBar::keepBelow(QWidget* above) {
+  above_ = above;
+  parentWidget()->installEventFilter(this);
+  above_->installEventFilter(this);
+}
+
+void MessageBar::place() {
+  const int most = parentWidget()->width() - 2 * kMargin;
+  const int wanted = text_->fontMetrics().horizontalAdvance(text_->text()) + kBesideText +
+                     static_cast<int>(answers_.size()) * kAnswerWidth;
+  const int width = std::min(most, wanted);
+  const int top = above_ != nullptr ? above_->geometry().bottom() + 1 : 0;
+  resize(width,
+         layout()->hasHeightForWidth() ? layout()->heightForWidth(width) : sizeHint().height());
+  move((parentWidget()->width() - width) / 2, top + kMargin / 2);
+}
+
+void MessageBar::enterEvent(QEnterEvent* event) {
+  leave_->stop();
+  QFrame::enterEvent(event);
+}
+
+void MessageBar::leaveEvent(QEvent* event) {
+  if (isVisible()) {
+    leaveSoon();
+  }
+  QFrame::leaveEvent(event);
+}
+
+bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
+  if (isVisible() && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) {
+    place();
+  }
+  return QFrame::eventFilter(watched, event);
 }
 
 void MessageBar::changeEvent(QEvent* event) {

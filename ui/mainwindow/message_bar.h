@@ -9,12 +9,14 @@
 class QLabel;
 class QHBoxLayout;
 class QPushButton;
+class QTimer;
 class QToolButton;
 
 namespace dewpoint {
 
-/// One sentence across the top of the window: what failed, what is worth knowing, or a question
-/// with its answers. It blocks nothing, and stays until closed, answered or replaced.
+/// One sentence that floats over the top of the window: what failed, what is worth knowing, or a
+/// question with its answers. It blocks and moves nothing. What is only worth knowing goes by
+/// itself when there was time to read it; the others stay until closed, answered or replaced.
 class MessageBar : public QFrame {
   Q_OBJECT
 public:
@@ -27,12 +29,13 @@ public:
   /// Asks; closing the bar answers nothing.
   void ask(const QString& question, const std::vector<Answer>& answers);
   QString text() const;
-
-Q_SIGNALS:
-  /// There is something to read, or it was closed.
-  void wanted(bool visible);
+  /// Its place is below this sibling, in the middle of the window.
+  void keepBelow(QWidget* above);
 
 protected:
+  void enterEvent(QEnterEvent* event) override; ///< whoever points at it reads it
+  void leaveEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void changeEvent(QEvent* event) override;
 
 private:
@@ -40,10 +43,14 @@ private:
   void close();
   void clearAnswers();
   void applyPalette();
+  void place();
+  void leaveSoon();
 
   QLabel* mark_;
   QLabel* text_;
   QToolButton* close_;
+  QWidget* above_ = nullptr;
+  QTimer* leave_;
   std::vector<QPushButton*> answers_;
   bool isError_ = false;
 };

@@ -3,6 +3,7 @@
 
 #include "core/session/snapshot.h"
 #include "ui/bridge/reason_text.h"
+#include "ui/mainwindow/elided_label.h"
 #include "ui/settings/retranslation.h"
 
 #include <QEvent>
@@ -94,8 +95,9 @@ StatusFigures::StatusFigures(QWidget* parent) : QWidget(parent) {
     *label = figure(name);
   }
   layout->addStretch();
-  reason_ = figure("statusReason");
-  reason_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  reason_ = new ElidedLabel(this);
+  reason_->setObjectName(QStringLiteral("statusReason"));
+  layout->addWidget(reason_);
   reason_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   layout->setStretchFactor(reason_, 4);
   held_ = figure("statusHeld");
@@ -137,10 +139,9 @@ QLabel* StatusFigures::figure(const char* name) {
 
 void StatusFigures::clear() {
   state_ = HoldState::NoImages;
-  noTarget_ = false;
-  reason_->clear();
+  reason_->setFullText({});
   for (QLabel* label : {playing_, frame_, rate_, time_, sampleSize_, spread_, position_}) {
-    label->setText(QStringLiteral("–"));
+    label->clear();
   }
   applyPalette();
 }
@@ -157,7 +158,7 @@ void StatusFigures::show(const TrackSnapshot& snapshot) {
                               ? tr("%1 µs").arg(number(microseconds, 0))
                               : tr("%1 ms").arg(number(microseconds / 1000.0, 1))));
   time_->setToolTip(timeHint(snapshot.latency));
-  if (!snapshot.targets.empty() && snapshot.iterations > 0) {
+  if (!snapshot.targets.empty() && snapshot.targets.front().estimate.particleCount > 0) {
     const TargetEstimate& estimate = snapshot.targets.front().estimate;
     sampleSize_->setToolTip(sampleHint(snapshot.budget));
     sampleSize_->setText(
@@ -168,16 +169,14 @@ void StatusFigures::show(const TrackSnapshot& snapshot) {
                                 number(estimate.mean.z(), 3)));
   } else { // not those of another moment
     for (QLabel* label : {sampleSize_, spread_, position_}) {
-      label->setText(QStringLiteral("–"));
+      label->clear();
     }
   }
   state_ = holdState(snapshot);
-  noTarget_ = snapshot.targets.empty();
   const TargetSnapshot* target = targetToExplain(snapshot, -1);
   const bool mustSay = target != nullptr && target->status != TargetStatus::Held;
   const QString reason = mustSay ? reasonText(target->reasons, cameraNames(snapshot)) : QString();
-  reason_->setText(reason);
-  reason_->setToolTip(reason);
+  reason_->setFullText(reason);
   applyPalette();
 }
 
@@ -189,7 +188,7 @@ void StatusFigures::changeEvent(QEvent* event) {
 }
 
 void StatusFigures::applyPalette() {
-  held_->setText(noTarget_ ? tr("No target yet") : holdText(state_));
+  held_->setText(holdText(state_));
   QPalette colors = held_->palette();
   const QColor color = holdColor(state_, palette());
   if (colors.color(QPalette::WindowText) != color) {

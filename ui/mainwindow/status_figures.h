@@ -10,6 +10,8 @@ class QLabel;
 
 namespace dewpoint {
 
+class ElidedLabel;
+
 struct TrackSnapshot;
 
 /// The line of numbers at the bottom: frame, rate, time per iteration, effective sample size,
@@ -40,10 +42,9 @@ private:
   QLabel* sampleSize_;
   QLabel* spread_;
   QLabel* position_;
-  QLabel* reason_; ///< why it is not held
+  ElidedLabel* reason_; ///< why it is not held
   QLabel* held_;
   HoldState state_ = HoldState::NoImages;
-  bool noTarget_ = false; ///< images come, but nothing is to be followed yet
 };
 
 } // namespace dewpoint

@@ -56,7 +56,7 @@ int PlotReadout::widthFor(const std::vector<const PlotDeclaration*>& plots) {
 }
 
 int PlotReadout::heightFor(const std::vector<const PlotDeclaration*>& plots, const QFont& font) {
-  std::size_t lines = 2;
+  std::size_t lines = 4; // a curve needs some height to be read
   for (const PlotDeclaration* plot : plots) {
     lines = std::max(lines, 1 + (plot->curves.size() + kMostColumns - 1) / kMostColumns);
   }

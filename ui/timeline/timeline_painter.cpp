@@ -336,8 +336,8 @@ void paintTimeline(QPainter& painter, const TimelineModel& model, const Timeline
     QColor veil = palette.color(QPalette::Window);
     veil.setAlphaF(0.6F);
     QRectF gone = rows.ribbons.united(rows.cameras);
-    gone.setRight(std::clamp(scale.x(static_cast<double>(model.history.first)), gone.left(),
-                             gone.right()));
+    gone.setRight(
+        std::clamp(scale.x(static_cast<double>(model.history.first)), gone.left(), gone.right()));
     painter.fillRect(gone, veil);
   }
   painter.setRenderHint(QPainter::Antialiasing);
