@@ -2,6 +2,7 @@
 // Prints what core declares for people's eyes as source text for lupdate: core knows no Qt, so
 // nothing there is marked for translation. script/translate runs it; see docs/translations.md.
 #include "core/base/error.h"
+#include "core/experiment/figure_experiments.h"
 #include "core/tracking/parameters.h"
 
 #include <cstdio>
@@ -43,6 +44,7 @@ void addErrors(Marked& marked) {
 void addMethods(Marked& marked) {
   for (const auto& method : dewpoint::methodNames()) {
     marked.emplace("Method", method);
+    marked.emplace("Method", dewpoint::methodSentence(method));
     for (const auto& declaration : dewpoint::methodParameters(method)) {
       marked.emplace("Parameter", declaration.label);
       marked.emplace("Parameter", declaration.sentence);
@@ -53,12 +55,20 @@ void addMethods(Marked& marked) {
   }
 }
 
+void addExperiments(Marked& marked) {
+  for (const auto& experiment : dewpoint::figureExperiments()) {
+    marked.emplace("Experiment", experiment.title);
+    marked.emplace("Experiment", experiment.sentence);
+  }
+}
+
 } // namespace
 
 int main() {
   Marked marked;
   addErrors(marked);
   addMethods(marked);
+  addExperiments(marked);
   for (const auto& [context, text] : marked) {
     std::printf("QT_TRANSLATE_NOOP(\"%s\", %s)\n", context.c_str(), literal(text).c_str());
   }

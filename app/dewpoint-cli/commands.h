@@ -23,9 +23,12 @@ int report(const Error& error);
 /// Each adds its subcommand; the chosen one stores what to return in `exitCode`.
 void addNewCommand(CLI::App& app, int& exitCode);
 void addTrackCommand(CLI::App& app, int& exitCode);
+void addTrackPositionsCommand(CLI::App& app, int& exitCode);
 void addEvaluateCommand(CLI::App& app, int& exitCode);
 void addSimulateCommand(CLI::App& app, int& exitCode);
 void addExperimentCommand(CLI::App& app, int& exitCode);
+/// The figures of the papers, as subcommands of `experiment`.
+void addFigureCommands(CLI::App& group, int& exitCode);
 void addSuiteCommand(CLI::App& app, int& exitCode);
 void addExportCommand(CLI::App& app, int& exitCode);
 void addLearnColorCommand(CLI::App& app, int& exitCode);

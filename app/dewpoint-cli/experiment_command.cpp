@@ -118,6 +118,7 @@ void addExperimentCommand(CLI::App& app, int& exitCode) {
       ->capture_default_str();
   convergence->callback([runs, &exitCode] { exitCode = studyBarrera(*runs); });
   addWandStudy(*command, exitCode);
+  addFigureCommands(*command, exitCode);
 }
 
 } // namespace dewpoint

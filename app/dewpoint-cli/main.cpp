@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   int exitCode = kExitDone;
   addNewCommand(app, exitCode);
   addTrackCommand(app, exitCode);
+  addTrackPositionsCommand(app, exitCode);
   addEvaluateCommand(app, exitCode);
   addSimulateCommand(app, exitCode);
   addExperimentCommand(app, exitCode);

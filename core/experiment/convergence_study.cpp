@@ -54,18 +54,29 @@ ParameterValues parametersOf(const ConvergenceCase& setup) {
   return parameters;
 }
 
-/// The cloud's mean after each iteration, one iteration per frame.
-std::vector<Eigen::Vector3d> meansOfRun(Tracker& tracker, const std::vector<FrameSetPtr>& frames,
-                                        std::uint64_t seed, int iterations) {
+/// One iteration per frame.
+void watchRun(Tracker& tracker, const std::vector<FrameSetPtr>& frames, std::uint64_t seed,
+              int iterations, const ConvergenceWatch& watch) {
   ThreadTeam team(1);
   tracker.restart(seed);
-  std::vector<Eigen::Vector3d> means;
   for (int k = 0; k < iterations; ++k) {
     FrameSet frame = *frames[static_cast<std::size_t>(k) % frames.size()];
     frame.index = k; // the random numbers go by frame number
-    tracker.beginFrame(std::make_shared<const FrameSet>(std::move(frame)));
-    means.push_back(tracker.iterate(team).mean);
+    const auto shown = std::make_shared<const FrameSet>(std::move(frame));
+    tracker.beginFrame(shown);
+    const TargetEstimate estimate = tracker.iterate(team);
+    watch(k + 1, tracker, estimate, *shown);
   }
+}
+
+/// The cloud's mean after each iteration.
+std::vector<Eigen::Vector3d> meansOfRun(Tracker& tracker, const std::vector<FrameSetPtr>& frames,
+                                        std::uint64_t seed, int iterations) {
+  std::vector<Eigen::Vector3d> means;
+  watchRun(tracker, frames, seed, iterations,
+           [&](int, const Tracker&, const TargetEstimate& estimate, const FrameSet&) {
+             means.push_back(estimate.mean);
+           });
   return means;
 }
 
@@ -132,15 +143,18 @@ ConvergenceResult resultOf(const ConvergenceCase& setup, const Trial& trial) {
   return result;
 }
 
-/// Metres per iteration along the optical axis, mean over the runs, starting on the ball.
-double driftOf(const Eigen::Vector3d& start, const Trial& trial, int runs, int iterations) {
-  double sum = 0.0;
+/// Metres along the optical axis after each iteration, mean over the runs, starting on the ball.
+std::vector<double> driftOf(const Eigen::Vector3d& start, const Trial& trial, int runs,
+                            int iterations) {
+  std::vector<double> moved(static_cast<std::size_t>(iterations), 0.0);
   for (int run = 1; run <= runs; ++run) {
     const auto means =
         meansOfRun(*trial.tracker, trial.frames, static_cast<std::uint64_t>(run), iterations);
-    sum += (means.back() - start).dot(trial.axis) / iterations;
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+      moved[k] += (means[k] - start).dot(trial.axis) / runs;
+    }
   }
-  return sum / runs;
+  return moved;
 }
 
 } // namespace
@@ -171,13 +185,26 @@ Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup) {
   });
 }
 
-Result<double> measureDrift(int runs, int iterations) {
+Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
+                        const ConvergenceWatch& watch) {
+  return prepare(stillScene(setup.ball), setup).map([&](const Trial& trial) {
+    watchRun(*trial.tracker, trial.frames, seed, setup.iterations, watch);
+  });
+}
+
+Result<std::vector<double>> driftCurve(int runs, int iterations) {
   Scene scene = stillScene({0.5, 0.5, 0.15});
   scene.cameras.resize(1);
   ConvergenceCase setup;
   setup.start = scene.balls.front().position;
   return prepare(scene, setup).map([&](const Trial& trial) {
     return driftOf(setup.start, trial, runs, iterations);
+  });
+}
+
+Result<double> measureDrift(int runs, int iterations) {
+  return driftCurve(runs, iterations).map([&](const std::vector<double>& moved) {
+    return moved.back() / iterations;
   });
 }
 

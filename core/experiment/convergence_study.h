@@ -3,9 +3,12 @@
 
 #include "core/base/error.h"
 #include "core/simulation/scene.h"
+#include "core/tracking/tracker.h"
 
 #include <Eigen/Core>
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,6 +39,16 @@ std::vector<ConvergenceCase> barreraConvergenceCases(int runs = 100);
 
 /// Runs one case on the demo's cameras and a still ball.
 Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup);
+
+/// One run of a case, iteration by iteration (from 1): the tracker after it, what it believes, and
+/// the images it saw.
+using ConvergenceWatch = std::function<void(int iteration, const Tracker& tracker,
+                                            const TargetEstimate& estimate, const FrameSet& seen)>;
+Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
+                        const ConvergenceWatch& watch);
+
+/// As measureDrift(), after each iteration: metres that the mean has moved so far.
+Result<std::vector<double>> driftCurve(int runs, int iterations);
 
 /// The systematic drift (section III, figures 4 and 5): metres per iteration that the cloud's mean
 /// moves away from camera 1 along its optical axis when only that camera looks; mean over runs.

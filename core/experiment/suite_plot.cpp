@@ -111,6 +111,9 @@ std::string bandOf(const Plot& plot, const PlotSeries& series) {
 std::string disksOf(const Plot& plot, const PlotSeries& series) {
   std::string text;
   for (std::size_t k = 0; k < series.areas.size(); ++k) {
+    if (std::isnan(series.line[k].y)) {
+      continue;
+    }
     text += fmt::format("<circle class='disk' cx='{:.1f}' cy='{:.1f}' r='{:.1f}'/>",
                         column(plot, series.line[k].x), row(plot, series.line[k].y),
                         std::sqrt(series.areas[k] / 3.14159265));

@@ -14,9 +14,8 @@ std::unique_ptr<Tracker> BarreraTracker::clone() const {
 }
 
 std::size_t BarreraTracker::memoryBytes() const {
-  // States twice (also those of the parents), weights and ancestors; and, with many particles, the
-  // counts over the whole images.
-  std::size_t bytes = static_cast<std::size_t>(filter_.states().size()) * 3 * sizeof(double);
+  // With many particles also the counts over the whole images.
+  std::size_t bytes = RandomWalkTracker::memoryBytes();
   for (std::size_t camera = 0; camera < observation_.cameraCount(); ++camera) {
     bytes += imageOf(camera).total();
   }

@@ -3,6 +3,7 @@
 
 #include "core/tracking/barrera_parameters.h"
 #include "core/tracking/dewpoint_parameters.h"
+#include "core/tracking/dynamics_parameters.h"
 
 #include <fmt/format.h>
 
@@ -81,7 +82,22 @@ Status ParameterValues::setText(std::string_view key, std::string_view text) {
 }
 
 std::vector<std::string> methodNames() {
-  return {"dewpoint", "barrera"};
+  return {"dewpoint", "barrera", "dynamics"};
+}
+
+std::string_view methodSentence(std::string_view method) {
+  if (method == "dewpoint") {
+    return "The surest and most accurate: for all that moves, any number of cameras and targets.";
+  }
+  if (method == "barrera") {
+    return "The color particle filter of Barrera et al. (2005): for teaching and comparison.";
+  }
+  if (method == "dynamics") {
+    return "The filter over triangulated positions of Barrera et al. (2005), section III-C: to "
+           "study "
+           "how a particle filter moves.";
+  }
+  return "";
 }
 
 std::span<const ParameterDeclaration> methodParameters(std::string_view method) {
@@ -90,6 +106,9 @@ std::span<const ParameterDeclaration> methodParameters(std::string_view method) 
   }
   if (method == "dewpoint") {
     return dewpointParameters();
+  }
+  if (method == "dynamics") {
+    return dynamicsParameters();
   }
   return {};
 }

@@ -48,8 +48,11 @@ private:
   std::map<std::string, double, std::less<>> values_;
 };
 
-/// Names of the methods a project may choose, the default first: "dewpoint", "barrera".
+/// Names of the methods a project may choose, the default first: "dewpoint", "barrera",
+/// "dynamics".
 std::vector<std::string> methodNames();
+/// One sentence on what a method is for; empty for an unknown one.
+std::string_view methodSentence(std::string_view method);
 /// Declarations of one method's parameters; empty for an unknown method. Lives for ever.
 std::span<const ParameterDeclaration> methodParameters(std::string_view method);
 /// The defaults of a method, but with the values under the same keys that were changed from their

@@ -2,6 +2,7 @@
 #include "core/tracking/tracker.h"
 
 #include "core/tracking/barrera_tracker.h"
+#include "core/tracking/dynamics_tracker.h"
 
 #include <cmath>
 
@@ -13,7 +14,7 @@ double TargetEstimate::spread() const {
 Result<std::unique_ptr<Tracker>> makeTracker(const std::string& method,
                                              const ParameterValues& parameters,
                                              const CameraRig& rig, const Target& target) {
-  if (method != "barrera") {
+  if (method != "barrera" && method != "dynamics") {
     std::string known;
     for (const auto& name : methodNames()) {
       known += (known.empty() ? "" : ", ") + name;
@@ -22,6 +23,9 @@ Result<std::unique_ptr<Tracker>> makeTracker(const std::string& method,
   }
   if (const auto checked = checkParameters(method, parameters); !checked) {
     return tl::make_unexpected(checked.error());
+  }
+  if (method == "dynamics") {
+    return std::make_unique<DynamicsTracker>(parameters, rig, target);
   }
   return std::make_unique<BarreraTracker>(parameters, rig, target);
 }

@@ -51,6 +51,7 @@ const Names& windowHeaders() {
                                  "core/color/color_learning.h",
                                  "core/color/color_histogram.h",
                                  "core/geometry/camera.h",
+                                 "core/experiment/figure_experiments.h",
                                  "core/project/project.h",
                                  "core/project/project_changes.h",
                                  "core/tracking/parameters.h",

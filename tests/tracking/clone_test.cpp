@@ -95,7 +95,8 @@ TEST_P(Clone, GoesOnWithTheSameBits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Clone,
-                         testing::Values(Case{"barrera"}, Case{"dewpoint"}, Case{"dewpoint", true}),
+                         testing::Values(Case{"barrera"}, Case{"dewpoint"}, Case{"dewpoint", true},
+                                         Case{"dynamics"}),
                          [](const auto& test) {
                            return test.param.method + (test.param.lookAlike ? "Twin" : "");
                          });

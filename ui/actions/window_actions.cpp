@@ -110,6 +110,9 @@ std::vector<ActionDeclaration> runActions() {
       {"actionRestartNewSeed", group, QT_TRANSLATE_NOOP("Actions", "Restart with a new seed"),
        QT_TRANSLATE_NOOP("Actions", "Start over with other random numbers"), "restart-new",
        Qt::SHIFT | Qt::Key_R},
+      {"actionExperiments", group, QT_TRANSLATE_NOOP("Actions", "Experiments…"),
+       QT_TRANSLATE_NOOP("Actions", "Make the figures of the papers anew, with a report"), nullptr,
+       Qt::CTRL | Qt::SHIFT | Qt::Key_E},
   };
 }
 

@@ -151,6 +151,7 @@ private:
   void save();
   void saveTo(std::filesystem::path file);
   void exportTrajectory();
+  void openExperiments();
   void addPictureMenu(QDockWidget* dock, QWidget* bar);
   void choosePicture();
   void savePictureOf(QDockWidget* dock);

@@ -53,7 +53,7 @@ void MainWindow::makeMenus() {
       {"actionPlay", "actionNextFrame", "actionNextIteration", "actionPreviousFrame", nullptr,
        "actionNow", "actionRerun", nullptr, "actionAddMark", "actionRemoveMark",
        "actionPreviousMark", "actionNextMark", "actionZoomToSpan", nullptr, "actionRestart",
-       "actionRestartNewSeed"});
+       "actionRestartNewSeed", nullptr, "actionExperiments"});
   fillViewMenu(add(tr("&View"), "menuView",
                    {"actionPalette", nullptr, "actionShowMask", "actionShowEvidence", nullptr,
                     "actionLookFromAbove", "actionLookFromFront", "actionLookFree", nullptr,
@@ -103,6 +103,7 @@ void MainWindow::connectActions() {
   on(action("actionPlay"), [this] { togglePlay(); });
   on(action("actionNextFrame"), [this] { bridge_->session().stepFrame(); });
   on(action("actionNextIteration"), [this] { bridge_->session().stepIteration(); });
+  on(action("actionExperiments"), [this] { openExperiments(); });
   on(action("actionRestart"), [this] { restart(false); });
   on(action("actionRestartNewSeed"), [this] { restart(true); });
   connectTravel();

@@ -5,6 +5,7 @@
 #include "ui/bridge/error_sentence.h"
 #include "ui/bridge/session_bridge.h"
 #include "ui/document/document.h"
+#include "ui/experiments/experiment_dialog.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/view_picture.h"
 #include "ui/mainwindow/main_window.h"
@@ -33,6 +34,17 @@ void MainWindow::exportTrajectory() {
     if (!project.empty()) {
       dialog->proposeIn(QString::fromStdString(project.parent_path().string()));
     }
+  }
+  dialog->show();
+  dialog->raise();
+  dialog->activateWindow();
+}
+
+void MainWindow::openExperiments() {
+  auto* dialog = findChild<ExperimentDialog*>();
+  if (dialog == nullptr) {
+    dialog = new ExperimentDialog(this);
+    connect(dialog, &ExperimentDialog::failed, messages_, &MessageBar::showError);
   }
   dialog->show();
   dialog->raise();

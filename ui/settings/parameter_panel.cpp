@@ -61,9 +61,8 @@ void ParameterPanel::addMethodChoice() {
   auto* choice = new QComboBox(form_);
   choice->setObjectName(QStringLiteral("methodChoice"));
   label->setBuddy(choice);
-  choice->setToolTip(tr("How the targets are tracked: “dewpoint” is the surest and most accurate, "
-                        "“barrera” the particle filter of Barrera et al. (2005). Tracking starts "
-                        "anew."));
+  choice->setToolTip(
+      tr("How the targets are tracked. Another method begins anew; the rest stays."));
   for (const std::string& name : methodNames()) {
     choice->addItem(QCoreApplication::translate("Method", name.c_str()),
                     QString::fromStdString(name));
@@ -74,6 +73,13 @@ void ParameterPanel::addMethodChoice() {
   });
   form_->layout()->addWidget(label);
   form_->layout()->addWidget(choice);
+  auto* sentence = new QLabel(form_);
+  sentence->setObjectName(QStringLiteral("methodSentence"));
+  sentence->setWordWrap(true);
+  sentence->setForegroundRole(QPalette::PlaceholderText);
+  const std::string text(methodSentence(document_.project().method));
+  sentence->setText(QCoreApplication::translate("Method", text.c_str()));
+  form_->layout()->addWidget(sentence);
 }
 
 void ParameterPanel::showValue(const QString& key) {

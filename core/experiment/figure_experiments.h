@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string_view>
+
+namespace dewpoint {
+
+/// How an experiment is run.
+struct ExperimentOptions {
+  std::filesystem::path folder; ///< report.html, pictures and numbers go there; it is made
+  int runs = 0;                 ///< seeds 1, 2, ... per case; 0: as many as the experiment declares
+  /// Told how far it is (0 to 1); returns false to stop.
+  std::function<bool(double part)> progress;
+};
+
+/// A figure or a table of a paper, made anew by one command.
+struct FigureExperiment {
+  std::string_view name;     ///< as on the command line
+  std::string_view title;    ///< for people
+  std::string_view sentence; ///< what it shows, and from where
+  int runs;                  ///< seeds per case unless given
+  /// FileUnwritable; Cancelled.
+  Status (*run)(const ExperimentOptions& options);
+};
+
+/// All of them, in the order of menus.
+std::span<const FigureExperiment> figureExperiments();
+
+// Barrera et al. 2005, section III, on the simulated demo.
+Status barreraFigure3(const ExperimentOptions& options);
+Status barreraFigure4(const ExperimentOptions& options);
+Status barreraDrift(const ExperimentOptions& options);
+Status barreraStarts(const ExperimentOptions& options);
+// The same, section III-C.
+Status dynamicsFigure6(const ExperimentOptions& options);
+Status dynamicsFigure7(const ExperimentOptions& options);
+Status dynamicsFigure8(const ExperimentOptions& options);
+
+} // namespace dewpoint

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/experiment/figure_experiments.h"
+#include "core/experiment/suite_plot.h"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dewpoint {
+
+/// Style and name of each curve, as a legend lists them.
+using PlotLegend = std::vector<std::pair<std::string, std::string>>;
+
+/// The error of an experiment that was stopped.
+Status experimentStopped();
+/// Tells how far it is; false: stop.
+bool experimentGoesOn(const ExperimentOptions& options, double part);
+
+/// The line through values at 0, 1, 2, ... times `step`, after `first`.
+PlotSeries lineOver(const std::string& style, const std::vector<double>& values, double first = 0.0,
+                    double step = 1.0);
+/// Points without a line: columns `across` and `up` of the rows.
+PlotSeries pointsOf(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
+                    Eigen::Index up, double area = 7.0);
+
+} // namespace dewpoint

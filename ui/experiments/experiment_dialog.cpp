@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/experiments/experiment_dialog.h"
+
+#include "core/experiment/figure_experiments.h"
+#include "ui/bridge/error_sentence.h"
+#include "ui/bridge/long_job.h"
+#include "ui/settings/retranslation.h"
+
+#include <QCoreApplication>
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStandardPaths>
+#include <QUrl>
+#include <QVBoxLayout>
+
+namespace dewpoint {
+
+namespace {
+
+QString words(std::string_view text) {
+  return QCoreApplication::translate("Experiment", std::string(text).c_str());
+}
+
+} // namespace
+
+ExperimentDialog::ExperimentDialog(QWidget* parent)
+    : QDialog(parent), job_(new LongJob(this)), list_(new QListWidget(this)),
+      sentence_(new QLabel(this)), runsLabel_(new QLabel(this)), runs_(new QSpinBox(this)),
+      folderLabel_(new QLabel(this)), folder_(new QLineEdit(this)), browse_(new QPushButton(this)),
+      progress_(new QProgressBar(this)), state_(new QLabel(this)), run_(new QPushButton(this)),
+      cancel_(new QPushButton(this)), open_(new QPushButton(this)), close_(new QPushButton(this)) {
+  setObjectName(QStringLiteral("experimentDialog"));
+  makeFields();
+  for (const FigureExperiment& experiment : figureExperiments()) {
+    auto* item = new QListWidgetItem(list_);
+    item->setData(Qt::UserRole, QString::fromUtf8(experiment.name.data()));
+  }
+  connect(list_, &QListWidget::currentRowChanged, this, &ExperimentDialog::showChosen);
+  connect(browse_, &QPushButton::clicked, this, &ExperimentDialog::chooseFolder);
+  connect(run_, &QPushButton::clicked, this, &ExperimentDialog::run);
+  connect(cancel_, &QPushButton::clicked, job_, &LongJob::cancel);
+  connect(open_, &QPushButton::clicked, this, &ExperimentDialog::openReport);
+  connect(close_, &QPushButton::clicked, this, &QDialog::close);
+  connect(job_, &LongJob::progressChanged, this, [this](double part) {
+    progress_->setRange(0, part < 0.0 ? 0 : 1000);
+    progress_->setValue(static_cast<int>(1000.0 * part));
+  });
+  connect(job_, &LongJob::ended, this, [this](bool cancelled) {
+    run_->setEnabled(true);
+    cancel_->setEnabled(false);
+    progress_->setRange(0, 1000);
+    progress_->setValue(cancelled || report_.isEmpty() ? 0 : 1000);
+    if (cancelled) {
+      state_->setText(tr("Cancelled."));
+    }
+  });
+  list_->setCurrentRow(0);
+  inEveryLanguage(this, [this] { say(); });
+}
+
+void ExperimentDialog::makeFields() {
+  const std::initializer_list<std::pair<QWidget*, const char*>> names{
+      {list_, "experimentList"},         {runs_, "experimentRuns"},
+      {folder_, "experimentFolder"},     {browse_, "experimentBrowse"},
+      {progress_, "experimentProgress"}, {state_, "experimentState"},
+      {run_, "experimentRun"},           {cancel_, "experimentCancel"},
+      {open_, "experimentOpen"},         {close_, "experimentClose"}};
+  for (const auto& [widget, name] : names) {
+    widget->setObjectName(QLatin1String(name));
+  }
+  runs_->setRange(1, 10000);
+  sentence_->setWordWrap(true);
+  state_->setWordWrap(true);
+  state_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  progress_->setTextVisible(false);
+  cancel_->setEnabled(false);
+  open_->setEnabled(false);
+  run_->setDefault(true);
+  runsLabel_->setBuddy(runs_);
+  folderLabel_->setBuddy(folder_);
+  auto* folderRow = new QHBoxLayout;
+  folderRow->addWidget(folder_, 1);
+  folderRow->addWidget(browse_);
+  auto* form = new QFormLayout;
+  form->setSpacing(8);
+  form->addRow(runsLabel_, runs_);
+  form->addRow(folderLabel_, folderRow);
+  auto* progressRow = new QHBoxLayout;
+  progressRow->addWidget(progress_, 1);
+  progressRow->addWidget(cancel_);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(open_);
+  buttons->addStretch();
+  buttons->addWidget(close_);
+  buttons->addWidget(run_);
+  auto* column = new QVBoxLayout(this);
+  column->setSpacing(10);
+  column->addWidget(list_, 1);
+  column->addWidget(sentence_);
+  column->addLayout(form);
+  column->addLayout(progressRow);
+  column->addWidget(state_);
+  column->addLayout(buttons);
+  resize(560, 520);
+}
+
+void ExperimentDialog::say() {
+  setWindowTitle(tr("Experiments"));
+  list_->setAccessibleName(tr("Experiments of the papers"));
+  runsLabel_->setText(tr("&Runs per case"));
+  runs_->setToolTip(tr("How many seeds, 1, 2, 3 and so on: more take longer and are surer"));
+  folderLabel_->setText(tr("&Folder"));
+  folder_->setToolTip(tr("The report, its pictures and its numbers go there"));
+  browse_->setText(tr("Choose…"));
+  browse_->setToolTip(tr("Choose the folder of the report"));
+  progress_->setAccessibleName(tr("How far the experiment is"));
+  run_->setText(tr("Run"));
+  run_->setToolTip(tr("Run the chosen experiment (Enter)"));
+  cancel_->setText(tr("Cancel"));
+  cancel_->setToolTip(tr("Stop the experiment; nothing is written"));
+  open_->setText(tr("Open the report"));
+  open_->setToolTip(tr("Show the last report in the web browser"));
+  close_->setText(tr("Close"));
+  const auto experiments = figureExperiments();
+  for (int row = 0; row < list_->count(); ++row) {
+    list_->item(row)->setText(words(experiments[static_cast<std::size_t>(row)].title));
+  }
+  showChosen();
+}
+
+const FigureExperiment& ExperimentDialog::chosen() const {
+  return figureExperiments()[static_cast<std::size_t>(std::max(0, list_->currentRow()))];
+}
+
+void ExperimentDialog::showChosen() {
+  sentence_->setText(words(chosen().sentence));
+  runs_->setValue(chosen().runs);
+  const QString home = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  folder_->setText(
+      QDir(home).filePath(QStringLiteral("dewpoint-") + QString::fromUtf8(chosen().name.data())));
+}
+
+void ExperimentDialog::chooseFolder() {
+  const QString folder =
+      QFileDialog::getExistingDirectory(this, tr("Folder of the report"), folder_->text());
+  if (!folder.isEmpty()) {
+    folder_->setText(folder);
+  }
+}
+
+void ExperimentDialog::run() {
+  ExperimentOptions options;
+  options.folder = folder_->text().trimmed().toStdString();
+  options.runs = runs_->value();
+  if (options.folder.empty()) {
+    state_->setText(tr("Name the folder of the report first."));
+    return;
+  }
+  const FigureExperiment& experiment = chosen();
+  const bool begun = job_->start([this, options, &experiment](const LongJob::Progress& progress) {
+    ExperimentOptions watched = options;
+    watched.progress = progress;
+    const Status made = experiment.run(watched);
+    return std::function<void()>([this, options, made] {
+      if (made) {
+        finish(QString::fromStdString((options.folder / "report.html").string()));
+      } else {
+        state_->setText(errorSentence(made.error()));
+        Q_EMIT failed(errorSentence(made.error()));
+      }
+    });
+  });
+  if (begun) {
+    report_.clear();
+    run_->setEnabled(false);
+    cancel_->setEnabled(true);
+    open_->setEnabled(false);
+    progress_->setRange(0, 0);
+    state_->setText(tr("Running “%1”…").arg(words(experiment.title)));
+  }
+}
+
+void ExperimentDialog::finish(const QString& report) {
+  report_ = report;
+  open_->setEnabled(true);
+  state_->setText(tr("The report is in %1.").arg(report));
+}
+
+void ExperimentDialog::openReport() {
+  QDesktopServices::openUrl(QUrl::fromLocalFile(report_));
+}
+
+} // namespace dewpoint

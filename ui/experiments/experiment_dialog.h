@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <QString>
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace dewpoint {
+
+class LongJob;
+struct FigureExperiment;
+
+/// The papers' figures, made anew: choose one, see how far it is, open its report. Work goes on
+/// while the window is used.
+class ExperimentDialog : public QDialog {
+  Q_OBJECT
+public:
+  explicit ExperimentDialog(QWidget* parent = nullptr);
+
+Q_SIGNALS:
+  void failed(const QString& sentence);
+
+private:
+  void makeFields();
+  void say();
+  const FigureExperiment& chosen() const;
+  void showChosen();
+  void chooseFolder();
+  void run();
+  void finish(const QString& report);
+  void openReport();
+
+  LongJob* job_;
+  QListWidget* list_;
+  QLabel* sentence_;
+  QLabel* runsLabel_;
+  QSpinBox* runs_;
+  QLabel* folderLabel_;
+  QLineEdit* folder_;
+  QPushButton* browse_;
+  QProgressBar* progress_;
+  QLabel* state_;
+  QPushButton* run_;
+  QPushButton* cancel_;
+  QPushButton* open_;
+  QPushButton* close_;
+  QString report_; ///< the last one made
+};
+
+} // namespace dewpoint
