@@ -427,6 +427,121 @@
         <source>Adjust cameras until a grid lies on the real thing in their images</source>
         <translation>Kameras einstellen, bis ein Gitter in ihren Bildern auf dem Wirklichen liegt</translation>
     </message>
+    <message>
+        <source>Import calibration…</source>
+        <translation>Kalibrierung importieren…</translation>
+    </message>
+    <message>
+        <source>Take the cameras&apos; calibration from a file of any tool</source>
+        <translation>Die Kalibrierung der Kameras aus einer Datei irgendeines Programms nehmen</translation>
+    </message>
+    <message>
+        <source>Export calibration…</source>
+        <translation>Kalibrierung exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the cameras&apos; calibration for another tool</source>
+        <translation>Die Kalibrierung der Kameras für ein anderes Programm schreiben</translation>
+    </message>
+    <message>
+        <source>Calibrate by waving…</source>
+        <translation>Durch Schwenken kalibrieren…</translation>
+    </message>
+    <message>
+        <source>Refine cameras with a waved ball, or a stick with two balls</source>
+        <translation>Kameras mit einem geschwenkten Ball oder einem Stab mit zwei Bällen verfeinern</translation>
+    </message>
+</context>
+<context>
+    <name>CalibrationWords</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
+        <translation>Alles passt, wenn %1 und %2 vertauscht werden: wahrscheinlich sind ihre Videos verwechselt. Tauschen Sie die beiden Dateien.</translation>
+    </message>
+    <message>
+        <source>%1 fits when its video is shifted: it likely shows everything %2 frames late. Synchronize the videos, or let time offsets be found.</source>
+        <translation>%1 passt, wenn ihr Video verschoben wird: es zeigt wahrscheinlich alles %2 Bilder zu spät. Synchronisieren Sie die Videos, oder lassen Sie Zeitversätze suchen.</translation>
+    </message>
+    <message>
+        <source>%1 fits when its video is shifted: it likely shows everything %2 frames early. Synchronize the videos, or let time offsets be found.</source>
+        <translation>%1 passt, wenn ihr Video verschoben wird: es zeigt wahrscheinlich alles %2 Bilder zu früh. Synchronisieren Sie die Videos, oder lassen Sie Zeitversätze suchen.</translation>
+    </message>
+    <message>
+        <source>%1 fits one place before %2 s and another after: it was likely moved or bumped then. Calibrate with the part after it.</source>
+        <translation>%1 passt vor %2 s an einen Ort und danach an einen anderen: sie wurde da wahrscheinlich bewegt oder angestoßen. Kalibrieren Sie mit dem Teil danach.</translation>
+    </message>
+    <message>
+        <source>%1 fits only with flipped images: its video is likely mirrored or upside down. Set how its images are turned and mirrored.</source>
+        <translation>%1 passt nur mit gekippten Bildern: ihr Video ist wahrscheinlich gespiegelt oder steht auf dem Kopf. Stellen Sie ein, wie ihre Bilder gedreht und gespiegelt werden.</translation>
+    </message>
+    <message>
+        <source>%1 fits with a focal length %2 times the given one: its zoom (or a crop) was likely changed. Calibrate its lens again.</source>
+        <translation>%1 passt mit dem %2-fachen der angegebenen Brennweite: wahrscheinlich wurde ihr Zoom (oder ein Ausschnitt) geändert. Kalibrieren Sie ihr Objektiv neu.</translation>
+    </message>
+    <message>
+        <source>The lens data of %1 are likely for another resolution: its images are %2 times as large. Convert them, or record at the calibrated size.</source>
+        <translation>Die Objektivdaten von %1 gelten wahrscheinlich für eine andere Auflösung: ihre Bilder sind %2-mal so groß. Rechnen Sie sie um, oder nehmen Sie in der kalibrierten Größe auf.</translation>
+    </message>
+    <message>
+        <source>In this volume ±%1 (95 %)</source>
+        <translation>In diesem Raum ±%1 (95 %)</translation>
+    </message>
+    <message>
+        <source>, scale ±%1 %</source>
+        <translation>, Größe ±%1 %</translation>
+    </message>
+    <message>
+        <source>, scale unknown</source>
+        <translation>, Größe unbekannt</translation>
+    </message>
+    <message>
+        <source>, up ±%1°</source>
+        <translation>, Lot ±%1°</translation>
+    </message>
+    <message>
+        <source>, up not measured</source>
+        <translation>, Lot nicht gemessen</translation>
+    </message>
+    <message>
+        <source>all cameras</source>
+        <translation>alle Kameras</translation>
+    </message>
+    <message>
+        <source>The cameras would all look at the back of the board or floor: its points are likely mirrored. Check the direction of its axes, and that the print is not reversed.</source>
+        <translation>Alle Kameras sähen auf die Rückseite der Tafel oder des Bodens: ihre Punkte sind wahrscheinlich gespiegelt. Prüfen Sie die Richtung der Achsen, und dass der Druck nicht seitenverkehrt ist.</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: millimetres and metres are likely mixed up.</source>
+        <translation>Die angegebene Länge ist das %1-fache dessen, was die Kameras sehen: wahrscheinlich sind Millimeter und Meter verwechselt.</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: it is likely in inches (1 inch = 2.54 cm).</source>
+        <translation>Die angegebene Länge ist das %1-fache dessen, was die Kameras sehen: wahrscheinlich ist sie in Zoll (1 Zoll = 2,54 cm).</translation>
+    </message>
+    <message>
+        <source>The corners form a board with %1 in a row: the number of squares is likely wrong. Count them and correct the board.</source>
+        <translation>Die Ecken bilden eine Tafel mit %1 in einer Reihe: die Zahl der Felder ist wahrscheinlich falsch. Zählen Sie nach und berichtigen Sie die Tafel.</translation>
+    </message>
+    <message>
+        <source>The board&apos;s squares are given %1 times as large as the cameras see them: measure a row with a ruler (prints are often rescaled).</source>
+        <translation>Die Felder der Tafel sind %1-mal so groß angegeben, wie die Kameras sie sehen: messen Sie eine Reihe mit dem Lineal (Drucke werden oft skaliert).</translation>
+    </message>
+    <message>
+        <source>The images fit when shifted by %1 px along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
+        <translation>Die Bilder passen, wenn sie um %1 px in beiden Achsen verschoben werden: ein Programm zählt Pixel wahrscheinlich von ihren Ecken aus. Rechnen Sie die Hauptpunkte um.</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -1037,6 +1152,53 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>WandWish</name>
+    <message>
+        <source>touches the floor</source>
+        <translation>berührt den Boden</translation>
+    </message>
+    <message>
+        <source>is at the first end of the distance</source>
+        <translation>ist am ersten Ende der Strecke</translation>
+    </message>
+    <message>
+        <source>is at the second end of the distance</source>
+        <translation>ist am zweiten Ende der Strecke</translation>
+    </message>
+    <message>
+        <source>begins to fall</source>
+        <translation>beginnt zu fallen</translation>
+    </message>
+    <message>
+        <source>still falls</source>
+        <translation>fällt noch</translation>
+    </message>
+    <message>
+        <source>Two cameras or more must see the ball.</source>
+        <translation>Mindestens zwei Kameras müssen den Ball sehen.</translation>
+    </message>
+    <message>
+        <source>Learn the color of the ball first: press L and click it in an image.</source>
+        <translation>Lernen Sie zuerst die Farbe des Balls: L drücken und ihn in einem Bild anklicken.</translation>
+    </message>
+    <message>
+        <source>A stick has two balls of different colors: learn the second one (Shift+L).</source>
+        <translation>Ein Stab hat zwei Bälle verschiedener Farbe: lernen Sie den zweiten (Umschalt+L).</translation>
+    </message>
+    <message>
+        <source>The two ends of the stick are the same target: choose another.</source>
+        <translation>Beide Enden des Stabs sind dasselbe Ziel: wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>The size is to come from a distance: take the moments at which the ball is at its two ends.</source>
+        <translation>Die Größe soll von einer Strecke kommen: nehmen Sie die Augenblicke, in denen der Ball an ihren beiden Enden ist.</translation>
+    </message>
+    <message>
+        <source>A fall needs two moments: one at which the ball begins to fall, and one at which it still falls.</source>
+        <translation>Ein Fall braucht zwei Augenblicke: einen, in dem der Ball zu fallen beginnt, und einen, in dem er noch fällt.</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint</name>
     <message>
         <source>Much of the target does not match: Shift-click its light and its dark side.</source>
@@ -1078,6 +1240,10 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
         <translation>Das füllt einen großen Teil des Bildes: Klicke das Ding selbst an oder ziehe einen Rahmen darum.</translation>
     </message>
+    <message>
+        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
+        <translation>%1 % der Bilder passen. Umschalt-Klick auf das Ziel sagt, wie gut es sich abhebt.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BirdsEyeView</name>
@@ -1116,6 +1282,252 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>No 3D: %1</source>
         <translation>Kein 3D: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::CalibrationExportDialog</name>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Export the calibration</source>
+        <translation>Kalibrierung exportieren</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Write the file; one that exists is replaced</source>
+        <translation>Die Datei schreiben; eine vorhandene wird ersetzt</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>The program that is to read the file</source>
+        <translation>Das Programm, das die Datei lesen soll</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Of lengths, where the format leaves it open</source>
+        <translation>Der Längen, wo das Format sie offen lässt</translation>
+    </message>
+    <message>
+        <source>as usual for the format</source>
+        <translation>wie im Format üblich</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>%1: largest reprojection difference %2 px (fitted anew)</source>
+        <translation>%1: größter Unterschied der Rückprojektion %2 px (neu angepasst)</translation>
+    </message>
+    <message>
+        <source>%1: largest reprojection difference %2 px</source>
+        <translation>%1: größter Unterschied der Rückprojektion %2 px</translation>
+    </message>
+    <message>
+        <source>%1: %2 of 81 directions have no pixel any more</source>
+        <translation>%1: %2 von 81 Richtungen haben kein Pixel mehr</translation>
+    </message>
+    <message>
+        <source>%1 exists and will be replaced.</source>
+        <translation>%1 gibt es schon und wird ersetzt.</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::CalibrationImportDialog</name>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Calibrations</source>
+        <translation>Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Alle Dateien</translation>
+    </message>
+    <message>
+        <source>Import a calibration</source>
+        <translation>Eine Kalibrierung importieren</translation>
+    </message>
+    <message>
+        <source>as the names say</source>
+        <translation>wie die Namen sagen</translation>
+    </message>
+    <message>
+        <source>only %1</source>
+        <translation>nur %1</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Ordner…</translation>
+    </message>
+    <message>
+        <source>Find a folder with a file for each camera</source>
+        <translation>Einen Ordner mit einer Datei je Kamera suchen</translation>
+    </message>
+    <message>
+        <source>Use these cameras</source>
+        <translation>Diese Kameras verwenden</translation>
+    </message>
+    <message>
+        <source>Take the calibration into the project; it can be undone</source>
+        <translation>Die Kalibrierung ins Projekt übernehmen; das lässt sich zurücknehmen</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>wie die Datei sagt</translation>
+    </message>
+    <message>
+        <source>recognized from the content</source>
+        <translation>am Inhalt erkannt</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>k1 k2 p1 p2 of a pinhole</source>
+        <translation>k1 k2 p1 p2 einer Lochkamera</translation>
+    </message>
+    <message>
+        <source>k1 k2 k3 k4 of a fisheye</source>
+        <translation>k1 k2 k3 k4 eines Fischauges</translation>
+    </message>
+    <message>
+        <source>as the format has them</source>
+        <translation>wie im Format</translation>
+    </message>
+    <message>
+        <source>camera from world</source>
+        <translation>Kamera aus Welt</translation>
+    </message>
+    <message>
+        <source>world from camera</source>
+        <translation>Welt aus Kamera</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>The program that wrote the file</source>
+        <translation>Das Programm, das die Datei geschrieben hat</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Of lengths in the file; or type the metres of one unit, such as 0.025 for squares of 25 mm</source>
+        <translation>Der Längen in der Datei; oder tippen Sie die Meter einer Einheit, etwa 0.025 für Felder von 25 mm</translation>
+    </message>
+    <message>
+        <source>Four coefficients</source>
+        <translation>Vier Koeffizienten</translation>
+    </message>
+    <message>
+        <source>What four lens coefficients mean</source>
+        <translation>Was vier Objektivkoeffizienten bedeuten</translation>
+    </message>
+    <message>
+        <source>Size of images</source>
+        <translation>Bildgröße</translation>
+    </message>
+    <message>
+        <source>Width and height in pixels, such as 1280x720</source>
+        <translation>Breite und Höhe in Pixeln, etwa 1280x720</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>Which way the poses in the file go</source>
+        <translation>In welche Richtung die Lagen der Datei gehen</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation>Für</translation>
+    </message>
+    <message>
+        <source>Which camera a file of one camera is about</source>
+        <translation>Um welche Kamera es in einer Datei mit einer Kamera geht</translation>
+    </message>
+    <message>
+        <source>The file leaves something open. Answer “%1” above.</source>
+        <translation>Die Datei lässt etwas offen. Beantworten Sie oben „%1“.</translation>
+    </message>
+    <message>
+        <source>The calibration names its cameras differently: they were taken in its order.</source>
+        <translation>Die Kalibrierung nennt ihre Kameras anders: Sie wurden in ihrer Reihenfolge genommen.</translation>
+    </message>
+    <message>
+        <source>There is no pose in the file: only the lens is taken, the pose stays.</source>
+        <translation>In der Datei steht keine Lage: nur das Objektiv wird übernommen, die Lage bleibt.</translation>
+    </message>
+    <message>
+        <source>%1 (in the file: %2): %3 cm and %4° from where it is now</source>
+        <translation>%1 (in der Datei: %2): %3 cm und %4° von da, wo sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>Largest reprojection difference to the file: %1 px</source>
+        <translation>Größter Unterschied der Rückprojektion zur Datei: %1 px</translation>
+    </message>
+    <message>
+        <source>Import calibration</source>
+        <translation>Kalibrierung importieren</translation>
+    </message>
+    <message>
+        <source>The cameras have the calibration of %1 now.</source>
+        <translation>Die Kameras haben jetzt die Kalibrierung aus %1.</translation>
     </message>
 </context>
 <context>
@@ -1665,6 +2077,13 @@ bei %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::CoverageMap</name>
+    <message>
+        <source>%1: seen %2 times, in %3 of %4 regions of the image</source>
+        <translation>%1: %2-mal gesehen, in %3 von %4 Teilen des Bildes</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::DockTitle</name>
     <message>
         <source>Float this view, or put it back (double click the title: whole window)</source>
@@ -1680,6 +2099,45 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Track by “%1”</source>
         <translation>Mit „%1“ verfolgen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ExchangeDialog</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>The file, or the folder with a file for each camera</source>
+        <translation>Die Datei, oder der Ordner mit einer Datei je Kamera</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>Find the file</source>
+        <translation>Die Datei suchen</translation>
+    </message>
+    <message>
+        <source>What is decided</source>
+        <translation>Was entschieden ist</translation>
+    </message>
+    <message>
+        <source>Choose a file. What is decided about it is shown here before anything changes.</source>
+        <translation>Wählen Sie eine Datei. Was über sie entschieden wird, steht hier, bevor sich etwas ändert.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Change nothing</source>
+        <translation>Nichts ändern</translation>
     </message>
 </context>
 <context>
@@ -2412,6 +2870,10 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Speak this language</source>
         <translation>Diese Sprache sprechen</translation>
+    </message>
+    <message>
+        <source>Wave</source>
+        <translation>Schwenken</translation>
     </message>
 </context>
 <context>
@@ -3303,6 +3765,388 @@ bei %4, %5, %6 m</translation>
             <numerusform>%n Messpunkt, keine Lücken</numerusform>
             <numerusform>%n Messpunkte, keine Lücken</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandDesk</name>
+    <message>
+        <source>Press Start waving, and wave for half a minute where things are to be tracked.</source>
+        <translation>Drücken Sie „Schwenken beginnen“, und schwenken Sie eine halbe Minute lang dort, wo verfolgt werden soll.</translation>
+    </message>
+    <message>
+        <source>Refine cameras with a waved stick</source>
+        <translation>Kameras mit geschwenktem Stab verfeinern</translation>
+    </message>
+    <message>
+        <source>Refine cameras with a waved ball</source>
+        <translation>Kameras mit geschwenktem Ball verfeinern</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandFields</name>
+    <message>
+        <source>the ball&apos;s diameter</source>
+        <translation>dem Durchmesser des Balls</translation>
+    </message>
+    <message>
+        <source>the ball&apos;s diameter, %1 cm</source>
+        <translation>dem Durchmesser des Balls, %1 cm</translation>
+    </message>
+    <message>
+        <source>the cameras as they are</source>
+        <translation>den Kameras, wie sie sind</translation>
+    </message>
+    <message>
+        <source>a distance touched</source>
+        <translation>einer berührten Strecke</translation>
+    </message>
+    <message>
+        <source>Waved</source>
+        <translation>Geschwenkt</translation>
+    </message>
+    <message>
+        <source>one ball</source>
+        <translation>ein Ball</translation>
+    </message>
+    <message>
+        <source>a stick with two balls</source>
+        <translation>ein Stab mit zwei Bällen</translation>
+    </message>
+    <message>
+        <source>What is waved</source>
+        <translation>Was geschwenkt wird</translation>
+    </message>
+    <message>
+        <source>A stick also gives the size, better than anything else</source>
+        <translation>Ein Stab gibt auch die Größe, besser als alles andere</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Ball</translation>
+    </message>
+    <message>
+        <source>The target that is waved: its color is looked for</source>
+        <translation>Das Ziel, das geschwenkt wird: seine Farbe wird gesucht</translation>
+    </message>
+    <message>
+        <source>Second ball</source>
+        <translation>Zweiter Ball</translation>
+    </message>
+    <message>
+        <source>The target at the other end of the stick</source>
+        <translation>Das Ziel am anderen Ende des Stabs</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Length of the stick</source>
+        <translation>Länge des Stabs</translation>
+    </message>
+    <message>
+        <source>From the middle of one ball to that of the other</source>
+        <translation>Von der Mitte des einen Balls zu der des anderen</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>Size from</source>
+        <translation>Größe von</translation>
+    </message>
+    <message>
+        <source>What gives the size</source>
+        <translation>Was die Größe gibt</translation>
+    </message>
+    <message>
+        <source>Images alone do not tell a large room from a small one: a diameter is good to about one percent, a distance to what you measure</source>
+        <translation>Bilder allein unterscheiden keinen großen Raum von einem kleinen: ein Durchmesser ist auf etwa ein Prozent gut, eine Strecke so gut, wie Sie messen</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>Distance touched</source>
+        <translation>Berührte Strecke</translation>
+    </message>
+    <message>
+        <source>Between the two places that the middle of the ball was held at</source>
+        <translation>Zwischen den beiden Orten, an die die Mitte des Balls gehalten wurde</translation>
+    </message>
+    <message>
+        <source>Off by up to</source>
+        <translation>Daneben um bis zu</translation>
+    </message>
+    <message>
+        <source>How far cameras may be off</source>
+        <translation>Wie weit Kameras daneben sein können</translation>
+    </message>
+    <message>
+        <source>How well the cameras are nudged: about how far each may be from its true place</source>
+        <translation>Wie gut die Kameras ausgerichtet sind: etwa wie weit jede von ihrem wahren Ort sein kann</translation>
+    </message>
+    <message>
+        <source>How much cameras may be turned</source>
+        <translation>Wie weit Kameras verdreht sein können</translation>
+    </message>
+    <message>
+        <source>About how far each may be turned from where it truly looks</source>
+        <translation>Etwa wie weit jede von ihrer wahren Blickrichtung verdreht sein kann</translation>
+    </message>
+    <message>
+        <source>Find time offsets</source>
+        <translation>Zeitversätze suchen</translation>
+    </message>
+    <message>
+        <source>For cameras that do not take their images at the same instants</source>
+        <translation>Für Kameras, die ihre Bilder nicht gleichzeitig aufnehmen</translation>
+    </message>
+    <message>
+        <source>Find focal lengths</source>
+        <translation>Brennweiten suchen</translation>
+    </message>
+    <message>
+        <source>For lenses that were never calibrated, or zoomed</source>
+        <translation>Für Objektive, die nie kalibriert oder gezoomt wurden</translation>
+    </message>
+    <message>
+        <source>Find the distortion k1</source>
+        <translation>Die Verzeichnung k1 suchen</translation>
+    </message>
+    <message>
+        <source>The first coefficient of each lens; needs a ball seen up to the edges of the images</source>
+        <translation>Der erste Koeffizient jedes Objektivs; dazu muss der Ball bis an die Bildränder gesehen werden</translation>
+    </message>
+    <message>
+        <source>Only the selected span</source>
+        <translation>Nur der ausgewählte Abschnitt</translation>
+    </message>
+    <message>
+        <source>Look through the stretch selected in the timeline, not the whole recording</source>
+        <translation>Den in der Zeitleiste ausgewählten Abschnitt durchsehen, nicht die ganze Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandMoments</name>
+    <message>
+        <source>The ball %1</source>
+        <translation>Der Ball %1</translation>
+    </message>
+    <message>
+        <source>What the ball does at the moment</source>
+        <translation>Was der Ball in dem Augenblick tut</translation>
+    </message>
+    <message>
+        <source>Three places of the floor, or a fall, tell where up is</source>
+        <translation>Drei Stellen des Bodens oder ein Fall sagen, wo oben ist</translation>
+    </message>
+    <message>
+        <source>Take this moment</source>
+        <translation>Diesen Augenblick nehmen</translation>
+    </message>
+    <message>
+        <source>The moment that the images show is one at which the ball does this</source>
+        <translation>In dem Augenblick, den die Bilder zeigen, tut der Ball dies</translation>
+    </message>
+    <message>
+        <source>Remove moment</source>
+        <translation>Augenblick entfernen</translation>
+    </message>
+    <message>
+        <source>Take the chosen moment off the list</source>
+        <translation>Den gewählten Augenblick aus der Liste nehmen</translation>
+    </message>
+    <message>
+        <source>Moments taken</source>
+        <translation>Genommene Augenblicke</translation>
+    </message>
+    <message>
+        <source>Double click or Enter shows the moment</source>
+        <translation>Doppelklick oder Eingabe zeigt den Augenblick</translation>
+    </message>
+    <message>
+        <source>%1 s – %2</source>
+        <translation>%1 s – %2</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandOutcome</name>
+    <message>
+        <source>Refine cameras</source>
+        <translation>Kameras verfeinern</translation>
+    </message>
+    <message>
+        <source>Find the ball in all images, and the cameras that explain them best</source>
+        <translation>Den Ball in allen Bildern finden, und die Kameras, die sie am besten erklären</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop; the cameras stay as they are</source>
+        <translation>Anhalten; die Kameras bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>While it is pressed, the grid is drawn with the cameras as they were</source>
+        <translation>Solange gedrückt, wird das Gitter mit den Kameras gezeichnet, wie sie waren</translation>
+    </message>
+    <message>
+        <source>Use it anyway</source>
+        <translation>Trotzdem verwenden</translation>
+    </message>
+    <message>
+        <source>Take these cameras although something seems to be wrong; it can be undone</source>
+        <translation>Diese Kameras nehmen, obwohl etwas nicht zu stimmen scheint; das lässt sich zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>Bericht speichern…</translation>
+    </message>
+    <message>
+        <source>A page with all figures, residuals as arrows, coverage and a drawing in space</source>
+        <translation>Eine Seite mit allen Zahlen, Residuen als Pfeilen, Abdeckung und einer Zeichnung im Raum</translation>
+    </message>
+    <message>
+        <source>Cameras found</source>
+        <translation>Gefundene Kameras</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>moved cm</source>
+        <translation>bewegt cm</translation>
+    </message>
+    <message>
+        <source>turned °</source>
+        <translation>gedreht °</translation>
+    </message>
+    <message>
+        <source>late ms</source>
+        <translation>spät ms</translation>
+    </message>
+    <message>
+        <source>Root mean square distance between seen and projected balls</source>
+        <translation>Quadratisches Mittel der Abstände zwischen gesehenen und projizierten Bällen</translation>
+    </message>
+    <message>
+        <source>How far the camera is from where it was</source>
+        <translation>Wie weit die Kamera von da ist, wo sie war</translation>
+    </message>
+    <message>
+        <source>How far it is turned from where it looked</source>
+        <translation>Wie weit sie von ihrer früheren Blickrichtung gedreht ist</translation>
+    </message>
+    <message>
+        <source>By how much its images are later than the first camera&apos;s</source>
+        <translation>Um wie viel ihre Bilder später sind als die der ersten Kamera</translation>
+    </message>
+    <message>
+        <source>The cameras are as they were.</source>
+        <translation>Die Kameras sind, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>Solutions without a part of the recording differ %1 times more than noise explains; the verdict includes that.</source>
+        <translation>Lösungen ohne einen Teil der Aufnahme weichen %1-mal mehr ab, als Rauschen erklärt; das Urteil enthält das.</translation>
+    </message>
+    <message>
+        <source>The fall says %1 m/s² (9.81 is expected).</source>
+        <translation>Der Fall sagt %1 m/s² (9,81 wird erwartet).</translation>
+    </message>
+    <message>
+        <source>Time offsets are said, not kept: tracking takes the images as they come. Synchronize the cameras, or cut the videos.</source>
+        <translation>Zeitversätze werden gesagt, nicht behalten: die Verfolgung nimmt die Bilder, wie sie kommen. Synchronisieren Sie die Kameras, oder schneiden Sie die Videos.</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Webseiten (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandPage</name>
+    <message>
+        <source>Nudge the cameras by hand until they are roughly right. Then wave the ball, or a stick with two balls, through the whole volume, and refine.</source>
+        <translation>Richten Sie die Kameras von Hand aus, bis sie ungefähr stimmen. Schwenken Sie dann den Ball oder einen Stab mit zwei Bällen durch den ganzen Raum, und verfeinern Sie.</translation>
+    </message>
+    <message>
+        <source>Nudge the cameras by hand until they are roughly right. A recording of a ball, or a stick with two balls, waved through the whole volume then makes them exact.</source>
+        <translation>Richten Sie die Kameras von Hand aus, bis sie ungefähr stimmen. Die Aufnahme eines Balls oder eines Stabs mit zwei Bällen, durch den ganzen Raum geschwenkt, macht sie dann genau.</translation>
+    </message>
+    <message>
+        <source>Where the floor is</source>
+        <translation>Wo der Boden ist</translation>
+    </message>
+    <message>
+        <source>Waving</source>
+        <translation>Schwenken</translation>
+    </message>
+    <message>
+        <source>Refine</source>
+        <translation>Verfeinern</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandWaving</name>
+    <message>
+        <source>Collect where every camera sees the ball; beginning again forgets what was collected before</source>
+        <translation>Sammeln, wo jede Kamera den Ball sieht; neu beginnen vergisst, was vorher gesammelt wurde</translation>
+    </message>
+    <message>
+        <source>■ Stop waving</source>
+        <translation>■ Schwenken beenden</translation>
+    </message>
+    <message>
+        <source>● Start waving</source>
+        <translation>● Schwenken beginnen</translation>
+    </message>
+    <message>
+        <source>Stop waving</source>
+        <translation>Schwenken beenden</translation>
+    </message>
+    <message>
+        <source>Start waving</source>
+        <translation>Schwenken beginnen</translation>
+    </message>
+    <message>
+        <source>Nothing collected yet.</source>
+        <translation>Noch nichts gesammelt.</translation>
+    </message>
+    <message>
+        <source>%1 s collected.</source>
+        <translation>%1 s gesammelt.</translation>
+    </message>
+    <message>
+        <source>Every camera saw enough: stop, or refine.</source>
+        <translation>Jede Kamera hat genug gesehen: beenden oder verfeinern.</translation>
+    </message>
+    <message>
+        <source>Go on: each camera should see the ball 150 times, in half of its image.</source>
+        <translation>Weiter: jede Kamera soll den Ball 150-mal sehen, in der Hälfte ihres Bildes.</translation>
+    </message>
+    <message>
+        <source>Image sets left out because they came too fast: %1.</source>
+        <translation>Ausgelassene Bildsätze, weil sie zu schnell kamen: %1.</translation>
     </message>
 </context>
 </TS>

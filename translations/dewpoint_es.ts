@@ -427,6 +427,121 @@
         <source>Adjust cameras until a grid lies on the real thing in their images</source>
         <translation>Ajustar las cámaras hasta que una cuadrícula coincida con lo real en sus imágenes</translation>
     </message>
+    <message>
+        <source>Import calibration…</source>
+        <translation>Importar calibración…</translation>
+    </message>
+    <message>
+        <source>Take the cameras&apos; calibration from a file of any tool</source>
+        <translation>Tomar la calibración de las cámaras de un archivo de cualquier programa</translation>
+    </message>
+    <message>
+        <source>Export calibration…</source>
+        <translation>Exportar calibración…</translation>
+    </message>
+    <message>
+        <source>Write the cameras&apos; calibration for another tool</source>
+        <translation>Escribir la calibración de las cámaras para otro programa</translation>
+    </message>
+    <message>
+        <source>Calibrate by waving…</source>
+        <translation>Calibrar agitando…</translation>
+    </message>
+    <message>
+        <source>Refine cameras with a waved ball, or a stick with two balls</source>
+        <translation>Refinar las cámaras con una pelota agitada o una vara con dos pelotas</translation>
+    </message>
+</context>
+<context>
+    <name>CalibrationWords</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
+        <translation>Todo encaja al intercambiar %1 y %2: probablemente sus vídeos están cambiados. Intercambie los dos archivos.</translation>
+    </message>
+    <message>
+        <source>%1 fits when its video is shifted: it likely shows everything %2 frames late. Synchronize the videos, or let time offsets be found.</source>
+        <translation>%1 encaja si se desplaza su vídeo: probablemente muestra todo %2 fotogramas tarde. Sincronice los vídeos o haga que se busquen los desfases.</translation>
+    </message>
+    <message>
+        <source>%1 fits when its video is shifted: it likely shows everything %2 frames early. Synchronize the videos, or let time offsets be found.</source>
+        <translation>%1 encaja si se desplaza su vídeo: probablemente muestra todo %2 fotogramas antes. Sincronice los vídeos o haga que se busquen los desfases.</translation>
+    </message>
+    <message>
+        <source>%1 fits one place before %2 s and another after: it was likely moved or bumped then. Calibrate with the part after it.</source>
+        <translation>%1 encaja en un lugar antes de %2 s y en otro después: probablemente se movió o recibió un golpe. Calibre con la parte posterior.</translation>
+    </message>
+    <message>
+        <source>%1 fits only with flipped images: its video is likely mirrored or upside down. Set how its images are turned and mirrored.</source>
+        <translation>%1 solo encaja con las imágenes volteadas: su vídeo probablemente está reflejado o boca abajo. Indique cómo se giran y reflejan sus imágenes.</translation>
+    </message>
+    <message>
+        <source>%1 fits with a focal length %2 times the given one: its zoom (or a crop) was likely changed. Calibrate its lens again.</source>
+        <translation>%1 encaja con una distancia focal %2 veces la indicada: probablemente cambió su zoom (o un recorte). Calibre de nuevo su objetivo.</translation>
+    </message>
+    <message>
+        <source>The lens data of %1 are likely for another resolution: its images are %2 times as large. Convert them, or record at the calibrated size.</source>
+        <translation>Los datos del objetivo de %1 son probablemente de otra resolución: sus imágenes son %2 veces mayores. Conviértalos o grabe con el tamaño calibrado.</translation>
+    </message>
+    <message>
+        <source>In this volume ±%1 (95 %)</source>
+        <translation>En este volumen ±%1 (95 %)</translation>
+    </message>
+    <message>
+        <source>, scale ±%1 %</source>
+        <translation>, escala ±%1 %</translation>
+    </message>
+    <message>
+        <source>, scale unknown</source>
+        <translation>, escala desconocida</translation>
+    </message>
+    <message>
+        <source>, up ±%1°</source>
+        <translation>, vertical ±%1°</translation>
+    </message>
+    <message>
+        <source>, up not measured</source>
+        <translation>, vertical sin medir</translation>
+    </message>
+    <message>
+        <source>all cameras</source>
+        <translation>todas las cámaras</translation>
+    </message>
+    <message>
+        <source>The cameras would all look at the back of the board or floor: its points are likely mirrored. Check the direction of its axes, and that the print is not reversed.</source>
+        <translation>Todas las cámaras mirarían el reverso del tablero o del suelo: probablemente sus puntos están reflejados. Compruebe la dirección de los ejes y que la impresión no esté invertida.</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: millimetres and metres are likely mixed up.</source>
+        <translation>La longitud indicada es %1 veces la que ven las cámaras: probablemente se confundieron milímetros y metros.</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: it is likely in inches (1 inch = 2.54 cm).</source>
+        <translation>La longitud indicada es %1 veces la que ven las cámaras: probablemente está en pulgadas (1 pulgada = 2,54 cm).</translation>
+    </message>
+    <message>
+        <source>The corners form a board with %1 in a row: the number of squares is likely wrong. Count them and correct the board.</source>
+        <translation>Las esquinas forman un tablero con %1 por fila: el número de casillas probablemente es erróneo. Cuéntelas y corrija el tablero.</translation>
+    </message>
+    <message>
+        <source>The board&apos;s squares are given %1 times as large as the cameras see them: measure a row with a ruler (prints are often rescaled).</source>
+        <translation>Las casillas del tablero se indicaron %1 veces mayores de lo que ven las cámaras: mida una fila con una regla (las impresiones suelen cambiar de escala).</translation>
+    </message>
+    <message>
+        <source>The images fit when shifted by %1 px along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
+        <translation>Las imágenes encajan desplazadas %1 px en ambos ejes: algún programa cuenta los píxeles desde sus esquinas. Convierta los puntos principales.</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>cámara %1</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -1037,6 +1152,53 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>WandWish</name>
+    <message>
+        <source>touches the floor</source>
+        <translation>toca el suelo</translation>
+    </message>
+    <message>
+        <source>is at the first end of the distance</source>
+        <translation>está en el primer extremo de la distancia</translation>
+    </message>
+    <message>
+        <source>is at the second end of the distance</source>
+        <translation>está en el segundo extremo de la distancia</translation>
+    </message>
+    <message>
+        <source>begins to fall</source>
+        <translation>empieza a caer</translation>
+    </message>
+    <message>
+        <source>still falls</source>
+        <translation>todavía cae</translation>
+    </message>
+    <message>
+        <source>Two cameras or more must see the ball.</source>
+        <translation>Dos o más cámaras deben ver la pelota.</translation>
+    </message>
+    <message>
+        <source>Learn the color of the ball first: press L and click it in an image.</source>
+        <translation>Aprenda primero el color de la pelota: pulse L y haga clic en ella en una imagen.</translation>
+    </message>
+    <message>
+        <source>A stick has two balls of different colors: learn the second one (Shift+L).</source>
+        <translation>Una vara tiene dos pelotas de distinto color: aprenda la segunda (Mayús+L).</translation>
+    </message>
+    <message>
+        <source>The two ends of the stick are the same target: choose another.</source>
+        <translation>Los dos extremos de la vara son el mismo objetivo: elija otro.</translation>
+    </message>
+    <message>
+        <source>The size is to come from a distance: take the moments at which the ball is at its two ends.</source>
+        <translation>El tamaño debe venir de una distancia: tome los momentos en que la pelota está en sus dos extremos.</translation>
+    </message>
+    <message>
+        <source>A fall needs two moments: one at which the ball begins to fall, and one at which it still falls.</source>
+        <translation>Una caída necesita dos momentos: uno en que la pelota empieza a caer y otro en que todavía cae.</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint</name>
     <message>
         <source>Much of the target does not match: Shift-click its light and its dark side.</source>
@@ -1078,6 +1240,10 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
         <translation>Esto llena gran parte de la imagen: haz clic en la cosa misma o arrastra un recuadro sobre ella.</translation>
     </message>
+    <message>
+        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
+        <translation>Coincide el %1 % de las imágenes. Mayús-clic en el objetivo para saber cuánto destaca.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BirdsEyeView</name>
@@ -1116,6 +1282,252 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>No 3D: %1</source>
         <translation>Sin 3D: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::CalibrationExportDialog</name>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Elegir una carpeta</translation>
+    </message>
+    <message>
+        <source>Export the calibration</source>
+        <translation>Exportar la calibración</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Write the file; one that exists is replaced</source>
+        <translation>Escribir el archivo; si existe, se reemplaza</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>The program that is to read the file</source>
+        <translation>El programa que leerá el archivo</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Of lengths, where the format leaves it open</source>
+        <translation>De las longitudes, si el formato la deja abierta</translation>
+    </message>
+    <message>
+        <source>as usual for the format</source>
+        <translation>la habitual del formato</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>milímetros</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <source>%1: largest reprojection difference %2 px (fitted anew)</source>
+        <translation>%1: mayor diferencia de reproyección %2 px (reajustada)</translation>
+    </message>
+    <message>
+        <source>%1: largest reprojection difference %2 px</source>
+        <translation>%1: mayor diferencia de reproyección %2 px</translation>
+    </message>
+    <message>
+        <source>%1: %2 of 81 directions have no pixel any more</source>
+        <translation>%1: %2 de 81 direcciones ya no tienen píxel</translation>
+    </message>
+    <message>
+        <source>%1 exists and will be replaced.</source>
+        <translation>%1 existe y será reemplazado.</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Se guardó %1.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::CalibrationImportDialog</name>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Elegir una carpeta</translation>
+    </message>
+    <message>
+        <source>Calibrations</source>
+        <translation>Calibraciones</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Todos los archivos</translation>
+    </message>
+    <message>
+        <source>Import a calibration</source>
+        <translation>Importar una calibración</translation>
+    </message>
+    <message>
+        <source>as the names say</source>
+        <translation>según los nombres</translation>
+    </message>
+    <message>
+        <source>only %1</source>
+        <translation>solo %1</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Carpeta…</translation>
+    </message>
+    <message>
+        <source>Find a folder with a file for each camera</source>
+        <translation>Buscar una carpeta con un archivo por cámara</translation>
+    </message>
+    <message>
+        <source>Use these cameras</source>
+        <translation>Usar estas cámaras</translation>
+    </message>
+    <message>
+        <source>Take the calibration into the project; it can be undone</source>
+        <translation>Llevar la calibración al proyecto; se puede deshacer</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>como dice el archivo</translation>
+    </message>
+    <message>
+        <source>recognized from the content</source>
+        <translation>reconocido por el contenido</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>milímetros</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pulgadas</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>pies</translation>
+    </message>
+    <message>
+        <source>k1 k2 p1 p2 of a pinhole</source>
+        <translation>k1 k2 p1 p2 de una estenopeica</translation>
+    </message>
+    <message>
+        <source>k1 k2 k3 k4 of a fisheye</source>
+        <translation>k1 k2 k3 k4 de un ojo de pez</translation>
+    </message>
+    <message>
+        <source>as the format has them</source>
+        <translation>como en el formato</translation>
+    </message>
+    <message>
+        <source>camera from world</source>
+        <translation>cámara desde mundo</translation>
+    </message>
+    <message>
+        <source>world from camera</source>
+        <translation>mundo desde cámara</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>The program that wrote the file</source>
+        <translation>El programa que escribió el archivo</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Of lengths in the file; or type the metres of one unit, such as 0.025 for squares of 25 mm</source>
+        <translation>De las longitudes del archivo; o escriba los metros de una unidad, como 0.025 para casillas de 25 mm</translation>
+    </message>
+    <message>
+        <source>Four coefficients</source>
+        <translation>Cuatro coeficientes</translation>
+    </message>
+    <message>
+        <source>What four lens coefficients mean</source>
+        <translation>Qué significan cuatro coeficientes del objetivo</translation>
+    </message>
+    <message>
+        <source>Size of images</source>
+        <translation>Tamaño de imagen</translation>
+    </message>
+    <message>
+        <source>Width and height in pixels, such as 1280x720</source>
+        <translation>Anchura y altura en píxeles, como 1280x720</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Poses</translation>
+    </message>
+    <message>
+        <source>Which way the poses in the file go</source>
+        <translation>En qué sentido van las poses del archivo</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation>Para</translation>
+    </message>
+    <message>
+        <source>Which camera a file of one camera is about</source>
+        <translation>De qué cámara trata un archivo de una sola cámara</translation>
+    </message>
+    <message>
+        <source>The file leaves something open. Answer “%1” above.</source>
+        <translation>El archivo deja algo abierto. Responda «%1» arriba.</translation>
+    </message>
+    <message>
+        <source>The calibration names its cameras differently: they were taken in its order.</source>
+        <translation>La calibración llama a sus cámaras de otro modo: se tomaron en su orden.</translation>
+    </message>
+    <message>
+        <source>There is no pose in the file: only the lens is taken, the pose stays.</source>
+        <translation>No hay pose en el archivo: solo se toma el objetivo, la pose se mantiene.</translation>
+    </message>
+    <message>
+        <source>%1 (in the file: %2): %3 cm and %4° from where it is now</source>
+        <translation>%1 (en el archivo: %2): a %3 cm y %4° de donde está ahora</translation>
+    </message>
+    <message>
+        <source>Largest reprojection difference to the file: %1 px</source>
+        <translation>Mayor diferencia de reproyección con el archivo: %1 px</translation>
+    </message>
+    <message>
+        <source>Import calibration</source>
+        <translation>Importar calibración</translation>
+    </message>
+    <message>
+        <source>The cameras have the calibration of %1 now.</source>
+        <translation>Las cámaras tienen ahora la calibración de %1.</translation>
     </message>
 </context>
 <context>
@@ -1665,6 +2077,13 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::CoverageMap</name>
+    <message>
+        <source>%1: seen %2 times, in %3 of %4 regions of the image</source>
+        <translation>%1: vista %2 veces, en %3 de %4 zonas de la imagen</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::DockTitle</name>
     <message>
         <source>Float this view, or put it back (double click the title: whole window)</source>
@@ -1680,6 +2099,45 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Track by “%1”</source>
         <translation>Seguir con «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ExchangeDialog</name>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>The file, or the folder with a file for each camera</source>
+        <translation>El archivo, o la carpeta con un archivo por cámara</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Elegir el archivo</translation>
+    </message>
+    <message>
+        <source>Find the file</source>
+        <translation>Buscar el archivo</translation>
+    </message>
+    <message>
+        <source>What is decided</source>
+        <translation>Qué se decide</translation>
+    </message>
+    <message>
+        <source>Choose a file. What is decided about it is shown here before anything changes.</source>
+        <translation>Elija un archivo. Lo que se decide sobre él se muestra aquí antes de cambiar nada.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Change nothing</source>
+        <translation>No cambiar nada</translation>
     </message>
 </context>
 <context>
@@ -2412,6 +2870,10 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Speak this language</source>
         <translation>Hablar este idioma</translation>
+    </message>
+    <message>
+        <source>Wave</source>
+        <translation>Agitar</translation>
     </message>
 </context>
 <context>
@@ -3303,6 +3765,388 @@ en %4, %5, %6 m</translation>
             <numerusform>%n muestra, sin huecos</numerusform>
             <numerusform>%n muestras, sin huecos</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandDesk</name>
+    <message>
+        <source>Press Start waving, and wave for half a minute where things are to be tracked.</source>
+        <translation>Pulse «Empezar a agitar» y agite durante medio minuto donde se vaya a seguir.</translation>
+    </message>
+    <message>
+        <source>Refine cameras with a waved stick</source>
+        <translation>Refinar cámaras con una vara agitada</translation>
+    </message>
+    <message>
+        <source>Refine cameras with a waved ball</source>
+        <translation>Refinar cámaras con una pelota agitada</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandFields</name>
+    <message>
+        <source>the ball&apos;s diameter</source>
+        <translation>el diámetro de la pelota</translation>
+    </message>
+    <message>
+        <source>the ball&apos;s diameter, %1 cm</source>
+        <translation>el diámetro de la pelota, %1 cm</translation>
+    </message>
+    <message>
+        <source>the cameras as they are</source>
+        <translation>las cámaras como están</translation>
+    </message>
+    <message>
+        <source>a distance touched</source>
+        <translation>una distancia tocada</translation>
+    </message>
+    <message>
+        <source>Waved</source>
+        <translation>Se agita</translation>
+    </message>
+    <message>
+        <source>one ball</source>
+        <translation>una pelota</translation>
+    </message>
+    <message>
+        <source>a stick with two balls</source>
+        <translation>una vara con dos pelotas</translation>
+    </message>
+    <message>
+        <source>What is waved</source>
+        <translation>Qué se agita</translation>
+    </message>
+    <message>
+        <source>A stick also gives the size, better than anything else</source>
+        <translation>Una vara da también el tamaño, mejor que nada</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Pelota</translation>
+    </message>
+    <message>
+        <source>The target that is waved: its color is looked for</source>
+        <translation>El objetivo que se agita: se busca su color</translation>
+    </message>
+    <message>
+        <source>Second ball</source>
+        <translation>Segunda pelota</translation>
+    </message>
+    <message>
+        <source>The target at the other end of the stick</source>
+        <translation>El objetivo del otro extremo de la vara</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longitud</translation>
+    </message>
+    <message>
+        <source>Length of the stick</source>
+        <translation>Longitud de la vara</translation>
+    </message>
+    <message>
+        <source>From the middle of one ball to that of the other</source>
+        <translation>Del centro de una pelota al de la otra</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>Size from</source>
+        <translation>Tamaño de</translation>
+    </message>
+    <message>
+        <source>What gives the size</source>
+        <translation>Qué da el tamaño</translation>
+    </message>
+    <message>
+        <source>Images alone do not tell a large room from a small one: a diameter is good to about one percent, a distance to what you measure</source>
+        <translation>Las imágenes solas no distinguen una sala grande de una pequeña: un diámetro vale hasta un uno por ciento, una distancia lo que usted mida</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>Distance touched</source>
+        <translation>Distancia tocada</translation>
+    </message>
+    <message>
+        <source>Between the two places that the middle of the ball was held at</source>
+        <translation>Entre los dos lugares donde se sostuvo el centro de la pelota</translation>
+    </message>
+    <message>
+        <source>Off by up to</source>
+        <translation>Error de hasta</translation>
+    </message>
+    <message>
+        <source>How far cameras may be off</source>
+        <translation>Cuánto pueden estar desplazadas las cámaras</translation>
+    </message>
+    <message>
+        <source>How well the cameras are nudged: about how far each may be from its true place</source>
+        <translation>Lo bien ajustadas que están: cuánto puede distar cada una de su lugar real</translation>
+    </message>
+    <message>
+        <source>How much cameras may be turned</source>
+        <translation>Cuánto pueden estar giradas las cámaras</translation>
+    </message>
+    <message>
+        <source>About how far each may be turned from where it truly looks</source>
+        <translation>Cuánto puede estar girada cada una respecto a donde mira de verdad</translation>
+    </message>
+    <message>
+        <source>Find time offsets</source>
+        <translation>Buscar desfases de tiempo</translation>
+    </message>
+    <message>
+        <source>For cameras that do not take their images at the same instants</source>
+        <translation>Para cámaras que no toman sus imágenes en los mismos instantes</translation>
+    </message>
+    <message>
+        <source>Find focal lengths</source>
+        <translation>Buscar distancias focales</translation>
+    </message>
+    <message>
+        <source>For lenses that were never calibrated, or zoomed</source>
+        <translation>Para objetivos nunca calibrados o con otro zoom</translation>
+    </message>
+    <message>
+        <source>Find the distortion k1</source>
+        <translation>Buscar la distorsión k1</translation>
+    </message>
+    <message>
+        <source>The first coefficient of each lens; needs a ball seen up to the edges of the images</source>
+        <translation>El primer coeficiente de cada objetivo; la pelota debe verse hasta los bordes de las imágenes</translation>
+    </message>
+    <message>
+        <source>Only the selected span</source>
+        <translation>Solo el tramo elegido</translation>
+    </message>
+    <message>
+        <source>Look through the stretch selected in the timeline, not the whole recording</source>
+        <translation>Examinar el tramo elegido en la línea de tiempo, no toda la grabación</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandMoments</name>
+    <message>
+        <source>The ball %1</source>
+        <translation>La pelota %1</translation>
+    </message>
+    <message>
+        <source>What the ball does at the moment</source>
+        <translation>Qué hace la pelota en el momento</translation>
+    </message>
+    <message>
+        <source>Three places of the floor, or a fall, tell where up is</source>
+        <translation>Tres lugares del suelo, o una caída, dicen dónde es arriba</translation>
+    </message>
+    <message>
+        <source>Take this moment</source>
+        <translation>Tomar este momento</translation>
+    </message>
+    <message>
+        <source>The moment that the images show is one at which the ball does this</source>
+        <translation>En el momento que muestran las imágenes la pelota hace esto</translation>
+    </message>
+    <message>
+        <source>Remove moment</source>
+        <translation>Quitar momento</translation>
+    </message>
+    <message>
+        <source>Take the chosen moment off the list</source>
+        <translation>Quitar de la lista el momento elegido</translation>
+    </message>
+    <message>
+        <source>Moments taken</source>
+        <translation>Momentos tomados</translation>
+    </message>
+    <message>
+        <source>Double click or Enter shows the moment</source>
+        <translation>Doble clic o Intro muestra el momento</translation>
+    </message>
+    <message>
+        <source>%1 s – %2</source>
+        <translation>%1 s – %2</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandOutcome</name>
+    <message>
+        <source>Refine cameras</source>
+        <translation>Refinar cámaras</translation>
+    </message>
+    <message>
+        <source>Find the ball in all images, and the cameras that explain them best</source>
+        <translation>Encontrar la pelota en todas las imágenes, y las cámaras que mejor las explican</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stop; the cameras stay as they are</source>
+        <translation>Detener; las cámaras quedan como están</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>While it is pressed, the grid is drawn with the cameras as they were</source>
+        <translation>Mientras se pulsa, la rejilla se dibuja con las cámaras como estaban</translation>
+    </message>
+    <message>
+        <source>Use it anyway</source>
+        <translation>Usarla de todos modos</translation>
+    </message>
+    <message>
+        <source>Take these cameras although something seems to be wrong; it can be undone</source>
+        <translation>Tomar estas cámaras aunque algo parece estar mal; se puede deshacer</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>Guardar informe…</translation>
+    </message>
+    <message>
+        <source>A page with all figures, residuals as arrows, coverage and a drawing in space</source>
+        <translation>Una página con todas las cifras, residuos como flechas, cobertura y un dibujo en el espacio</translation>
+    </message>
+    <message>
+        <source>Cameras found</source>
+        <translation>Cámaras halladas</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>moved cm</source>
+        <translation>movida cm</translation>
+    </message>
+    <message>
+        <source>turned °</source>
+        <translation>girada °</translation>
+    </message>
+    <message>
+        <source>late ms</source>
+        <translation>retraso ms</translation>
+    </message>
+    <message>
+        <source>Root mean square distance between seen and projected balls</source>
+        <translation>Distancia cuadrática media entre las pelotas vistas y las proyectadas</translation>
+    </message>
+    <message>
+        <source>How far the camera is from where it was</source>
+        <translation>Cuánto dista la cámara de donde estaba</translation>
+    </message>
+    <message>
+        <source>How far it is turned from where it looked</source>
+        <translation>Cuánto ha girado respecto a donde miraba</translation>
+    </message>
+    <message>
+        <source>By how much its images are later than the first camera&apos;s</source>
+        <translation>Cuánto más tarde son sus imágenes que las de la primera cámara</translation>
+    </message>
+    <message>
+        <source>The cameras are as they were.</source>
+        <translation>Las cámaras están como estaban.</translation>
+    </message>
+    <message>
+        <source>Solutions without a part of the recording differ %1 times more than noise explains; the verdict includes that.</source>
+        <translation>Las soluciones sin una parte de la grabación difieren %1 veces más de lo que explica el ruido; el veredicto lo incluye.</translation>
+    </message>
+    <message>
+        <source>The fall says %1 m/s² (9.81 is expected).</source>
+        <translation>La caída dice %1 m/s² (se espera 9,81).</translation>
+    </message>
+    <message>
+        <source>Time offsets are said, not kept: tracking takes the images as they come. Synchronize the cameras, or cut the videos.</source>
+        <translation>Los desfases se dicen, no se guardan: el seguimiento toma las imágenes como vienen. Sincronice las cámaras o recorte los vídeos.</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Guardar el informe</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Páginas web (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandPage</name>
+    <message>
+        <source>Nudge the cameras by hand until they are roughly right. Then wave the ball, or a stick with two balls, through the whole volume, and refine.</source>
+        <translation>Ajuste las cámaras a mano hasta que estén más o menos bien. Después agite la pelota, o una vara con dos pelotas, por todo el volumen y refine.</translation>
+    </message>
+    <message>
+        <source>Nudge the cameras by hand until they are roughly right. A recording of a ball, or a stick with two balls, waved through the whole volume then makes them exact.</source>
+        <translation>Ajuste las cámaras a mano hasta que estén más o menos bien. La grabación de una pelota, o de una vara con dos pelotas, agitada por todo el volumen las hace exactas.</translation>
+    </message>
+    <message>
+        <source>Where the floor is</source>
+        <translation>Dónde está el suelo</translation>
+    </message>
+    <message>
+        <source>Waving</source>
+        <translation>Agitar</translation>
+    </message>
+    <message>
+        <source>Refine</source>
+        <translation>Refinar</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandWaving</name>
+    <message>
+        <source>Collect where every camera sees the ball; beginning again forgets what was collected before</source>
+        <translation>Reunir dónde ve cada cámara la pelota; empezar de nuevo olvida lo reunido antes</translation>
+    </message>
+    <message>
+        <source>■ Stop waving</source>
+        <translation>■ Dejar de agitar</translation>
+    </message>
+    <message>
+        <source>● Start waving</source>
+        <translation>● Empezar a agitar</translation>
+    </message>
+    <message>
+        <source>Stop waving</source>
+        <translation>Dejar de agitar</translation>
+    </message>
+    <message>
+        <source>Start waving</source>
+        <translation>Empezar a agitar</translation>
+    </message>
+    <message>
+        <source>Nothing collected yet.</source>
+        <translation>Aún no se ha reunido nada.</translation>
+    </message>
+    <message>
+        <source>%1 s collected.</source>
+        <translation>%1 s reunidos.</translation>
+    </message>
+    <message>
+        <source>Every camera saw enough: stop, or refine.</source>
+        <translation>Cada cámara vio bastante: pare o refine.</translation>
+    </message>
+    <message>
+        <source>Go on: each camera should see the ball 150 times, in half of its image.</source>
+        <translation>Siga: cada cámara debería ver la pelota 150 veces, en la mitad de su imagen.</translation>
+    </message>
+    <message>
+        <source>Image sets left out because they came too fast: %1.</source>
+        <translation>Conjuntos de imágenes omitidos por llegar demasiado rápido: %1.</translation>
     </message>
 </context>
 </TS>

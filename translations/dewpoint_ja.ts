@@ -427,6 +427,121 @@
         <source>Adjust cameras until a grid lies on the real thing in their images</source>
         <translation>画像の中で格子が実物に重なるまでカメラを調整します</translation>
     </message>
+    <message>
+        <source>Import calibration…</source>
+        <translation>較正をインポート…</translation>
+    </message>
+    <message>
+        <source>Take the cameras&apos; calibration from a file of any tool</source>
+        <translation>任意のツールのファイルからカメラの較正を取り込む</translation>
+    </message>
+    <message>
+        <source>Export calibration…</source>
+        <translation>較正をエクスポート…</translation>
+    </message>
+    <message>
+        <source>Write the cameras&apos; calibration for another tool</source>
+        <translation>ほかのツールのためにカメラの較正を書き出す</translation>
+    </message>
+    <message>
+        <source>Calibrate by waving…</source>
+        <translation>振って較正…</translation>
+    </message>
+    <message>
+        <source>Refine cameras with a waved ball, or a stick with two balls</source>
+        <translation>振ったボール、または2つのボールの付いた棒でカメラを精密化する</translation>
+    </message>
+</context>
+<context>
+    <name>CalibrationWords</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
+        <translation>%1 と %2 を入れ替えるとすべて合います。動画が逆になっているようです。2つのファイルを入れ替えてください。</translation>
+    </message>
+    <message>
+        <source>%1 fits when its video is shifted: it likely shows everything %2 frames late. Synchronize the videos, or let time offsets be found.</source>
+        <translation>%1 は動画をずらすと合います。おそらくすべてが %2 フレーム遅れています。動画を同期させるか、時間のずれを求めてください。</translation>
+    </message>
+    <message>
+        <source>%1 fits when its video is shifted: it likely shows everything %2 frames early. Synchronize the videos, or let time offsets be found.</source>
+        <translation>%1 は動画をずらすと合います。おそらくすべてが %2 フレーム早まっています。動画を同期させるか、時間のずれを求めてください。</translation>
+    </message>
+    <message>
+        <source>%1 fits one place before %2 s and another after: it was likely moved or bumped then. Calibrate with the part after it.</source>
+        <translation>%1 は %2 秒より前と後で位置が異なります。そのとき動かされたかぶつけられたようです。その後の部分で較正してください。</translation>
+    </message>
+    <message>
+        <source>%1 fits only with flipped images: its video is likely mirrored or upside down. Set how its images are turned and mirrored.</source>
+        <translation>%1 は画像を反転させたときだけ合います。動画が鏡像か上下逆のようです。画像の回転と鏡像を設定してください。</translation>
+    </message>
+    <message>
+        <source>%1 fits with a focal length %2 times the given one: its zoom (or a crop) was likely changed. Calibrate its lens again.</source>
+        <translation>%1 は焦点距離を %2 倍にすると合います。ズーム（または切り出し）が変わったようです。レンズを較正し直してください。</translation>
+    </message>
+    <message>
+        <source>The lens data of %1 are likely for another resolution: its images are %2 times as large. Convert them, or record at the calibrated size.</source>
+        <translation>%1 のレンズデータは別の解像度のもののようです。画像は %2 倍の大きさです。換算するか、較正した大きさで録画してください。</translation>
+    </message>
+    <message>
+        <source>In this volume ±%1 (95 %)</source>
+        <translation>この空間内で ±%1 (95 %)</translation>
+    </message>
+    <message>
+        <source>, scale ±%1 %</source>
+        <translation>、縮尺 ±%1 %</translation>
+    </message>
+    <message>
+        <source>, scale unknown</source>
+        <translation>、縮尺は不明</translation>
+    </message>
+    <message>
+        <source>, up ±%1°</source>
+        <translation>、鉛直 ±%1°</translation>
+    </message>
+    <message>
+        <source>, up not measured</source>
+        <translation>、鉛直は未測定</translation>
+    </message>
+    <message>
+        <source>all cameras</source>
+        <translation>全カメラ</translation>
+    </message>
+    <message>
+        <source>The cameras would all look at the back of the board or floor: its points are likely mirrored. Check the direction of its axes, and that the print is not reversed.</source>
+        <translation>すべてのカメラがボードまたは床の裏側を見ていることになります。点が鏡像になっているようです。軸の向きと、印刷が反転していないことを確かめてください。</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: millimetres and metres are likely mixed up.</source>
+        <translation>与えられた長さはカメラの見る長さの %1 倍です。ミリメートルとメートルを取り違えているようです。</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: it is likely in inches (1 inch = 2.54 cm).</source>
+        <translation>与えられた長さはカメラの見る長さの %1 倍です。インチのようです（1 インチ = 2.54 cm）。</translation>
+    </message>
+    <message>
+        <source>The corners form a board with %1 in a row: the number of squares is likely wrong. Count them and correct the board.</source>
+        <translation>角は1列に %1 個あるボードをなしています。マス目の数が違うようです。数えてボードを直してください。</translation>
+    </message>
+    <message>
+        <source>The board&apos;s squares are given %1 times as large as the cameras see them: measure a row with a ruler (prints are often rescaled).</source>
+        <translation>ボードのマス目はカメラの見る大きさの %1 倍とされています。定規で1列を測ってください（印刷はよく拡大縮小されます）。</translation>
+    </message>
+    <message>
+        <source>The images fit when shifted by %1 px along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
+        <translation>画像は両軸に %1 px ずらすと合います。ピクセルの角を原点に数えるツールがあるようです。主点を換算してください。</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>カメラ %1</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -1037,6 +1152,53 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
+    <name>WandWish</name>
+    <message>
+        <source>touches the floor</source>
+        <translation>床に触れている</translation>
+    </message>
+    <message>
+        <source>is at the first end of the distance</source>
+        <translation>距離の一方の端にある</translation>
+    </message>
+    <message>
+        <source>is at the second end of the distance</source>
+        <translation>距離のもう一方の端にある</translation>
+    </message>
+    <message>
+        <source>begins to fall</source>
+        <translation>落ち始める</translation>
+    </message>
+    <message>
+        <source>still falls</source>
+        <translation>まだ落ちている</translation>
+    </message>
+    <message>
+        <source>Two cameras or more must see the ball.</source>
+        <translation>2台以上のカメラがボールを見る必要があります。</translation>
+    </message>
+    <message>
+        <source>Learn the color of the ball first: press L and click it in an image.</source>
+        <translation>まずボールの色を学習させてください。L を押して画像の中のボールをクリックします。</translation>
+    </message>
+    <message>
+        <source>A stick has two balls of different colors: learn the second one (Shift+L).</source>
+        <translation>棒には色の違う2つのボールがあります。2つ目を学習させてください (Shift+L)。</translation>
+    </message>
+    <message>
+        <source>The two ends of the stick are the same target: choose another.</source>
+        <translation>棒の両端が同じターゲットです。別のものを選んでください。</translation>
+    </message>
+    <message>
+        <source>The size is to come from a distance: take the moments at which the ball is at its two ends.</source>
+        <translation>大きさは距離から求めます。ボールがその両端にある瞬間を取り込んでください。</translation>
+    </message>
+    <message>
+        <source>A fall needs two moments: one at which the ball begins to fall, and one at which it still falls.</source>
+        <translation>落下には2つの瞬間が必要です。ボールが落ち始める瞬間と、まだ落ちている瞬間です。</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint</name>
     <message>
         <source>Much of the target does not match: Shift-click its light and its dark side.</source>
@@ -1078,6 +1240,10 @@ From %2 to %3%4; default %5%4.</source>
         <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
         <translation>画像の大部分を占めています。物そのものをクリックするか、枠で囲んでください。</translation>
     </message>
+    <message>
+        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
+        <translation>画像の %1 % が一致します。ターゲットを Shift クリックすると、どれだけ見分けやすいか分かります。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BirdsEyeView</name>
@@ -1116,6 +1282,252 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>No 3D: %1</source>
         <translation>3D 表示なし：%1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::CalibrationExportDialog</name>
+    <message>
+        <source>Choose a folder</source>
+        <translation>フォルダーを選択</translation>
+    </message>
+    <message>
+        <source>Export the calibration</source>
+        <translation>較正をエクスポート</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>書き出す</translation>
+    </message>
+    <message>
+        <source>Write the file; one that exists is replaced</source>
+        <translation>ファイルを書き出す。既存のものは置き換えられます</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>形式</translation>
+    </message>
+    <message>
+        <source>The program that is to read the file</source>
+        <translation>ファイルを読むプログラム</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>Of lengths, where the format leaves it open</source>
+        <translation>長さの単位。形式が定めていない場合</translation>
+    </message>
+    <message>
+        <source>as usual for the format</source>
+        <translation>形式の通例どおり</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>メートル</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>ミリメートル</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>センチメートル</translation>
+    </message>
+    <message>
+        <source>%1: largest reprojection difference %2 px (fitted anew)</source>
+        <translation>%1: 再投影の最大差 %2 px（当てはめ直し）</translation>
+    </message>
+    <message>
+        <source>%1: largest reprojection difference %2 px</source>
+        <translation>%1: 再投影の最大差 %2 px</translation>
+    </message>
+    <message>
+        <source>%1: %2 of 81 directions have no pixel any more</source>
+        <translation>%1: 81方向のうち %2 方向に画素がなくなりました</translation>
+    </message>
+    <message>
+        <source>%1 exists and will be replaced.</source>
+        <translation>%1 は既にあり、置き換えられます。</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::CalibrationImportDialog</name>
+    <message>
+        <source>Choose a folder</source>
+        <translation>フォルダーを選択</translation>
+    </message>
+    <message>
+        <source>Calibrations</source>
+        <translation>較正</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>すべてのファイル</translation>
+    </message>
+    <message>
+        <source>Import a calibration</source>
+        <translation>較正をインポート</translation>
+    </message>
+    <message>
+        <source>as the names say</source>
+        <translation>名前のとおり</translation>
+    </message>
+    <message>
+        <source>only %1</source>
+        <translation>%1 だけ</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>フォルダー…</translation>
+    </message>
+    <message>
+        <source>Find a folder with a file for each camera</source>
+        <translation>カメラごとのファイルがあるフォルダーを探す</translation>
+    </message>
+    <message>
+        <source>Use these cameras</source>
+        <translation>このカメラを使う</translation>
+    </message>
+    <message>
+        <source>Take the calibration into the project; it can be undone</source>
+        <translation>較正をプロジェクトに取り込む。元に戻せます</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>ファイルのとおり</translation>
+    </message>
+    <message>
+        <source>recognized from the content</source>
+        <translation>内容から判別</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>メートル</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>ミリメートル</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>センチメートル</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>インチ</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>フィート</translation>
+    </message>
+    <message>
+        <source>k1 k2 p1 p2 of a pinhole</source>
+        <translation>ピンホールの k1 k2 p1 p2</translation>
+    </message>
+    <message>
+        <source>k1 k2 k3 k4 of a fisheye</source>
+        <translation>魚眼の k1 k2 k3 k4</translation>
+    </message>
+    <message>
+        <source>as the format has them</source>
+        <translation>形式のとおり</translation>
+    </message>
+    <message>
+        <source>camera from world</source>
+        <translation>世界からカメラへ</translation>
+    </message>
+    <message>
+        <source>world from camera</source>
+        <translation>カメラから世界へ</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>形式</translation>
+    </message>
+    <message>
+        <source>The program that wrote the file</source>
+        <translation>ファイルを書いたプログラム</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>Of lengths in the file; or type the metres of one unit, such as 0.025 for squares of 25 mm</source>
+        <translation>ファイル内の長さの単位。または1単位のメートル数を入力（25 mm のマス目なら 0.025）</translation>
+    </message>
+    <message>
+        <source>Four coefficients</source>
+        <translation>4つの係数</translation>
+    </message>
+    <message>
+        <source>What four lens coefficients mean</source>
+        <translation>4つのレンズ係数の意味</translation>
+    </message>
+    <message>
+        <source>Size of images</source>
+        <translation>画像の大きさ</translation>
+    </message>
+    <message>
+        <source>Width and height in pixels, such as 1280x720</source>
+        <translation>幅と高さ（ピクセル）。例 1280x720</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>姿勢</translation>
+    </message>
+    <message>
+        <source>Which way the poses in the file go</source>
+        <translation>ファイル内の姿勢の向き</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation>対象</translation>
+    </message>
+    <message>
+        <source>Which camera a file of one camera is about</source>
+        <translation>1台分のファイルがどのカメラのものか</translation>
+    </message>
+    <message>
+        <source>The file leaves something open. Answer “%1” above.</source>
+        <translation>ファイルだけでは決まりません。上の「%1」に答えてください。</translation>
+    </message>
+    <message>
+        <source>The calibration names its cameras differently: they were taken in its order.</source>
+        <translation>キャリブレーションのカメラ名が異なるため、順番で対応づけました。</translation>
+    </message>
+    <message>
+        <source>There is no pose in the file: only the lens is taken, the pose stays.</source>
+        <translation>ファイルに姿勢がありません。レンズだけを取り込み、姿勢はそのままです。</translation>
+    </message>
+    <message>
+        <source>%1 (in the file: %2): %3 cm and %4° from where it is now</source>
+        <translation>%1（ファイルでは %2）: 今の位置から %3 cm、%4°</translation>
+    </message>
+    <message>
+        <source>Largest reprojection difference to the file: %1 px</source>
+        <translation>ファイルとの再投影の最大差: %1 px</translation>
+    </message>
+    <message>
+        <source>Import calibration</source>
+        <translation>較正をインポート</translation>
+    </message>
+    <message>
+        <source>The cameras have the calibration of %1 now.</source>
+        <translation>カメラは %1 のキャリブレーションを使います。</translation>
     </message>
 </context>
 <context>
@@ -1665,6 +2077,13 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::CoverageMap</name>
+    <message>
+        <source>%1: seen %2 times, in %3 of %4 regions of the image</source>
+        <translation>%1: %2 回、画像の %4 区画のうち %3 区画で検出</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::DockTitle</name>
     <message>
         <source>Float this view, or put it back (double click the title: whole window)</source>
@@ -1680,6 +2099,45 @@ at %4, %5, %6 m</source>
     <message>
         <source>Track by “%1”</source>
         <translation>「%1」で追跡</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ExchangeDialog</name>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>The file, or the folder with a file for each camera</source>
+        <translation>ファイル、またはカメラごとのファイルがあるフォルダー</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>ファイルを選択</translation>
+    </message>
+    <message>
+        <source>Find the file</source>
+        <translation>ファイルを探す</translation>
+    </message>
+    <message>
+        <source>What is decided</source>
+        <translation>決定内容</translation>
+    </message>
+    <message>
+        <source>Choose a file. What is decided about it is shown here before anything changes.</source>
+        <translation>ファイルを選択してください。変更の前に、決定内容がここに表示されます。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Change nothing</source>
+        <translation>何も変更しない</translation>
     </message>
 </context>
 <context>
@@ -2411,6 +2869,10 @@ at %4, %5, %6 m</source>
     <message>
         <source>Speak this language</source>
         <translation>この言語で表示します</translation>
+    </message>
+    <message>
+        <source>Wave</source>
+        <translation>振る</translation>
     </message>
 </context>
 <context>
@@ -3299,6 +3761,388 @@ at %4, %5, %6 m</source>
         <translation>
             <numerusform>%n サンプル、欠落なし</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandDesk</name>
+    <message>
+        <source>Press Start waving, and wave for half a minute where things are to be tracked.</source>
+        <translation>「振り始める」を押し、追跡する場所で30秒ほど振ってください。</translation>
+    </message>
+    <message>
+        <source>Refine cameras with a waved stick</source>
+        <translation>振った棒でカメラを精密化</translation>
+    </message>
+    <message>
+        <source>Refine cameras with a waved ball</source>
+        <translation>振ったボールでカメラを精密化</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandFields</name>
+    <message>
+        <source>the ball&apos;s diameter</source>
+        <translation>ボールの直径</translation>
+    </message>
+    <message>
+        <source>the ball&apos;s diameter, %1 cm</source>
+        <translation>ボールの直径 %1 cm</translation>
+    </message>
+    <message>
+        <source>the cameras as they are</source>
+        <translation>今のカメラのまま</translation>
+    </message>
+    <message>
+        <source>a distance touched</source>
+        <translation>触れた2点の距離</translation>
+    </message>
+    <message>
+        <source>Waved</source>
+        <translation>振るもの</translation>
+    </message>
+    <message>
+        <source>one ball</source>
+        <translation>1つのボール</translation>
+    </message>
+    <message>
+        <source>a stick with two balls</source>
+        <translation>2つのボールの付いた棒</translation>
+    </message>
+    <message>
+        <source>What is waved</source>
+        <translation>何を振るか</translation>
+    </message>
+    <message>
+        <source>A stick also gives the size, better than anything else</source>
+        <translation>棒は大きさも与え、ほかの何よりも正確です</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>ボール</translation>
+    </message>
+    <message>
+        <source>The target that is waved: its color is looked for</source>
+        <translation>振るターゲット。その色を探します</translation>
+    </message>
+    <message>
+        <source>Second ball</source>
+        <translation>2つ目のボール</translation>
+    </message>
+    <message>
+        <source>The target at the other end of the stick</source>
+        <translation>棒のもう一方の端のターゲット</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>Length of the stick</source>
+        <translation>棒の長さ</translation>
+    </message>
+    <message>
+        <source>From the middle of one ball to that of the other</source>
+        <translation>一方のボールの中心からもう一方の中心まで</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>Size from</source>
+        <translation>大きさの基準</translation>
+    </message>
+    <message>
+        <source>What gives the size</source>
+        <translation>大きさを与えるもの</translation>
+    </message>
+    <message>
+        <source>Images alone do not tell a large room from a small one: a diameter is good to about one percent, a distance to what you measure</source>
+        <translation>画像だけでは大きな部屋と小さな部屋を区別できません。直径なら約1パーセント、距離なら測定の精度です</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距離</translation>
+    </message>
+    <message>
+        <source>Distance touched</source>
+        <translation>触れた距離</translation>
+    </message>
+    <message>
+        <source>Between the two places that the middle of the ball was held at</source>
+        <translation>ボールの中心を置いた2か所の間</translation>
+    </message>
+    <message>
+        <source>Off by up to</source>
+        <translation>ずれの上限</translation>
+    </message>
+    <message>
+        <source>How far cameras may be off</source>
+        <translation>カメラの位置のずれ</translation>
+    </message>
+    <message>
+        <source>How well the cameras are nudged: about how far each may be from its true place</source>
+        <translation>カメラがどれだけ合わせてあるか。真の位置からのおおよその距離</translation>
+    </message>
+    <message>
+        <source>How much cameras may be turned</source>
+        <translation>カメラの向きのずれ</translation>
+    </message>
+    <message>
+        <source>About how far each may be turned from where it truly looks</source>
+        <translation>真の向きからのおおよその角度</translation>
+    </message>
+    <message>
+        <source>Find time offsets</source>
+        <translation>時間のずれを求める</translation>
+    </message>
+    <message>
+        <source>For cameras that do not take their images at the same instants</source>
+        <translation>同じ瞬間に撮影しないカメラのために</translation>
+    </message>
+    <message>
+        <source>Find focal lengths</source>
+        <translation>焦点距離を求める</translation>
+    </message>
+    <message>
+        <source>For lenses that were never calibrated, or zoomed</source>
+        <translation>較正していない、またはズームしたレンズのために</translation>
+    </message>
+    <message>
+        <source>Find the distortion k1</source>
+        <translation>歪み k1 を求める</translation>
+    </message>
+    <message>
+        <source>The first coefficient of each lens; needs a ball seen up to the edges of the images</source>
+        <translation>各レンズの第1係数。画像の端までボールが見えている必要があります</translation>
+    </message>
+    <message>
+        <source>Only the selected span</source>
+        <translation>選択した区間だけ</translation>
+    </message>
+    <message>
+        <source>Look through the stretch selected in the timeline, not the whole recording</source>
+        <translation>録画全体ではなく、タイムラインで選択した区間を調べる</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandMoments</name>
+    <message>
+        <source>The ball %1</source>
+        <translation>ボールが%1</translation>
+    </message>
+    <message>
+        <source>What the ball does at the moment</source>
+        <translation>その瞬間のボールの状態</translation>
+    </message>
+    <message>
+        <source>Three places of the floor, or a fall, tell where up is</source>
+        <translation>床の3か所、または落下から上の向きが分かります</translation>
+    </message>
+    <message>
+        <source>Take this moment</source>
+        <translation>この瞬間を取り込む</translation>
+    </message>
+    <message>
+        <source>The moment that the images show is one at which the ball does this</source>
+        <translation>表示中の瞬間に、ボールはこの状態です</translation>
+    </message>
+    <message>
+        <source>Remove moment</source>
+        <translation>瞬間を除く</translation>
+    </message>
+    <message>
+        <source>Take the chosen moment off the list</source>
+        <translation>選んだ瞬間を一覧から除く</translation>
+    </message>
+    <message>
+        <source>Moments taken</source>
+        <translation>取り込んだ瞬間</translation>
+    </message>
+    <message>
+        <source>Double click or Enter shows the moment</source>
+        <translation>ダブルクリックまたは Enter でその瞬間を表示</translation>
+    </message>
+    <message>
+        <source>%1 s – %2</source>
+        <translation>%1 秒 – %2</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandOutcome</name>
+    <message>
+        <source>Refine cameras</source>
+        <translation>カメラを精密化</translation>
+    </message>
+    <message>
+        <source>Find the ball in all images, and the cameras that explain them best</source>
+        <translation>すべての画像でボールを見つけ、それを最もよく説明するカメラを求める</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Stop; the cameras stay as they are</source>
+        <translation>中止。カメラはそのままです</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>進行状況</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>前の状態</translation>
+    </message>
+    <message>
+        <source>While it is pressed, the grid is drawn with the cameras as they were</source>
+        <translation>押している間、以前のカメラで格子を描く</translation>
+    </message>
+    <message>
+        <source>Use it anyway</source>
+        <translation>それでも使う</translation>
+    </message>
+    <message>
+        <source>Take these cameras although something seems to be wrong; it can be undone</source>
+        <translation>問題がありそうでもこのカメラを使う。元に戻せます</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>レポートを保存…</translation>
+    </message>
+    <message>
+        <source>A page with all figures, residuals as arrows, coverage and a drawing in space</source>
+        <translation>すべての数値、残差の矢印、網羅範囲、空間の図を含むページ</translation>
+    </message>
+    <message>
+        <source>Cameras found</source>
+        <translation>求めたカメラ</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>moved cm</source>
+        <translation>移動 cm</translation>
+    </message>
+    <message>
+        <source>turned °</source>
+        <translation>回転 °</translation>
+    </message>
+    <message>
+        <source>late ms</source>
+        <translation>遅れ ms</translation>
+    </message>
+    <message>
+        <source>Root mean square distance between seen and projected balls</source>
+        <translation>検出と投影のボールの距離の二乗平均平方根</translation>
+    </message>
+    <message>
+        <source>How far the camera is from where it was</source>
+        <translation>元の位置からのカメラの距離</translation>
+    </message>
+    <message>
+        <source>How far it is turned from where it looked</source>
+        <translation>元の向きからの回転</translation>
+    </message>
+    <message>
+        <source>By how much its images are later than the first camera&apos;s</source>
+        <translation>最初のカメラに対する画像の遅れ</translation>
+    </message>
+    <message>
+        <source>The cameras are as they were.</source>
+        <translation>カメラは元のままです。</translation>
+    </message>
+    <message>
+        <source>Solutions without a part of the recording differ %1 times more than noise explains; the verdict includes that.</source>
+        <translation>録画の一部を除いた解の違いは、雑音で説明できる大きさの %1 倍です。判定にはそれが含まれています。</translation>
+    </message>
+    <message>
+        <source>The fall says %1 m/s² (9.81 is expected).</source>
+        <translation>落下からは %1 m/s²（期待値は 9.81）。</translation>
+    </message>
+    <message>
+        <source>Time offsets are said, not kept: tracking takes the images as they come. Synchronize the cameras, or cut the videos.</source>
+        <translation>時間のずれは表示されるだけで、保存されません。追跡は届いた画像をそのまま使います。カメラを同期させるか、動画を切り揃えてください。</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>レポートを保存</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>ウェブページ (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandPage</name>
+    <message>
+        <source>Nudge the cameras by hand until they are roughly right. Then wave the ball, or a stick with two balls, through the whole volume, and refine.</source>
+        <translation>まず手作業でカメラをおおよそ合わせます。次にボール、または2つのボールの付いた棒を空間全体で振り、精密化します。</translation>
+    </message>
+    <message>
+        <source>Nudge the cameras by hand until they are roughly right. A recording of a ball, or a stick with two balls, waved through the whole volume then makes them exact.</source>
+        <translation>まず手作業でカメラをおおよそ合わせます。ボール、または2つのボールの付いた棒を空間全体で振った録画から、正確に求められます。</translation>
+    </message>
+    <message>
+        <source>Where the floor is</source>
+        <translation>床の位置</translation>
+    </message>
+    <message>
+        <source>Waving</source>
+        <translation>振る</translation>
+    </message>
+    <message>
+        <source>Refine</source>
+        <translation>精密化</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::WandWaving</name>
+    <message>
+        <source>Collect where every camera sees the ball; beginning again forgets what was collected before</source>
+        <translation>各カメラがボールを見る位置を集める。始め直すと前のものは消えます</translation>
+    </message>
+    <message>
+        <source>■ Stop waving</source>
+        <translation>■ 振り終える</translation>
+    </message>
+    <message>
+        <source>● Start waving</source>
+        <translation>● 振り始める</translation>
+    </message>
+    <message>
+        <source>Stop waving</source>
+        <translation>振り終える</translation>
+    </message>
+    <message>
+        <source>Start waving</source>
+        <translation>振り始める</translation>
+    </message>
+    <message>
+        <source>Nothing collected yet.</source>
+        <translation>まだ何も集めていません。</translation>
+    </message>
+    <message>
+        <source>%1 s collected.</source>
+        <translation>%1 秒間集めました。</translation>
+    </message>
+    <message>
+        <source>Every camera saw enough: stop, or refine.</source>
+        <translation>どのカメラも十分に見ました。終えるか、精密化してください。</translation>
+    </message>
+    <message>
+        <source>Go on: each camera should see the ball 150 times, in half of its image.</source>
+        <translation>続けてください。各カメラが画像の半分でボールを150回見る必要があります。</translation>
+    </message>
+    <message>
+        <source>Image sets left out because they came too fast: %1.</source>
+        <translation>速すぎて省かれた画像の組: %1。</translation>
     </message>
 </context>
 </TS>

@@ -4,9 +4,9 @@
 #include "app/dewpoint-cli/interruption.h"
 #include "app/dewpoint-cli/progress.h"
 #include "app/wiring/open_project.h"
+#include "core/base/text_file.h"
 #include "core/calibration/calibration_file.h"
-#include "core/calibration/verdict.h"
-#include "core/session/wand_views.h"
+#include "core/session/wand_refinement.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ struct WandCommandOptions {
   std::string target;
   std::vector<std::string> stick;
   std::vector<double> distance, drop, rough;
-  std::string frames, out;
+  std::string frames, out, report;
   bool apply = false;
   WandOptions wand;
 };
@@ -88,19 +88,19 @@ private:
   bool looking_ = true;
 };
 
-void sayCameras(const WandOptions& options, const CameraRig& before, const WandResult& result) {
+void sayCameras(const WandRefinement& refinement) {
+  const WandOptions& options = refinement.options;
+  const WandResult& result = refinement.result;
   fmt::print("{:<16} {:>6} {:>8} {:>7} {:>9} {:>9}", "camera", "views", "dropped", "px", "moved cm",
              "turned deg");
   fmt::print("{}{}\n", options.findOffsets ? "  offset ms" : "",
              options.findFocal ? "   focal" : "");
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     const Camera& camera = result.cameras[c];
-    const double turn = Eigen::AngleAxisd(camera.cameraFromWorld.linear() *
-                                          before[c].cameraFromWorld.linear().transpose())
-                            .angle();
+    const PoseShift shift = poseShift(refinement.before[c], camera);
     fmt::print("{:<16} {:>6} {:>8} {:>7.3f} {:>9.2f} {:>10.2f}", camera.name, result.views[c],
-               result.dropped[c], result.cameraMedianPx[c],
-               100.0 * (camera.center() - before[c].center()).norm(), turn / kDegree);
+               result.dropped[c], result.cameraMedianPx[c], 100.0 * shift.metres,
+               shift.radians / kDegree);
     if (options.findOffsets) {
       fmt::print(" {:>10.2f}", 1000.0 * result.offsets[c]);
     }
@@ -141,8 +141,8 @@ void sayDecisions(const WandOptions& options, const WandResult& result) {
   }
 }
 
-void sayVerdict(const WandOptions& options, const WandResult& result) {
-  const auto verdict = judgeWand(result, options.floorTimes);
+void sayVerdict(const WandRefinement& refinement) {
+  const auto& verdict = refinement.verdict;
   fmt::print("Verdict: {}\n",
              verdict ? verdictSentence(*verdict) : "none; " + sentence(verdict.error()));
   if (verdict && verdict->modelFactor > 1.0) {
@@ -150,7 +150,7 @@ void sayVerdict(const WandOptions& options, const WandResult& result) {
                "explains; the verdict includes that.\n",
                verdict->modelFactor);
   }
-  for (const NamedFault& fault : result.faults) {
+  for (const NamedFault& fault : refinement.result.faults) {
     fmt::print("Fault: {}\n", fault.sentence);
   }
 }
@@ -168,22 +168,22 @@ int calibrate(WandCommandOptions options) {
   }
   heedInterruption();
   WandBars bars;
-  const auto result = calibrateFromRecording(inputs->project, *inputs->source, options.wand,
-                                             [&](const WandWork& work) { return bars.show(work); });
+  const auto result = refineFromRecording(inputs->project, *inputs->source, options.wand,
+                                          [&](const WandWork& work) { return bars.show(work); });
   bars.finish();
   if (!result) {
     return report(result.error());
   }
-  CameraRig before;
-  for (const ProjectCamera& camera : inputs->project.cameras) {
-    before.push_back(camera.camera);
-  }
-  sayCameras(options.wand, before, *result);
-  sayDecisions(options.wand, *result);
-  sayVerdict(options.wand, *result);
-  auto written = options.out.empty() ? Status() : saveCalibration(result->cameras, options.out);
+  sayCameras(*result);
+  sayDecisions(options.wand, result->result);
+  sayVerdict(*result);
+  const CameraRig& cameras = result->result.cameras;
+  auto written = options.out.empty() ? Status() : saveCalibration(cameras, options.out);
   if (written && options.apply) {
-    written = saveProject(withCameras(inputs->project, result->cameras), options.project);
+    written = saveProject(withCameras(inputs->project, cameras), options.project);
+  }
+  if (written && !options.report.empty()) {
+    written = writeTextFile(options.report, htmlText(*result));
   }
   return written ? static_cast<int>(kExitDone) : report(written.error());
 }
@@ -223,6 +223,8 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
                    "METRES DEGREES by which the cameras may be off (0.12 3.5)")
       ->expected(2);
   command->add_option("--out", options->out, "Calibration file to write");
+  command->add_option("--report", options->report,
+                      "HTML page to write: residuals, coverage and all in space");
   command->add_flag("--apply", options->apply, "Write the cameras into the project file");
   command->callback([options, &exitCode] { exitCode = calibrate(*options); });
 }

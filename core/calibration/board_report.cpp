@@ -12,26 +12,6 @@
 namespace dewpoint {
 namespace {
 
-constexpr const char* kHead = R"(<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
-<title>{}</title><style>
-:root {{ color-scheme: light dark; --ink: #1d2430; --paper: #fff; --line: #9aa4b2; --blue: #1f6feb;
-  --red: #c8321f; --amber: #b26a00 }}
-@media (prefers-color-scheme: dark) {{ :root {{ --ink: #e3e8ef; --paper: #14181f; --line: #5a6675;
-  --blue: #6cb0ff; --red: #ff7b6b; --amber: #f0b048 }} }}
-body {{ font: 15px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper);
-  max-width: 62rem; margin: 2rem auto; padding: 0 1rem }}
-svg {{ max-width: 100%; margin: .3rem 1rem .6rem 0; vertical-align: top; overflow: visible }}
-svg text {{ font: 11px system-ui, sans-serif; fill: var(--ink) }}
-table {{ border-collapse: collapse; font-variant-numeric: tabular-nums }}
-td, th {{ padding: .1rem .9rem .1rem 0; text-align: left; border-bottom: 1px solid var(--line) }}
-.frame, polyline, path {{ fill: none; stroke: var(--line) }} .arrow {{ stroke: var(--blue); stroke-width: .8 }}
-.cell {{ fill: var(--blue); stroke: var(--line) }} .bar {{ fill: var(--blue) }} .doubtful {{ fill: var(--amber) }}
-.left {{ fill: none }} .camera {{ stroke: var(--blue); stroke-width: 1.4 }} .board {{ stroke: var(--amber) }}
-.axis {{ stroke: var(--red); stroke-width: 1.6 }} .notice {{ color: var(--amber) }}
-</style></head><body>
-)";
-
 void addParameters(std::string& html, const BoardReport::CameraPart& camera) {
   if (camera.parameters.empty()) {
     return;
@@ -42,6 +22,39 @@ void addParameters(std::string& html, const BoardReport::CameraPart& camera) {
                         parameter.value, parameter.sigma);
   }
   html += "</table>\n";
+}
+
+std::vector<ImageResidual> residualsOf(const BoardReport::CameraPart& camera) {
+  std::vector<ImageResidual> all;
+  for (const ViewFit& view : camera.views) {
+    for (std::size_t k = 0; view.used && k < view.residuals.size(); ++k) {
+      all.push_back({view.pixels[k], view.residuals[k]});
+    }
+  }
+  return all;
+}
+
+std::vector<std::string> tiltCounts(const BoardCoverage& coverage) {
+  const char* names[] = {"flat", "left near", "right near", "top near", "bottom near"};
+  std::vector<std::string> notes;
+  for (int k = 0; k < BoardCoverage::kTilts; ++k) {
+    notes.push_back(fmt::format("{}: {}", names[k], coverage.tilts[static_cast<std::size_t>(k)]));
+  }
+  return notes;
+}
+
+std::vector<SpaceLine> outlines(const BoardReport& report) {
+  std::vector<SpaceLine> lines;
+  const BoardDescription& board = report.board;
+  const int columns = board.cornerColumns();
+  const int count = board.cornerCount();
+  for (const BoardPlace& place : report.places) {
+    SpaceLine& outline = lines.emplace_back(SpaceLine{"board", {}});
+    for (const int id : {0, columns - 1, count - 1, count - columns, 0}) {
+      outline.points.push_back(place.worldFromBoard * board.corner(id));
+    }
+  }
+  return lines;
 }
 
 void addCamera(std::string& html, const BoardReport::CameraPart& camera) {
@@ -68,10 +81,11 @@ void addCamera(std::string& html, const BoardReport::CameraPart& camera) {
   html += ".</p>\n";
   addParameters(html, camera);
   html += "<h3>Residuals</h3><p>From where a corner is projected to where it was measured.</p>\n" +
-          residualDrawing(camera) +
+          residualDrawing(camera.camera.intrinsics, residualsOf(camera)) +
           "<h3>Coverage</h3><p>Corners seen in each part of the image, "
           "and pictures at each tilt.</p>\n" +
-          coverageDrawing(camera) + "<h3>Pictures</h3>\n" + errorDrawing(camera);
+          coverageDrawing(camera.camera.intrinsics, camera.coverage, tiltCounts(camera.coverage)) +
+          "<h3>Pictures</h3>\n" + errorDrawing(camera.views);
 }
 
 } // namespace
@@ -110,19 +124,24 @@ BoardReport reportOf(const BoardDescription& board, const ExtrinsicsResult& resu
 }
 
 std::string htmlText(const BoardReport& report) {
-  std::string html = fmt::format(kHead, escaped(report.title));
+  std::string html = pageHead(report.title);
   html += fmt::format("<h1>{}</h1>\n<p>Board: <code>{}</code></p>\n", escaped(report.title),
                       escaped(boardText(report.board)));
   for (const std::string& notice : report.notices) {
     html += fmt::format("<p class=\"notice\">{}.</p>\n", escaped(notice));
   }
   if (!report.places.empty()) {
-    html += "<h2>In space</h2>\n" + spaceDrawing(report);
+    CameraRig rig;
+    for (const auto& part : report.cameras) {
+      rig.push_back(part.camera);
+      rig.back().name = part.name;
+    }
+    html += "<h2>In space</h2>\n" + spaceDrawing(rig, outlines(report), "cameras and boards");
   }
   for (const auto& camera : report.cameras) {
     addCamera(html, camera);
   }
-  return html + "</body></html>\n";
+  return html + kPageEnd;
 }
 
 } // namespace dewpoint

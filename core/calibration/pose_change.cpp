@@ -131,4 +131,10 @@ std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>&
   return rms;
 }
 
+PoseShift poseShift(const Camera& before, const Camera& after) {
+  const Eigen::AngleAxisd turn(after.cameraFromWorld.linear() *
+                               before.cameraFromWorld.linear().transpose());
+  return {(after.center() - before.center()).norm(), turn.angle()};
+}
+
 } // namespace dewpoint

@@ -59,4 +59,11 @@ double rmsOfPoints(const Eigen::VectorXd& residuals);
 std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>& anchors,
                                  bool alsoFocal);
 
+/// How far a camera is from where it was.
+struct PoseShift {
+  double metres = 0.0;  ///< of its optical center
+  double radians = 0.0; ///< of its turn
+};
+PoseShift poseShift(const Camera& before, const Camera& after);
+
 } // namespace dewpoint

@@ -16,40 +16,37 @@ constexpr double kHeight = 380.0;
 constexpr double kMargin = 28.0;
 constexpr double kFrustumPart = 0.08; // of the scene's size: how long a camera is drawn
 
-struct Line {
-  const char* kind;
-  std::vector<Eigen::Vector3d> points;
-};
-
 struct Label {
   std::string text;
   Eigen::Vector3d at;
 };
 
 struct SpaceScene {
-  std::vector<Line> lines;
+  std::vector<SpaceLine> lines;
   std::vector<Label> labels;
 };
 
-double sizeOf(const BoardReport& report) {
+double sizeOf(const CameraRig& cameras, const std::vector<SpaceLine>& lines) {
   Eigen::AlignedBox3d box;
-  for (const auto& part : report.cameras) {
-    box.extend(part.camera.center());
+  for (const Camera& camera : cameras) {
+    box.extend(camera.center());
   }
-  for (const BoardPlace& place : report.places) {
-    box.extend(place.worldFromBoard * report.board.middle());
+  for (const SpaceLine& line : lines) {
+    for (const Eigen::Vector3d& point : line.points) {
+      box.extend(point);
+    }
   }
   return std::max(1e-3, box.sizes().norm());
 }
 
-void addCamera(SpaceScene& scene, const BoardReport::CameraPart& part, double length) {
-  const Eigen::Isometry3d world = part.camera.cameraFromWorld.inverse();
-  const auto& in = part.camera.intrinsics;
+void addCamera(SpaceScene& scene, const Camera& camera, double length) {
+  const Eigen::Isometry3d world = camera.cameraFromWorld.inverse();
+  const auto& in = camera.intrinsics;
   const double x = length * std::min(1.0, 0.5 * in.width / in.focalX);
   const double y = x * in.height / in.width;
   const Eigen::Vector3d corners[] = {
       {-x, -y, length}, {x, -y, length}, {x, y, length}, {-x, y, length}};
-  Line outline{"camera", {}};
+  SpaceLine outline{"camera", {}};
   for (const auto& corner : corners) {
     scene.lines.push_back({"camera", {world.translation(), world * corner}});
     outline.points.push_back(world * corner);
@@ -59,26 +56,15 @@ void addCamera(SpaceScene& scene, const BoardReport::CameraPart& part, double le
   scene.lines.push_back({"camera",
                          {world * corners[0], world * Eigen::Vector3d(0, -1.5 * y, length),
                           world * corners[1]}}); // what is up
-  scene.labels.push_back({part.name, world.translation()});
+  scene.labels.push_back({camera.name, world.translation()});
 }
 
-void addBoard(SpaceScene& scene, const BoardDescription& board, const BoardPlace& place) {
-  const int columns = board.cornerColumns();
-  Line outline{"board", {}};
-  for (const int id : {0, columns - 1, board.cornerCount() - 1, board.cornerCount() - columns, 0}) {
-    outline.points.push_back(place.worldFromBoard * board.corner(id));
-  }
-  scene.lines.push_back(outline);
-}
-
-SpaceScene sceneOf(const BoardReport& report) {
+SpaceScene sceneOf(const CameraRig& cameras, const std::vector<SpaceLine>& lines) {
   SpaceScene scene;
-  const double size = sizeOf(report);
-  for (const BoardPlace& place : report.places) {
-    addBoard(scene, report.board, place);
-  }
-  for (const auto& part : report.cameras) {
-    addCamera(scene, part, kFrustumPart * size);
+  const double size = sizeOf(cameras, lines);
+  scene.lines = lines;
+  for (const Camera& camera : cameras) {
+    addCamera(scene, camera, kFrustumPart * size);
   }
   const char* names[] = {"X", "Y", "Z"};
   for (int axis = 0; axis < 3; ++axis) {
@@ -93,7 +79,7 @@ SpaceScene sceneOf(const BoardReport& report) {
 std::string drawn(const SpaceScene& scene, const Eigen::Matrix<double, 2, 3>& view,
                   const char* label) {
   Eigen::AlignedBox2d box;
-  for (const Line& line : scene.lines) {
+  for (const SpaceLine& line : scene.lines) {
     for (const auto& point : line.points) {
       box.extend(Eigen::Vector2d(view * point));
     }
@@ -109,7 +95,7 @@ std::string drawn(const SpaceScene& scene, const Eigen::Matrix<double, 2, 3>& vi
                                 "width=\"{1}\"><text x=\"4\" y=\"14\">{0}</text>\n",
                                 label, kWidth, kHeight);
   auto out = std::back_inserter(svg);
-  for (const Line& line : scene.lines) {
+  for (const SpaceLine& line : scene.lines) {
     fmt::format_to(out, "<polyline class=\"{}\" points=\"", line.kind);
     for (const auto& point : line.points) {
       const Eigen::Vector2d at = place(point);
@@ -133,8 +119,9 @@ std::string drawn(const SpaceScene& scene, const Eigen::Matrix<double, 2, 3>& vi
 
 } // namespace
 
-std::string spaceDrawing(const BoardReport& report) {
-  const SpaceScene scene = sceneOf(report);
+std::string spaceDrawing(const CameraRig& cameras, const std::vector<SpaceLine>& lines,
+                         const char* label) {
+  const SpaceScene scene = sceneOf(cameras, lines);
   Eigen::Matrix<double, 2, 3> above;
   above << 1.0, 0.0, 0.0, 0.0, -1.0, 0.0;
   // Turned by 30 degrees about Z, looked at 25 degrees from above.
@@ -143,7 +130,7 @@ std::string spaceDrawing(const BoardReport& report) {
   Eigen::Matrix<double, 2, 3> side;
   side << std::cos(turn), std::sin(turn), 0.0, std::sin(lift) * std::sin(turn),
       -std::sin(lift) * std::cos(turn), -std::cos(lift);
-  return drawn(scene, side, "cameras and boards") + drawn(scene, above, "from above");
+  return drawn(scene, side, label) + drawn(scene, above, "from above");
 }
 
 } // namespace dewpoint

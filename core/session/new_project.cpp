@@ -183,8 +183,13 @@ Result<MadeProject> withCalibration(Project project, const std::filesystem::path
   if (!rig) {
     return tl::make_unexpected(rig.error());
   }
+  return withCalibration(std::move(project), *rig, file.string());
+}
+
+Result<MadeProject> withCalibration(Project project, const CameraRig& rig,
+                                    const std::string& file) {
   MadeProject made;
-  auto ordered = matched(project.cameras, *rig, file.string(), made.matchedByOrder);
+  auto ordered = matched(project.cameras, rig, file, made.matchedByOrder);
   if (!ordered) {
     return tl::make_unexpected(ordered.error());
   }

@@ -40,6 +40,9 @@ Result<MadeProject> makeProject(const NewProject& wanted);
 /// The project with the calibration of its cameras taken from a file, matched as by makeProject().
 Result<MadeProject> withCalibration(Project project, const std::filesystem::path& file);
 
+/// The same from cameras that were read from this file.
+Result<MadeProject> withCalibration(Project project, const CameraRig& rig, const std::string& file);
+
 /// How a file given without more is meant: a folder is one of images, a number or /dev/... a
 /// device, text with "://" or "gst:" a stream, all else a video.
 SourceKind guessedSource(const std::string& location);

@@ -64,6 +64,10 @@ Status Session::saveRun(const std::filesystem::path& folder) const {
   return writeTextFile(folder / "run.json", runReport(project, figures));
 }
 
+void Session::setFrameTap(FrameTap tap) {
+  impl_->loop.tap().set(std::move(tap));
+}
+
 void Session::play() {
   impl_->loop.commands().push(command::Play{});
 }

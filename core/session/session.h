@@ -3,6 +3,7 @@
 
 #include "core/capture/frame_source.h"
 #include "core/project/project.h"
+#include "core/session/frame_tap.h"
 #include "core/session/snapshot.h"
 #include "core/trajectory/trajectory.h"
 
@@ -113,6 +114,9 @@ public:
   /// believed stays.
   void setEmptyRooms(const std::vector<std::string>& files, const std::vector<cv::Mat>& rooms);
   void setMasksWanted(bool wanted);
+  /// Gives every frame set that is taken from now on to `tap` too, in the tracking thread; an empty
+  /// one ends it. Cameras that a person calibrates are seen so while they are tracked.
+  void setFrameTap(FrameTap tap);
 
 private:
   class Impl;

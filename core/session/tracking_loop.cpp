@@ -111,6 +111,9 @@ bool TrackingLoop::takeFrame() {
   if (std::none_of(frames.begin(), frames.end(), present)) {
     return false; // live, and nothing came
   }
+  if (!rerun_) {
+    tap_.give(*taken);
+  }
   travel_->beforeFrame(*taken, *run_);
   run_->beginFrame(*taken);
   next_ = (*taken)->index + 1;

@@ -3,6 +3,7 @@
 
 #include "core/session/bump_watch.h"
 #include "core/session/command_queue.h"
+#include "core/session/frame_tap.h"
 #include "core/session/run_log.h"
 #include "core/session/session.h"
 #include "core/session/time_travel.h"
@@ -20,6 +21,7 @@ public:
   void run(const std::stop_token& stop);
 
   CommandQueue& commands() { return commands_; }
+  FrameTapSlot& tap() { return tap_; }
   SnapshotPublisher& publisher() { return publisher_; }
   const SnapshotPublisher& publisher() const { return publisher_; }
   const RunLog& log() const { return log_; }
@@ -84,6 +86,7 @@ private:
   BumpWatch bumps_;                  ///< of the cameras as they were calibrated
   std::optional<TimeTravel> travel_; ///< as long as there is a source
   CommandQueue commands_;
+  FrameTapSlot tap_;
   SnapshotPublisher publisher_;
   RunLog log_;
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace dewpoint {
 namespace {
@@ -87,6 +88,10 @@ void WandViews::add(const FrameSet& frames) {
       }
     }
   }
+}
+
+std::vector<std::vector<BallView>> WandViews::take() {
+  return std::exchange(views_, std::vector<std::vector<BallView>>(views_.size()));
 }
 
 Result<WandProblem> wandProblem(const Project& project, const WandOptions& options) {

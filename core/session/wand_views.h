@@ -25,6 +25,8 @@ public:
   void add(const FrameSet& frames);
   /// Per camera, in the order of the frames.
   const std::vector<std::vector<BallView>>& views() const { return views_; }
+  /// Hands out what was found since the last time.
+  std::vector<std::vector<BallView>> take();
   std::int64_t frameSets() const { return frameSets_; }
 
 private:

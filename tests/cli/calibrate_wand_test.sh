@@ -5,7 +5,7 @@
 expectExit 0 calibrate --help
 expectText out.txt wand
 expectExit 0 calibrate wand --help
-expectText out.txt --target --stick --length --offsets --focal --floor --drop --out --apply
+expectText out.txt --target --stick --length --offsets --focal --floor --drop --out --apply --report
 
 # The demo's cameras are where its images were made from: they stay there, to a few centimetres (two
 # cameras and a path of 0.2 m say little more).
@@ -13,7 +13,8 @@ expectExit 0 calibrate wand demo --frames 60:200 --out found.toml
 expectText out.txt 'camera 1' 'camera 2' 'Median reprojection error' 'Size:' 'World:'
 expectText found.toml '[cam_0]' '[cam_1]' 'name = "camera 1"'
 cp found.toml first.toml
-expectExit 0 calibrate wand demo --frames 60:200 --out found.toml
+expectExit 0 calibrate wand demo --frames 60:200 --out found.toml --report page.html
+expectText page.html 'In this volume' 'camera 2' 'aria-label="residuals"' 'from above'
 cmp -s first.toml found.toml || fail "twice the same, but two results"
 
 expectExit 0 simulate demo --frames 240 --out made

@@ -4,12 +4,14 @@
 #include "app/wiring/open_project.h"
 #include "core/session/snapshot.h"
 #include "ui/birdseye/birds_eye_view.h"
+#include "ui/calibration/calibration_import.h"
 #include "ui/camera/camera_view.h"
 #include "ui/color/color_panel.h"
 #include "ui/document/document.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/view_picture.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/selection/selection.h"
 
 #include <QAction>
 #include <QApplication>
@@ -24,6 +26,7 @@
 #include <QTableWidget>
 #include <QTest>
 #include <QToolButton>
+#include <QUndoStack>
 
 #include <memory>
 #include <set>
@@ -61,6 +64,7 @@ private Q_SLOTS:
 private:
   void keep(const QImage& picture, const QString& name);
   void keepCalibration(MainWindow& window);
+  void keepWaving(MainWindow& window);
 
   QString theme_;
 };
@@ -122,7 +126,37 @@ void ScreenshotsTest::keepCalibration(MainWindow& window) {
   QApplication::sendEvent(layer, &move);
   keep(window.grab().toImage(), QStringLiteral("calibration-points"));
   window.findChild<QCheckBox*>("gridEdges")->setChecked(false);
+  window.findChild<QPushButton*>("pointClick")->setChecked(false);
+  keepWaving(window);
   window.findChild<QAction*>("actionCalibrateByHand")->setChecked(false);
+}
+
+void ScreenshotsTest::keepWaving(MainWindow& window) {
+  window.findChild<QAction*>("actionCalibrateWand")->trigger();
+  window.selection().selectSpan(FrameSpan{60, 199});
+  window.findChild<QCheckBox*>("wandSpan")->click();
+  window.findChild<QPushButton*>("wandTake")->click();
+  window.findChild<QPushButton*>("wandRefine")->click();
+  auto* progress = window.findChild<QWidget*>("wandProgress");
+  QVERIFY(QTest::qWaitFor([&] { return !progress->isVisible(); }, kPatienceMs));
+  if (auto* apply = window.findChild<QPushButton*>("wandApply"); apply->isVisible()) {
+    apply->click();
+  }
+  auto* report = window.findChild<QWidget*>("wandReport");
+  for (QWidget* parent = report; parent != nullptr; parent = parent->parentWidget()) {
+    if (auto* scroll = qobject_cast<QScrollArea*>(parent)) {
+      scroll->ensureWidgetVisible(report);
+    }
+  }
+  QTest::qWait(kSettleMs);
+  keep(window.grab().toImage(), QStringLiteral("calibration-wave"));
+  window.findChild<QAction*>("actionImportCalibration")->trigger();
+  auto* import = window.findChild<CalibrationImportDialog*>();
+  import->setFile(QStringLiteral(DEWPOINT_SOURCE_DIR "/tests/calibration/golden/anipose_mm.toml"));
+  QTest::qWait(kSettleMs);
+  keep(import->grab().toImage(), QStringLiteral("calibration-import"));
+  import->close();
+  window.document().undoStack()->undo();
 }
 
 void ScreenshotsTest::everyView() {

@@ -105,6 +105,7 @@ private:
   void offerRecovery();
   void makeInspector();
   void makeCalibration();
+  void makeCalibrationFiles();
   void showCalibration(bool shown);
   void showHandles();
   void takeCalibration();

@@ -40,7 +40,8 @@ void MainWindow::makeMenus() {
   QMenu* project = add(tr("&Project"), "menuProject",
                        {"actionNew", "actionOpen", "actionOpenDemo", nullptr, "actionSave",
                         "actionSaveAs", nullptr, "actionExportTrajectory", "actionSavePicture",
-                        nullptr, "actionCloseProject", "actionQuit"});
+                        nullptr, "actionImportCalibration", "actionExportCalibration", nullptr,
+                        "actionCloseProject", "actionQuit"});
   auto* recent = new QMenu(tr("Open recent"), project);
   recent->setObjectName(QStringLiteral("menuRecent"));
   recent->setToolTipsVisible(true);
@@ -48,7 +49,8 @@ void MainWindow::makeMenus() {
   project->insertMenu(action("actionOpenDemo"), recent);
   add(tr("&Edit"), "menuEdit",
       {"actionUndo", "actionRedo", nullptr, "actionLearnColor", "actionAddTarget",
-       "actionRemoveTarget", nullptr, "actionCalibrateByHand", nullptr, "actionShortcuts"});
+       "actionRemoveTarget", nullptr, "actionCalibrateByHand", "actionCalibrateWand", nullptr,
+       "actionShortcuts"});
   add(tr("&Run"), "menuRun",
       {"actionPlay", "actionNextFrame", "actionNextIteration", "actionPreviousFrame", nullptr,
        "actionNow", "actionRerun", nullptr, "actionAddMark", "actionRemoveMark",

@@ -10,8 +10,11 @@
 #include "ui/calibration/hand_desk.h"
 #include "ui/calibration/hand_page.h"
 #include "ui/calibration/point_desk.h"
+#include "ui/calibration/wand_desk.h"
+#include "ui/calibration/wand_page.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/message_bar.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -23,11 +26,25 @@ void MainWindow::makeCalibration() {
   points_ = new PointDesk(*document_, *hand_, this);
   calibration_ = new CalibrationPlace(this);
   calibration_->addPage(new HandPage(*hand_, *points_), [] { return tr("By hand"); });
+  auto* wand = new WandDesk({*document_, *hand_, *selection_, loader_->opener(),
+                             [this] { return bridge_ ? &bridge_->session() : nullptr; }},
+                            this);
+  calibration_->addPage(new WandPage(*wand), [] { return tr("Wave"); });
+  connect(this, &MainWindow::snapshotShown, wand, &WandDesk::setSnapshot);
+  connect(wand, &WandDesk::failed, this,
+          [this](const QString& sentence) { messages_->showError(sentence); });
+  connect(wand, &WandDesk::saved, this,
+          [this](const QString& file) { messages_->showNotice(tr("Saved %1.").arg(file)); });
   calibrationDock_ = makeDock(
       QStringLiteral("calibrationDock"), [] { return tr("Calibration"); }, calibration_);
   calibrationDock_->setProperty("closedByChoice", true);
   calibrationDock_->setMinimumWidth(400); // room for the names of all tabs, and three numbers
   connect(action("actionCalibrateByHand"), &QAction::toggled, this, &MainWindow::showCalibration);
+  connect(action("actionCalibrateWand"), &QAction::triggered, this, [this] {
+    action("actionCalibrateByHand")->setChecked(true);
+    calibration_->showPage(QStringLiteral("wandPage"));
+  });
+  makeCalibrationFiles();
   connect(calibrationDock_->toggleViewAction(), &QAction::triggered,
           action("actionCalibrateByHand"), &QAction::setChecked);
   connect(hand_, &HandDesk::changed, this, &MainWindow::showHandles);

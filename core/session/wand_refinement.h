@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/board_coverage.h"
+#include "core/calibration/pose_change.h"
+#include "core/calibration/verdict.h"
+#include "core/session/wand_views.h"
+
+#include <string>
+#include <vector>
+
+namespace dewpoint {
+
+/// A calibration from a waved target with all that is said about it: what the command line prints
+/// and what the window shows.
+struct WandRefinement {
+  WandOptions options;
+  CameraRig before; ///< the project's cameras as they were
+  WandResult result;
+  Result<Verdict> verdict; ///< or why there is none
+};
+
+/// calibrateFromRecording() and the verdict. Errors: those of the calibration.
+Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,
+                                           const WandOptions& options,
+                                           const WandWorkCallback& callback = nullptr);
+
+/// calibrateFromViews() and the verdict: from what a WandCollector saw.
+Result<WandRefinement> refineFromViews(const Project& project,
+                                       const std::vector<std::vector<BallView>>& views,
+                                       const WandOptions& options,
+                                       const WandWorkCallback& callback = nullptr);
+
+/// Where in each camera's image the balls were that the result rests on.
+std::vector<BoardCoverage> coverageOf(const WandResult& result);
+
+/// The report as one self-contained HTML page (wandPage() of core/calibration).
+std::string htmlText(const WandRefinement& refinement);
+
+} // namespace dewpoint

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Refining cameras with a waved ball in the real window: the demo's ball as a recording, and as
+// live cameras.
+#include "core/session/wand_refinement.h"
+#include "tests/ui/calibration_window.h"
+#include "ui/birdseye/birds_eye_view.h"
+#include "ui/selection/selection.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <QTemporaryDir>
+
+namespace dewpoint {
+namespace {
+
+/// The frames in which the demo's ball moves well enough: as the test of the command line has them.
+constexpr FrameSpan kWave{60, 199};
+
+/// The demo's frames as live cameras would bring them; afterwards nothing comes any more.
+class LiveDemo : public FrameSetSource {
+public:
+  explicit LiveDemo(std::unique_ptr<FrameSetSource> recording) : recording_(std::move(recording)) {}
+  std::optional<std::int64_t> frameCount() const override { return std::nullopt; }
+  double framesPerSecond() const override { return recording_->framesPerSecond(); }
+  Result<FrameSetPtr> next() override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    auto taken = recording_->next();
+    if (taken && !*taken) {
+      auto nothing = std::make_shared<FrameSet>();
+      nothing->frames.resize(2);
+      return nothing;
+    }
+    return taken;
+  }
+  Status seek(std::int64_t) override { return {}; }
+
+private:
+  std::unique_ptr<FrameSetSource> recording_;
+};
+
+} // namespace
+
+class WandPageTest : public QObject, private test::CalibrationWindow {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void init();
+  void cleanup();
+  void refinesInOneStepAsTheCommandLineDoes();
+  void cancelKeepsTheCameras();
+  void aBadResultIsOneSentence();
+  void momentsAreTakenAndRemoved();
+  void saysWhatIsMissing();
+  void liveCamerasAreCollected();
+  void everythingHasAName();
+
+private:
+  void press(const char* name) { QTest::mouseClick(find<QPushButton>(name), Qt::LeftButton); }
+  void refine(const FrameSpan& span);
+  CameraRig cameras() {
+    CameraRig rig;
+    for (const ProjectCamera& one : project().cameras) {
+      rig.push_back(one.camera);
+    }
+    return rig;
+  }
+  bool isIdle() { return !find<QProgressBar>("wandProgress")->isVisible(); }
+};
+
+void WandPageTest::init() {
+  openCalibration();
+  find<QAction>("actionCalibrateWand")->trigger();
+  QVERIFY(find<QWidget>("wandPage")->isVisible());
+}
+
+void WandPageTest::cleanup() {
+  window_.reset();
+}
+
+void WandPageTest::refine(const FrameSpan& span) {
+  window_->selection().selectSpan(span);
+  find<QCheckBox>("wandSpan")->click();
+  QVERIFY(find<QCheckBox>("wandSpan")->isChecked());
+  find<QComboBox>("wandSize")->activated(0);
+  press("wandRefine");
+  QVERIFY(!isIdle());
+}
+
+void WandPageTest::refinesInOneStepAsTheCommandLineDoes() {
+  const CameraRig before = cameras();
+  refine(kWave);
+  QVERIFY(QTest::qWaitFor([&] { return isIdle(); }, kPatienceMs));
+  auto inputs = openProject(SessionRequest(std::filesystem::path()));
+  QVERIFY(inputs);
+  WandOptions options; // as "dewpoint-cli calibrate wand demo --frames 60:200"
+  options.firstFrame = 60;
+  options.endFrame = 200;
+  const auto expected = refineFromRecording(inputs->project, *inputs->source, options);
+  QVERIFY(expected);
+  if (!expected->result.faults.empty()) {
+    press("wandApply");
+  }
+  QVERIFY(cameras() == expected->result.cameras); // to the bit
+  QVERIFY(cameras() != before);
+  QCOMPARE(history().count(), 1);
+  QVERIFY(history().undoText().contains(QStringLiteral("waved")));
+  const QString verdict = find<QLabel>("wandVerdict")->text();
+  QVERIFY2(verdict.contains(QStringLiteral("In this volume ±")), qPrintable(verdict));
+  auto* table = find<QTableWidget>("wandCameras");
+  QCOMPARE(table->rowCount(), 2);
+  QVERIFY(table->item(0, 1)->text().toDouble() > 0.0);
+  QVERIFY(table->item(0, 1)->text().toDouble() < 1.0); // px: rendered images
+  // While it is pressed, the views show the grid with the cameras as they were.
+  const QImage after = layer(0)->parentWidget()->grab().toImage();
+  QTest::mousePress(find<QPushButton>("wandFlip"), Qt::LeftButton);
+  QVERIFY(layer(0)->parentWidget()->grab().toImage() != after);
+  QTest::mouseRelease(find<QPushButton>("wandFlip"), Qt::LeftButton);
+  QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(cameras() == before);
+  QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  QVERIFY(cameras() == expected->result.cameras);
+}
+
+void WandPageTest::cancelKeepsTheCameras() {
+  const CameraRig before = cameras();
+  refine({0, 377});
+  press("wandCancel");
+  QVERIFY(QTest::qWaitFor([&] { return isIdle(); }, kPatienceMs));
+  QVERIFY(cameras() == before);
+  QCOMPARE(history().count(), 0);
+  QVERIFY(!find<QLabel>("wandVerdict")->isVisible());
+  QVERIFY(find<QPushButton>("wandRefine")->isEnabled());
+}
+
+void WandPageTest::aBadResultIsOneSentence() {
+  const CameraRig before = cameras();
+  refine({0, 29}); // the ball is at rest there
+  QVERIFY(QTest::qWaitFor([&] { return isIdle(); }, kPatienceMs));
+  QVERIFY(find<QLabel>("wandVerdict")->isVisible());
+  QVERIFY(find<QLabel>("wandVerdict")->text().startsWith(QStringLiteral("⚠")));
+  QVERIFY(find<QLabel>("wandNotes")->text().contains(QStringLiteral("as they were")));
+  QVERIFY(!find<QTableWidget>("wandCameras")->isVisible());
+  QVERIFY(cameras() == before);
+  QCOMPARE(history().count(), 0);
+  QVERIFY(QApplication::activeModalWidget() == nullptr);
+}
+
+void WandPageTest::momentsAreTakenAndRemoved() {
+  auto* list = find<QListWidget>("wandMomentList");
+  press("wandTake");
+  QCOMPARE(list->count(), 1);
+  press("wandTake"); // the same again is one
+  QCOMPARE(list->count(), 1);
+  const qint64 first = window_->shown()->frame;
+  QTest::keyClick(window_.get(), Qt::Key_Period);
+  QVERIFY(QTest::qWaitFor([&] { return window_->shown()->frame > first; }, kPatienceMs));
+  press("wandTake");
+  QCOMPARE(list->count(), 2); // the floor is touched at several places
+  find<QComboBox>("wandRole")->setCurrentIndex(3);
+  press("wandTake");
+  QCOMPARE(list->count(), 3);
+  QVERIFY(find<QLabel>("wandMissing")->text().contains(QStringLiteral("fall")));
+  QVERIFY(!find<QPushButton>("wandRefine")->isEnabled());
+  list->setCurrentRow(2);
+  press("wandRemove");
+  QCOMPARE(list->count(), 2);
+  QVERIFY(find<QPushButton>("wandRefine")->isEnabled());
+  // Enter shows the moment again.
+  list->setCurrentRow(0);
+  list->itemActivated(list->item(0));
+  QVERIFY(QTest::qWaitFor([&] { return window_->shown()->frame == first; }, kPatienceMs));
+}
+
+void WandPageTest::saysWhatIsMissing() {
+  auto* missing = find<QLabel>("wandMissing");
+  QVERIFY(!missing->isVisible());
+  QVERIFY(!find<QComboBox>("wandOther")->isVisible());
+  find<QComboBox>("wandKind")->activated(1); // a stick, but the demo has one ball
+  QVERIFY(missing->isVisible());
+  QVERIFY(find<QComboBox>("wandOther")->isVisible());
+  QVERIFY(!find<QPushButton>("wandRefine")->isEnabled());
+  QVERIFY(window_->document().edit(QStringLiteral("another"), [](Project& project) {
+    project.targets.push_back(project.targets.front());
+    project.targets.back().name = "another";
+  }));
+  QVERIFY(!missing->isVisible());
+  QCOMPARE(find<QComboBox>("wandOther")->currentText(), QStringLiteral("another"));
+  find<QComboBox>("wandOther")->setCurrentIndex(0);
+  find<QComboBox>("wandOther")->activated(0);
+  QVERIFY(missing->isVisible()); // both ends are one
+  find<QComboBox>("wandKind")->activated(0);
+  find<QComboBox>("wandSize")->activated(2); // a distance, but no moments
+  QVERIFY(missing->isVisible());
+  QVERIFY(find<QWidget>("wandDistance")->isVisible());
+}
+
+void WandPageTest::liveCamerasAreCollected() {
+  window_ = std::make_unique<MainWindow>([](const SessionRequest& request) {
+    auto inputs = openProject(request);
+    if (inputs) {
+      inputs->source = std::make_unique<LiveDemo>(std::move(inputs->source));
+    }
+    return inputs;
+  });
+  window_->resize(1500, 950);
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  window_->setPlayOnOpen(false);
+  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
+  window_->openProject({});
+  QVERIFY(opened.wait(kPatienceMs));
+  find<QAction>("actionCalibrateWand")->trigger();
+  QVERIFY(QTest::qWaitFor([&] { return find<QWidget>("wandWave")->isVisible(); }, kPatienceMs));
+  QVERIFY(!find<QPushButton>("wandRefine")->isEnabled());
+  QVERIFY(find<QLabel>("wandMissing")->text().contains(QStringLiteral("Start waving")));
+  const CameraRig before = cameras();
+  press("wandWave");
+  QVERIFY(QTest::qWaitFor(
+      [&] {
+        const auto* seen = window_->findChild<QLabel*>(QStringLiteral("wandSeen1"));
+        return seen != nullptr && seen->text().section(QLatin1Char(' '), -1).toInt() > 180;
+      },
+      kPatienceMs));
+  QVERIFY(find<QWidget>("wandMap0")->accessibleName().contains(QStringLiteral("regions")));
+  press("wandWave"); // stop
+  QVERIFY(find<QPushButton>("wandWave")->text().contains(QStringLiteral("Start")));
+  find<QComboBox>("wandSize")->activated(0);
+  press("wandRefine");
+  QVERIFY(QTest::qWaitFor([&] { return isIdle(); }, kPatienceMs));
+  const QString verdict = find<QLabel>("wandVerdict")->text();
+  QVERIFY2(verdict.contains(QStringLiteral("In this volume ±")), qPrintable(verdict));
+  if (find<QPushButton>("wandApply")->isVisible()) {
+    press("wandApply");
+  }
+  QVERIFY(cameras() != before);
+  QCOMPARE(history().count(), 1);
+  // The demo's cameras are the true ones: they stay near (two cameras and a short path).
+  for (std::size_t k = 0; k < 2; ++k) {
+    QVERIFY((cameras()[k].center() - before[k].center()).norm() < 0.1);
+  }
+}
+
+void WandPageTest::everythingHasAName() {
+  for (QWidget* field : find<QWidget>("wandPage")->findChildren<QWidget*>()) {
+    const bool control = qobject_cast<QAbstractButton*>(field) != nullptr ||
+                         qobject_cast<QComboBox*>(field) != nullptr ||
+                         qobject_cast<QAbstractSpinBox*>(field) != nullptr ||
+                         qobject_cast<QListWidget*>(field) != nullptr;
+    if (control && field->parentWidget()->objectName().startsWith(QStringLiteral("wand"))) {
+      QVERIFY2(!field->accessibleName().isEmpty(), qPrintable(field->objectName()));
+      QVERIFY2(!field->toolTip().isEmpty(), qPrintable(field->objectName()));
+      QVERIFY2(!field->objectName().isEmpty(), qPrintable(field->accessibleName()));
+    }
+  }
+}
+
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
+  QApplication::setApplicationName(QStringLiteral("wand-page"));
+  dewpoint::WandPageTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "wand_page_test.moc"
