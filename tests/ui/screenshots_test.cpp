@@ -14,6 +14,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QMouseEvent>
@@ -61,6 +62,7 @@ private Q_SLOTS:
 private:
   void keep(const QImage& picture, const QString& name);
   void keepCalibration(MainWindow& window);
+  void keepPlan(MainWindow& window);
 
   QString theme_;
 };
@@ -125,6 +127,21 @@ void ScreenshotsTest::keepCalibration(MainWindow& window) {
   window.findChild<QAction*>("actionCalibrateByHand")->setChecked(false);
 }
 
+void ScreenshotsTest::keepPlan(MainWindow& window) {
+  window.findChild<QAction*>("actionPlanRig")->trigger();
+  window.findChild<QAction*>("actionShowMap")->setChecked(true);
+  window.findChild<QAction*>("actionFindPlace")->trigger();
+  auto* list = window.findChild<QComboBox*>("planCamera");
+  QVERIFY(QTest::qWaitFor([&] { return list->count() == 1; }, kPatienceMs));
+  window.findChild<QAction*>("actionLookFree")->trigger();
+  QTest::qWait(kSettleMs);
+  keep(window.grab().toImage(), QStringLiteral("calibration-plan"));
+  window.findChild<QAction*>("actionLookFromAbove")->trigger();
+  window.findChild<QAction*>("actionShowMap")->setChecked(false);
+  window.findChild<QPushButton*>("planRemove")->click();
+  window.findChild<QAction*>("actionCalibrateByHand")->setChecked(false);
+}
+
 void ScreenshotsTest::everyView() {
   QFETCH(int, theme);
   theme_ = QLatin1String(QTest::currentDataTag());
@@ -161,6 +178,7 @@ void ScreenshotsTest::everyView() {
   QTest::qWait(kSettleMs);
   keep(window.grab().toImage(), QStringLiteral("window-color"));
   keepCalibration(window);
+  keepPlan(window);
   window.findChild<QAction*>("actionShortcuts")->trigger();
   window.findChild<QAction*>("actionExportTrajectory")->trigger();
   QTest::qWait(kSettleMs);

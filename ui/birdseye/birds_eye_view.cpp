@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/birdseye/birds_eye_view.h"
 
+#include "ui/birdseye/map_legend.h"
 #include "ui/birdseye/offscreen_vtk.h"
 
 #include <QEvent>
@@ -219,7 +220,12 @@ void BirdsEyeView::renderPicture() {
 
 QImage BirdsEyeView::currentPicture() {
   renderPicture();
-  return picture_;
+  QImage picture = picture_;
+  if (!picture.isNull() && scene_.map() != nullptr) {
+    QPainter painter(&picture);
+    paintMapLegend(painter, rect(), scene_.mapLook(), palette());
+  }
+  return picture;
 }
 
 void BirdsEyeView::paintEvent(QPaintEvent*) {
@@ -239,6 +245,9 @@ void BirdsEyeView::paintEvent(QPaintEvent*) {
   }
   painter.drawImage(QPointF(0, 0), picture_);
   paintHandles(painter);
+  if (scene_.map() != nullptr) {
+    paintMapLegend(painter, rect(), scene_.mapLook(), palette());
+  }
   if (hasFocus()) {
     painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));

@@ -52,8 +52,14 @@ public:
   /// Cameras that can be dragged, the chosen one also by what it looks at; empty: none.
   void setCameraHandles(std::vector<CameraHandle> handles, int chosen);
 
+  /// How well the cameras see the room, with a legend; null: nothing is shown of it.
+  void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
+  /// Cameras that are thought of: drawn otherwise than those of the snapshots.
+  void showPlanned(const CameraRig& cameras);
+
   Scene3d::View currentView() const;
-  /// The picture as it is now, without the buttons; null without OpenGL. Device pixels.
+  /// The picture as it is now, with its legend but without the buttons; null without OpenGL. Device
+  /// pixels.
   QImage currentPicture();
   /// The scene as drawn, for those who convert between pixels and metres.
   const Scene3d& scene() const { return scene_; }
@@ -83,6 +89,8 @@ Q_SIGNALS:
   void cameraDropped();
 
 protected:
+  /// A tool tip over the map says its value there.
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
@@ -108,6 +116,7 @@ private:
   bool takeHandle(QPointF position);
   void dragHandle(QPointF position);
   void paintHandles(QPainter& painter) const;
+  QString mapTextAt(QPointF position) const;
   void sendPointer(int what, QPointF position, Qt::KeyboardModifiers modifiers);
   QSize pictureSize() const;
 

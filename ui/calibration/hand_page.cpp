@@ -4,6 +4,7 @@
 #include "ui/calibration/camera_fields.h"
 #include "ui/calibration/grid_fields.h"
 #include "ui/calibration/hand_desk.h"
+#include "ui/calibration/page_title.h"
 #include "ui/calibration/point_desk.h"
 #include "ui/calibration/points_table.h"
 #include "ui/settings/retranslation.h"
@@ -12,21 +13,11 @@
 #include <QVBoxLayout>
 
 namespace dewpoint {
-namespace {
-
-QLabel* makeTitle(QWidget* parent) {
-  auto* title = new QLabel(parent);
-  QFont font = title->font();
-  font.setBold(true);
-  title->setFont(font);
-  return title;
-}
-
-} // namespace
 
 HandPage::HandPage(HandDesk& hand, PointDesk& points, QWidget* parent)
     : QWidget(parent), guide_(new QLabel(this)), remark_(new QLabel(this)),
-      cameraTitle_(makeTitle(this)), gridTitle_(makeTitle(this)), pointsTitle_(makeTitle(this)) {
+      cameraTitle_(makePageTitle(this)), gridTitle_(makePageTitle(this)),
+      pointsTitle_(makePageTitle(this)) {
   setObjectName(QStringLiteral("handPage"));
   guide_->setWordWrap(true);
   remark_->setObjectName(QStringLiteral("handRemark"));

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+class QLabel;
+class QWidget;
+
+namespace dewpoint {
+
+/// The bold heading of a part of a page.
+QLabel* makePageTitle(QWidget* parent);
+
+} // namespace dewpoint
