@@ -427,6 +427,49 @@
         <source>Adjust cameras until a grid lies on the real thing in their images</source>
         <translation>Kameras einstellen, bis ein Gitter in ihren Bildern auf dem Wirklichen liegt</translation>
     </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planen</translation>
+    </message>
+    <message>
+        <source>Plan the rig…</source>
+        <translation>Den Aufbau planen…</translation>
+    </message>
+    <message>
+        <source>See how well the cameras will measure, and where one more would help</source>
+        <translation>Sehen, wie gut die Kameras messen werden und wo eine weitere hülfe</translation>
+    </message>
+    <message>
+        <source>Show the map of expected errors</source>
+        <translation>Die Karte der erwarteten Fehler zeigen</translation>
+    </message>
+    <message>
+        <source>Show in the bird&apos;s-eye view how far off a target is expected to be at each place</source>
+        <translation>In der Vogelperspektive zeigen, wie weit ein Ziel an jedem Ort voraussichtlich danebenliegt</translation>
+    </message>
+    <message>
+        <source>Add a camera to plan</source>
+        <translation>Eine Kamera einplanen</translation>
+    </message>
+    <message>
+        <source>Add a camera that is not there yet, to be dragged about</source>
+        <translation>Eine Kamera hinzufügen, die es noch nicht gibt, zum Umherziehen</translation>
+    </message>
+    <message>
+        <source>Find the best place for one more camera</source>
+        <translation>Den besten Ort für eine weitere Kamera suchen</translation>
+    </message>
+    <message>
+        <source>Search the walls and the ceiling for the place from which one more camera helps most</source>
+        <translation>An Wänden und Decke den Ort suchen, von dem eine weitere Kamera am meisten hilft</translation>
+    </message>
+</context>
+<context>
+    <name>Bump</name>
+    <message>
+        <source>turned by %1°</source>
+        <translation>um %1° verdreht</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -605,6 +648,29 @@
     <message>
         <source>No target yet</source>
         <translation>Noch kein Ziel</translation>
+    </message>
+</context>
+<context>
+    <name>MapLegend</name>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>blank: none</source>
+        <translation>leer: keine</translation>
+    </message>
+    <message>
+        <source>blank: fewer than two cameras</source>
+        <translation>leer: weniger als zwei Kameras</translation>
+    </message>
+    <message>
+        <source>Cameras that see it</source>
+        <translation>Kameras, die es sehen</translation>
+    </message>
+    <message>
+        <source>Expected error (1 σ)</source>
+        <translation>Erwarteter Fehler (1 σ)</translation>
     </message>
 </context>
 <context>
@@ -1078,6 +1144,10 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
         <translation>Das füllt einen großen Teil des Bildes: Klicke das Ding selbst an oder ziehe einen Rahmen darum.</translation>
     </message>
+    <message>
+        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
+        <translation>%1 % der Bilder passen. Umschalt-Klick auf das Ziel sagt, wie gut es sich abhebt.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BirdsEyeView</name>
@@ -1116,6 +1186,45 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>No 3D: %1</source>
         <translation>Kein 3D: %1</translation>
+    </message>
+    <message>
+        <source>Cameras that see it: %1</source>
+        <translation>Kameras, die es sehen: %1</translation>
+    </message>
+    <message>
+        <source>±%1 (1 σ); cameras that see it: %2</source>
+        <translation>±%1 (1 σ); Kameras, die es sehen: %2</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BumpMessages</name>
+    <message>
+        <source>%1 was %2 (frame %3).</source>
+        <translation>%1 wurde %2 (Bild %3).</translation>
+    </message>
+    <message>
+        <source>Its new pose is being worked out.</source>
+        <translation>Ihre neue Lage wird gerade bestimmt.</translation>
+    </message>
+    <message>
+        <source>Its pose can be solved again from what it sees.</source>
+        <translation>Ihre Lage lässt sich aus dem, was sie sieht, neu bestimmen.</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>%1 neu bestimmen</translation>
+    </message>
+    <message>
+        <source>It cannot be solved again from what it sees: calibrate it anew, or put it back.</source>
+        <translation>Aus dem, was sie sieht, lässt sich das nicht neu bestimmen: neu kalibrieren oder zurückstellen.</translation>
+    </message>
+    <message>
+        <source>Calibrate %1…</source>
+        <translation>%1 kalibrieren…</translation>
+    </message>
+    <message>
+        <source>%1 stands again as it was calibrated.</source>
+        <translation>%1 steht wieder so, wie sie kalibriert wurde.</translation>
     </message>
 </context>
 <context>
@@ -2413,6 +2522,137 @@ bei %4, %5, %6 m</translation>
         <source>Speak this language</source>
         <translation>Diese Sprache sprechen</translation>
     </message>
+    <message>
+        <source>%1 cannot be solved again now.</source>
+        <translation>%1 lässt sich jetzt nicht neu bestimmen.</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>%1 neu bestimmen</translation>
+    </message>
+    <message>
+        <source>%1 is calibrated as it stands now. Undo takes it back.</source>
+        <translation>%1 ist jetzt so kalibriert, wie sie steht. Rückgängig nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
+        <translation>Das Ziel lag %1 px neben dem, wo die anderen es sehen, jetzt %2 px.</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::MapFields</name>
+    <message>
+        <source>Show the map in the bird&apos;s-eye view</source>
+        <translation>Die Karte in der Vogelperspektive zeigen</translation>
+    </message>
+    <message>
+        <source>How far off a target is expected to be at each place; it follows every move of a camera</source>
+        <translation>Wie weit ein Ziel an jedem Ort voraussichtlich danebenliegt; folgt jeder Bewegung einer Kamera</translation>
+    </message>
+    <message>
+        <source>Colors show</source>
+        <translation>Farben zeigen</translation>
+    </message>
+    <message>
+        <source>the expected error</source>
+        <translation>den erwarteten Fehler</translation>
+    </message>
+    <message>
+        <source>the number of cameras</source>
+        <translation>die Zahl der Kameras</translation>
+    </message>
+    <message>
+        <source>What the colors show</source>
+        <translation>Was die Farben zeigen</translation>
+    </message>
+    <message>
+        <source>The expected error (standard deviation along the worst direction), or how many cameras see a place</source>
+        <translation>Der erwartete Fehler (Standardabweichung in der schlechtesten Richtung), oder wie viele Kameras einen Ort sehen</translation>
+    </message>
+    <message>
+        <source>Good enough</source>
+        <translation>Gut genug</translation>
+    </message>
+    <message>
+        <source>The error that is good enough: up to it the map is blue, and it is what the sentence and the search for a place go by</source>
+        <translation>Der Fehler, der gut genug ist: bis dahin ist die Karte blau, und danach richten sich der Satz und die Suche nach einem Ort</translation>
+    </message>
+    <message>
+        <source>Error of a sighting</source>
+        <translation>Fehler einer Sichtung</translation>
+    </message>
+    <message>
+        <source>How far off a target is found in an image, in pixels (one standard deviation)</source>
+        <translation>Wie weit daneben ein Ziel im Bild gefunden wird, in Pixeln (eine Standardabweichung)</translation>
+    </message>
+    <message>
+        <source>Layer at</source>
+        <translation>Schicht bei</translation>
+    </message>
+    <message>
+        <source>Show the map in a horizontal layer</source>
+        <translation>Die Karte in einer waagrechten Schicht zeigen</translation>
+    </message>
+    <message>
+        <source>Height of the layer</source>
+        <translation>Höhe der Schicht</translation>
+    </message>
+    <message>
+        <source>Height of the layer above the floor</source>
+        <translation>Höhe der Schicht über dem Boden</translation>
+    </message>
+    <message>
+        <source>Height of the layer in metres</source>
+        <translation>Höhe der Schicht in Metern</translation>
+    </message>
+    <message>
+        <source>Volume: surfaces around what is good and what is fair</source>
+        <translation>Raum: Flächen um Gutes und Brauchbares</translation>
+    </message>
+    <message>
+        <source>Show through the room where the error is at most 0.4, 1 and 2 times what is good enough, or where two, three and four cameras see</source>
+        <translation>Im ganzen Raum zeigen, wo der Fehler höchstens das 0,4-, 1- und 2-fache dessen ist, was gut genug ist, oder wo zwei, drei und vier Kameras sehen</translation>
+    </message>
+    <message>
+        <source>Volume from x, y, z</source>
+        <translation>Raum von x, y, z</translation>
+    </message>
+    <message>
+        <source>to x, y, z</source>
+        <translation>bis x, y, z</translation>
+    </message>
+    <message>
+        <source>Volume from %1</source>
+        <translation>Raum von %1</translation>
+    </message>
+    <message>
+        <source>Where the volume begins, in metres</source>
+        <translation>Wo der Raum beginnt, in Metern</translation>
+    </message>
+    <message>
+        <source>Volume to %1</source>
+        <translation>Raum bis %1</translation>
+    </message>
+    <message>
+        <source>Where the volume ends, in metres</source>
+        <translation>Wo der Raum endet, in Metern</translation>
+    </message>
+    <message>
+        <source>Like the reference grid</source>
+        <translation>Wie das Bezugsgitter</translation>
+    </message>
+    <message>
+        <source>The volume above the reference grid, up to the highest camera</source>
+        <translation>Der Raum über dem Bezugsgitter, bis zur höchsten Kamera</translation>
+    </message>
+    <message>
+        <source>%1 of the volume within %2, %3 seen by fewer than two cameras</source>
+        <translation>%1 des Raums innerhalb von %2, %3 von weniger als zwei Kameras gesehen</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::MessageBar</name>
@@ -2593,6 +2833,159 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>How the targets are tracked: “dewpoint” is the surest and most accurate, “barrera” the particle filter of Barrera et al. (2005). Tracking starts anew.</source>
         <translation>Wie die Ziele verfolgt werden: „dewpoint“ ist am sichersten und genauesten, „barrera“ ist der Partikelfilter von Barrera et al. (2005). Die Verfolgung beginnt neu.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanDesk</name>
+    <message>
+        <source>camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
+        <translation>%1 hierher: x %2, y %3, z %4 m. Dann liegen %5 des Raums innerhalb von %6, statt %7.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanFields</name>
+    <message>
+        <source>Add a camera to plan</source>
+        <translation>Eine Kamera einplanen</translation>
+    </message>
+    <message>
+        <source>A camera that is not there yet: drag it in the bird&apos;s-eye view, or type where it stands (%1)</source>
+        <translation>Eine Kamera, die es noch nicht gibt: in der Vogelperspektive ziehen oder ihren Ort eingeben (%1)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the planned camera</source>
+        <translation>Die geplante Kamera entfernen</translation>
+    </message>
+    <message>
+        <source>Take the chosen planned camera away</source>
+        <translation>Die gewählte geplante Kamera wegnehmen</translation>
+    </message>
+    <message>
+        <source>Planned camera</source>
+        <translation>Geplante Kamera</translation>
+    </message>
+    <message>
+        <source>The planned camera that the numbers below belong to</source>
+        <translation>Die geplante Kamera, zu der die Zahlen darunter gehören</translation>
+    </message>
+    <message>
+        <source>Stands at x, y, z</source>
+        <translation>Steht bei x, y, z</translation>
+    </message>
+    <message>
+        <source>Looks at x, y, z</source>
+        <translation>Blickt auf x, y, z</translation>
+    </message>
+    <message>
+        <source>Field of view, image width and height</source>
+        <translation>Blickwinkel, Bildbreite und -höhe</translation>
+    </message>
+    <message>
+        <source>Planned position %1</source>
+        <translation>Geplanter Ort %1</translation>
+    </message>
+    <message>
+        <source>Where the camera stands, in metres</source>
+        <translation>Wo die Kamera steht, in Metern</translation>
+    </message>
+    <message>
+        <source>Planned camera looks at %1</source>
+        <translation>Geplante Kamera blickt auf %1</translation>
+    </message>
+    <message>
+        <source>A point on its line of sight, in metres</source>
+        <translation>Ein Punkt auf ihrer Blickrichtung, in Metern</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Blickwinkel</translation>
+    </message>
+    <message>
+        <source>How wide the camera sees, from left to right</source>
+        <translation>Wie weit die Kamera sieht, von links nach rechts</translation>
+    </message>
+    <message>
+        <source>Image width</source>
+        <translation>Bildbreite</translation>
+    </message>
+    <message>
+        <source>Pixels of its image, from left to right</source>
+        <translation>Pixel ihres Bildes, von links nach rechts</translation>
+    </message>
+    <message>
+        <source>Image height</source>
+        <translation>Bildhöhe</translation>
+    </message>
+    <message>
+        <source>Pixels of its image, from top to bottom</source>
+        <translation>Pixel ihres Bildes, von oben nach unten</translation>
+    </message>
+    <message>
+        <source>Walls and ceiling outside the volume by</source>
+        <translation>Wände und Decke außerhalb des Raums um</translation>
+    </message>
+    <message>
+        <source>Distance of the walls</source>
+        <translation>Abstand der Wände</translation>
+    </message>
+    <message>
+        <source>The search looks on the four walls and the ceiling around the volume, this far outside of it</source>
+        <translation>Gesucht wird an den vier Wänden und der Decke um den Raum, so weit außerhalb</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel the search</source>
+        <translation>Die Suche abbrechen</translation>
+    </message>
+    <message>
+        <source>End the search; nothing is added</source>
+        <translation>Die Suche beenden; nichts wird hinzugefügt</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>none chosen</source>
+        <translation>keine gewählt</translation>
+    </message>
+    <message>
+        <source>Find the best place for %1</source>
+        <translation>Den besten Ort für %1 suchen</translation>
+    </message>
+    <message>
+        <source>Search the walls and the ceiling for the place from which one more camera helps most (%1)</source>
+        <translation>An Wänden und Decke den Ort suchen, von dem eine weitere Kamera am meisten hilft (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanPage</name>
+    <message>
+        <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
+        <translation>Wie gut werden diese Kameras messen, und wo hülfe eine weitere? Eine Kamera in der Vogelperspektive ziehen: die Karte folgt.</translation>
+    </message>
+    <message>
+        <source>Map of expected errors</source>
+        <translation>Karte der erwarteten Fehler</translation>
+    </message>
+    <message>
+        <source>Planned cameras</source>
+        <translation>Geplante Kameras</translation>
+    </message>
+    <message>
+        <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
+        <translation>Geplante Kameras werden nicht mit dem Projekt gespeichert und gehören nicht zum Lauf. Die Karte berücksichtigt nichts im Raum, was einen Ort verdeckt.</translation>
     </message>
 </context>
 <context>

@@ -427,6 +427,49 @@
         <source>Adjust cameras until a grid lies on the real thing in their images</source>
         <translation>Ajustar las cámaras hasta que una cuadrícula coincida con lo real en sus imágenes</translation>
     </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planificar</translation>
+    </message>
+    <message>
+        <source>Plan the rig…</source>
+        <translation>Planificar el montaje…</translation>
+    </message>
+    <message>
+        <source>See how well the cameras will measure, and where one more would help</source>
+        <translation>Ver qué tal medirán las cámaras y dónde ayudaría otra</translation>
+    </message>
+    <message>
+        <source>Show the map of expected errors</source>
+        <translation>Mostrar el mapa de errores esperados</translation>
+    </message>
+    <message>
+        <source>Show in the bird&apos;s-eye view how far off a target is expected to be at each place</source>
+        <translation>Mostrar en la vista de pájaro cuánto se espera que se desvíe un objetivo en cada lugar</translation>
+    </message>
+    <message>
+        <source>Add a camera to plan</source>
+        <translation>Añadir una cámara al plan</translation>
+    </message>
+    <message>
+        <source>Add a camera that is not there yet, to be dragged about</source>
+        <translation>Añadir una cámara que aún no existe, para arrastrarla</translation>
+    </message>
+    <message>
+        <source>Find the best place for one more camera</source>
+        <translation>Buscar el mejor lugar para otra cámara</translation>
+    </message>
+    <message>
+        <source>Search the walls and the ceiling for the place from which one more camera helps most</source>
+        <translation>Buscar en paredes y techo el lugar desde el que más ayuda otra cámara</translation>
+    </message>
+</context>
+<context>
+    <name>Bump</name>
+    <message>
+        <source>turned by %1°</source>
+        <translation>girada %1°</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -605,6 +648,29 @@
     <message>
         <source>No target yet</source>
         <translation>Aún sin objetivo</translation>
+    </message>
+</context>
+<context>
+    <name>MapLegend</name>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 o más</translation>
+    </message>
+    <message>
+        <source>blank: none</source>
+        <translation>vacío: ninguna</translation>
+    </message>
+    <message>
+        <source>blank: fewer than two cameras</source>
+        <translation>vacío: menos de dos cámaras</translation>
+    </message>
+    <message>
+        <source>Cameras that see it</source>
+        <translation>Cámaras que lo ven</translation>
+    </message>
+    <message>
+        <source>Expected error (1 σ)</source>
+        <translation>Error esperado (1 σ)</translation>
     </message>
 </context>
 <context>
@@ -1078,6 +1144,10 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
         <translation>Esto llena gran parte de la imagen: haz clic en la cosa misma o arrastra un recuadro sobre ella.</translation>
     </message>
+    <message>
+        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
+        <translation>Coincide el %1 % de las imágenes. Mayús-clic en el objetivo para saber cuánto destaca.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BirdsEyeView</name>
@@ -1116,6 +1186,45 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>No 3D: %1</source>
         <translation>Sin 3D: %1</translation>
+    </message>
+    <message>
+        <source>Cameras that see it: %1</source>
+        <translation>Cámaras que lo ven: %1</translation>
+    </message>
+    <message>
+        <source>±%1 (1 σ); cameras that see it: %2</source>
+        <translation>±%1 (1 σ); cámaras que lo ven: %2</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BumpMessages</name>
+    <message>
+        <source>%1 was %2 (frame %3).</source>
+        <translation>%1 fue %2 (fotograma %3).</translation>
+    </message>
+    <message>
+        <source>Its new pose is being worked out.</source>
+        <translation>Se está calculando su nueva pose.</translation>
+    </message>
+    <message>
+        <source>Its pose can be solved again from what it sees.</source>
+        <translation>Su pose puede resolverse de nuevo a partir de lo que ve.</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>Resolver de nuevo %1</translation>
+    </message>
+    <message>
+        <source>It cannot be solved again from what it sees: calibrate it anew, or put it back.</source>
+        <translation>No puede resolverse de nuevo a partir de lo que ve: calíbrela otra vez o devuélvala a su sitio.</translation>
+    </message>
+    <message>
+        <source>Calibrate %1…</source>
+        <translation>Calibrar %1…</translation>
+    </message>
+    <message>
+        <source>%1 stands again as it was calibrated.</source>
+        <translation>%1 vuelve a estar como se calibró.</translation>
     </message>
 </context>
 <context>
@@ -2413,6 +2522,137 @@ en %4, %5, %6 m</translation>
         <source>Speak this language</source>
         <translation>Hablar este idioma</translation>
     </message>
+    <message>
+        <source>%1 cannot be solved again now.</source>
+        <translation>%1 no puede resolverse de nuevo ahora.</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>Resolver de nuevo %1</translation>
+    </message>
+    <message>
+        <source>%1 is calibrated as it stands now. Undo takes it back.</source>
+        <translation>%1 queda calibrada como está ahora. Deshacer lo revierte.</translation>
+    </message>
+    <message>
+        <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
+        <translation>El objetivo estaba a %1 px de donde lo ven las demás, y ahora a %2 px.</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planificar</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::MapFields</name>
+    <message>
+        <source>Show the map in the bird&apos;s-eye view</source>
+        <translation>Mostrar el mapa en la vista de pájaro</translation>
+    </message>
+    <message>
+        <source>How far off a target is expected to be at each place; it follows every move of a camera</source>
+        <translation>Cuánto se espera que se desvíe un objetivo en cada lugar; sigue cada movimiento de una cámara</translation>
+    </message>
+    <message>
+        <source>Colors show</source>
+        <translation>Los colores muestran</translation>
+    </message>
+    <message>
+        <source>the expected error</source>
+        <translation>el error esperado</translation>
+    </message>
+    <message>
+        <source>the number of cameras</source>
+        <translation>el número de cámaras</translation>
+    </message>
+    <message>
+        <source>What the colors show</source>
+        <translation>Qué muestran los colores</translation>
+    </message>
+    <message>
+        <source>The expected error (standard deviation along the worst direction), or how many cameras see a place</source>
+        <translation>El error esperado (desviación estándar en la peor dirección), o cuántas cámaras ven un lugar</translation>
+    </message>
+    <message>
+        <source>Good enough</source>
+        <translation>Suficiente</translation>
+    </message>
+    <message>
+        <source>The error that is good enough: up to it the map is blue, and it is what the sentence and the search for a place go by</source>
+        <translation>El error que basta: hasta él el mapa es azul, y por él se rigen la frase y la búsqueda de un lugar</translation>
+    </message>
+    <message>
+        <source>Error of a sighting</source>
+        <translation>Error de una observación</translation>
+    </message>
+    <message>
+        <source>How far off a target is found in an image, in pixels (one standard deviation)</source>
+        <translation>Cuánto se desvía el objetivo hallado en una imagen, en píxeles (una desviación estándar)</translation>
+    </message>
+    <message>
+        <source>Layer at</source>
+        <translation>Capa a</translation>
+    </message>
+    <message>
+        <source>Show the map in a horizontal layer</source>
+        <translation>Mostrar el mapa en una capa horizontal</translation>
+    </message>
+    <message>
+        <source>Height of the layer</source>
+        <translation>Altura de la capa</translation>
+    </message>
+    <message>
+        <source>Height of the layer above the floor</source>
+        <translation>Altura de la capa sobre el suelo</translation>
+    </message>
+    <message>
+        <source>Height of the layer in metres</source>
+        <translation>Altura de la capa en metros</translation>
+    </message>
+    <message>
+        <source>Volume: surfaces around what is good and what is fair</source>
+        <translation>Volumen: superficies en torno a lo bueno y lo aceptable</translation>
+    </message>
+    <message>
+        <source>Show through the room where the error is at most 0.4, 1 and 2 times what is good enough, or where two, three and four cameras see</source>
+        <translation>Mostrar en toda la sala dónde el error es como mucho 0,4, 1 y 2 veces lo suficiente, o dónde ven dos, tres y cuatro cámaras</translation>
+    </message>
+    <message>
+        <source>Volume from x, y, z</source>
+        <translation>Volumen desde x, y, z</translation>
+    </message>
+    <message>
+        <source>to x, y, z</source>
+        <translation>hasta x, y, z</translation>
+    </message>
+    <message>
+        <source>Volume from %1</source>
+        <translation>Volumen desde %1</translation>
+    </message>
+    <message>
+        <source>Where the volume begins, in metres</source>
+        <translation>Dónde empieza el volumen, en metros</translation>
+    </message>
+    <message>
+        <source>Volume to %1</source>
+        <translation>Volumen hasta %1</translation>
+    </message>
+    <message>
+        <source>Where the volume ends, in metres</source>
+        <translation>Dónde acaba el volumen, en metros</translation>
+    </message>
+    <message>
+        <source>Like the reference grid</source>
+        <translation>Como la cuadrícula de referencia</translation>
+    </message>
+    <message>
+        <source>The volume above the reference grid, up to the highest camera</source>
+        <translation>El volumen sobre la cuadrícula de referencia, hasta la cámara más alta</translation>
+    </message>
+    <message>
+        <source>%1 of the volume within %2, %3 seen by fewer than two cameras</source>
+        <translation>%1 del volumen dentro de %2, %3 visto por menos de dos cámaras</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::MessageBar</name>
@@ -2593,6 +2833,159 @@ en %4, %5, %6 m</translation>
     <message>
         <source>How the targets are tracked: “dewpoint” is the surest and most accurate, “barrera” the particle filter of Barrera et al. (2005). Tracking starts anew.</source>
         <translation>Cómo se siguen los objetivos: «dewpoint» es el más seguro y exacto, «barrera» el filtro de partículas de Barrera et al. (2005). El seguimiento empieza de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanDesk</name>
+    <message>
+        <source>camera %1</source>
+        <translation>cámara %1</translation>
+    </message>
+    <message>
+        <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
+        <translation>Ponga %1 aquí: x %2, y %3, z %4 m. Entonces el %5 del volumen queda dentro de %6, en vez del %7.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanFields</name>
+    <message>
+        <source>Add a camera to plan</source>
+        <translation>Añadir una cámara al plan</translation>
+    </message>
+    <message>
+        <source>A camera that is not there yet: drag it in the bird&apos;s-eye view, or type where it stands (%1)</source>
+        <translation>Una cámara que aún no existe: arrástrela en la vista de pájaro o escriba dónde está (%1)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Remove the planned camera</source>
+        <translation>Quitar la cámara planeada</translation>
+    </message>
+    <message>
+        <source>Take the chosen planned camera away</source>
+        <translation>Quitar la cámara planeada elegida</translation>
+    </message>
+    <message>
+        <source>Planned camera</source>
+        <translation>Cámara planeada</translation>
+    </message>
+    <message>
+        <source>The planned camera that the numbers below belong to</source>
+        <translation>La cámara planeada a la que pertenecen los números de abajo</translation>
+    </message>
+    <message>
+        <source>Stands at x, y, z</source>
+        <translation>Está en x, y, z</translation>
+    </message>
+    <message>
+        <source>Looks at x, y, z</source>
+        <translation>Mira a x, y, z</translation>
+    </message>
+    <message>
+        <source>Field of view, image width and height</source>
+        <translation>Campo de visión, anchura y altura de la imagen</translation>
+    </message>
+    <message>
+        <source>Planned position %1</source>
+        <translation>Posición planeada %1</translation>
+    </message>
+    <message>
+        <source>Where the camera stands, in metres</source>
+        <translation>Dónde está la cámara, en metros</translation>
+    </message>
+    <message>
+        <source>Planned camera looks at %1</source>
+        <translation>La cámara planeada mira a %1</translation>
+    </message>
+    <message>
+        <source>A point on its line of sight, in metres</source>
+        <translation>Un punto de su línea de visión, en metros</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Campo de visión</translation>
+    </message>
+    <message>
+        <source>How wide the camera sees, from left to right</source>
+        <translation>Cuánto abarca la cámara de izquierda a derecha</translation>
+    </message>
+    <message>
+        <source>Image width</source>
+        <translation>Anchura de la imagen</translation>
+    </message>
+    <message>
+        <source>Pixels of its image, from left to right</source>
+        <translation>Píxeles de su imagen, de izquierda a derecha</translation>
+    </message>
+    <message>
+        <source>Image height</source>
+        <translation>Altura de la imagen</translation>
+    </message>
+    <message>
+        <source>Pixels of its image, from top to bottom</source>
+        <translation>Píxeles de su imagen, de arriba abajo</translation>
+    </message>
+    <message>
+        <source>Walls and ceiling outside the volume by</source>
+        <translation>Paredes y techo fuera del volumen a</translation>
+    </message>
+    <message>
+        <source>Distance of the walls</source>
+        <translation>Distancia de las paredes</translation>
+    </message>
+    <message>
+        <source>The search looks on the four walls and the ceiling around the volume, this far outside of it</source>
+        <translation>La búsqueda recorre las cuatro paredes y el techo alrededor del volumen, a esta distancia de él</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Cancel the search</source>
+        <translation>Cancelar la búsqueda</translation>
+    </message>
+    <message>
+        <source>End the search; nothing is added</source>
+        <translation>Terminar la búsqueda; no se añade nada</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>aún ninguna</translation>
+    </message>
+    <message>
+        <source>none chosen</source>
+        <translation>ninguna elegida</translation>
+    </message>
+    <message>
+        <source>Find the best place for %1</source>
+        <translation>Buscar el mejor lugar para %1</translation>
+    </message>
+    <message>
+        <source>Search the walls and the ceiling for the place from which one more camera helps most (%1)</source>
+        <translation>Buscar en paredes y techo el lugar desde el que más ayuda otra cámara (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanPage</name>
+    <message>
+        <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
+        <translation>¿Qué tal medirán estas cámaras, y dónde ayudaría otra? Arrastre una cámara en la vista de pájaro: el mapa la sigue.</translation>
+    </message>
+    <message>
+        <source>Map of expected errors</source>
+        <translation>Mapa de errores esperados</translation>
+    </message>
+    <message>
+        <source>Planned cameras</source>
+        <translation>Cámaras planeadas</translation>
+    </message>
+    <message>
+        <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
+        <translation>Las cámaras planeadas no se guardan con el proyecto ni forman parte de la ejecución. El mapa no tiene en cuenta nada de la sala que oculte un lugar.</translation>
     </message>
 </context>
 <context>

@@ -427,6 +427,49 @@
         <source>Adjust cameras until a grid lies on the real thing in their images</source>
         <translation>画像の中で格子が実物に重なるまでカメラを調整します</translation>
     </message>
+    <message>
+        <source>Plan</source>
+        <translation>計画</translation>
+    </message>
+    <message>
+        <source>Plan the rig…</source>
+        <translation>配置を計画…</translation>
+    </message>
+    <message>
+        <source>See how well the cameras will measure, and where one more would help</source>
+        <translation>カメラの測定精度と、もう1台が役立つ場所を見る</translation>
+    </message>
+    <message>
+        <source>Show the map of expected errors</source>
+        <translation>予想誤差のマップを表示</translation>
+    </message>
+    <message>
+        <source>Show in the bird&apos;s-eye view how far off a target is expected to be at each place</source>
+        <translation>各場所でターゲットがどれだけずれると予想されるかを鳥瞰図に表示</translation>
+    </message>
+    <message>
+        <source>Add a camera to plan</source>
+        <translation>計画にカメラを追加</translation>
+    </message>
+    <message>
+        <source>Add a camera that is not there yet, to be dragged about</source>
+        <translation>まだ存在しないカメラを追加してドラッグする</translation>
+    </message>
+    <message>
+        <source>Find the best place for one more camera</source>
+        <translation>もう1台のカメラの最適な場所を探す</translation>
+    </message>
+    <message>
+        <source>Search the walls and the ceiling for the place from which one more camera helps most</source>
+        <translation>もう1台のカメラが最も役立つ場所を壁と天井で探す</translation>
+    </message>
+</context>
+<context>
+    <name>Bump</name>
+    <message>
+        <source>turned by %1°</source>
+        <translation>%1° 回転</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -605,6 +648,29 @@
     <message>
         <source>No target yet</source>
         <translation>ターゲットなし</translation>
+    </message>
+</context>
+<context>
+    <name>MapLegend</name>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1台以上</translation>
+    </message>
+    <message>
+        <source>blank: none</source>
+        <translation>空白：なし</translation>
+    </message>
+    <message>
+        <source>blank: fewer than two cameras</source>
+        <translation>空白：2台未満</translation>
+    </message>
+    <message>
+        <source>Cameras that see it</source>
+        <translation>見えるカメラの数</translation>
+    </message>
+    <message>
+        <source>Expected error (1 σ)</source>
+        <translation>予想誤差（1 σ）</translation>
     </message>
 </context>
 <context>
@@ -1078,6 +1144,10 @@ From %2 to %3%4; default %5%4.</source>
         <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
         <translation>画像の大部分を占めています。物そのものをクリックするか、枠で囲んでください。</translation>
     </message>
+    <message>
+        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
+        <translation>画像の %1 % が一致します。ターゲットを Shift クリックすると、どれだけ見分けやすいか分かります。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BirdsEyeView</name>
@@ -1116,6 +1186,45 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>No 3D: %1</source>
         <translation>3D 表示なし：%1</translation>
+    </message>
+    <message>
+        <source>Cameras that see it: %1</source>
+        <translation>見えるカメラ：%1台</translation>
+    </message>
+    <message>
+        <source>±%1 (1 σ); cameras that see it: %2</source>
+        <translation>±%1（1 σ）、見えるカメラ：%2台</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BumpMessages</name>
+    <message>
+        <source>%1 was %2 (frame %3).</source>
+        <translation>%1 が %2 しました（フレーム %3）。</translation>
+    </message>
+    <message>
+        <source>Its new pose is being worked out.</source>
+        <translation>新しい姿勢を計算しています。</translation>
+    </message>
+    <message>
+        <source>Its pose can be solved again from what it sees.</source>
+        <translation>見えているものから姿勢を解き直せます。</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>%1 を解き直す</translation>
+    </message>
+    <message>
+        <source>It cannot be solved again from what it sees: calibrate it anew, or put it back.</source>
+        <translation>見えているものからは解き直せません。再校正するか、元に戻してください。</translation>
+    </message>
+    <message>
+        <source>Calibrate %1…</source>
+        <translation>%1 を校正…</translation>
+    </message>
+    <message>
+        <source>%1 stands again as it was calibrated.</source>
+        <translation>%1 は校正時の位置に戻りました。</translation>
     </message>
 </context>
 <context>
@@ -2412,6 +2521,137 @@ at %4, %5, %6 m</source>
         <source>Speak this language</source>
         <translation>この言語で表示します</translation>
     </message>
+    <message>
+        <source>%1 cannot be solved again now.</source>
+        <translation>%1 は今は解き直せません。</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>%1 を解き直す</translation>
+    </message>
+    <message>
+        <source>%1 is calibrated as it stands now. Undo takes it back.</source>
+        <translation>%1 を現在の姿勢に校正しました。元に戻すで取り消せます。</translation>
+    </message>
+    <message>
+        <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
+        <translation>ターゲットは他のカメラが見る位置から %1 px ずれていましたが、今は %2 px です。</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>計画</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::MapFields</name>
+    <message>
+        <source>Show the map in the bird&apos;s-eye view</source>
+        <translation>鳥瞰図にマップを表示</translation>
+    </message>
+    <message>
+        <source>How far off a target is expected to be at each place; it follows every move of a camera</source>
+        <translation>各場所でターゲットがどれだけずれると予想されるか。カメラの動きに追従します</translation>
+    </message>
+    <message>
+        <source>Colors show</source>
+        <translation>色の意味</translation>
+    </message>
+    <message>
+        <source>the expected error</source>
+        <translation>予想誤差</translation>
+    </message>
+    <message>
+        <source>the number of cameras</source>
+        <translation>カメラの数</translation>
+    </message>
+    <message>
+        <source>What the colors show</source>
+        <translation>色が示すもの</translation>
+    </message>
+    <message>
+        <source>The expected error (standard deviation along the worst direction), or how many cameras see a place</source>
+        <translation>予想誤差（最も悪い方向の標準偏差）、またはその場所が見えるカメラの数</translation>
+    </message>
+    <message>
+        <source>Good enough</source>
+        <translation>十分な精度</translation>
+    </message>
+    <message>
+        <source>The error that is good enough: up to it the map is blue, and it is what the sentence and the search for a place go by</source>
+        <translation>十分とみなす誤差：ここまでマップは青く、文と場所の探索もこれに従います</translation>
+    </message>
+    <message>
+        <source>Error of a sighting</source>
+        <translation>観測の誤差</translation>
+    </message>
+    <message>
+        <source>How far off a target is found in an image, in pixels (one standard deviation)</source>
+        <translation>画像内で見つかるターゲットのずれ（ピクセル、標準偏差）</translation>
+    </message>
+    <message>
+        <source>Layer at</source>
+        <translation>層の高さ</translation>
+    </message>
+    <message>
+        <source>Show the map in a horizontal layer</source>
+        <translation>水平な層にマップを表示</translation>
+    </message>
+    <message>
+        <source>Height of the layer</source>
+        <translation>層の高さ（スライダー）</translation>
+    </message>
+    <message>
+        <source>Height of the layer above the floor</source>
+        <translation>床からの層の高さ</translation>
+    </message>
+    <message>
+        <source>Height of the layer in metres</source>
+        <translation>層の高さ（メートル）</translation>
+    </message>
+    <message>
+        <source>Volume: surfaces around what is good and what is fair</source>
+        <translation>空間：良い範囲とまずまずの範囲を囲む面</translation>
+    </message>
+    <message>
+        <source>Show through the room where the error is at most 0.4, 1 and 2 times what is good enough, or where two, three and four cameras see</source>
+        <translation>誤差が十分な値の0.4倍、1倍、2倍以下の範囲、または2台、3台、4台のカメラから見える範囲を空間全体で表示</translation>
+    </message>
+    <message>
+        <source>Volume from x, y, z</source>
+        <translation>空間の始まり x, y, z</translation>
+    </message>
+    <message>
+        <source>to x, y, z</source>
+        <translation>終わり x, y, z</translation>
+    </message>
+    <message>
+        <source>Volume from %1</source>
+        <translation>空間の始まり %1</translation>
+    </message>
+    <message>
+        <source>Where the volume begins, in metres</source>
+        <translation>空間の始まり（メートル）</translation>
+    </message>
+    <message>
+        <source>Volume to %1</source>
+        <translation>空間の終わり %1</translation>
+    </message>
+    <message>
+        <source>Where the volume ends, in metres</source>
+        <translation>空間の終わり（メートル）</translation>
+    </message>
+    <message>
+        <source>Like the reference grid</source>
+        <translation>基準グリッドに合わせる</translation>
+    </message>
+    <message>
+        <source>The volume above the reference grid, up to the highest camera</source>
+        <translation>基準グリッドの上、最も高いカメラまでの空間</translation>
+    </message>
+    <message>
+        <source>%1 of the volume within %2, %3 seen by fewer than two cameras</source>
+        <translation>空間の %1 が %2 以内、%3 は見えるカメラが2台未満</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::MessageBar</name>
@@ -2592,6 +2832,159 @@ at %4, %5, %6 m</source>
     <message>
         <source>How the targets are tracked: “dewpoint” is the surest and most accurate, “barrera” the particle filter of Barrera et al. (2005). Tracking starts anew.</source>
         <translation>ターゲットの追跡方法:「dewpoint」は最も確実で正確な手法、「barrera」は Barrera ら (2005) のパーティクルフィルタです。追跡は最初からやり直します。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanDesk</name>
+    <message>
+        <source>camera %1</source>
+        <translation>カメラ %1</translation>
+    </message>
+    <message>
+        <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
+        <translation>%1 をここに置く：x %2、y %3、z %4 m。空間の %5 が %6 以内になります（現在は %7）。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanFields</name>
+    <message>
+        <source>Add a camera to plan</source>
+        <translation>計画にカメラを追加</translation>
+    </message>
+    <message>
+        <source>A camera that is not there yet: drag it in the bird&apos;s-eye view, or type where it stands (%1)</source>
+        <translation>まだ存在しないカメラ：鳥瞰図でドラッグするか位置を入力します（%1）</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Remove the planned camera</source>
+        <translation>計画中のカメラを削除</translation>
+    </message>
+    <message>
+        <source>Take the chosen planned camera away</source>
+        <translation>選択した計画中のカメラを取り除く</translation>
+    </message>
+    <message>
+        <source>Planned camera</source>
+        <translation>計画中のカメラ</translation>
+    </message>
+    <message>
+        <source>The planned camera that the numbers below belong to</source>
+        <translation>下の数値が示す計画中のカメラ</translation>
+    </message>
+    <message>
+        <source>Stands at x, y, z</source>
+        <translation>位置 x, y, z</translation>
+    </message>
+    <message>
+        <source>Looks at x, y, z</source>
+        <translation>注視点 x, y, z</translation>
+    </message>
+    <message>
+        <source>Field of view, image width and height</source>
+        <translation>画角、画像の幅と高さ</translation>
+    </message>
+    <message>
+        <source>Planned position %1</source>
+        <translation>計画位置 %1</translation>
+    </message>
+    <message>
+        <source>Where the camera stands, in metres</source>
+        <translation>カメラの位置（メートル）</translation>
+    </message>
+    <message>
+        <source>Planned camera looks at %1</source>
+        <translation>計画中のカメラの注視点 %1</translation>
+    </message>
+    <message>
+        <source>A point on its line of sight, in metres</source>
+        <translation>視線上の点（メートル）</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>画角</translation>
+    </message>
+    <message>
+        <source>How wide the camera sees, from left to right</source>
+        <translation>カメラが見る広さ（左右）</translation>
+    </message>
+    <message>
+        <source>Image width</source>
+        <translation>画像の幅</translation>
+    </message>
+    <message>
+        <source>Pixels of its image, from left to right</source>
+        <translation>画像のピクセル数（左右）</translation>
+    </message>
+    <message>
+        <source>Image height</source>
+        <translation>画像の高さ</translation>
+    </message>
+    <message>
+        <source>Pixels of its image, from top to bottom</source>
+        <translation>画像のピクセル数（上下）</translation>
+    </message>
+    <message>
+        <source>Walls and ceiling outside the volume by</source>
+        <translation>壁と天井の空間からの距離</translation>
+    </message>
+    <message>
+        <source>Distance of the walls</source>
+        <translation>壁の距離</translation>
+    </message>
+    <message>
+        <source>The search looks on the four walls and the ceiling around the volume, this far outside of it</source>
+        <translation>空間を囲む4つの壁と天井（この距離だけ外側）を探索します</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Cancel the search</source>
+        <translation>探索をキャンセル</translation>
+    </message>
+    <message>
+        <source>End the search; nothing is added</source>
+        <translation>探索を終了します。何も追加されません</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>まだありません</translation>
+    </message>
+    <message>
+        <source>none chosen</source>
+        <translation>未選択</translation>
+    </message>
+    <message>
+        <source>Find the best place for %1</source>
+        <translation>%1 の最適な場所を探す</translation>
+    </message>
+    <message>
+        <source>Search the walls and the ceiling for the place from which one more camera helps most (%1)</source>
+        <translation>もう1台のカメラが最も役立つ場所を壁と天井で探します（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanPage</name>
+    <message>
+        <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
+        <translation>これらのカメラはどれだけ正確に測れるか、もう1台はどこで役立つか。鳥瞰図でカメラをドラッグすると、マップが追従します。</translation>
+    </message>
+    <message>
+        <source>Map of expected errors</source>
+        <translation>予想誤差のマップ</translation>
+    </message>
+    <message>
+        <source>Planned cameras</source>
+        <translation>計画中のカメラ</translation>
+    </message>
+    <message>
+        <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
+        <translation>計画中のカメラはプロジェクトに保存されず、実行にも含まれません。マップは室内の遮蔽物を考慮しません。</translation>
     </message>
 </context>
 <context>

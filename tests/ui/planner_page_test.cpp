@@ -87,7 +87,7 @@ void PlannerPageTest::opensByItsAction() {
   QCOMPARE(find<CalibrationPlace>("calibrationPlace")->shownPage(), QStringLiteral("planPage"));
   QVERIFY(find<QWidget>("planPage")->isVisible());
   QVERIFY(!find<QCheckBox>("mapShown")->isChecked());
-  QVERIFY(view().scene().map() == nullptr);
+  QVERIFY(view().map() == nullptr);
   QCOMPARE(history().count(), 0);
 }
 
@@ -95,7 +95,7 @@ void PlannerPageTest::theMapHasASentenceAndALegend() {
   const QImage before = view().currentPicture();
   showMap();
   QVERIFY(find<QCheckBox>("mapShown")->isChecked());
-  QVERIFY(view().scene().map() == plan().map().get());
+  QVERIFY(view().map() == plan().map().get());
   QVERIFY(view().currentPicture() != before);
   auto* summary = find<QLabel>("mapSummary");
   QVERIFY(summary->isVisible());
@@ -112,11 +112,11 @@ void PlannerPageTest::theMapHasASentenceAndALegend() {
   QVERIFY(std::abs(summaryOf(*plan().map(), 1.0).medianSigma / median - 2.0) < 1e-3);
   // It goes with the calibration place, and comes back with it.
   QTest::keyClick(window_.get(), Qt::Key_C);
-  QVERIFY(view().scene().map() == nullptr);
+  QVERIFY(view().map() == nullptr);
   QTest::keyClick(window_.get(), Qt::Key_C);
-  QVERIFY(view().scene().map() != nullptr);
+  QVERIFY(view().map() != nullptr);
   find<QCheckBox>("mapShown")->click();
-  QVERIFY(view().scene().map() == nullptr);
+  QVERIFY(view().map() == nullptr);
   QVERIFY(!find<QAction>("actionShowMap")->isChecked());
 }
 
@@ -136,17 +136,17 @@ void PlannerPageTest::theMapFollowsEveryMove() {
 void PlannerPageTest::layerAndVolumeAreSet() {
   showMap();
   find<QDoubleSpinBox>("mapHeight")->setValue(0.1);
-  QCOMPARE(view().scene().mapLook().height, 0.1);
+  QCOMPARE(view().mapLook().height, 0.1);
   find<QSlider>("mapHeightSlider")->setValue(0);
-  QCOMPARE(view().scene().mapLook().height, plan().volume().min().z());
+  QCOMPARE(view().mapLook().height, plan().volume().min().z());
   find<QDoubleSpinBox>("mapHeight")->setValue(900.0); // kept within the volume
-  QCOMPARE(view().scene().mapLook().height, plan().volume().max().z());
+  QCOMPARE(view().mapLook().height, plan().volume().max().z());
   auto* volume = find<QCheckBox>("mapVolume");
-  const bool was = view().scene().mapLook().volume;
+  const bool was = view().mapLook().volume;
   volume->click();
-  QCOMPARE(view().scene().mapLook().volume, !was);
+  QCOMPARE(view().mapLook().volume, !was);
   Q_EMIT find<QComboBox>("mapQuantity")->activated(1);
-  QVERIFY(view().scene().mapLook().quantity == MapQuantity::CameraCount);
+  QVERIFY(view().mapLook().quantity == MapQuantity::CameraCount);
   const Eigen::AlignedBox3d room = plan().volume();
   QVERIFY(plan().followsRoom());
   QVERIFY(waitForMap([&] { find<QDoubleSpinBox>("mapLowX")->setValue(room.min().x() - 1.0); }));
@@ -249,13 +249,14 @@ void PlannerPageTest::draggingStaysFluid() {
     for (int k = 0; k < 15; ++k) {
       QElapsedTimer own;
       own.start();
-      view().showMap(plan().map(), plan().look());
-      shown = std::min(shown, 1e-6 * static_cast<double>(own.nsecsElapsed()));
-      own.restart();
       (void)view().currentPicture();
       drawn = std::min(drawn, 1e-6 * static_cast<double>(own.nsecsElapsed()));
+      view().showMap(plan().map(), plan().look());
+      own.restart();
+      (void)view().currentPicture();
+      shown = std::min(shown, 1e-6 * static_cast<double>(own.nsecsElapsed()));
     }
-    qInfo("a map is taken in %.1f ms, a picture drawn in %.1f ms", shown, drawn);
+    qInfo("a picture takes %.1f ms, with a new map %.1f ms", drawn, shown);
     EventLoopProbe probe;
     QTest::qWait(50);
     (void)probe.takeLongest();

@@ -207,6 +207,9 @@ void BirdsEyeView::renderPicture() {
       snapshot_ ? scene_.show(*snapshot_) : scene_.clear();
       sceneStale_ = false;
     }
+    if (std::exchange(mapStale_, false)) {
+      scene_.showMap(map_, mapLook_);
+    }
     const QSize size = pictureSize();
     scene_.setPixelRatio(devicePixelRatioF());
     scene_.prepareFrame(size.width(), size.height());
@@ -221,9 +224,9 @@ void BirdsEyeView::renderPicture() {
 QImage BirdsEyeView::currentPicture() {
   renderPicture();
   QImage picture = picture_;
-  if (!picture.isNull() && scene_.map() != nullptr) {
+  if (!picture.isNull() && map_ != nullptr) {
     QPainter painter(&picture);
-    paintMapLegend(painter, rect(), scene_.mapLook(), palette());
+    paintMapLegend(painter, rect(), mapLook_, palette());
   }
   return picture;
 }
@@ -245,8 +248,8 @@ void BirdsEyeView::paintEvent(QPaintEvent*) {
   }
   painter.drawImage(QPointF(0, 0), picture_);
   paintHandles(painter);
-  if (scene_.map() != nullptr) {
-    paintMapLegend(painter, rect(), scene_.mapLook(), palette());
+  if (map_ != nullptr) {
+    paintMapLegend(painter, rect(), mapLook_, palette());
   }
   if (hasFocus()) {
     painter.setPen(QPen(palette().color(QPalette::Highlight), 1));

@@ -53,7 +53,10 @@ public:
   void setCameraHandles(std::vector<CameraHandle> handles, int chosen);
 
   /// How well the cameras see the room, with a legend; null: nothing is shown of it.
+  /// Drawn with the next picture, however many maps come until then.
   void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
+  const RigMap* map() const { return map_.get(); }
+  const MapLook& mapLook() const { return mapLook_; }
   /// Cameras that are thought of: drawn otherwise than those of the snapshots.
   void showPlanned(const CameraRig& cameras);
 
@@ -123,6 +126,9 @@ private:
   Scene3d scene_;
   std::unique_ptr<OffscreenVtk> vtk_; ///< after the scene: must go first
   TrackSnapshotPtr snapshot_;
+  std::shared_ptr<const RigMap> map_;
+  MapLook mapLook_;
+  bool mapStale_ = false;
   std::array<QToolButton*, 3> buttons_{}; ///< above, front, free
   QImage picture_;
   std::vector<CameraHandle> handles_;

@@ -13,11 +13,12 @@
 namespace dewpoint {
 
 void BirdsEyeView::showMap(std::shared_ptr<const RigMap> map, const MapLook& look) {
-  if (map == nullptr && scene_.map() == nullptr) {
-    return;
+  if (map != nullptr || map_ != nullptr) {
+    map_ = std::move(map);
+    mapLook_ = look;
+    mapStale_ = true;
+    requestPicture();
   }
-  scene_.showMap(std::move(map), look);
-  requestPicture();
 }
 
 void BirdsEyeView::showPlanned(const CameraRig& cameras) {
@@ -26,17 +27,17 @@ void BirdsEyeView::showPlanned(const CameraRig& cameras) {
 }
 
 QString BirdsEyeView::mapTextAt(QPointF position) const {
-  if (scene_.map() == nullptr || !hasPicture()) {
+  if (map_ == nullptr || mapStale_ || !hasPicture()) {
     return {};
   }
   const QPointF offset = (position - QPointF(width() / 2.0, height() / 2.0)) * devicePixelRatioF();
   const auto place = scene_.placeInLayer({offset.x(), -offset.y()});
-  const auto cell = place ? cellAt(scene_.map()->grid, *place) : std::nullopt;
+  const auto cell = place ? cellAt(map_->grid, *place) : std::nullopt;
   if (!cell) {
     return {};
   }
-  const double sigma = double(scene_.map()->sigmas[*cell]);
-  const int count = scene_.map()->counts[*cell];
+  const double sigma = double(map_->sigmas[*cell]);
+  const int count = map_->counts[*cell];
   return std::isnan(sigma)
              ? tr("Cameras that see it: %1").arg(count)
              : tr("±%1 (1 σ); cameras that see it: %2").arg(shortLength(sigma)).arg(count);

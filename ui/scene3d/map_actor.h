@@ -26,7 +26,6 @@ public:
 
   /// No map: nothing is shown.
   void show(std::shared_ptr<const RigMap> map, const MapLook& look);
-  const RigMap* map() const { return map_.get(); }
   const MapLook& look() const { return look_; }
   /// Empty without a map.
   Eigen::AlignedBox3d volume() const;

@@ -60,17 +60,9 @@ void Scene3d::showMap(std::shared_ptr<const RigMap> map, const MapLook& look) {
   }
 }
 
-const RigMap* Scene3d::map() const {
-  return parts_->map.map();
-}
-
-const MapLook& Scene3d::mapLook() const {
-  return parts_->map.look();
-}
-
 std::optional<Eigen::Vector3d> Scene3d::placeInLayer(const Eigen::Vector2d& place) const {
   const Eigen::AlignedBox3d volume = parts_->map.volume();
-  const MapLook& look = mapLook();
+  const MapLook& look = parts_->map.look();
   if (volume.isEmpty() || !look.slice) {
     return std::nullopt;
   }

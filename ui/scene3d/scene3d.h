@@ -41,8 +41,6 @@ public:
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
   /// How well the cameras see the room; null: nothing is shown of it. Stays until called again.
   void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
-  const RigMap* map() const;
-  const MapLook& mapLook() const;
   /// The place of the map's layer that is seen here in the picture, as of the last `prepareFrame`;
   /// nothing without a layer, or beside it. Device pixels as in placeInPicture().
   std::optional<Eigen::Vector3d> placeInLayer(const Eigen::Vector2d& place) const;
