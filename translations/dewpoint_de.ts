@@ -463,6 +463,14 @@
         <source>Search the walls and the ceiling for the place from which one more camera helps most</source>
         <translation>An Wänden und Decke den Ort suchen, von dem eine weitere Kamera am meisten hilft</translation>
     </message>
+    <message>
+        <source>Re-solve the bumped camera</source>
+        <translation>Die verdrehte Kamera neu bestimmen</translation>
+    </message>
+    <message>
+        <source>Calibrate the camera that was turned during the run as it stands now; all others stay</source>
+        <translation>Die Kamera, die während des Laufs verdreht wurde, so kalibrieren, wie sie jetzt steht; alle anderen bleiben</translation>
+    </message>
 </context>
 <context>
     <name>Bump</name>
@@ -2541,6 +2549,10 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Plan</source>
         <translation>Planen</translation>
+    </message>
+    <message>
+        <source>No camera was bumped.</source>
+        <translation>Keine Kamera wurde verdreht.</translation>
     </message>
 </context>
 <context>

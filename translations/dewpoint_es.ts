@@ -463,6 +463,14 @@
         <source>Search the walls and the ceiling for the place from which one more camera helps most</source>
         <translation>Buscar en paredes y techo el lugar desde el que más ayuda otra cámara</translation>
     </message>
+    <message>
+        <source>Re-solve the bumped camera</source>
+        <translation>Resolver de nuevo la cámara movida</translation>
+    </message>
+    <message>
+        <source>Calibrate the camera that was turned during the run as it stands now; all others stay</source>
+        <translation>Calibrar la cámara que se giró durante la ejecución tal como está ahora; las demás no cambian</translation>
+    </message>
 </context>
 <context>
     <name>Bump</name>
@@ -2541,6 +2549,10 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Plan</source>
         <translation>Planificar</translation>
+    </message>
+    <message>
+        <source>No camera was bumped.</source>
+        <translation>No se ha movido ninguna cámara.</translation>
     </message>
 </context>
 <context>

@@ -463,6 +463,14 @@
         <source>Search the walls and the ceiling for the place from which one more camera helps most</source>
         <translation>もう1台のカメラが最も役立つ場所を壁と天井で探す</translation>
     </message>
+    <message>
+        <source>Re-solve the bumped camera</source>
+        <translation>動いたカメラを解き直す</translation>
+    </message>
+    <message>
+        <source>Calibrate the camera that was turned during the run as it stands now; all others stay</source>
+        <translation>実行中に回転したカメラを現在の姿勢に校正します。他のカメラはそのままです</translation>
+    </message>
 </context>
 <context>
     <name>Bump</name>
@@ -2540,6 +2548,10 @@ at %4, %5, %6 m</source>
     <message>
         <source>Plan</source>
         <translation>計画</translation>
+    </message>
+    <message>
+        <source>No camera was bumped.</source>
+        <translation>動いたカメラはありません。</translation>
     </message>
 </context>
 <context>

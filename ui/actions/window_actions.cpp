@@ -84,6 +84,10 @@ std::vector<ActionDeclaration> planActions() {
       {"actionPlanCamera", group, QT_TRANSLATE_NOOP("Actions", "Add a camera to plan"),
        QT_TRANSLATE_NOOP("Actions", "Add a camera that is not there yet, to be dragged about"),
        nullptr, Qt::SHIFT | Qt::Key_P},
+      {"actionResolveCamera", group, QT_TRANSLATE_NOOP("Actions", "Re-solve the bumped camera"),
+       QT_TRANSLATE_NOOP("Actions", "Calibrate the camera that was turned during the run as it "
+                                    "stands now; all others stay"),
+       nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_B},
       {"actionFindPlace", group,
        QT_TRANSLATE_NOOP("Actions", "Find the best place for one more camera"),
        QT_TRANSLATE_NOOP("Actions", "Search the walls and the ceiling for the place from which one "

@@ -40,7 +40,13 @@ void BumpMessages::show(const TrackSnapshot& snapshot) {
   const QStringList names = cameraNames(snapshot);
   for (const BumpReport& report : snapshot.bumps) {
     const Stage stage = stageOf(report, snapshot);
-    if (said_.insert({report.event.camera, report.event.frame, stage}).second) {
+    const auto key = [&](Stage one) { return Key{report.event.camera, report.event.frame, one}; };
+    // A pose that is known now and then stays on offer.
+    const bool worse = stage == Stage::Waiting || stage == Stage::Unsolvable;
+    if (worse && said_.contains(key(Stage::Solved))) {
+      continue;
+    }
+    if (said_.insert(key(stage)).second) {
       say(report, stage, names.value(static_cast<int>(report.event.camera)));
     }
   }

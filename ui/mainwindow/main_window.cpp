@@ -305,6 +305,7 @@ void MainWindow::updateEnabled() {
                          "actionShowMap",
                          "actionPlanCamera",
                          "actionFindPlace",
+                         "actionResolveCamera",
                          "actionRemoveTarget",
                          "actionSavePicture",
                          "actionAddTarget",

@@ -49,7 +49,7 @@ void MainWindow::makeMenus() {
   add(tr("&Edit"), "menuEdit",
       {"actionUndo", "actionRedo", nullptr, "actionLearnColor", "actionAddTarget",
        "actionRemoveTarget", nullptr, "actionCalibrateByHand", "actionPlanRig", "actionPlanCamera",
-       "actionFindPlace", nullptr, "actionShortcuts"});
+       "actionFindPlace", "actionResolveCamera", nullptr, "actionShortcuts"});
   add(tr("&Run"), "menuRun",
       {"actionPlay", "actionNextFrame", "actionNextIteration", "actionPreviousFrame", nullptr,
        "actionNow", "actionRerun", nullptr, "actionAddMark", "actionRemoveMark",

@@ -16,6 +16,15 @@ namespace dewpoint {
 void MainWindow::makeBumps() {
   bumps_ = new BumpMessages(*messages_, this);
   connect(bumps_, &BumpMessages::resolveWanted, this, &MainWindow::resolveCamera);
+  connect(action("actionResolveCamera"), &QAction::triggered, this, [this] {
+    for (int k = 0; k < hand_->cameraCount(); ++k) {
+      if (shown_ && bumpOf(*shown_, k) != nullptr) {
+        resolveCamera(k);
+        return;
+      }
+    }
+    messages_->showNotice(tr("No camera was bumped."));
+  });
   connect(bumps_, &BumpMessages::calibrateWanted, this, [this](int camera) {
     action("actionCalibrateByHand")->setChecked(true);
     hand_->selectCamera(camera);
