@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bump sentinel on simulated scenes: how soon a turned camera is reported, how often one that
-// stands still, and what a check costs. Usage: bump_bench [bumps] [quiet minutes]
+// stands still, and what a check costs. Usage: bump_bench [bumps] [quiet minutes] [image width]
 #include "core/base/random.h"
 #include "core/calibration/resolve_camera.h"
 #include "core/simulation/scene.h"
@@ -25,13 +25,29 @@ constexpr double kRate = 10.0; // images per second; the sentinel looks at five 
 
 const char* const kScenes[] = {"demo", "fast", "look-alikes", "occluder"};
 
-/// The scene at kRate, for `seconds`; its first camera turned.
-Scene sceneOf(int number, double seconds, const Eigen::Vector3d& turn) {
+/// The same camera with finer or coarser pixels.
+void resize(Camera& camera, int width) {
+  Intrinsics& in = camera.intrinsics;
+  const double factor = double(width) / in.width;
+  in = {width,
+        int(std::lround(in.height * factor)),
+        in.focalX * factor,
+        in.focalY * factor,
+        (in.centerX + 0.5) * factor - 0.5,
+        (in.centerY + 0.5) * factor - 0.5};
+}
+
+/// The scene at kRate, for `seconds`; its first camera turned, with images of this width (0: as the
+/// scene has them).
+Scene sceneOf(int number, double seconds, const Eigen::Vector3d& turn, int width) {
   Scene scene = *sceneNamed(kScenes[number % 4]);
   scene.framesPerSecond = kRate;
   scene.frameCount = std::int64_t(seconds * kRate) + 1;
   scene.seed = std::uint64_t(number + 1);
   scene.cameras[0] = turnedCamera(scene.cameras[0], turn);
+  if (width > 0) {
+    resize(scene.cameras[0], width);
+  }
   return scene;
 }
 
@@ -66,12 +82,12 @@ Eigen::Vector3d direction(const RandomStream& random, int bump) {
 }
 
 /// Seconds until a turn of the first camera is reported; negative: before it, infinite: never.
-double delayOf(int bump, double degrees, Cost& cost, double& error) {
+double delayOf(int bump, double degrees, int width, Cost& cost, double& error) {
   const RandomStream random(11, 0, 0, RandomPurpose::Simulation);
   const Eigen::Vector3d turn = degrees * kDegree * direction(random, bump);
   const double at = 3.0 + 5.0 * random.uniform(std::uint32_t(bump), 9);
-  const SceneRenderer before(sceneOf(bump, 20.0, Eigen::Vector3d::Zero()));
-  const SceneRenderer after(sceneOf(bump, 20.0, turn));
+  const SceneRenderer before(sceneOf(bump, 20.0, Eigen::Vector3d::Zero(), width));
+  const SceneRenderer after(sceneOf(bump, 20.0, turn, width));
   BumpSentinel sentinel({before.scene().cameras[0]});
   double delay = std::numeric_limits<double>::infinity();
   for (std::int64_t k = 0; k < std::int64_t((at + 4.0) * kRate); ++k) {
@@ -85,13 +101,13 @@ double delayOf(int bump, double degrees, Cost& cost, double& error) {
   return delay;
 }
 
-void measureBumps(int count, double degrees) {
+void measureBumps(int count, double degrees, int width) {
   Cost cost;
   std::vector<double> delays, errors;
   int early = 0, missed = 0, late = 0;
   for (int bump = 0; bump < count; ++bump) {
     double error = 0.0;
-    const double delay = delayOf(bump, degrees, cost, error);
+    const double delay = delayOf(bump, degrees, width, cost, error);
     early += delay < 0.0;
     missed += !std::isfinite(delay);
     late += std::isfinite(delay) && delay > 2.0;
@@ -119,14 +135,14 @@ void relight(cv::Mat& image, double time) {
   }
 }
 
-void measureQuiet(double minutes) {
+void measureQuiet(double minutes, int width) {
   Cost cost;
   std::size_t alarms = 0;
   double worst = 0.0;
   int unjudged = 0;
   for (int number = 0; number < 4; ++number) {
     const double seconds = 60.0 * minutes / 4.0;
-    const SceneRenderer renderer(sceneOf(number, seconds, Eigen::Vector3d::Zero()));
+    const SceneRenderer renderer(sceneOf(number, seconds, Eigen::Vector3d::Zero(), width));
     BumpSentinel sentinel({renderer.scene().cameras[0]});
     for (std::int64_t k = 0; k < std::int64_t(seconds * kRate); k += 2) { // what it looks at
       cv::Mat image = renderer.render(0, k);
@@ -150,9 +166,10 @@ void measureQuiet(double minutes) {
 int main(int argc, char** argv) {
   const int bumps = argc > 1 ? std::atoi(argv[1]) : 20;
   const double minutes = argc > 2 ? std::atof(argv[2]) : 4.0;
+  const int width = argc > 3 ? std::atoi(argv[3]) : 0;
   for (const double degrees : {0.1, 0.5, 3.0}) {
-    dewpoint::measureBumps(bumps, degrees);
+    dewpoint::measureBumps(bumps, degrees, width);
   }
-  dewpoint::measureQuiet(minutes);
+  dewpoint::measureQuiet(minutes, width);
   return 0;
 }

@@ -88,7 +88,7 @@ struct TrackSnapshot {
   std::uint64_t seed = 0;
   PlayState state = PlayState::Paused;
   std::vector<Error> notices;
-  /// Cameras that were bumped since the run began; each has its notice too.
+  /// Cameras that were bumped since the run began; each has its notice too: the last ones there.
   std::vector<BumpReport> bumps;
 };
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;

@@ -109,7 +109,6 @@ void TrackingLoop::publish(bool quickly) {
   exactDue_ = snapshot->preview;
   snapshot->notices = errors_;
   snapshot->bumps = bumps_.reports();
-  std::ranges::move(bumps_.notices(), std::back_inserter(snapshot->notices));
   if (source_) {
     const auto more = source_->notices();
     snapshot->notices.insert(snapshot->notices.end(), more.begin(), more.end());
@@ -117,6 +116,7 @@ void TrackingLoop::publish(bool quickly) {
     snapshot->droppedFrames = source_->droppedFrames();
     snapshot->history = travel_->state();
   }
+  std::ranges::move(bumps_.notices(), std::back_inserter(snapshot->notices));
   if (snapshot->frames) {
     for (auto& target : snapshot->targets) {
       target.truth = truth_.at(target.target.name, snapshot->frame);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/rig_map.h"
 #include "ui/birdseye/birds_eye_view.h"
 
 #include <QApplication>
@@ -289,6 +290,39 @@ private Q_SLOTS:
   }
 
   /// Run by itself without a display too (see CMakeLists.txt).
+  void aMapIsBlueWhereItIsGood() {
+    // West: a tenth of what is good enough; east: ten times; north of y = 1: seen by one camera.
+    auto map = std::make_shared<RigMap>();
+    map->grid = {{-2, -2, 0}, {2, 2, 2}, {4, 4, 2}};
+    for (std::size_t i = 0; i < map->grid.cellCount(); ++i) {
+      const bool north = i / 4 % 4 == 3;
+      map->sigmas.push_back(north ? float(kNaN) : i % 4 < 2 ? 0.0005F : 0.05F);
+      map->counts.push_back(north ? 1 : 3);
+    }
+    view_->show(ballSnapshot());
+    MapLook look;
+    view_->showMap(map, look);
+    const QImage picture = view_->currentPicture();
+    keep(picture, "map");
+    const Scene3d& scene = view_->scene();
+    const auto colorAt = [&](double x, double y) {
+      const QPointF at = flatProjection(scene, picture, x, y, scene.focus().x(), scene.focus().y());
+      return picture.pixel(at.toPoint());
+    };
+    QVERIFY(qBlue(colorAt(-1.45, -1.45)) > qRed(colorAt(-1.45, -1.45)) + 40);
+    QVERIFY(qRed(colorAt(1.45, -1.45)) > qBlue(colorAt(1.45, -1.45)) + 40);
+    const QRgb blank = colorAt(-1.45, 1.45);
+    QVERIFY(std::abs(qBlue(blank) - qRed(blank)) < 30);
+    const auto west = scene.placeInLayer(scene.placeInPicture({-1.45, -1.45, 0.0}));
+    QVERIFY(west.has_value());
+    QCOMPARE(cellAt(map->grid, *west), std::optional<std::size_t>(0));
+    look.volume = true;
+    view_->showMap(map, look);
+    QVERIFY(differentPixels(view_->currentPicture(), picture) > 1000);
+    view_->showMap(nullptr, look);
+    QVERIFY(!scene.placeInLayer({0.0, 0.0}));
+  }
+
   void withoutOpenGlTheWidgetStillWorks() {
     view_->show(ballSnapshot());
     view_->lookFree();

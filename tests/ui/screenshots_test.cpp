@@ -16,6 +16,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QMouseEvent>
@@ -65,6 +66,7 @@ private:
   void keep(const QImage& picture, const QString& name);
   void keepCalibration(MainWindow& window);
   void keepWaving(MainWindow& window);
+  void keepPlan(MainWindow& window);
 
   QString theme_;
 };
@@ -159,6 +161,21 @@ void ScreenshotsTest::keepWaving(MainWindow& window) {
   window.document().undoStack()->undo();
 }
 
+void ScreenshotsTest::keepPlan(MainWindow& window) {
+  window.findChild<QAction*>("actionPlanRig")->trigger();
+  window.findChild<QAction*>("actionShowMap")->setChecked(true);
+  window.findChild<QAction*>("actionFindPlace")->trigger();
+  auto* list = window.findChild<QComboBox*>("planCamera");
+  QVERIFY(QTest::qWaitFor([&] { return list->count() == 1; }, kPatienceMs));
+  window.findChild<QAction*>("actionLookFree")->trigger();
+  QTest::qWait(kSettleMs);
+  keep(window.grab().toImage(), QStringLiteral("calibration-plan"));
+  window.findChild<QAction*>("actionLookFromAbove")->trigger();
+  window.findChild<QAction*>("actionShowMap")->setChecked(false);
+  window.findChild<QPushButton*>("planRemove")->click();
+  window.findChild<QAction*>("actionCalibrateByHand")->setChecked(false);
+}
+
 void ScreenshotsTest::everyView() {
   QFETCH(int, theme);
   theme_ = QLatin1String(QTest::currentDataTag());
@@ -195,6 +212,7 @@ void ScreenshotsTest::everyView() {
   QTest::qWait(kSettleMs);
   keep(window.grab().toImage(), QStringLiteral("window-color"));
   keepCalibration(window);
+  keepPlan(window);
   window.findChild<QAction*>("actionShortcuts")->trigger();
   window.findChild<QAction*>("actionExportTrajectory")->trigger();
   QTest::qWait(kSettleMs);

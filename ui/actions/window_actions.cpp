@@ -79,6 +79,32 @@ std::vector<ActionDeclaration> editActions() {
   };
 }
 
+std::vector<ActionDeclaration> planActions() {
+  const char* group = QT_TRANSLATE_NOOP("Actions", "Plan");
+  return {
+      {"actionPlanRig", group, QT_TRANSLATE_NOOP("Actions", "Plan the rig…"),
+       QT_TRANSLATE_NOOP("Actions", "See how well the cameras will measure, and where one more "
+                                    "would help"),
+       nullptr, Qt::SHIFT | Qt::Key_G},
+      {"actionShowMap", group, QT_TRANSLATE_NOOP("Actions", "Show the map of expected errors"),
+       QT_TRANSLATE_NOOP("Actions", "Show in the bird's-eye view how far off a target is expected "
+                                    "to be at each place"),
+       nullptr, Qt::SHIFT | Qt::Key_M, true},
+      {"actionPlanCamera", group, QT_TRANSLATE_NOOP("Actions", "Add a camera to plan"),
+       QT_TRANSLATE_NOOP("Actions", "Add a camera that is not there yet, to be dragged about"),
+       nullptr, Qt::SHIFT | Qt::Key_P},
+      {"actionResolveCamera", group, QT_TRANSLATE_NOOP("Actions", "Re-solve the bumped camera"),
+       QT_TRANSLATE_NOOP("Actions", "Calibrate the camera that was turned during the run as it "
+                                    "stands now; all others stay"),
+       nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_B},
+      {"actionFindPlace", group,
+       QT_TRANSLATE_NOOP("Actions", "Find the best place for one more camera"),
+       QT_TRANSLATE_NOOP("Actions", "Search the walls and the ceiling for the place from which one "
+                                    "more camera helps most"),
+       nullptr, Qt::SHIFT | Qt::Key_F},
+  };
+}
+
 std::vector<ActionDeclaration> runActions() {
   const char* group = QT_TRANSLATE_NOOP("Actions", "Run");
   return {
@@ -204,8 +230,8 @@ std::vector<ActionDeclaration> plotActions() {
 } // namespace
 
 void declareWindowActions(ActionRegistry& registry) {
-  for (const auto& group :
-       {projectActions(), editActions(), runActions(), viewActions(), plotActions()}) {
+  for (const auto& group : {projectActions(), editActions(), planActions(), runActions(),
+                            viewActions(), plotActions()}) {
     for (const ActionDeclaration& declaration : group) {
       registry.add(declaration);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/birdseye/birds_eye_view.h"
 
+#include "ui/birdseye/map_legend.h"
 #include "ui/birdseye/offscreen_vtk.h"
 
 #include <QEvent>
@@ -206,6 +207,9 @@ void BirdsEyeView::renderPicture() {
       snapshot_ ? scene_.show(*snapshot_) : scene_.clear();
       sceneStale_ = false;
     }
+    if (std::exchange(mapStale_, false)) {
+      scene_.showMap(map_, mapLook_);
+    }
     const QSize size = pictureSize();
     scene_.setPixelRatio(devicePixelRatioF());
     scene_.prepareFrame(size.width(), size.height());
@@ -219,7 +223,12 @@ void BirdsEyeView::renderPicture() {
 
 QImage BirdsEyeView::currentPicture() {
   renderPicture();
-  return picture_;
+  QImage picture = picture_;
+  if (!picture.isNull() && map_ != nullptr) {
+    QPainter painter(&picture);
+    paintMapLegend(painter, rect(), mapLook_, palette());
+  }
+  return picture;
 }
 
 void BirdsEyeView::paintEvent(QPaintEvent*) {
@@ -239,6 +248,9 @@ void BirdsEyeView::paintEvent(QPaintEvent*) {
   }
   painter.drawImage(QPointF(0, 0), picture_);
   paintHandles(painter);
+  if (map_ != nullptr) {
+    paintMapLegend(painter, rect(), mapLook_, palette());
+  }
   if (hasFocus()) {
     painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));

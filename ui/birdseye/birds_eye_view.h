@@ -52,8 +52,17 @@ public:
   /// Cameras that can be dragged, the chosen one also by what it looks at; empty: none.
   void setCameraHandles(std::vector<CameraHandle> handles, int chosen);
 
+  /// How well the cameras see the room, with a legend; null: nothing is shown of it.
+  /// Drawn with the next picture, however many maps come until then.
+  void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
+  const RigMap* map() const { return map_.get(); }
+  const MapLook& mapLook() const { return mapLook_; }
+  /// Cameras that are thought of: drawn otherwise than those of the snapshots.
+  void showPlanned(const CameraRig& cameras);
+
   Scene3d::View currentView() const;
-  /// The picture as it is now, without the buttons; null without OpenGL. Device pixels.
+  /// The picture as it is now, with its legend but without the buttons; null without OpenGL. Device
+  /// pixels.
   QImage currentPicture();
   /// The scene as drawn, for those who convert between pixels and metres.
   const Scene3d& scene() const { return scene_; }
@@ -83,6 +92,8 @@ Q_SIGNALS:
   void cameraDropped();
 
 protected:
+  /// A tool tip over the map says its value there.
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
@@ -108,12 +119,16 @@ private:
   bool takeHandle(QPointF position);
   void dragHandle(QPointF position);
   void paintHandles(QPainter& painter) const;
+  QString mapTextAt(QPointF position) const;
   void sendPointer(int what, QPointF position, Qt::KeyboardModifiers modifiers);
   QSize pictureSize() const;
 
   Scene3d scene_;
   std::unique_ptr<OffscreenVtk> vtk_; ///< after the scene: must go first
   TrackSnapshotPtr snapshot_;
+  std::shared_ptr<const RigMap> map_;
+  MapLook mapLook_;
+  bool mapStale_ = false;
   std::array<QToolButton*, 3> buttons_{}; ///< above, front, free
   QImage picture_;
   std::vector<CameraHandle> handles_;

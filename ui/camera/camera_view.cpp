@@ -3,8 +3,10 @@
 
 #include "core/session/camera_overlay.h"
 #include "core/session/snapshot.h"
+#include "ui/bridge/bump_text.h"
 #include "ui/bridge/image.h"
 #include "ui/bridge/reason_text.h"
+#include "ui/camera/bump_mark.h"
 #include "ui/camera/evidence_painter.h"
 #include "ui/camera/overlay_painter.h"
 
@@ -138,6 +140,7 @@ void CameraView::paintEvent(QPaintEvent*) {
     paintOverlay(painter, cameraOverlay(*snapshot_, camera_, snapshot_->targets[i]), placement_,
                  targetColor(static_cast<int>(i)));
   }
+  paintBumpMark(painter, QRectF(corner, shown), bumpText(bumpOf(*snapshot_, camera_)), palette());
 }
 
 } // namespace dewpoint

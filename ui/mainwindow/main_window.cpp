@@ -14,6 +14,7 @@
 #include "ui/document/document.h"
 #include "ui/inspector/camera_panel.h"
 #include "ui/inspector/target_panel.h"
+#include "ui/mainwindow/bump_messages.h"
 #include "ui/mainwindow/message_bar.h"
 #include "ui/mainwindow/status_figures.h"
 #include "ui/plots/plot_panel.h"
@@ -58,6 +59,7 @@ MainWindow::MainWindow(ProjectOpener opener, QWidget* parent)
   connectActions();
   connectRun();
   linkViews();
+  makeBumps();
   setTheme(theme_);
   updateTitle();
   updateEnabled();
@@ -179,6 +181,7 @@ void MainWindow::clearViews() {
   logGeneration_ = 0;
   logPosition_ = 0;
   noticesShown_ = 0;
+  bumps_->clear();
   figures_->clear();
   frameGeneration_ = 0;
   framePosition_ = 0;
@@ -221,10 +224,13 @@ void MainWindow::pullLog() {
 }
 
 void MainWindow::showNotices(const TrackSnapshot& snapshot) {
-  if (snapshot.notices.size() > noticesShown_) {
-    messages_->showNotice(errorSentence(snapshot.notices.back()));
+  const std::size_t count =
+      snapshot.notices.size() - std::min(snapshot.bumps.size(), snapshot.notices.size());
+  if (count > noticesShown_) {
+    messages_->showNotice(errorSentence(snapshot.notices[count - 1]));
   }
-  noticesShown_ = snapshot.notices.size();
+  noticesShown_ = count;
+  bumps_->show(snapshot);
 }
 
 void MainWindow::trackLearned(int target) {
@@ -298,6 +304,11 @@ void MainWindow::updateEnabled() {
                          "actionCalibrateWand",
                          "actionImportCalibration",
                          "actionExportCalibration",
+                         "actionPlanRig",
+                         "actionShowMap",
+                         "actionPlanCamera",
+                         "actionFindPlace",
+                         "actionResolveCamera",
                          "actionRemoveTarget",
                          "actionSavePicture",
                          "actionAddTarget",

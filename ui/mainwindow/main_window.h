@@ -21,6 +21,7 @@ class QStackedWidget;
 namespace dewpoint {
 
 class BirdsEyeView;
+class BumpMessages;
 class CalibrationPlace;
 class CameraView;
 class CameraPanel;
@@ -33,6 +34,7 @@ class LongJob;
 class MessageBar;
 class NewProjectPage;
 class ParameterPanel;
+class PlanDesk;
 class PlotPanel;
 class PointDesk;
 class Recovery;
@@ -108,6 +110,10 @@ private:
   void makeCalibrationFiles();
   void showCalibration(bool shown);
   void showHandles();
+  void makePlan();
+  void openPlan();
+  void makeBumps();
+  void resolveCamera(int camera);
   void takeCalibration();
   void connectRooms();
   void takeEmptyRooms();
@@ -164,6 +170,7 @@ private:
   SessionBridge* bridge_ = nullptr;
   ActionRegistry* actions_;
   MessageBar* messages_ = nullptr;
+  BumpMessages* bumps_ = nullptr;
   StatusFigures* figures_ = nullptr;
   BirdsEyeView* birdsEye_ = nullptr;
   PlotPanel* plot_ = nullptr;
@@ -180,6 +187,7 @@ private:
   CameraPanel* cameras_ = nullptr;
   HandDesk* hand_ = nullptr;
   PointDesk* points_ = nullptr;
+  PlanDesk* plan_ = nullptr;
   CalibrationPlace* calibration_ = nullptr;
   QDockWidget* calibrationDock_ = nullptr;
   std::vector<GridLayer*> gridLayers_; ///< one per camera view

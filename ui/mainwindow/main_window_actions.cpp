@@ -49,17 +49,16 @@ void MainWindow::makeMenus() {
   project->insertMenu(action("actionOpenDemo"), recent);
   add(tr("&Edit"), "menuEdit",
       {"actionUndo", "actionRedo", nullptr, "actionLearnColor", "actionAddTarget",
-       "actionRemoveTarget", nullptr, "actionCalibrateByHand", "actionCalibrateWand", nullptr,
-       "actionShortcuts"});
+       "actionRemoveTarget", nullptr, "actionShortcuts"});
   add(tr("&Run"), "menuRun",
       {"actionPlay", "actionNextFrame", "actionNextIteration", "actionPreviousFrame", nullptr,
        "actionNow", "actionRerun", nullptr, "actionAddMark", "actionRemoveMark",
        "actionPreviousMark", "actionNextMark", "actionZoomToSpan", nullptr, "actionRestart",
        "actionRestartNewSeed", nullptr, "actionExperiments"});
   fillViewMenu(add(tr("&View"), "menuView",
-                   {"actionPalette", nullptr, "actionShowMask", "actionShowEvidence", nullptr,
-                    "actionLookFromAbove", "actionLookFromFront", "actionLookFree", nullptr,
-                    "actionResetLayout"}));
+                   {"actionPalette", nullptr, "actionShowMask", "actionShowEvidence",
+                    "actionShowMap", nullptr, "actionLookFromAbove", "actionLookFromFront",
+                    "actionLookFree", nullptr, "actionResetLayout"}));
 }
 
 void MainWindow::fillViewMenu(QMenu* view) {

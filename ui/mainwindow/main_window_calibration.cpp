@@ -9,6 +9,7 @@
 #include "ui/calibration/grid_layer.h"
 #include "ui/calibration/hand_desk.h"
 #include "ui/calibration/hand_page.h"
+#include "ui/calibration/plan_desk.h"
 #include "ui/calibration/point_desk.h"
 #include "ui/calibration/wand_desk.h"
 #include "ui/calibration/wand_page.h"
@@ -35,6 +36,7 @@ void MainWindow::makeCalibration() {
           [this](const QString& sentence) { messages_->showError(sentence); });
   connect(wand, &WandDesk::saved, this,
           [this](const QString& file) { messages_->showNotice(tr("Saved %1.").arg(file)); });
+  makePlan();
   calibrationDock_ = makeDock(
       QStringLiteral("calibrationDock"), [] { return tr("Calibration"); }, calibration_);
   calibrationDock_->setProperty("closedByChoice", true);
@@ -74,13 +76,17 @@ void MainWindow::showCalibration(bool shown) {
 
 void MainWindow::showHandles() {
   std::vector<BirdsEyeView::CameraHandle> handles;
-  for (int k = 0; hand_->isActive() && k < hand_->cameraCount(); ++k) {
-    const Camera camera = hand_->cameraAt(k);
+  CameraRig rig = rigOf(document_->project());
+  rig.insert(rig.end(), plan_->planned().begin(), plan_->planned().end());
+  for (std::size_t k = 0; hand_->isActive() && k < rig.size(); ++k) {
+    const Camera& camera = rig[k];
     // As far away as what they look at: mostly within the picture.
     const double distance = (hand_->grid().middle() - camera.center()).norm();
     handles.push_back({camera.center(), camera.center() + distance * camera.opticalAxis()});
   }
-  birdsEye_->setCameraHandles(std::move(handles), hand_->camera());
+  const int planned = plan_->chosen();
+  birdsEye_->setCameraHandles(std::move(handles),
+                              planned < 0 ? hand_->camera() : hand_->cameraCount() + planned);
 }
 
 void MainWindow::takeCalibration() {

@@ -2,6 +2,7 @@
 // Going through time: timeline, moments, marks, tracking again.
 #include "core/session/session.h"
 #include "ui/actions/action_registry.h"
+#include "ui/bridge/bump_text.h"
 #include "ui/bridge/reason_text.h"
 #include "ui/bridge/session_bridge.h"
 #include "ui/camera/camera_view.h"
@@ -89,7 +90,8 @@ void MainWindow::showMoment(const TrackSnapshot& snapshot) {
   for (std::size_t k = 0; k < cameraDocks_.size(); ++k) {
     const bool known = target != nullptr && k < target->reasons.size();
     auto* title = static_cast<DockTitle*>(cameraDocks_[k]->titleBarWidget());
-    title->setReason(known ? troubleText(target->reasons[k]) : QString());
+    const QString bump = bumpText(bumpOf(snapshot, static_cast<int>(k)));
+    title->setReason(!bump.isEmpty() ? bump : known ? troubleText(target->reasons[k]) : QString());
   }
 }
 

@@ -29,6 +29,8 @@ public:
   /// Asks; closing the bar answers nothing.
   void ask(const QString& question, const std::vector<Answer>& answers);
   QString text() const;
+  /// Takes away what it says.
+  void close();
   /// Its place is below this sibling, in the middle of the window.
   void keepBelow(QWidget* above);
 
@@ -40,7 +42,6 @@ protected:
 
 private:
   void say(const QString& text, bool isError);
-  void close();
   void clearAnswers();
   void applyPalette();
   void place();

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/calibration/rig_map.h"
 #include "core/session/snapshot.h"
+#include "ui/scene3d/map_look.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 class vtkRenderer;
@@ -36,6 +39,13 @@ public:
   void show(const TrackSnapshot& snapshot);
   /// Marks these places: one stroke for each, metres. Stays until it is called again.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
+  /// How well the cameras see the room; null: nothing is shown of it. Stays until called again.
+  void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
+  /// The place of the map's layer that is seen here in the picture, as of the last `prepareFrame`;
+  /// nothing without a layer, or beside it. Device pixels as in placeInPicture().
+  std::optional<Eigen::Vector3d> placeInLayer(const Eigen::Vector2d& place) const;
+  /// Cameras that are not there (yet), drawn otherwise than those of the rig.
+  void showPlanned(const CameraRig& cameras);
   /// Back to the empty grid.
   void clear();
   void look(View view);

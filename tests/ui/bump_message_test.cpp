@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A camera is turned during a run: the window says so, and one click puts it right.
+#include "app/wiring/open_project.h"
+#include "core/calibration/resolve_camera.h"
+#include "core/capture/recording.h"
+#include "core/simulation/scene_renderer.h"
+#include "ui/birdseye/birds_eye_view.h"
+#include "ui/bridge/bump_text.h"
+#include "ui/document/document.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/message_bar.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTest>
+#include <QUndoStack>
+
+#include <memory>
+#include <numbers>
+
+namespace dewpoint {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr int kBumped = 1;
+constexpr std::int64_t kBumpFrame = 40;
+
+Scene stillScene() {
+  Scene scene = *sceneNamed("demo");
+  scene.framesPerSecond = 10.0;
+  scene.frameCount = 2000;
+  return scene;
+}
+
+Camera bumpedCamera() {
+  return turnedCamera(stillScene().cameras[kBumped], Eigen::Vector3d(0.2, -0.4, 0.1) * kDegree);
+}
+
+/// The demo, whose second camera is turned from kBumpFrame on.
+Result<SessionInputs> openBumped(const SessionRequest&) {
+  const Scene scene = stillScene();
+  Scene after = scene;
+  after.cameras[kBumped] = bumpedCamera();
+  const auto still = std::make_shared<const SceneRenderer>(scene);
+  const auto turned = std::make_shared<const SceneRenderer>(after);
+  std::vector<RecordedCamera> cameras;
+  for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
+    RecordedCamera camera;
+    camera.name = scene.cameras[k].name;
+    camera.kind = RecordedCamera::Kind::Generated;
+    camera.width = scene.cameras[k].intrinsics.width;
+    camera.height = scene.cameras[k].intrinsics.height;
+    camera.generate = [still, turned, k](std::int64_t frame) {
+      return (frame < kBumpFrame ? still : turned)->render(static_cast<int>(k), frame);
+    };
+    camera.generatedFrames = scene.frameCount;
+    cameras.push_back(std::move(camera));
+  }
+  auto source = openRecording(cameras, scene.framesPerSecond);
+  if (!source) {
+    return tl::unexpected(source.error());
+  }
+  SessionInputs inputs{projectOfScene(scene, "demo"), std::move(*source), {}};
+  return inputs;
+}
+
+double degreesBetween(const Camera& a, const Camera& b) {
+  return Eigen::AngleAxisd(a.cameraFromWorld.linear() * b.cameraFromWorld.linear().transpose())
+             .angle() /
+         kDegree;
+}
+
+} // namespace
+
+class BumpMessageTest : public QObject {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void init();
+  void cleanup() { window_.reset(); }
+  void aClickSolvesTheCameraAgain();
+
+private:
+  template <class T> T* find(const char* name) {
+    return window_->findChild<T*>(QLatin1String(name));
+  }
+  const Camera& camera() { return window_->document().project().cameras[kBumped].camera; }
+  QPushButton* answer() {
+    auto* button = find<QPushButton>("messageAnswer0");
+    return button != nullptr && button->isVisible() ? button : nullptr;
+  }
+  static constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
+
+  std::unique_ptr<MainWindow> window_;
+};
+
+void BumpMessageTest::init() {
+  QSettings().clear();
+  window_ = std::make_unique<MainWindow>(&openBumped);
+  window_->setTheme(Theme::Light);
+  window_->resize(1400, 900);
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
+  window_->openProject({});
+  QVERIFY(opened.wait(kPatienceMs));
+}
+
+void BumpMessageTest::aClickSolvesTheCameraAgain() {
+  const Camera before = camera();
+  const double error = degreesBetween(before, bumpedCamera()); // 0.46 degrees
+  QVERIFY(error > 0.4);
+  QVERIFY(QTest::qWaitFor([&] { return answer() != nullptr; }, kPatienceMs));
+  QVERIFY(window_->shown()->frame > kBumpFrame);
+  const QString said = find<MessageBar>("messageBar")->text();
+  const QString name = QString::fromStdString(before.name);
+  QVERIFY2(said.contains(name), qPrintable(said));
+  QVERIFY2(answer()->text().contains(name), qPrintable(answer()->text()));
+  // Its view says so, too, and no other.
+  const auto title = [&](int k) {
+    return find<QLabel>(qPrintable(QStringLiteral("cameraDock%1TitleReason").arg(k)))->text();
+  };
+  QCOMPARE(title(kBumped), bumpText(bumpOf(*window_->shown(), kBumped)));
+  QVERIFY(!title(kBumped).isEmpty());
+  QVERIFY(bumpOf(*window_->shown(), 0) == nullptr);
+  // Some more of the target's sightings, then the click.
+  const auto frame = window_->shown()->frame;
+  QVERIFY(QTest::qWaitFor([&] { return window_->shown()->frame > frame + 30; }, kPatienceMs));
+  QVERIFY(answer() != nullptr);
+  answer()->click();
+  QVERIFY(degreesBetween(camera(), bumpedCamera()) < 0.15 * error);
+  QUndoStack& history = *window_->document().undoStack();
+  QCOMPARE(history.count(), 1);
+  QVERIFY(history.undoText().contains(name));
+  // Only that camera; the run takes it and reports no more.
+  const auto& cameras = window_->document().project().cameras;
+  QVERIFY(cameras[0].camera == stillScene().cameras[0]);
+  QVERIFY(QTest::qWaitFor(
+      [&] {
+        return window_->shown()->bumps.empty() && (*window_->shown()->rig)[kBumped] == camera();
+      },
+      kPatienceMs));
+  QVERIFY(answer() == nullptr);
+  history.undo();
+  QVERIFY(camera() == before);
+}
+
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
+  QApplication::setApplicationName(QStringLiteral("bump"));
+  dewpoint::BumpMessageTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "bump_message_test.moc"

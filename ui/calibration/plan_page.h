@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+
+namespace dewpoint {
+
+class PlanDesk;
+
+/// The page of the calibration place for planning a rig.
+class PlanPage : public QWidget {
+  Q_OBJECT
+public:
+  explicit PlanPage(PlanDesk& plan, QWidget* parent = nullptr);
+
+private:
+  void say();
+
+  QLabel* guide_;
+  QLabel* mapTitle_;
+  QLabel* cameraTitle_;
+  QLabel* note_;
+};
+
+} // namespace dewpoint

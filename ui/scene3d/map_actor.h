@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/rig_map.h"
+#include "ui/scene3d/map_look.h"
+#include "ui/scene3d/scene_actors.h"
+
+#include <Eigen/Geometry>
+#include <vtkPolyData.h>
+
+#include <array>
+#include <memory>
+
+class vtkImageData;
+
+namespace dewpoint {
+
+/// A map of a rig in the room: the box of its volume, a layer of colored cells, and surfaces around
+/// what is good and what is measured at all.
+class MapActor {
+public:
+  explicit MapActor(vtkRenderer* renderer);
+  ~MapActor();
+  MapActor(const MapActor&) = delete;
+  MapActor& operator=(const MapActor&) = delete;
+
+  /// No map: nothing is shown.
+  void show(std::shared_ptr<const RigMap> map, const MapLook& look);
+  const MapLook& look() const { return look_; }
+  /// Empty without a map.
+  Eigen::AlignedBox3d volume() const;
+  void setPalette(const ScenePalette& palette);
+  void prepareFrame(const ScreenScale& scale);
+
+private:
+  /// Between two classes; kept, as making an actor anew costs more than its data.
+  struct Surface {
+    vtkNew<vtkPolyData> data;
+    vtkSmartPointer<vtkActor> actor;
+  };
+  static constexpr std::size_t kMostSurfaces = 3;
+  void drawBox();
+  void drawSlice();
+  void drawSurfaces();
+  void fill(vtkImageData& image) const;
+  double valueAt(std::size_t cell) const;
+
+  vtkRenderer* renderer_;
+  vtkNew<vtkPolyData> boxData_;
+  vtkNew<vtkPolyData> sliceData_;
+  vtkSmartPointer<vtkActor> box_;
+  vtkSmartPointer<vtkActor> slice_;
+  std::array<Surface, kMostSurfaces> surfaces_;
+  std::shared_ptr<const RigMap> map_;
+  MapLook look_;
+};
+
+} // namespace dewpoint

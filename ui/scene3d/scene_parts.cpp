@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/scene3d/scene_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint {
+namespace {
+
+constexpr double kViewAngle = 35.0 * std::numbers::pi / 180.0; ///< vertical, free view
+constexpr double kMargin = 1.14;   ///< of the picture around what is framed
+constexpr double kBottomPx = 34.0; ///< kept free below, for buttons
+/// From the scene towards the eye of the free view.
+const Eigen::Vector3d kFreeSide = Eigen::Vector3d(-0.55, -1.0, 0.75).normalized();
+
+Eigen::Vector3d toEigen(const double* values) {
+  return {values[0], values[1], values[2]};
+}
+
+std::vector<Eigen::Vector3d> corners(const Eigen::AlignedBox3d& box) {
+  std::vector<Eigen::Vector3d> result;
+  result.reserve(8);
+  for (int i = 0; i < 8; ++i) {
+    result.push_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
+  }
+  return result;
+}
+
+bool usablePose(const Camera& camera) {
+  return camera.cameraFromWorld.matrix().allFinite();
+}
+
+/// The point nearest to all optical axes: where a rig looks. For a single camera (or parallel axes)
+/// two metres before the cameras.
+Eigen::Vector3d lookedAt(const CameraRig& rig) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (const Camera& camera : rig) {
+    if (!usablePose(camera)) {
+      continue;
+    }
+    const Eigen::Vector3d axis = camera.opticalAxis();
+    const Eigen::Vector3d ahead = camera.center() + 2.0 * axis;
+    // The small part along the axis decides only where the axes leave it open.
+    const Eigen::Matrix3d part =
+        Eigen::Matrix3d::Identity() - (1.0 - 1e-3) * axis * axis.transpose();
+    sum += part;
+    right += part * ahead;
+  }
+  const Eigen::Vector3d point = sum.ldlt().solve(right);
+  return point.allFinite() ? point : Eigen::Vector3d::Zero();
+}
+
+} // namespace
+
+void Scene3d::Parts::applyPalette() {
+  const SceneColor& background = palette().background;
+  renderer->SetBackground(background.x(), background.y(), background.z());
+  ground.setPalette(palette());
+  frusta.setPalette(palette());
+  planned.setPalette(plannedPalette());
+  map.setPalette(palette());
+  span.setPalette(palette());
+  for (const auto& target : targets) {
+    target->setPalette(palette());
+  }
+}
+
+ScenePalette Scene3d::Parts::plannedPalette() const {
+  ScenePalette colors = palette();
+  colors.camera = targetColor(2); // no target is drawn as a pyramid
+  return colors;
+}
+
+void Scene3d::Parts::showRig(const std::shared_ptr<const CameraRig>& shown) {
+  // Cameras that are adjusted: the picture holds still unless one leaves it.
+  const bool same =
+      rig && shown && std::ranges::equal(*rig, *shown, {}, &Camera::name, &Camera::name);
+  rig = shown;
+  rigBox.setEmpty();
+  const CameraRig none;
+  const CameraRig& cameras = rig ? *rig : none;
+  for (const Camera& each : cameras) {
+    if (usablePose(each)) {
+      rigBox.extend(each.center());
+    }
+  }
+  if (!rigBox.isEmpty()) {
+    rigBox.extend(lookedAt(cameras));
+  }
+  content = same ? content.merged(rigBox) : rigBox;
+  frusta.show(cameras, frustumLength());
+  frusta.setPalette(palette());
+  coverGround();
+}
+
+/// Lets the framed room grow with the estimates, but not after one that has run away.
+void Scene3d::Parts::include(const TrackSnapshot& snapshot) {
+  const Eigen::AlignedBox3d before = content;
+  const double reach = rigBox.isEmpty() ? 100.0 : 3.0 * std::max(1.0, rigBox.diagonal().norm());
+  const Eigen::Vector3d middle =
+      rigBox.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(rigBox.center());
+  const auto extend = [&](const Eigen::Vector3d& point) {
+    if (point.allFinite() && (point - middle).norm() < reach) {
+      content.extend(point);
+    }
+  };
+  for (const TargetSnapshot& target : snapshot.targets) {
+    if (target.estimate.particleCount > 0) {
+      extend(target.estimate.mean);
+    }
+    if (target.truth) {
+      extend(*target.truth);
+    }
+    std::for_each(target.tail.begin(), target.tail.end(), extend);
+  }
+  if (before.isEmpty() != content.isEmpty() || !before.contains(content)) {
+    coverGround();
+  }
+}
+
+void Scene3d::Parts::coverGround() {
+  Eigen::AlignedBox2d area;
+  if (content.isEmpty()) {
+    area = Eigen::AlignedBox2d(Eigen::Vector2d(-1.0, -1.0), Eigen::Vector2d(1.0, 1.0));
+  } else {
+    const Eigen::Vector2d low = content.min().head<2>();
+    const Eigen::Vector2d high = content.max().head<2>();
+    const double margin = std::max(0.05, 0.06 * (high - low).maxCoeff());
+    area = Eigen::AlignedBox2d(low.array() - margin, high.array() + margin);
+  }
+  const Eigen::AlignedBox2d before = ground.extent();
+  ground.cover(area, content.isEmpty() ? 1.0 : content.max().z());
+  ground.setPalette(palette());
+  if (before.isEmpty() || !before.isApprox(ground.extent())) {
+    frameWanted = frameWanted || !moved;
+  }
+}
+
+/// Puts floor and content into the picture, as large as they fit.
+void Scene3d::Parts::frame() {
+  const Eigen::AlignedBox3d box = room();
+  const Eigen::Vector3d side = view == View::Above   ? Eigen::Vector3d(Eigen::Vector3d::UnitZ())
+                               : view == View::Front ? Eigen::Vector3d(-Eigen::Vector3d::UnitY())
+                                                     : kFreeSide;
+  const Eigen::Vector3d right = view == View::Free
+                                    ? Eigen::Vector3d::UnitZ().cross(side).normalized()
+                                    : Eigen::Vector3d(Eigen::Vector3d::UnitX());
+  const Eigen::Vector3d up = side.cross(right);
+  const double pixels = std::max(1, height);
+  const double free = std::max(0.5 * pixels, pixels - kBottomPx * scale.pixelRatio);
+  const double aspect = std::max(1, width) / free;
+  const double slope = std::tan(kViewAngle / 2.0) * free / pixels;
+  Eigen::Vector3d center = box.center();
+  double halfHeight = 1e-3; // of the free part
+  double distance = 1e-3;
+  // In perspective, the middle of the picture depends on the distance and that on the middle.
+  for (int round = 0; round < 6; ++round) {
+    halfHeight = distance = 1e-3;
+    for (const Eigen::Vector3d& corner : corners(box)) {
+      const Eigen::Vector3d offset = corner - center;
+      const double needed =
+          kMargin * std::max(std::abs(offset.dot(up)), std::abs(offset.dot(right)) / aspect);
+      halfHeight = std::max(halfHeight, needed);
+      distance = std::max(distance, needed / slope + offset.dot(side));
+    }
+    Eigen::AlignedBox2d picture;
+    for (const Eigen::Vector3d& corner : corners(box)) {
+      const Eigen::Vector3d offset = corner - center;
+      const double shrink = view == View::Free ? distance / (distance - offset.dot(side)) : 1.0;
+      picture.extend(Eigen::Vector2d(offset.dot(right), offset.dot(up)) * shrink);
+    }
+    center += right * picture.center().x() + up * picture.center().y();
+  }
+  const double whole = halfHeight * pixels / free;
+  center -=
+      up * (view == View::Free ? distance * slope * (pixels / free - 1.0) : whole - halfHeight);
+  const double away = view == View::Free ? distance : 10.0 + box.diagonal().norm();
+  const Eigen::Vector3d position = center + side * away;
+  camera->SetViewAngle(kViewAngle * 180.0 / std::numbers::pi);
+  camera->SetParallelProjection(view != View::Free);
+  camera->SetParallelScale(whole);
+  camera->SetFocalPoint(center.data());
+  camera->SetPosition(position.data());
+  const Eigen::Vector3d upright =
+      view == View::Free ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : up;
+  camera->SetViewUp(upright.data());
+  uprightPosition = position;
+}
+
+Eigen::AlignedBox3d Scene3d::Parts::room() const {
+  Eigen::AlignedBox3d box = content;
+  box.extend(map.volume());
+  box.extend(Eigen::Vector3d(ground.extent().min().x(), ground.extent().min().y(), 0.0));
+  box.extend(Eigen::Vector3d(ground.extent().max().x(), ground.extent().max().y(), 0.0));
+  return box;
+}
+
+/// Orbiting keeps the horizon level and stops short of the pole, where "up" would flip.
+void Scene3d::Parts::keepUpright() {
+  if (view != View::Free) {
+    return;
+  }
+  const Eigen::Vector3d focal = toEigen(camera->GetFocalPoint());
+  const Eigen::Vector3d offset = toEigen(camera->GetPosition()) - focal;
+  const double rise = offset.z() / std::max(offset.norm(), 1e-9);
+  const bool overTheTop = camera->GetViewUp()[2] < 0.0;
+  if (!offset.allFinite() || std::abs(rise) > 0.995 || overTheTop) {
+    camera->SetPosition(uprightPosition.data());
+  }
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  uprightPosition = toEigen(camera->GetPosition());
+}
+
+void Scene3d::Parts::setClipping() {
+  const Eigen::Vector3d eye = toEigen(camera->GetPosition());
+  const Eigen::Vector3d direction = toEigen(camera->GetDirectionOfProjection());
+  double farthest = 1.0;
+  const Eigen::AlignedBox3d box = room();
+  for (const Eigen::Vector3d& corner : corners(box)) {
+    farthest = std::max(farthest, (corner - eye).dot(direction));
+  }
+  // Room to spare for particles scattered beyond.
+  const double far = farthest + 2.0 * box.diagonal().norm();
+  camera->SetClippingRange(view == View::Free ? std::max(0.01, 0.002 * far) : 0.01, far);
+}
+
+void Scene3d::Parts::measure() {
+  const Eigen::Vector3d focal = toEigen(camera->GetFocalPoint());
+  scale.eye = toEigen(camera->GetPosition());
+  scale.direction = toEigen(camera->GetDirectionOfProjection());
+  scale.right = scale.direction.cross(toEigen(camera->GetViewUp())).normalized();
+  scale.up = scale.right.cross(scale.direction);
+  scale.parallel = camera->GetParallelProjection() != 0;
+  scale.slope = 2.0 * std::tan(kViewAngle / 2.0) / std::max(1, height);
+  scale.metresPerPixel = scale.parallel ? 2.0 * camera->GetParallelScale() / std::max(1, height)
+                                        : scale.slope * (focal - scale.eye).norm();
+}
+
+} // namespace dewpoint

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/scene3d/camera_frusta.h"
+#include "ui/scene3d/ground.h"
+#include "ui/scene3d/map_actor.h"
+#include "ui/scene3d/scene3d.h"
+#include "ui/scene3d/span_actor.h"
+#include "ui/scene3d/target_actors.h"
+
+#include <vtkCamera.h>
+#include <vtkCullerCollection.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace dewpoint {
+
+/// What a Scene3d consists of, and how it is framed.
+class Scene3d::Parts {
+public:
+  Parts() : ground(renderer), frusta(renderer), planned(renderer), map(renderer), span(renderer) {
+    renderer->SetActiveCamera(camera);
+    // Cullers ask for bounds that a cloud of bare points does not have.
+    renderer->UseFXAAOn();
+    renderer->GetCullers()->RemoveAllItems();
+  }
+
+  const ScenePalette& palette() const { return scenePalette(dark); }
+  ScenePalette plannedPalette() const;
+  double rigSize() const { return rigBox.isEmpty() ? 2.0 : rigBox.diagonal().norm(); }
+  double frustumLength() const { return std::clamp(0.09 * rigSize(), 0.05, 1.0); }
+  void applyPalette();
+  void showRig(const std::shared_ptr<const CameraRig>& shown);
+  void include(const TrackSnapshot& snapshot);
+  void coverGround();
+  Eigen::AlignedBox3d room() const; ///< floor and content
+  void frame();
+  void keepUpright();
+  void setClipping();
+  void measure();
+
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkCamera> camera;
+  Ground ground;
+  CameraFrusta frusta;
+  CameraFrusta planned;
+  MapActor map;
+  SpanActor span; ///< before the targets, which are drawn over it
+  std::vector<std::unique_ptr<TargetActors>> targets;
+  std::shared_ptr<const CameraRig> rig;
+  Eigen::AlignedBox3d rigBox;  ///< cameras and what they look at; empty without
+  Eigen::AlignedBox3d content; ///< all that was shown since the rig came
+  View view = View::Above;
+  bool dark = false;
+  bool moved = false; ///< by the user
+  bool frameWanted = true;
+  int width = 0;
+  int height = 0;
+  ScreenScale scale;
+  Eigen::Vector3d uprightPosition = Eigen::Vector3d::Zero();
+};
+
+} // namespace dewpoint
