@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/calibrate_output.h"
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/frame_range.h"
 #include "app/dewpoint-cli/interruption.h"
@@ -141,18 +142,11 @@ void sayDecisions(const WandOptions& options, const WandResult& result) {
   }
 }
 
-void sayVerdict(const WandOptions& options, const WandResult& result) {
+void sayVerdictOn(const WandOptions& options, const WandResult& result) {
   const auto verdict = judgeWand(result, options.floorTimes);
-  fmt::print("Verdict: {}\n",
-             verdict ? verdictSentence(*verdict) : "none; " + sentence(verdict.error()));
-  if (verdict && verdict->modelFactor > 1.0) {
-    fmt::print("Solutions without a part of the recording differ {:.1f} times more than noise "
-               "explains; the verdict includes that.\n",
-               verdict->modelFactor);
-  }
-  for (const NamedFault& fault : result.faults) {
-    fmt::print("Fault: {}\n", fault.sentence);
-  }
+  sayVerdict(verdict ? std::optional(*verdict) : std::nullopt,
+             verdict ? verdictSentence(*verdict) : "none; " + sentence(verdict.error()),
+             result.faults);
 }
 
 int calibrate(WandCommandOptions options) {
@@ -180,7 +174,7 @@ int calibrate(WandCommandOptions options) {
   }
   sayCameras(options.wand, before, *result);
   sayDecisions(options.wand, *result);
-  sayVerdict(options.wand, *result);
+  sayVerdictOn(options.wand, *result);
   auto written = options.out.empty() ? Status() : saveCalibration(result->cameras, options.out);
   if (written && options.apply) {
     written = saveProject(withCameras(inputs->project, result->cameras), options.project);

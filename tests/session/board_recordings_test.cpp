@@ -136,7 +136,7 @@ Result<IntrinsicsResult> lensFrom(const std::vector<fs::path>& files,
   wish.board = board;
   return lookForBoards(files, board, DetectionEffort::Exact)
       .and_then([&](const SeenBoards& seen) { return intrinsicsFromBoards(seen, wish); })
-      .map([](const std::vector<IntrinsicsResult>& results) { return results.front(); });
+      .map([](const LensesFromBoards& lenses) { return lenses.cameras.front().value(); });
 }
 
 TEST(BoardRecordings, Charuco4) {
