@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/board_words.h"
 
+#include "ui/bridge/error_sentence.h"
 #include "ui/calibration/board_desk.h"
 #include "ui/calibration/calibration_words.h"
 
@@ -167,6 +168,10 @@ QString outcomeWords(const BoardDesk& desk, const BoardOutcome& outcome) {
   QStringList lines;
   if (outcome.lenses) {
     addLenses(desk, *outcome.lenses, lines);
+  }
+  if (outcome.noPlaces) {
+    lines << QStringLiteral("⚠ ") +
+                 Words::tr("The places were not found: %1").arg(errorSentence(*outcome.noPlaces));
   }
   if (outcome.places) {
     addPlaces(desk, *outcome.places, lines);
