@@ -2,7 +2,7 @@
 #include "app/dewpoint-cli/calibrate_output.h"
 #include "app/dewpoint-cli/commands.h"
 #include "app/wiring/open_project.h"
-#include "core/session/board_calibration.h"
+#include "core/session/board_outcome.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -84,17 +84,55 @@ void sayIntrinsics(const SeenBoards::PerCamera& seen, const IntrinsicsResult& re
   sayViews(result.views);
 }
 
-int intrinsicsOf(const BoardOptions& options, const Project& project, const SeenBoards& seen,
-                 const CalibrationProgress& progress) {
-  const auto results = intrinsicsFromBoards(seen, options.wish, progress);
-  if (!results) {
-    return reportCalibration(results.error());
+void sayLenses(const SeenBoards& seen, const LensesFromBoards& lenses) {
+  for (std::size_t k = 0; k < lenses.cameras.size(); ++k) {
+    if (lenses.cameras[k]) {
+      sayIntrinsics(seen.cameras[k], *lenses.cameras[k], lenses.cameras.size() > 1);
+    }
   }
-  for (std::size_t k = 0; k < results->size(); ++k) {
-    sayIntrinsics(seen.cameras[k], (*results)[k], results->size() > 1);
+  for (const Error& kept : lenses.kept) {
+    fmt::print("note: {}.\n", keptSentence(kept));
   }
-  const auto written = writeCalibrated(options.output, withIntrinsics(project, *results),
-                                       htmlText(reportOf(seen, options.wish, *results)));
+}
+
+void sayPlaces(const SeenBoards& seen, const BoardOutcome& outcome) {
+  const ExtrinsicsResult& result = *outcome.places;
+  fmt::print("rms {:.4f} px over {} positions of the board\n", result.rmsPx, result.places.size());
+  for (std::size_t k = 0; k < result.cameras.size(); ++k) {
+    const Camera& camera = result.cameras[k];
+    const CameraFit& fit = result.fits[k];
+    const Eigen::Vector3d center = camera.center();
+    const Eigen::Vector3d axis = camera.opticalAxis();
+    fmt::print("{}\n", seen.cameras[k].name);
+    fmt::print("rms {:.4f} px; at {:.4f} {:.4f} {:.4f} m, looking along {:.4f} {:.4f} {:.4f}",
+               fit.rmsPx, center.x(), center.y(), center.z(), axis.x(), axis.y(), axis.z());
+    if (fit.centerSigma > 0.0) {
+      fmt::print("; +- {:.2f} mm, {:.3f} degrees against the first", 1e3 * fit.centerSigma,
+                 fit.turnSigma * 180.0 / std::numbers::pi);
+    }
+    fmt::print("\n");
+    sayViews(fit.views);
+  }
+  for (const std::string& notice : result.notices) {
+    fmt::print("note: {}.\n", notice);
+  }
+  sayVerdict(outcome.verdict, outcome.verdictSentence, result.faults);
+}
+
+/// Calibrates, says what was found, and writes it.
+int calibrate(const BoardOptions& options, const BoardGoal& goal, const Project& project,
+              const SeenBoards& seen, const CalibrationProgress& progress) {
+  const auto outcome = calibrateFromBoards(project, seen, options.wish, goal, progress);
+  if (!outcome) {
+    return reportCalibration(outcome.error());
+  }
+  if (outcome->lenses) {
+    sayLenses(seen, *outcome->lenses);
+  }
+  if (outcome->places) {
+    sayPlaces(seen, *outcome);
+  }
+  const auto written = writeCalibrated(options.output, outcome->project, outcome->report);
   return written ? static_cast<int>(kExitDone) : report(written.error());
 }
 
@@ -111,7 +149,7 @@ int intrinsicsOfPictures(const BoardOptions& options) {
   project.cameras.emplace_back().camera.name = "camera";
   BoardOptions all = options;
   all.wish.views = std::max<int>(options.wish.views, static_cast<int>(files.size())); // all of them
-  return intrinsicsOf(all, project, *seen, progress);
+  return calibrate(all, {true, false}, project, *seen, progress);
 }
 
 /// A project's recording, with the board looked for in it.
@@ -139,13 +177,13 @@ Result<Looked> look(const BoardOptions& options, const CalibrationProgress& prog
   return Looked{std::move(inputs->project), std::move(*seen)};
 }
 
-int intrinsicsOfProject(const BoardOptions& options) {
+int calibrateProject(const BoardOptions& options, const BoardGoal& goal) {
   const auto progress = interruptibleProgress();
   const auto looked = look(options, progress);
   if (!looked) {
     return reportCalibration(looked.error());
   }
-  return intrinsicsOf(options, looked->project, looked->seen, progress);
+  return calibrate(options, goal, looked->project, looked->seen, progress);
 }
 
 int intrinsics(BoardOptions& options) {
@@ -154,7 +192,7 @@ int intrinsics(BoardOptions& options) {
     return kExitUsage;
   }
   if (isProject(options.inputs)) {
-    return intrinsicsOfProject(options);
+    return calibrateProject(options, {true, false});
   }
   if (options.output.apply) {
     report({ErrorCode::BadValue, "", "--apply", "pictures have no project; use --out"});
@@ -163,47 +201,12 @@ int intrinsics(BoardOptions& options) {
   return intrinsicsOfPictures(options);
 }
 
-void sayExtrinsics(const SeenBoards& seen, const ExtrinsicsResult& result) {
-  fmt::print("rms {:.4f} px over {} positions of the board\n", result.rmsPx, result.places.size());
-  for (std::size_t k = 0; k < result.cameras.size(); ++k) {
-    const Camera& camera = result.cameras[k];
-    const CameraFit& fit = result.fits[k];
-    const Eigen::Vector3d center = camera.center();
-    const Eigen::Vector3d axis = camera.opticalAxis();
-    fmt::print("{}\n", seen.cameras[k].name);
-    fmt::print("rms {:.4f} px; at {:.4f} {:.4f} {:.4f} m, looking along {:.4f} {:.4f} {:.4f}",
-               fit.rmsPx, center.x(), center.y(), center.z(), axis.x(), axis.y(), axis.z());
-    if (fit.centerSigma > 0.0) {
-      fmt::print("; +- {:.2f} mm, {:.3f} degrees against the first", 1e3 * fit.centerSigma,
-                 fit.turnSigma * 180.0 / std::numbers::pi);
-    }
-    fmt::print("\n");
-    sayViews(fit.views);
-  }
-  for (const std::string& notice : result.notices) {
-    fmt::print("note: {}.\n", notice);
-  }
-}
-
 int extrinsics(BoardOptions& options) {
   if (const auto taken = takeWish(options); !taken) {
     report(taken.error());
     return kExitUsage;
   }
-  const auto progress = interruptibleProgress();
-  const auto looked = look(options, progress);
-  if (!looked) {
-    return reportCalibration(looked.error());
-  }
-  const auto result = extrinsicsFromBoards(looked->project, looked->seen, options.wish, progress);
-  if (!result) {
-    return reportCalibration(result.error());
-  }
-  sayExtrinsics(looked->seen, *result);
-  const auto written =
-      writeCalibrated(options.output, withCameras(looked->project, result->cameras),
-                      htmlText(reportOf(options.wish.board, *result)));
-  return written ? static_cast<int>(kExitDone) : report(written.error());
+  return calibrateProject(options, {false, true});
 }
 
 void addBoardOptions(CLI::App& command, BoardOptions& options) {

@@ -71,6 +71,19 @@ CalibrationProgress interruptibleProgress() {
   };
 }
 
+void sayVerdict(const std::optional<Verdict>& verdict, const std::string& sentence,
+                const std::vector<NamedFault>& faults) {
+  fmt::print("Verdict: {}\n", sentence);
+  if (verdict && verdict->modelFactor > 1.0) {
+    fmt::print("Solutions without a part of the recording differ {:.1f} times more than noise "
+               "explains; the verdict includes that.\n",
+               verdict->modelFactor);
+  }
+  for (const NamedFault& fault : faults) {
+    fmt::print("Fault: {}\n", fault.sentence);
+  }
+}
+
 int reportCalibration(const Error& error) {
   if (error.code == ErrorCode::Cancelled) {
     fmt::print(stderr, "dewpoint-cli: stopped; the former calibration is kept.\n");

@@ -2,11 +2,15 @@
 #pragma once
 
 #include "core/calibration/calibration_progress.h"
+#include "core/calibration/fault.h"
+#include "core/calibration/verdict.h"
 #include "core/project/project.h"
 
 #include <CLI/App.hpp>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace dewpoint {
 
@@ -26,6 +30,11 @@ Status writeCalibrated(const CalibrateOutput& output, const Project& calibrated,
 
 /// Shows the stages of a computation as progress bars, and ends it on Ctrl-C.
 CalibrationProgress interruptibleProgress();
+
+/// The verdict's sentence (or why there is none), what it was widened by, and the faults that have
+/// a name.
+void sayVerdict(const std::optional<Verdict>& verdict, const std::string& sentence,
+                const std::vector<NamedFault>& faults);
 
 /// What the process returns after an error: kExitInterrupted when it was Ctrl-C, without a word
 /// besides that nothing was changed.

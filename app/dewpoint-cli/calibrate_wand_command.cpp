@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/calibrate_output.h"
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/frame_range.h"
 #include "app/dewpoint-cli/interruption.h"
@@ -141,18 +142,11 @@ void sayDecisions(const WandOptions& options, const WandResult& result) {
   }
 }
 
-void sayVerdict(const WandRefinement& refinement) {
+void sayVerdictOn(const WandRefinement& refinement) {
   const auto& verdict = refinement.verdict;
-  fmt::print("Verdict: {}\n",
-             verdict ? verdictSentence(*verdict) : "none; " + sentence(verdict.error()));
-  if (verdict && verdict->modelFactor > 1.0) {
-    fmt::print("Solutions without a part of the recording differ {:.1f} times more than noise "
-               "explains; the verdict includes that.\n",
-               verdict->modelFactor);
-  }
-  for (const NamedFault& fault : refinement.result.faults) {
-    fmt::print("Fault: {}\n", fault.sentence);
-  }
+  sayVerdict(verdict ? std::optional(*verdict) : std::nullopt,
+             verdict ? verdictSentence(*verdict) : "none; " + sentence(verdict.error()),
+             refinement.result.faults);
 }
 
 int calibrate(WandCommandOptions options) {
@@ -176,7 +170,7 @@ int calibrate(WandCommandOptions options) {
   }
   sayCameras(*result);
   sayDecisions(options.wand, result->result);
-  sayVerdict(*result);
+  sayVerdictOn(*result);
   const CameraRig& cameras = result->result.cameras;
   auto written = options.out.empty() ? Status() : saveCalibration(cameras, options.out);
   if (written && options.apply) {

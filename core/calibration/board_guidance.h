@@ -109,6 +109,12 @@ public:
 
   /// What all cameras see now; views are kept under one instant number per capture.
   State step(double seconds, const std::vector<std::optional<BoardDetection>>& detections);
+  /// Takes what was given last as it is, if two cameras saw the board: the person asked for it.
+  State captureNow();
+  /// Each pair that joins the cameras is to be seen so much more often than it was so far.
+  void wantMore(int instants);
+  /// Where it stands, nothing new being seen.
+  State state() const;
   /// Per camera, as calibrateExtrinsics() takes them.
   const std::vector<std::vector<BoardView>>& views() const { return views_; }
   /// How often each pair of cameras saw the board together, camera times camera.
@@ -117,6 +123,8 @@ public:
 private:
   bool isStill(double seconds, const std::vector<std::optional<BoardDetection>>& detections);
   bool isNew(const std::vector<std::optional<BoardDetection>>& detections) const;
+  bool areSeenByTwo() const;
+  void take(State& state);
   void suggest(State& state) const;
 
   std::vector<int> widths_;

@@ -88,6 +88,28 @@ void addCamera(std::string& html, const BoardReport::CameraPart& camera) {
           "<h3>Pictures</h3>\n" + errorDrawing(camera.views);
 }
 
+void addReport(std::string& html, const BoardReport& report) {
+  html += fmt::format("<h1>{}</h1>\n<p>Board: <code>{}</code></p>\n", escaped(report.title),
+                      escaped(boardText(report.board)));
+  if (!report.verdict.empty()) {
+    html += fmt::format("<p><b>{}</b></p>\n", escaped(report.verdict));
+  }
+  for (const std::string& notice : report.notices) {
+    html += fmt::format("<p class=\"notice\">{}.</p>\n", escaped(notice));
+  }
+  if (!report.places.empty()) {
+    CameraRig rig;
+    for (const auto& part : report.cameras) {
+      rig.push_back(part.camera);
+      rig.back().name = part.name;
+    }
+    html += "<h2>In space</h2>\n" + spaceDrawing(rig, outlines(report), "cameras and boards");
+  }
+  for (const auto& camera : report.cameras) {
+    addCamera(html, camera);
+  }
+}
+
 } // namespace
 
 BoardReport::CameraPart reportPart(const std::string& name, const IntrinsicsResult& result) {
@@ -124,22 +146,13 @@ BoardReport reportOf(const BoardDescription& board, const ExtrinsicsResult& resu
 }
 
 std::string htmlText(const BoardReport& report) {
-  std::string html = pageHead(report.title);
-  html += fmt::format("<h1>{}</h1>\n<p>Board: <code>{}</code></p>\n", escaped(report.title),
-                      escaped(boardText(report.board)));
-  for (const std::string& notice : report.notices) {
-    html += fmt::format("<p class=\"notice\">{}.</p>\n", escaped(notice));
-  }
-  if (!report.places.empty()) {
-    CameraRig rig;
-    for (const auto& part : report.cameras) {
-      rig.push_back(part.camera);
-      rig.back().name = part.name;
-    }
-    html += "<h2>In space</h2>\n" + spaceDrawing(rig, outlines(report), "cameras and boards");
-  }
-  for (const auto& camera : report.cameras) {
-    addCamera(html, camera);
+  return htmlText(std::vector{report});
+}
+
+std::string htmlText(const std::vector<BoardReport>& reports) {
+  std::string html = pageHead(reports.front().title);
+  for (const BoardReport& report : reports) {
+    addReport(html, report);
   }
   return html + kPageEnd;
 }

@@ -29,6 +29,7 @@ struct BoardReport {
   std::vector<CameraPart> cameras;
   std::vector<BoardPlace> places; ///< for the plot in space; empty: no plot
   std::vector<std::string> notices;
+  std::string verdict; ///< a sentence; may be empty
 };
 
 /// The part of a report about one camera's intrinsics.
@@ -40,5 +41,7 @@ BoardReport reportOf(const BoardDescription& board, const ExtrinsicsResult& resu
 /// One self-contained HTML page: figures, residual arrows, coverage and errors picture by picture
 /// for each camera, and cameras and boards in space.
 std::string htmlText(const BoardReport& report);
+/// Several reports on one page, one below the other; not empty.
+std::string htmlText(const std::vector<BoardReport>& reports);
 
 } // namespace dewpoint

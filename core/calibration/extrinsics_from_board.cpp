@@ -2,7 +2,6 @@
 #include "core/calibration/extrinsics_from_board.h"
 
 #include "core/calibration/board_chain.h"
-#include "core/calibration/bundle_adjustment.h"
 
 #include <fmt/format.h>
 
@@ -17,6 +16,39 @@ constexpr int kMostRounds = 5;
 constexpr double kFirstLossWidth = 3.0; // pixels: corners of a wrong view must not pull
 constexpr double kLossSigmas = 3.0;
 constexpr double kLeastLossWidth = 0.3; // pixels
+
+/// Columns of the covariance after the world was turned: the places of the cameras turn with it.
+Eigen::MatrixXd turnedColumns(const std::vector<CameraColumn>& columns,
+                              const Eigen::Matrix3d& turn) {
+  const auto count = static_cast<Eigen::Index>(columns.size());
+  Eigen::MatrixXd change = Eigen::MatrixXd::Identity(count, count);
+  for (Eigen::Index k = 0; k + 2 < count; ++k) {
+    if (columns[static_cast<std::size_t>(k)].quantity == CameraQuantity::CenterX) {
+      change.block<3, 3>(k, k) = turn;
+    }
+  }
+  return change;
+}
+
+/// Another world for everything that was adjusted.
+void putIntoWorld(const Eigen::Isometry3d& worldFromFirst, BundleProblem& problem,
+                  BundleResult& result) {
+  const Eigen::Isometry3d firstFromWorld = worldFromFirst.inverse();
+  for (BundleCamera& camera : problem.cameras) {
+    camera.camera.cameraFromWorld = camera.camera.cameraFromWorld * firstFromWorld;
+  }
+  for (Camera& camera : result.cameras) {
+    camera.cameraFromWorld = camera.cameraFromWorld * firstFromWorld;
+  }
+  for (auto* states : {&problem.states, &result.states}) {
+    for (BundleState& state : *states) {
+      state.worldFromBoard = worldFromFirst * state.worldFromBoard;
+    }
+  }
+  BundleCovariance& covariance = result.covariance;
+  const Eigen::MatrixXd change = turnedColumns(covariance.columns, worldFromFirst.linear());
+  covariance.matrix = change * covariance.matrix * change.transpose();
+}
 
 /// Adjusts, leaves out the views that fit badly, and adjusts again until all fit.
 class Extrinsics {
@@ -94,7 +126,7 @@ private:
                                         view.detection.pixels[k]});
       }
     }
-    const auto result = adjustBundle(
+    auto result = adjustBundle(
         problem, [&](const BundleProgress&) { return goesOn(progress_, "adjusting", 0.5); });
     if (!result) {
       return tl::make_unexpected(result.error());
@@ -106,9 +138,9 @@ private:
     for (const auto& [instant, state] : states) {
       chain_.firstFromBoard[instant] = result->states[state].worldFromBoard;
     }
-    covariance_ = result->covariance;
-    covariance_.matrix *= result->noiseFactor * result->noiseFactor;
     iterations_ += result->iterations;
+    problem_ = std::move(problem);
+    bundle_ = std::move(*result);
     refit();
     return {};
   }
@@ -208,25 +240,31 @@ private:
     for (const std::int64_t instant : seen) {
       result.places.push_back({instant, *world * chain_.firstFromBoard[instant]});
     }
+    putIntoWorld(*world, problem_, bundle_);
+    result.covariance = bundle_.covariance;
+    result.covariance.matrix *= bundle_.noiseFactor * bundle_.noiseFactor;
     for (std::size_t k = 0; k < result.fits.size(); ++k) {
       CameraFit& fit = result.fits[k];
       fit.rmsPx = overallRms(fit.views);
       fit.views.insert(fit.views.end(), chain_.leftOut[k].begin(), chain_.leftOut[k].end());
-      fit.centerSigma = spread(k, CameraQuantity::CenterX, CameraQuantity::CenterZ);
-      fit.turnSigma = spread(k, CameraQuantity::TurnX, CameraQuantity::TurnZ);
+      const auto& known = result.covariance;
+      fit.centerSigma = spread(known, k, CameraQuantity::CenterX, CameraQuantity::CenterZ);
+      fit.turnSigma = spread(known, k, CameraQuantity::TurnX, CameraQuantity::TurnZ);
     }
-    result.covariance = std::move(covariance_);
+    result.problem = std::move(problem_);
+    result.bundle = std::move(bundle_);
     return result;
   }
 
   /// Root of the summed variances of three quantities of a camera.
-  double spread(std::size_t camera, CameraQuantity from, CameraQuantity to) const {
+  static double spread(const BundleCovariance& covariance, std::size_t camera, CameraQuantity from,
+                       CameraQuantity to) {
     double variance = 0.0;
-    for (std::size_t k = 0; k < covariance_.columns.size(); ++k) {
-      const CameraColumn& column = covariance_.columns[k];
+    for (std::size_t k = 0; k < covariance.columns.size(); ++k) {
+      const CameraColumn& column = covariance.columns[k];
       if (column.camera == camera && column.quantity >= from && column.quantity <= to) {
         const auto at = static_cast<Eigen::Index>(k);
-        variance += covariance_.matrix(at, at);
+        variance += covariance.matrix(at, at);
       }
     }
     return std::sqrt(variance);
@@ -237,7 +275,8 @@ private:
   BoardChain chain_;
   CameraRig adjusted_;
   std::vector<ViewFit> fits_; ///< of chain_.views, in their order
-  BundleCovariance covariance_;
+  BundleProblem problem_;     ///< of the last adjustment, in the first camera's frame
+  BundleResult bundle_;
   int iterations_ = 0;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/bundle_covariance.h"
+#include "core/calibration/bundle_adjustment.h"
+#include "core/calibration/fault.h"
 #include "core/calibration/intrinsics_from_board.h"
 
 #include <cstdint>
@@ -51,7 +52,10 @@ struct ExtrinsicsResult {
   double rmsPx = 0.0;
   BundleCovariance covariance; ///< of the cameras' poses, for the residuals as found
   int iterations = 0;
-  std::vector<std::string> notices; ///< sentences worth saying
+  std::vector<std::string> notices;    ///< sentences worth saying
+  BundleProblem problem;               ///< what was adjusted last, in the result's world
+  BundleResult bundle;                 ///< and its outcome; its covariance: for sigmas of a pixel
+  std::vector<NamedFault> faults = {}; ///< left to findBoardFaults()
 };
 
 /// The poses of all cameras from a board that several of them see at the same instants: poses of

@@ -74,30 +74,58 @@ void RigGuidance::suggest(State& state) const {
   state.finished = true;
 }
 
+bool RigGuidance::areSeenByTwo() const {
+  return std::ranges::count_if(last_, [](const auto& d) { return d.has_value(); }) >= 2;
+}
+
+void RigGuidance::take(State& state) {
+  for (std::size_t k = 0; k < widths_.size(); ++k) {
+    if (!last_[k]) {
+      continue;
+    }
+    views_[k].push_back({"instant " + std::to_string(instants_ + 1), instants_, *last_[k]});
+    for (std::size_t other = 0; other < widths_.size(); ++other) {
+      together_[k * widths_.size() + other] += other != k && last_[other] ? 1 : 0;
+    }
+  }
+  ++instants_;
+  stillSince_ = lastSeconds_;
+  state.captured = true;
+}
+
+RigGuidance::State RigGuidance::state() const {
+  State state;
+  state.instants = instants_;
+  suggest(state);
+  return state;
+}
+
+RigGuidance::State RigGuidance::captureNow() {
+  State taken;
+  if (areSeenByTwo()) {
+    take(taken);
+  }
+  State now = state();
+  now.captured = taken.captured;
+  return now;
+}
+
+void RigGuidance::wantMore(int instants) {
+  settings_.instantsPerPair += instants;
+}
+
 RigGuidance::State RigGuidance::step(double seconds,
                                      const std::vector<std::optional<BoardDetection>>& detections) {
   State state;
-  const auto seeing =
-      std::ranges::count_if(detections, [](const auto& d) { return d.has_value(); });
-  if (!isStill(seconds, detections) || seeing < 2) {
+  const bool still = isStill(seconds, detections);
+  if (!still || !areSeenByTwo()) {
     stillSince_ = seconds;
   }
-  if (seeing >= 2 && isNew(detections)) {
+  if (areSeenByTwo() && isNew(detections)) {
     state.held = std::clamp((seconds - stillSince_) / settings_.holdSeconds, 0.0, 1.0);
   }
   if (state.held >= 1.0) {
-    for (std::size_t k = 0; k < widths_.size(); ++k) {
-      if (!detections[k]) {
-        continue;
-      }
-      views_[k].push_back({"instant " + std::to_string(instants_ + 1), instants_, *detections[k]});
-      for (std::size_t other = 0; other < widths_.size(); ++other) {
-        together_[k * widths_.size() + other] += other != k && detections[other] ? 1 : 0;
-      }
-    }
-    ++instants_;
-    stillSince_ = seconds;
-    state.captured = true;
+    take(state);
   }
   state.instants = instants_;
   suggest(state);

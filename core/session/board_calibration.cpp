@@ -2,6 +2,7 @@
 #include "core/session/board_calibration.h"
 
 #include "core/base/thread_team.h"
+#include "core/calibration/board_judgement.h"
 #include "core/calibration/view_choice.h"
 
 #include <fmt/format.h>
@@ -62,6 +63,69 @@ Error named(Error error, const std::string& camera) {
   return error;
 }
 
+Result<IntrinsicsResult> lensOf(const SeenBoards::PerCamera& camera, const BoardWish& wish,
+                                const CalibrationProgress& progress) {
+  if (camera.views.empty()) {
+    return failure(ErrorCode::NotFound, "", "",
+                   fmt::format("it never saw the board, in {} pictures", camera.looked));
+  }
+  IntrinsicsRequest request;
+  request.board = wish.board;
+  request.views = chooseViews(wish.board, camera.views, camera.width, camera.height, wish.views);
+  request.width = camera.width;
+  request.height = camera.height;
+  request.model = wish.model;
+  request.pixels = wish.pixels;
+  return calibrateIntrinsics(request, progress);
+}
+
+/// The cameras that poses are found of: those that saw the board, if that are two; else all, so
+/// that the error names them.
+std::vector<std::size_t> camerasWithViews(const SeenBoards& seen) {
+  std::vector<std::size_t> with;
+  std::vector<std::size_t> all;
+  for (std::size_t k = 0; k < seen.cameras.size(); ++k) {
+    all.push_back(k);
+    if (!seen.cameras[k].views.empty()) {
+      with.push_back(k);
+    }
+  }
+  return with.size() < 2 ? all : with;
+}
+
+/// Cameras that took no part get their places in the result, as they were.
+void withTheOthers(const Project& project, const std::vector<std::size_t>& taking,
+                   ExtrinsicsResult& result) {
+  if (taking.size() == project.cameras.size()) {
+    return;
+  }
+  CameraRig cameras;
+  std::vector<CameraFit> fits(project.cameras.size());
+  for (const ProjectCamera& camera : project.cameras) {
+    cameras.push_back(camera.camera);
+  }
+  for (std::size_t i = 0; i < taking.size(); ++i) {
+    cameras[taking[i]] = result.cameras[i];
+    fits[taking[i]] = std::move(result.fits[i]);
+  }
+  for (std::size_t k = 0; k < cameras.size(); ++k) {
+    if (std::ranges::find(taking, k) == taking.end()) {
+      result.notices.push_back(
+          fmt::format("'{}' never saw the board: it keeps its pose", cameras[k].name));
+    }
+  }
+  for (CameraColumn& column : result.covariance.columns) {
+    column.camera = taking[column.camera];
+  }
+  for (NamedFault& fault : result.faults) {
+    for (std::size_t& camera : fault.cameras) {
+      camera = taking[camera];
+    }
+  }
+  result.cameras = std::move(cameras);
+  result.fits = std::move(fits);
+}
+
 } // namespace
 
 Result<SeenBoards> lookForBoards(const Project& project, FrameSetSource& source,
@@ -74,6 +138,9 @@ Result<SeenBoards> lookForBoards(const Project& project, FrameSetSource& source,
   SeenBoards seen;
   for (const ProjectCamera& camera : project.cameras) {
     seen.cameras.push_back({camera.camera.name, 0, 0, 0, {}});
+  }
+  if (source.framesPerSecond() > 0.0) {
+    seen.framesPerSecond = source.framesPerSecond();
   }
   const BoardDetector detector(wish.board);
   const auto effort = *total <= kFewFrames ? DetectionEffort::Exact : DetectionEffort::Live;
@@ -144,65 +211,96 @@ Result<SeenBoards> lookForBoards(const std::vector<std::filesystem::path>& pictu
   return seen;
 }
 
-Result<std::vector<IntrinsicsResult>> intrinsicsFromBoards(const SeenBoards& seen,
-                                                           const BoardWish& wish,
-                                                           const CalibrationProgress& progress) {
-  std::vector<IntrinsicsResult> results;
+Result<LensesFromBoards> intrinsicsFromBoards(const SeenBoards& seen, const BoardWish& wish,
+                                              const CalibrationProgress& progress) {
+  LensesFromBoards lenses;
+  std::optional<Error> first;
   for (const auto& camera : seen.cameras) {
-    IntrinsicsRequest request;
-    request.board = wish.board;
-    request.views = chooseViews(wish.board, camera.views, camera.width, camera.height, wish.views);
-    request.width = camera.width;
-    request.height = camera.height;
-    request.model = wish.model;
-    request.pixels = wish.pixels;
-    auto result = calibrateIntrinsics(request, progress);
+    auto result = lensOf(camera, wish, progress);
+    if (!result && result.error().code == ErrorCode::Cancelled) {
+      return tl::make_unexpected(result.error());
+    }
     if (!result) {
-      return tl::make_unexpected(named(result.error(), camera.name));
+      first = first.value_or(named(result.error(), camera.name));
+      lenses.kept.push_back(result.error());
+      lenses.kept.back().field = camera.name;
+      lenses.cameras.emplace_back();
+      continue;
     }
     result->camera.name = camera.name;
-    results.push_back(std::move(*result));
+    lenses.cameras.emplace_back(std::move(*result));
   }
-  return results;
+  if (first && lenses.kept.size() == lenses.cameras.size()) {
+    return tl::make_unexpected(*first);
+  }
+  return lenses;
 }
 
 Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const SeenBoards& seen,
                                               const BoardWish& wish,
                                               const CalibrationProgress& progress) {
+  const auto taking = camerasWithViews(seen);
   std::vector<std::vector<BoardView>> views;
   std::vector<int> widths;
-  for (const auto& camera : seen.cameras) {
-    views.push_back(camera.views);
-    widths.push_back(camera.width);
+  for (const std::size_t k : taking) {
+    views.push_back(seen.cameras[k].views);
+    widths.push_back(seen.cameras[k].width);
   }
   const auto chosen = chooseInstants(views, widths, wish.instants, wish.worldFrame);
   ExtrinsicsRequest request;
   request.board = wish.board;
   request.worldInstant = wish.worldFrame;
   request.refineIntrinsics = wish.refineIntrinsics;
-  for (std::size_t k = 0; k < project.cameras.size(); ++k) {
-    const auto& in = project.cameras[k].camera.intrinsics;
-    const auto& camera = seen.cameras[k];
-    if (in.width != camera.width || in.height != camera.height) {
+  for (std::size_t i = 0; i < taking.size(); ++i) {
+    const auto& in = project.cameras[taking[i]].camera.intrinsics;
+    const auto& camera = seen.cameras[taking[i]];
+    if (!chosen[i].empty() && (in.width != camera.width || in.height != camera.height)) {
       return failure(ErrorCode::Mismatch, project.file.string(), camera.name,
                      fmt::format("its images have {} x {} pixels, its calibration {} x {}",
                                  camera.width, camera.height, in.width, in.height));
     }
-    request.cameras.push_back({project.cameras[k].camera, chosen[k]});
+    request.cameras.push_back({project.cameras[taking[i]].camera, chosen[i]});
   }
-  return calibrateExtrinsics(request, progress);
+  auto result = calibrateExtrinsics(request, progress);
+  if (!result && result.error().code == ErrorCode::Cancelled) {
+    return result;
+  }
+  if (!goesOn(progress, "judging", 0.0)) {
+    return cancelled();
+  }
+  for (std::size_t i = 0; i < taking.size(); ++i) {
+    request.cameras[i].views = std::move(views[i]); // all of them, not only the best
+  }
+  const auto report = findBoardFaults(request, seen.framesPerSecond, result ? &*result : nullptr);
+  if (!result && !report.faults.empty()) {
+    result.error().detail += "; " + report.faults.front().sentence;
+  }
+  if (result) {
+    result->faults = report.faults;
+    withTheOthers(project, taking, *result);
+  }
+  return result;
 }
 
 BoardReport reportOf(const SeenBoards& seen, const BoardWish& wish,
-                     const std::vector<IntrinsicsResult>& results) {
+                     const LensesFromBoards& lenses) {
   BoardReport report;
-  report.title = fmt::format("Lenses of {} camera{} from a board", results.size(),
-                             results.size() == 1 ? "" : "s");
   report.board = wish.board;
-  for (std::size_t k = 0; k < results.size(); ++k) {
-    report.cameras.push_back(reportPart(seen.cameras[k].name, results[k]));
+  for (std::size_t k = 0; k < lenses.cameras.size(); ++k) {
+    if (lenses.cameras[k]) {
+      report.cameras.push_back(reportPart(seen.cameras[k].name, *lenses.cameras[k]));
+    }
+  }
+  report.title = fmt::format("Lenses of {} camera{} from a board", report.cameras.size(),
+                             report.cameras.size() == 1 ? "" : "s");
+  for (const Error& kept : lenses.kept) {
+    report.notices.push_back(keptSentence(kept));
   }
   return report;
+}
+
+std::string keptSentence(const Error& kept) {
+  return fmt::format("{} keeps its lens: {}", kept.field, kept.detail);
 }
 
 } // namespace dewpoint

@@ -40,6 +40,7 @@ struct SeenBoards {
     std::vector<BoardView> views;
   };
   std::vector<PerCamera> cameras;
+  double framesPerSecond = 30.0;
 };
 
 /// Looks for the board in a recording, in frames spread over it evenly; all cameras at the same
@@ -53,20 +54,31 @@ Result<SeenBoards> lookForBoards(const std::vector<std::filesystem::path>& pictu
                                  const BoardDescription& board, DetectionEffort effort,
                                  const CalibrationProgress& progress = {});
 
-/// The intrinsics of each camera of `seen`, from views chosen by chooseViews(). The error names the
-/// camera.
-Result<std::vector<IntrinsicsResult>>
-intrinsicsFromBoards(const SeenBoards& seen, const BoardWish& wish,
-                     const CalibrationProgress& progress = {});
+/// The lenses that were found, and why others were not.
+struct LensesFromBoards {
+  std::vector<std::optional<IntrinsicsResult>> cameras; ///< nothing: it keeps its lens
+  std::vector<Error> kept; ///< for each camera that keeps its lens: its name (field), and why
+};
+
+/// The intrinsics of each camera of `seen`, from views chosen by chooseViews(). A camera that did
+/// not see the board well keeps its lens; the error, which names the camera, is returned when that
+/// is so of all of them, and Cancelled.
+Result<LensesFromBoards> intrinsicsFromBoards(const SeenBoards& seen, const BoardWish& wish,
+                                              const CalibrationProgress& progress = {});
 
 /// The poses of a project's cameras, with the intrinsics it has, from instants chosen by
-/// chooseInstants().
+/// chooseInstants(). Cameras that never saw the board keep their poses and are named in the
+/// notices, as long as two others saw it; if the first is one of them, the first that saw it keeps
+/// its pose instead. Faults that explain what is seen better are named in the result, or in the
+/// error.
 Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const SeenBoards& seen,
                                               const BoardWish& wish,
                                               const CalibrationProgress& progress = {});
 
+/// "camera 2 keeps its lens: it never saw the board, in 60 pictures".
+std::string keptSentence(const Error& kept);
+
 /// The report on intrinsics.
-BoardReport reportOf(const SeenBoards& seen, const BoardWish& wish,
-                     const std::vector<IntrinsicsResult>& results);
+BoardReport reportOf(const SeenBoards& seen, const BoardWish& wish, const LensesFromBoards& lenses);
 
 } // namespace dewpoint

@@ -4,6 +4,7 @@
 #include "core/calibration/intrinsics_from_board.h"
 #include "core/project/project.h"
 
+#include <optional>
 #include <vector>
 
 namespace dewpoint {
@@ -11,7 +12,9 @@ namespace dewpoint {
 /// The project with these cameras' calibration, in the same order.
 Project withCameras(Project project, const CameraRig& rig);
 
-/// The project with these lenses, in the order of its cameras; poses stay.
-Project withIntrinsics(Project project, const std::vector<IntrinsicsResult>& results);
+/// The project with these lenses, in the order of its cameras, which keep theirs where there is
+/// none; poses stay.
+Project withIntrinsics(Project project,
+                       const std::vector<std::optional<IntrinsicsResult>>& results);
 
 } // namespace dewpoint

@@ -4,6 +4,7 @@
 #include "core/base/random.h"
 #include "core/calibration/board.h"
 #include "core/calibration/intrinsics_from_board.h"
+#include "tests/calibration/board_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -23,27 +24,6 @@ inline std::filesystem::path dataFolder(const char* name) {
 
 inline BoardDescription boardOf(const char* text) {
   return parseBoard(text).value();
-}
-
-/// A camera of a usual webcam's lens.
-inline Camera testCamera(int width = 640, int height = 480) {
-  Camera camera;
-  camera.intrinsics = {
-      width, height, 0.85 * width, 0.85 * width, 0.5 * width - 3.0, 0.5 * height + 4.0};
-  camera.distortion = {-0.18, 0.06, 0.001, -0.0008, 0.0};
-  return camera;
-}
-
-/// A board whose middle is at `middle` (camera frame, metres), tilted about x and y, rolled.
-inline Eigen::Isometry3d boardAt(const BoardDescription& board, const Eigen::Vector3d& middle,
-                                 double tiltX, double tiltY, double roll = 0.0) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = (Eigen::AngleAxisd(tiltX, Eigen::Vector3d::UnitX()) *
-                   Eigen::AngleAxisd(tiltY, Eigen::Vector3d::UnitY()) *
-                   Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()))
-                      .toRotationMatrix();
-  pose.translation() = middle - pose.linear() * board.middle();
-  return pose;
 }
 
 /// Random poses in front of a camera, like those of a person who shows the board around.

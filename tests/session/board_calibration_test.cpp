@@ -2,7 +2,7 @@
 // From the frames of a recording to lenses and poses, as the window and the command line do it.
 #include "core/calibration/board_picture.h"
 #include "core/capture/recording.h"
-#include "core/session/board_calibration.h"
+#include "core/session/board_outcome.h"
 #include "tests/calibration/board_views.h"
 
 #include <opencv2/imgproc.hpp>
@@ -85,7 +85,7 @@ TEST(BoardCalibration, LensesAndPosesOfARecording) {
 
   const auto lenses = intrinsicsFromBoards(*seen, wish);
   ASSERT_TRUE(lenses) << sentence(lenses.error());
-  EXPECT_NEAR((*lenses)[0].camera.intrinsics.focalX, 0.85 * 480, 3.0);
+  EXPECT_NEAR(lenses->cameras[0]->camera.intrinsics.focalX, 0.85 * 480, 3.0);
 
   const auto poses = extrinsicsFromBoards(recorded.project, *seen, wish);
   ASSERT_TRUE(poses) << sentence(poses.error());
@@ -93,7 +93,8 @@ TEST(BoardCalibration, LensesAndPosesOfARecording) {
     EXPECT_LT((poses->cameras[k].center() - recorded.cameras[k].center()).norm(), 0.001) << k;
   }
 
-  const Project calibrated = withCameras(withIntrinsics(recorded.project, *lenses), poses->cameras);
+  const Project calibrated =
+      withCameras(withIntrinsics(recorded.project, lenses->cameras), poses->cameras);
   EXPECT_EQ(calibrated.cameras[1].camera.name, "right");
   EXPECT_EQ(calibrated.cameras[1].camera.cameraFromWorld.matrix(),
             poses->cameras[1].cameraFromWorld.matrix());
@@ -131,6 +132,112 @@ TEST(BoardCalibration, FramesBetweenThoseLookedAtArePassedOver) {
     instants.push_back(view.instant);
   }
   EXPECT_EQ(instants, (std::vector<std::int64_t>{0, 3, 6, 7, 9, 12}));
+}
+
+/// A third camera that looks the other way, and where the others saw the board.
+struct BlindCamera {
+  Recorded recorded;
+  SeenBoards seen;
+
+  BlindCamera() {
+    const auto source = recorded.open();
+    seen = lookForBoards(recorded.project, *source, recorded.wish()).value();
+    SeenBoards::PerCamera blind = seen.cameras[0];
+    blind.name = "door";
+    blind.views.clear();
+    seen.cameras.insert(seen.cameras.begin(), blind);
+    ProjectCamera camera = recorded.project.cameras[0];
+    camera.camera.name = "door";
+    camera.camera.cameraFromWorld.translation().z() = 4.0;
+    recorded.project.cameras.insert(recorded.project.cameras.begin(), camera);
+  }
+};
+
+TEST(BoardCalibration, ACameraThatNeverSawTheBoardKeepsWhatItHas) {
+  const BlindCamera blind;
+  const auto outcome =
+      calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(), {true, true});
+  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  EXPECT_EQ(outcome->project.cameras[0], blind.recorded.project.cameras[0]);
+  EXPECT_NE(outcome->project.cameras[1].camera.intrinsics,
+            blind.recorded.project.cameras[1].camera.intrinsics);
+  const auto remarks = remarksOn(*outcome);
+  ASSERT_EQ(remarks.size(), 2U);
+  EXPECT_EQ(remarks[0], "door keeps its lens: it never saw the board, in 14 pictures.");
+  EXPECT_EQ(remarks[1], "'door' never saw the board: it keeps its pose.");
+  EXPECT_TRUE(outcome->places->fits[0].views.empty());
+  EXPECT_GE(outcome->places->fits[2].views.size(), 10U);
+  // The distance between the other two is that of the scene.
+  const double apart =
+      (outcome->project.cameras[1].camera.center() - outcome->project.cameras[2].camera.center())
+          .norm();
+  EXPECT_NEAR(apart, 0.35, 0.003);
+  EXPECT_NE(outcome->report.find("door keeps its lens"), std::string::npos);
+}
+
+TEST(BoardCalibration, LensesRemainWherePlacesCannotBeFound) {
+  BlindCamera blind;
+  blind.seen.cameras[2].views.clear(); // one camera is left
+  const auto outcome =
+      calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(), {true, true});
+  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_TRUE(outcome->noPlaces);
+  EXPECT_NE(outcome->noPlaces->detail.find("'right'"), std::string::npos);
+  EXPECT_TRUE(outcome->lenses->cameras[1]);
+  EXPECT_EQ(remarksOn(*outcome).size(), 3U);
+  EXPECT_FALSE(calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(),
+                                   {false, true}));
+}
+
+TEST(BoardCalibration, NobodySawTheBoard) {
+  BlindCamera blind;
+  for (auto& camera : blind.seen.cameras) {
+    camera.views.clear();
+  }
+  const auto outcome =
+      calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(), {true, false});
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().field, "door");
+}
+
+TEST(BoardCalibration, SaysAVerdictAndNoFault) {
+  Recorded recorded;
+  for (std::size_t k = 0; k < 2; ++k) {
+    recorded.project.cameras[k].camera.cameraFromWorld = recorded.cameras[k].cameraFromWorld;
+  }
+  BoardWish wish = recorded.wish();
+  wish.worldFrame = 0;
+  const auto source = recorded.open();
+  const auto outcome =
+      lookForBoards(recorded.project, *source, wish).and_then([&](const SeenBoards& seen) {
+        return calibrateFromBoards(recorded.project, seen, wish, {false, true});
+      });
+  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_TRUE(outcome->verdict) << outcome->verdictSentence;
+  EXPECT_TRUE(outcome->places->faults.empty()) << outcome->places->faults[0].sentence;
+  // 0.2 mm over 7 squares of 30 mm are 0.1 % (one sigma), at least.
+  EXPECT_NEAR(outcome->verdict->scale95.value(), 1.96 * 0.2 / 210.0, 0.0005);
+  EXPECT_GT(outcome->verdict->up95.value(), 0.001);
+  EXPECT_LT(outcome->verdict->up95.value(), 0.05);
+  EXPECT_LT(outcome->verdict->place95, 0.002);
+  EXPECT_NE(outcome->report.find("In this volume"), std::string::npos);
+}
+
+TEST(BoardCalibration, AWrongSquareSizeIsNamed) {
+  Recorded recorded;
+  for (std::size_t k = 0; k < 2; ++k) {
+    recorded.project.cameras[k].camera.cameraFromWorld = recorded.cameras[k].cameraFromWorld;
+  }
+  BoardWish wish = recorded.wish();
+  const auto source = recorded.open();
+  auto seen = lookForBoards(recorded.project, *source, wish);
+  ASSERT_TRUE(seen);
+  wish.board.squareSize *= 1000.0; // typed in millimetres
+  wish.board.markerSize *= 1000.0;
+  const auto outcome = calibrateFromBoards(recorded.project, *seen, wish, {false, true});
+  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_EQ(outcome->places->faults.size(), 1U);
+  EXPECT_EQ(outcome->places->faults[0].fault, CalibrationFault::MillimetresMixed);
 }
 
 } // namespace

@@ -32,12 +32,6 @@ std::vector<ActionDeclaration> projectActions() {
       {"actionExportTrajectory", group, QT_TRANSLATE_NOOP("Actions", "Export trajectory…"),
        QT_TRANSLATE_NOOP("Actions", "Write the trajectory so far for another program"), "export",
        Qt::CTRL | Qt::Key_E},
-      {"actionImportCalibration", group, QT_TRANSLATE_NOOP("Actions", "Import calibration…"),
-       QT_TRANSLATE_NOOP("Actions", "Take the cameras' calibration from a file of any tool"),
-       nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_I},
-      {"actionExportCalibration", group, QT_TRANSLATE_NOOP("Actions", "Export calibration…"),
-       QT_TRANSLATE_NOOP("Actions", "Write the cameras' calibration for another tool"), nullptr,
-       Qt::CTRL | Qt::SHIFT | Qt::Key_E},
       {"actionSavePicture", group, QT_TRANSLATE_NOOP("Actions", "Save a picture of a view…"),
        QT_TRANSLATE_NOOP("Actions", "Save a camera image, the bird's-eye view or a plot as PNG"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_P},
@@ -66,22 +60,34 @@ std::vector<ActionDeclaration> editActions() {
       {"actionRemoveTarget", group, QT_TRANSLATE_NOOP("Actions", "Remove the target"),
        QT_TRANSLATE_NOOP("Actions", "Stop following the target that is chosen"), nullptr,
        Qt::SHIFT | Qt::Key_Delete},
-      {"actionCalibrateByHand", group, QT_TRANSLATE_NOOP("Actions", "Calibrate by hand…"),
-       QT_TRANSLATE_NOOP("Actions", "Adjust cameras until a grid lies on the real thing in their "
-                                    "images"),
-       "camera", Qt::Key_C, true},
-      {"actionCalibrateWand", group, QT_TRANSLATE_NOOP("Actions", "Calibrate by waving…"),
-       QT_TRANSLATE_NOOP("Actions", "Refine cameras with a waved ball, or a stick with two balls"),
-       nullptr, Qt::SHIFT | Qt::Key_W},
       {"actionShortcuts", group, QT_TRANSLATE_NOOP("Actions", "Shortcuts…"),
        QT_TRANSLATE_NOOP("Actions", "See and change all shortcuts"), nullptr,
        Qt::CTRL | Qt::Key_Comma},
   };
 }
 
-std::vector<ActionDeclaration> planActions() {
-  const char* group = QT_TRANSLATE_NOOP("Actions", "Plan");
+std::vector<ActionDeclaration> calibrationActions() {
+  const char* group = QT_TRANSLATE_NOOP("Actions", "Calibration");
   return {
+      {"actionCalibrateByHand", group, QT_TRANSLATE_NOOP("Actions", "Calibrate by hand…"),
+       QT_TRANSLATE_NOOP("Actions", "Adjust cameras until a grid lies on the real thing in their "
+                                    "images"),
+       "camera", Qt::Key_C, true},
+      {"actionCalibrateBoard", group, QT_TRANSLATE_NOOP("Actions", "Calibrate with a board…"),
+       QT_TRANSLATE_NOOP("Actions", "Find lenses and places of the cameras with a printed board"),
+       nullptr, Qt::SHIFT | Qt::Key_C},
+      {"actionPrintBoard", group, QT_TRANSLATE_NOOP("Actions", "Print a calibration board…"),
+       QT_TRANSLATE_NOOP("Actions", "Write the board to calibrate with as a PDF in its true size"),
+       nullptr, QKeySequence::Print},
+      {"actionCalibrateWand", group, QT_TRANSLATE_NOOP("Actions", "Calibrate by waving…"),
+       QT_TRANSLATE_NOOP("Actions", "Refine cameras with a waved ball, or a stick with two balls"),
+       nullptr, Qt::SHIFT | Qt::Key_W},
+      {"actionImportCalibration", group, QT_TRANSLATE_NOOP("Actions", "Import calibration…"),
+       QT_TRANSLATE_NOOP("Actions", "Take the cameras' calibration from a file of any tool"),
+       nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_I},
+      {"actionExportCalibration", group, QT_TRANSLATE_NOOP("Actions", "Export calibration…"),
+       QT_TRANSLATE_NOOP("Actions", "Write the cameras' calibration for another tool"), nullptr,
+       Qt::CTRL | Qt::SHIFT | Qt::Key_E},
       {"actionPlanRig", group, QT_TRANSLATE_NOOP("Actions", "Plan the rig…"),
        QT_TRANSLATE_NOOP("Actions", "See how well the cameras will measure, and where one more "
                                     "would help"),
@@ -230,7 +236,7 @@ std::vector<ActionDeclaration> plotActions() {
 } // namespace
 
 void declareWindowActions(ActionRegistry& registry) {
-  for (const auto& group : {projectActions(), editActions(), planActions(), runActions(),
+  for (const auto& group : {projectActions(), editActions(), calibrationActions(), runActions(),
                             viewActions(), plotActions()}) {
     for (const ActionDeclaration& declaration : group) {
       registry.add(declaration);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/calibration_words.h"
 
+#include "core/session/board_outcome.h"
 #include "core/session/wand_refinement.h"
 
 #include <QCoreApplication>

@@ -309,6 +309,7 @@ void MainWindow::updateEnabled() {
                          "actionPlanCamera",
                          "actionFindPlace",
                          "actionResolveCamera",
+                         "actionCalibrateBoard",
                          "actionRemoveTarget",
                          "actionSavePicture",
                          "actionAddTarget",

@@ -21,6 +21,7 @@ class QStackedWidget;
 namespace dewpoint {
 
 class BirdsEyeView;
+class BoardDesk;
 class BumpMessages;
 class CalibrationPlace;
 class CameraView;
@@ -108,6 +109,7 @@ private:
   void makeInspector();
   void makeCalibration();
   void makeCalibrationFiles();
+  void makeBoardPage();
   void showCalibration(bool shown);
   void showHandles();
   void makePlan();
@@ -188,6 +190,7 @@ private:
   HandDesk* hand_ = nullptr;
   PointDesk* points_ = nullptr;
   PlanDesk* plan_ = nullptr;
+  BoardDesk* board_ = nullptr;
   CalibrationPlace* calibration_ = nullptr;
   QDockWidget* calibrationDock_ = nullptr;
   std::vector<GridLayer*> gridLayers_; ///< one per camera view

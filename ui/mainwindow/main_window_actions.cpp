@@ -40,8 +40,7 @@ void MainWindow::makeMenus() {
   QMenu* project = add(tr("&Project"), "menuProject",
                        {"actionNew", "actionOpen", "actionOpenDemo", nullptr, "actionSave",
                         "actionSaveAs", nullptr, "actionExportTrajectory", "actionSavePicture",
-                        nullptr, "actionImportCalibration", "actionExportCalibration", nullptr,
-                        "actionCloseProject", "actionQuit"});
+                        nullptr, "actionCloseProject", "actionQuit"});
   auto* recent = new QMenu(tr("Open recent"), project);
   recent->setObjectName(QStringLiteral("menuRecent"));
   recent->setToolTipsVisible(true);
@@ -50,6 +49,10 @@ void MainWindow::makeMenus() {
   add(tr("&Edit"), "menuEdit",
       {"actionUndo", "actionRedo", nullptr, "actionLearnColor", "actionAddTarget",
        "actionRemoveTarget", nullptr, "actionShortcuts"});
+  add(tr("&Calibration"), "menuCalibration",
+      {"actionCalibrateByHand", "actionCalibrateBoard", "actionPrintBoard", "actionCalibrateWand",
+       nullptr, "actionPlanRig", "actionPlanCamera", "actionFindPlace", "actionResolveCamera",
+       nullptr, "actionImportCalibration", "actionExportCalibration"});
   add(tr("&Run"), "menuRun",
       {"actionPlay", "actionNextFrame", "actionNextIteration", "actionPreviousFrame", nullptr,
        "actionNow", "actionRerun", nullptr, "actionAddMark", "actionRemoveMark",

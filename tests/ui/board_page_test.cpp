@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Calibrating with a board in the real window: a recording, and live cameras.
+#include "app/wiring/open_project.h"
+#include "core/session/board_outcome.h"
+#include "core/session/snapshot.h"
+#include "tests/ui/shown_board.h"
+#include "ui/birdseye/birds_eye_view.h"
+#include "ui/calibration/board_desk.h"
+#include "ui/calibration/board_map.h"
+#include "ui/document/document.h"
+#include "ui/mainwindow/main_window.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUndoStack>
+
+#include <memory>
+#include <utility>
+
+namespace dewpoint {
+
+class BoardPageTest : public QObject {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void initTestCase();
+  void init();
+  void cleanup();
+  void aRecordingCalibratesInOneStep();
+  void theCommandLineGivesTheSameBits();
+  void cancelKeepsWhatWas();
+  void aWrongBoardIsSaid();
+  void printsAndReports();
+  void theBoardIsRemembered();
+  void liveCamerasAreGuidedToTheEnd();
+  void liveViewsCanBeTakenByHand();
+  void everythingHasAName();
+
+private:
+  static constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
+
+  template <class T> T* find(const QString& name) {
+    T* found = window_->findChild<T*>(name);
+    if (found == nullptr) {
+      qFatal("no child named %s", qPrintable(name));
+    }
+    return found;
+  }
+  const Project& project() { return window_->document().project(); }
+  QUndoStack& history() { return *window_->document().undoStack(); }
+  BoardDesk& desk() { return *window_->findChild<BoardDesk*>(); }
+  QString result() { return find<QLabel>(QStringLiteral("boardResult"))->text(); }
+  QString file(const char* name) const { return folder_.filePath(QLatin1String(name)); }
+
+  void openWindow(const ProjectOpener& opener, const std::filesystem::path& project);
+  void openRecording();
+  void openLive(const BoardGoal& goal);
+  void setBoard(const BoardGoal& goal);
+  bool calibrate();
+  /// A picture of the window in both themes, as the manual shows it: into the folder that
+  /// DEWPOINT_SCREENSHOTS names, or beside the test.
+  void keep(const QString& name);
+  static void scrollTo(QWidget* part);
+
+  QTemporaryDir folder_;
+  test::ShownBoard shown_;
+  std::shared_ptr<std::atomic<int>> place_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+void BoardPageTest::initTestCase() {
+  QVERIFY(folder_.isValid());
+  QVERIFY(shown_.record(folder_.path().toStdString()));
+}
+
+void BoardPageTest::init() {
+  QSettings().clear();
+}
+
+void BoardPageTest::cleanup() {
+  window_.reset();
+}
+
+void BoardPageTest::openWindow(const ProjectOpener& opener, const std::filesystem::path& project) {
+  window_ = std::make_unique<MainWindow>(opener);
+  window_->setTheme(Theme::Light);
+  window_->resize(1500, 950);
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  window_->setPlayOnOpen(false);
+  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
+  window_->openProject(project);
+  QVERIFY(opened.wait(kPatienceMs));
+  QVERIFY(
+      QTest::qWaitFor([&] { return window_->shown() && window_->shown()->frames; }, kPatienceMs));
+  QTest::keyClick(window_.get(), Qt::Key_C, Qt::ShiftModifier);
+  QVERIFY(find<QWidget>(QStringLiteral("boardPage"))->isVisible());
+}
+
+void BoardPageTest::setBoard(const BoardGoal& goal) {
+  BoardGuideWish wish = desk().wish();
+  wish.board.board = shown_.board;
+  wish.goal = goal;
+  desk().setWish(wish);
+}
+
+void BoardPageTest::openRecording() {
+  openWindow(&openProject, file("board.toml").toStdString());
+  setBoard({true, true});
+}
+
+void BoardPageTest::openLive(const BoardGoal& goal) {
+  place_ = std::make_shared<std::atomic<int>>(0);
+  openWindow(
+      [this](const SessionRequest&) -> Result<SessionInputs> {
+        SessionInputs inputs;
+        inputs.project = shown_.project();
+        inputs.source = std::make_unique<test::LiveBoard>(shown_, place_);
+        return inputs;
+      },
+      {});
+  QVERIFY(QTest::qWaitFor([&] { return desk().isLive(); }, kPatienceMs));
+  setBoard(goal);
+}
+
+bool BoardPageTest::calibrate() {
+  QSignalSpy over(&desk(), &BoardDesk::calibrated);
+  QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCalibrate")), Qt::LeftButton);
+  return over.wait(kPatienceMs);
+}
+
+void BoardPageTest::keep(const QString& name) {
+  const QString folder =
+      qEnvironmentVariable("DEWPOINT_SCREENSHOTS", QStringLiteral("screenshots"));
+  QVERIFY(QDir().mkpath(folder));
+  for (const auto& [theme, suffix] :
+       {std::pair(Theme::Dark, "-dark.png"), std::pair(Theme::Light, ".png")}) {
+    window_->setTheme(theme);
+    QTest::qWait(500); // the bird's-eye view draws at a rate of its own
+    QVERIFY(window_->grab().save(folder + QLatin1Char('/') + name + QLatin1String(suffix)));
+  }
+}
+
+void BoardPageTest::scrollTo(QWidget* part) {
+  for (QWidget* parent = part; parent != nullptr; parent = parent->parentWidget()) {
+    if (auto* scroll = qobject_cast<QScrollArea*>(parent)) {
+      scroll->ensureWidgetVisible(part);
+    }
+  }
+}
+
+void BoardPageTest::aRecordingCalibratesInOneStep() {
+  openRecording();
+  const auto before = project().cameras;
+  QVERIFY(calibrate());
+  QVERIFY2(desk().isApplied(), qPrintable(result()));
+  QCOMPARE(history().count(), 1);
+  QVERIFY(!history().undoText().isEmpty());
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double focal = project().cameras[k].camera.intrinsics.focalX;
+    QVERIFY2(std::abs(focal - shown_.cameras[k].intrinsics.focalX) < 4.0, qPrintable(result()));
+  }
+  const double apart =
+      (project().cameras[0].camera.center() - project().cameras[1].camera.center()).norm();
+  QVERIFY(std::abs(apart - 0.1) < 0.002); // as the cameras of the scene stand
+  for (const char* part : {"left", "right", "rms", "95 %"}) {
+    QVERIFY2(result().contains(QLatin1String(part)), qPrintable(result()));
+  }
+  scrollTo(find<QPushButton>(QStringLiteral("boardReport")));
+  keep(QStringLiteral("calibration-board"));
+  const auto after = project().cameras;
+  history().undo();
+  QVERIFY(project().cameras == before);
+  QVERIFY(find<QPushButton>(QStringLiteral("boardApply"))->isVisible());
+  history().redo();
+  QVERIFY(project().cameras == after);
+  QVERIFY(!find<QPushButton>(QStringLiteral("boardApply"))->isVisible());
+}
+
+void BoardPageTest::theCommandLineGivesTheSameBits() {
+  openRecording();
+  QVERIFY(calibrate());
+  auto inputs = dewpoint::openProject(std::filesystem::path(file("board.toml").toStdString()));
+  QVERIFY(inputs.has_value());
+  const auto& wish = desk().wish();
+  const auto seen = lookForBoards(inputs->project, *inputs->source, wish.board);
+  QVERIFY(seen.has_value());
+  const auto outcome = calibrateFromBoards(inputs->project, *seen, wish.board, wish.goal);
+  QVERIFY(outcome.has_value());
+  QVERIFY(outcome->project.cameras == project().cameras);
+}
+
+void BoardPageTest::cancelKeepsWhatWas() {
+  openRecording();
+  const auto before = project().cameras;
+  QSignalSpy over(&desk(), &BoardDesk::calibrated);
+  QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCalibrate")), Qt::LeftButton);
+  QVERIFY(find<QPushButton>(QStringLiteral("boardCancel"))->isVisible());
+  QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCancel")), Qt::LeftButton);
+  QVERIFY(over.wait(kPatienceMs));
+  QVERIFY(project().cameras == before);
+  QCOMPARE(history().count(), 0);
+  QVERIFY2(result().contains(QStringLiteral("kept")), qPrintable(result()));
+  QVERIFY(calibrate()); // and again
+  QVERIFY(desk().isApplied());
+}
+
+void BoardPageTest::aWrongBoardIsSaid() {
+  openRecording();
+  find<QComboBox>(QStringLiteral("boardKind"))->setCurrentIndex(0);
+  Q_EMIT find<QComboBox>(QStringLiteral("boardKind"))->activated(0);
+  find<QSpinBox>(QStringLiteral("boardColumns"))->setValue(12);
+  QCOMPARE(desk().wish().board.board.columns, 11); // inner corners
+  QVERIFY(calibrate());
+  QVERIFY(!desk().isApplied());
+  QCOMPARE(history().count(), 0);
+  QVERIFY2(result().contains(QStringLiteral("left")), qPrintable(result()));
+  QVERIFY2(result().contains(QStringLiteral("board")), qPrintable(result()));
+}
+
+void BoardPageTest::printsAndReports() {
+  openRecording();
+  QSignalSpy saved(&desk(), &BoardDesk::saved);
+  desk().printBoard(QStringLiteral("A4"), file("board.pdf"));
+  QVERIFY(saved.wait(kPatienceMs));
+  QFile pdf(file("board.pdf"));
+  QVERIFY(pdf.open(QIODevice::ReadOnly));
+  QVERIFY(pdf.read(5) == "%PDF-");
+  QVERIFY(calibrate());
+  desk().saveReport(file("report.html"));
+  QVERIFY(saved.wait(kPatienceMs));
+  QFile html(file("report.html"));
+  QVERIFY(html.open(QIODevice::ReadOnly));
+  const QByteArray text = html.readAll();
+  QVERIFY(text.contains("<svg"));
+  QVERIFY(text.contains("In this volume"));
+  QSignalSpy failed(&desk(), &BoardDesk::failed);
+  desk().printBoard(QStringLiteral("A4"), file("nowhere/board.pdf"));
+  QVERIFY(failed.wait(kPatienceMs));
+}
+
+void BoardPageTest::theBoardIsRemembered() {
+  openRecording();
+  window_.reset();
+  openWindow(&openProject, file("board.toml").toStdString());
+  QVERIFY(desk().wish().board.board == shown_.board);
+}
+
+void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
+  openLive({true, true});
+  BoardGuideWish wish = desk().wish();
+  wish.lenses.requestedProjectionPx = 20.0; // coarse: it ends after the fewest views
+  wish.requestedPlace = 0.05;
+  wish.places.instantsPerPair = 4;
+  desk().setWish(wish);
+  const auto before = project().cameras;
+  QSignalSpy over(&desk(), &BoardDesk::calibrated);
+  QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton);
+  // The board is moved on when a view was taken, or when this one gives nothing new.
+  std::size_t taken = 0;
+  int images = 0;
+  connect(&desk(), &BoardDesk::guideChanged, this, [&] {
+    const auto state = desk().guide();
+    std::size_t now = 0;
+    for (const auto& camera : state->cameras) {
+      now += camera.taken.size();
+    }
+    if (now != taken || ++images > 12) {
+      taken = now;
+      images = 0;
+      ++*place_;
+    }
+  });
+  QVERIFY(QTest::qWaitFor([&] { return over.count() > 0; }, kPatienceMs));
+  disconnect(&desk(), &BoardDesk::guideChanged, this, nullptr);
+  QVERIFY2(desk().outcome() != nullptr, qPrintable(result()));
+  QVERIFY(!desk().isWatching());
+  QVERIFY(project().cameras == before); // until it is wanted
+  QVERIFY(find<QLabel>(QStringLiteral("boardAdvice0"))->isVisible());
+  QTest::mouseClick(find<QPushButton>(QStringLiteral("boardApply")), Qt::LeftButton);
+  QCOMPARE(history().count(), 1);
+  const double apart =
+      (project().cameras[0].camera.center() - project().cameras[1].camera.center()).norm();
+  QVERIFY2(std::abs(apart - 0.1) < 0.01, qPrintable(QString::number(apart)));
+  history().undo();
+  QVERIFY(project().cameras == before);
+}
+
+void BoardPageTest::liveViewsCanBeTakenByHand() {
+  openLive({true, false});
+  QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton);
+  auto* capture = find<QPushButton>(QStringLiteral("boardCapture"));
+  for (int k = 0; k < 9; ++k) {
+    *place_ = k;
+    const auto views = [&] { return desk().guide()->seen->cameras[0].views.size(); };
+    const std::size_t before = views();
+    QVERIFY(
+        QTest::qWaitFor([&] { return desk().guide()->cameras[0].seen.has_value(); }, kPatienceMs));
+    QTest::mouseClick(capture, Qt::LeftButton);
+    QVERIFY(QTest::qWaitFor([&] { return views() > before; }, kPatienceMs));
+  }
+  QVERIFY(find<QWidget>(QStringLiteral("boardLayer0"))->isVisible());
+  scrollTo(find<QPushButton>(QStringLiteral("boardFinish")));
+  keep(QStringLiteral("calibration-board-live"));
+  // Something is drawn in the coverage: not what an empty one shows.
+  auto* map = find<BoardMap>(QStringLiteral("boardMap0"));
+  const QImage full = map->grab().toImage();
+  QSignalSpy guide(&desk(), &BoardDesk::guideChanged);
+  QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton); // over
+  QVERIFY(desk().guide()->cameras[0].taken.empty());
+  QVERIFY(map->grab().toImage() != full);
+  QTest::mouseClick(capture, Qt::LeftButton);
+}
+
+void BoardPageTest::everythingHasAName() {
+  openRecording();
+  for (QWidget* widget : find<QWidget>(QStringLiteral("boardPage"))->findChildren<QWidget*>()) {
+    if (widget->focusPolicy() == Qt::NoFocus || qobject_cast<QLabel*>(widget) != nullptr ||
+        widget->objectName().startsWith(QStringLiteral("qt_"))) {
+      continue;
+    }
+    const auto* button = qobject_cast<QAbstractButton*>(widget);
+    QVERIFY2(!widget->accessibleName().isEmpty() || (button && !button->text().isEmpty()),
+             qPrintable(widget->objectName()));
+    QVERIFY2(!widget->toolTip().isEmpty(), qPrintable(widget->objectName()));
+  }
+}
+
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
+  QApplication::setApplicationName(QStringLiteral("board-page"));
+  dewpoint::BoardPageTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "board_page_test.moc"
