@@ -153,7 +153,7 @@ std::vector<ActionDeclaration> runActions() {
        Qt::SHIFT | Qt::Key_R},
       {"actionExperiments", group, QT_TRANSLATE_NOOP("Actions", "Experiments…"),
        QT_TRANSLATE_NOOP("Actions", "Make the figures of the papers anew, with a report"), nullptr,
-       Qt::CTRL | Qt::SHIFT | Qt::Key_E},
+       Qt::CTRL | Qt::SHIFT | Qt::Key_X},
   };
 }
 
