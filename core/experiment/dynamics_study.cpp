@@ -95,7 +95,7 @@ double speedLimit(DynamicsSetup setup, int runs) {
 }
 
 double farAdvance(DynamicsSetup setup, int runs) {
-  constexpr double kFar = 50.0; // metres
+  static constexpr double kFar = 50.0; // metres
   constexpr int kSteps = 40;
   setup.start = Eigen::Vector3d::Zero();
   setup.iterations = kSteps;
