@@ -55,7 +55,8 @@ void Scene3d::showMap(std::shared_ptr<const RigMap> map, const MapLook& look) {
   const Eigen::AlignedBox3d before = parts.map.volume();
   parts.map.show(std::move(map), look);
   const Eigen::AlignedBox3d now = parts.map.volume();
-  if (!now.isEmpty() && (before.isEmpty() || !before.isApprox(now))) {
+  if (before.isEmpty() != now.isEmpty() || (!now.isEmpty() && !before.isApprox(now))) {
+    parts.coverGround();
     parts.frameWanted = parts.frameWanted || !parts.moved;
   }
 }
