@@ -71,7 +71,8 @@ std::optional<Eigen::Vector3d> Scene3d::placeInLayer(const Eigen::Vector2d& plac
   const Eigen::Vector3d near = scale.world(place, scale.eye + scale.direction);
   const Eigen::Vector3d far = scale.world(place, scale.eye + 2.0 * scale.direction);
   const double fall = far.z() - near.z();
-  const Eigen::Vector3d there = near + (look.height - near.z()) / fall * (far - near);
+  Eigen::Vector3d there = near + (look.height - near.z()) / fall * (far - near);
+  there.z() = look.height; // without rounding: it may be the border of the volume
   if (std::abs(fall) < 1e-6 || !volume.contains(there)) {
     return std::nullopt;
   }
