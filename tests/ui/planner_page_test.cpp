@@ -150,7 +150,7 @@ void PlannerPageTest::layerAndVolumeAreSet() {
   const Eigen::AlignedBox3d room = plan().volume();
   QVERIFY(plan().followsRoom());
   QVERIFY(waitForMap([&] { find<QDoubleSpinBox>("mapLowX")->setValue(room.min().x() - 1.0); }));
-  QVERIFY(std::abs(plan().map()->grid.low.x() - (room.min().x() - 1.0)) < 0.006);
+  QVERIFY(std::abs(plan().map()->grid.low.x() - (room.min().x() - 1.0)) < 0.0006);
   // A volume turned inside out is refused, and the field shows what there is.
   auto* high = find<QDoubleSpinBox>("mapHighX");
   const double kept = high->value();

@@ -167,9 +167,13 @@ void ScreenshotsTest::keepPlan(MainWindow& window) {
   window.findChild<QAction*>("actionFindPlace")->trigger();
   auto* list = window.findChild<QComboBox*>("planCamera");
   QVERIFY(QTest::qWaitFor([&] { return list->count() == 1; }, kPatienceMs));
-  window.findChild<QAction*>("actionLookFree")->trigger();
   QTest::qWait(kSettleMs);
   keep(window.grab().toImage(), QStringLiteral("calibration-plan"));
+  window.findChild<QCheckBox*>("mapVolume")->click();
+  window.findChild<QAction*>("actionLookFree")->trigger();
+  QTest::qWait(kSettleMs);
+  keep(window.grab().toImage(), QStringLiteral("calibration-plan-volume"));
+  window.findChild<QCheckBox*>("mapVolume")->click();
   window.findChild<QAction*>("actionLookFromAbove")->trigger();
   window.findChild<QAction*>("actionShowMap")->setChecked(false);
   window.findChild<QPushButton*>("planRemove")->click();

@@ -55,7 +55,7 @@ void MapFields::build() {
   heightSlider_ = new QSlider(Qt::Horizontal, this);
   heightSlider_->setObjectName(QStringLiteral("mapHeightSlider"));
   heightSlider_->setRange(0, kSliderSteps);
-  height_ = makeNumberField(QStringLiteral("mapHeight"), {-1e3, 1e3, 0.1, 2}, this);
+  height_ = makeNumberField(QStringLiteral("mapHeight"), {-1e3, 1e3, 0.1, 3}, this);
   volume_ = check("mapVolume");
   lowLabel_ = new QLabel(this);
   highLabel_ = new QLabel(this);
@@ -83,8 +83,8 @@ void MapFields::build() {
   grid->addWidget(highLabel_, 9, 0, 1, 3);
   for (std::size_t k = 0; k < 3; ++k) {
     const QString axis = QLatin1String(kAxes[k]);
-    low_[k] = makeNumberField(QStringLiteral("mapLow") + axis, {-1e3, 1e3, 0.1, 2}, this);
-    high_[k] = makeNumberField(QStringLiteral("mapHigh") + axis, {-1e3, 1e3, 0.1, 2}, this);
+    low_[k] = makeNumberField(QStringLiteral("mapLow") + axis, {-1e3, 1e3, 0.1, 3}, this);
+    high_[k] = makeNumberField(QStringLiteral("mapHigh") + axis, {-1e3, 1e3, 0.1, 3}, this);
     grid->addWidget(low_[k], 8, static_cast<int>(k));
     grid->addWidget(high_[k], 10, static_cast<int>(k));
   }

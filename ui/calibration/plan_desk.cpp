@@ -29,7 +29,6 @@ Camera withLens(const Camera& camera, const PlannedLens& lens) {
 
 PlanDesk::PlanDesk(Document& document, HandDesk& hand, QObject* parent)
     : QObject(parent), document_(document), hand_(hand) {
-  look_.volume = true;
   connect(&maker_, &MapMaker::made, this, [this](const std::shared_ptr<const RigMap>& map) {
     map_ = map;
     Q_EMIT mapChanged();

@@ -56,7 +56,7 @@ void PlanFields::build() {
   imageHeight_ = field(QStringLiteral("planImageHeight"), {16.0, 20000.0, 16.0, 0});
   find_ = button("planFind");
   wallLabel_ = new QLabel(this);
-  wall_ = field(QStringLiteral("planWallDistance"), {0.0, 100.0, 0.1, 2});
+  wall_ = field(QStringLiteral("planWallDistance"), {0.0, 100.0, 0.1, 3});
   progress_ = new QProgressBar(this);
   progress_->setObjectName(QStringLiteral("planProgress"));
   progress_->setRange(0, 100);
@@ -81,8 +81,8 @@ void PlanFields::build() {
   grid->addWidget(targetLabel_, 4, 0, 1, 3);
   for (std::size_t k = 0; k < 3; ++k) {
     const QString axis = QLatin1String(kAxes[k]);
-    place_[k] = field(QStringLiteral("planPlace") + axis, {-1e3, 1e3, 0.05, 2});
-    target_[k] = field(QStringLiteral("planTarget") + axis, {-1e3, 1e3, 0.05, 2});
+    place_[k] = field(QStringLiteral("planPlace") + axis, {-1e3, 1e3, 0.05, 3});
+    target_[k] = field(QStringLiteral("planTarget") + axis, {-1e3, 1e3, 0.05, 3});
     grid->addWidget(place_[k], 3, static_cast<int>(k));
     grid->addWidget(target_[k], 5, static_cast<int>(k));
   }

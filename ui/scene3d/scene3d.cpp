@@ -55,7 +55,8 @@ void Scene3d::showMap(std::shared_ptr<const RigMap> map, const MapLook& look) {
   const Eigen::AlignedBox3d before = parts.map.volume();
   parts.map.show(std::move(map), look);
   const Eigen::AlignedBox3d now = parts.map.volume();
-  if (!now.isEmpty() && (before.isEmpty() || !before.isApprox(now))) {
+  if (before.isEmpty() != now.isEmpty() || (!now.isEmpty() && !before.isApprox(now))) {
+    parts.coverGround();
     parts.frameWanted = parts.frameWanted || !parts.moved;
   }
 }
@@ -70,7 +71,8 @@ std::optional<Eigen::Vector3d> Scene3d::placeInLayer(const Eigen::Vector2d& plac
   const Eigen::Vector3d near = scale.world(place, scale.eye + scale.direction);
   const Eigen::Vector3d far = scale.world(place, scale.eye + 2.0 * scale.direction);
   const double fall = far.z() - near.z();
-  const Eigen::Vector3d there = near + (look.height - near.z()) / fall * (far - near);
+  Eigen::Vector3d there = near + (look.height - near.z()) / fall * (far - near);
+  there.z() = look.height; // without rounding: it may be the border of the volume
   if (std::abs(fall) < 1e-6 || !volume.contains(there)) {
     return std::nullopt;
   }

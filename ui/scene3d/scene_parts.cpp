@@ -121,17 +121,19 @@ void Scene3d::Parts::include(const TrackSnapshot& snapshot) {
 }
 
 void Scene3d::Parts::coverGround() {
+  Eigen::AlignedBox3d shown = content;
+  shown.extend(map.volume());
   Eigen::AlignedBox2d area;
-  if (content.isEmpty()) {
+  if (shown.isEmpty()) {
     area = Eigen::AlignedBox2d(Eigen::Vector2d(-1.0, -1.0), Eigen::Vector2d(1.0, 1.0));
   } else {
-    const Eigen::Vector2d low = content.min().head<2>();
-    const Eigen::Vector2d high = content.max().head<2>();
+    const Eigen::Vector2d low = shown.min().head<2>();
+    const Eigen::Vector2d high = shown.max().head<2>();
     const double margin = std::max(0.05, 0.06 * (high - low).maxCoeff());
     area = Eigen::AlignedBox2d(low.array() - margin, high.array() + margin);
   }
   const Eigen::AlignedBox2d before = ground.extent();
-  ground.cover(area, content.isEmpty() ? 1.0 : content.max().z());
+  ground.cover(area, shown.isEmpty() ? 1.0 : shown.max().z());
   ground.setPalette(palette());
   if (before.isEmpty() || !before.isApprox(ground.extent())) {
     frameWanted = frameWanted || !moved;
