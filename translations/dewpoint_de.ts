@@ -451,6 +451,252 @@
         <source>Refine cameras with a waved ball, or a stick with two balls</source>
         <translation>Kameras mit einem geschwenkten Ball oder einem Stab mit zwei Bällen verfeinern</translation>
     </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Calibrate with a board…</source>
+        <translation>Mit einer Tafel kalibrieren…</translation>
+    </message>
+    <message>
+        <source>Find lenses and places of the cameras with a printed board</source>
+        <translation>Objektive und Standorte der Kameras mit einer gedruckten Tafel finden</translation>
+    </message>
+    <message>
+        <source>Print a calibration board…</source>
+        <translation>Kalibriertafel drucken…</translation>
+    </message>
+    <message>
+        <source>Write the board to calibrate with as a PDF in its true size</source>
+        <translation>Die Tafel zum Kalibrieren in wahrer Größe als PDF schreiben</translation>
+    </message>
+    <message>
+        <source>Plan the rig…</source>
+        <translation>Den Aufbau planen…</translation>
+    </message>
+    <message>
+        <source>See how well the cameras will measure, and where one more would help</source>
+        <translation>Sehen, wie gut die Kameras messen werden und wo eine weitere hülfe</translation>
+    </message>
+    <message>
+        <source>Show the map of expected errors</source>
+        <translation>Die Karte der erwarteten Fehler zeigen</translation>
+    </message>
+    <message>
+        <source>Show in the bird&apos;s-eye view how far off a target is expected to be at each place</source>
+        <translation>In der Vogelperspektive zeigen, wie weit ein Ziel an jedem Ort voraussichtlich danebenliegt</translation>
+    </message>
+    <message>
+        <source>Add a camera to plan</source>
+        <translation>Eine Kamera einplanen</translation>
+    </message>
+    <message>
+        <source>Add a camera that is not there yet, to be dragged about</source>
+        <translation>Eine Kamera hinzufügen, die es noch nicht gibt, zum Umherziehen</translation>
+    </message>
+    <message>
+        <source>Re-solve the bumped camera</source>
+        <translation>Die verdrehte Kamera neu bestimmen</translation>
+    </message>
+    <message>
+        <source>Calibrate the camera that was turned during the run as it stands now; all others stay</source>
+        <translation>Die Kamera, die während des Laufs verdreht wurde, so kalibrieren, wie sie jetzt steht; alle anderen bleiben</translation>
+    </message>
+    <message>
+        <source>Find the best place for one more camera</source>
+        <translation>Den besten Ort für eine weitere Kamera suchen</translation>
+    </message>
+    <message>
+        <source>Search the walls and the ceiling for the place from which one more camera helps most</source>
+        <translation>An Wänden und Decke den Ort suchen, von dem eine weitere Kamera am meisten hilft</translation>
+    </message>
+    <message>
+        <source>Experiments…</source>
+        <translation>Experimente …</translation>
+    </message>
+    <message>
+        <source>Make the figures of the papers anew, with a report</source>
+        <translation>Die Abbildungen der Artikel neu erzeugen, mit einem Bericht</translation>
+    </message>
+</context>
+<context>
+    <name>BoardWords</name>
+    <message>
+        <source>%1: rms %2 px, focal length %3 px, %4 pictures</source>
+        <translation>%1: rms %2 px, Brennweite %3 px, %4 Bilder</translation>
+    </message>
+    <message>
+        <source>%1 keeps its place: it never saw the board.</source>
+        <translation>%1 behält seinen Platz: die Tafel war dort nie zu sehen.</translation>
+    </message>
+    <message>
+        <source>%1: rms %2 px</source>
+        <translation>%1: rms %2 px</translation>
+    </message>
+    <message>
+        <source>, place ±%1 mm, direction ±%2°</source>
+        <translation>, Ort ±%1 mm, Richtung ±%2°</translation>
+    </message>
+    <message>
+        <source>Lenses</source>
+        <translation>Objektive</translation>
+    </message>
+    <message>
+        <source>%1 keeps its lens: %2</source>
+        <translation>%1 behält sein Objektiv: %2</translation>
+    </message>
+    <message>
+        <source>Places: rms %1 px over %2 positions of the board</source>
+        <translation>Standorte: rms %1 px über %2 Lagen der Tafel</translation>
+    </message>
+    <message>
+        <source>upper left</source>
+        <translation>oben links</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>upper right</source>
+        <translation>oben rechts</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>unten links</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation>unten rechts</translation>
+    </message>
+    <message>
+        <source>its left side nearer</source>
+        <translation>linke Seite näher</translation>
+    </message>
+    <message>
+        <source>its right side nearer</source>
+        <translation>rechte Seite näher</translation>
+    </message>
+    <message>
+        <source>its upper side nearer</source>
+        <translation>obere Seite näher</translation>
+    </message>
+    <message>
+        <source>its lower side nearer</source>
+        <translation>untere Seite näher</translation>
+    </message>
+    <message>
+        <source>facing the camera</source>
+        <translation>zur Kamera gewandt</translation>
+    </message>
+    <message>
+        <source>No image yet</source>
+        <translation>Noch kein Bild</translation>
+    </message>
+    <message>
+        <source>Show it the whole board</source>
+        <translation>Ihr die ganze Tafel zeigen</translation>
+    </message>
+    <message>
+        <source>Move the board to: %1</source>
+        <translation>Tafel bewegen nach: %1</translation>
+    </message>
+    <message>
+        <source>Tilt it, %1</source>
+        <translation>Neigen, %1</translation>
+    </message>
+    <message>
+        <source>Come nearer with the board</source>
+        <translation>Näher kommen mit der Tafel</translation>
+    </message>
+    <message>
+        <source>Hold it still</source>
+        <translation>Still halten</translation>
+    </message>
+    <message>
+        <source>The image is soft: focus, or more light</source>
+        <translation>Das Bild ist unscharf: scharfstellen oder mehr Licht</translation>
+    </message>
+    <message>
+        <source>✓ Done</source>
+        <translation>✓ Fertig</translation>
+    </message>
+    <message>
+        <source>✓ All cameras have seen enough together</source>
+        <translation>✓ Alle Kameras haben genug gemeinsam gesehen</translation>
+    </message>
+    <message>
+        <source>Show the board to %1 and %2 at once, hold it still, then elsewhere</source>
+        <translation>Zeigen Sie die Tafel %1 und %2 zugleich, still gehalten, dann anderswo</translation>
+    </message>
+    <message>
+        <source>no board in sight</source>
+        <translation>keine Tafel zu sehen</translation>
+    </message>
+    <message>
+        <source>⚠ soft, edges of %1 px</source>
+        <translation>⚠ unscharf, Kanten von %1 px</translation>
+    </message>
+    <message>
+        <source>sharp, edges of %1 px</source>
+        <translation>scharf, Kanten von %1 px</translation>
+    </message>
+    <message>
+        <source>%1 of at least %2 views</source>
+        <translation>%1 von mindestens %2 Ansichten</translation>
+    </message>
+    <message>
+        <source>%1 views, known to %2 px (wanted: %3 px)</source>
+        <translation>%1 Ansichten, auf %2 px bekannt (gewünscht: %3 px)</translation>
+    </message>
+    <message>
+        <source>● sees the board</source>
+        <translation>● sieht die Tafel</translation>
+    </message>
+    <message>
+        <source>○ does not see the board</source>
+        <translation>○ sieht die Tafel nicht</translation>
+    </message>
+    <message>
+        <source>%1 views, place known to %2 mm</source>
+        <translation>%1 Ansichten, Standort auf %2 mm bekannt</translation>
+    </message>
+    <message>
+        <source>%1 views with others</source>
+        <translation>%1 Ansichten mit anderen</translation>
+    </message>
+    <message>
+        <source>The places were not found: %1</source>
+        <translation>Die Standorte wurden nicht gefunden: %1</translation>
+    </message>
+    <message>
+        <source>How good it is cannot be said: too few places were seen by two cameras.</source>
+        <translation>Wie gut es ist, lässt sich nicht sagen: zu wenige Orte wurden von zwei Kameras gesehen.</translation>
+    </message>
+</context>
+<context>
+    <name>Bump</name>
+    <message>
+        <source>turned by %1°</source>
+        <translation>um %1° verdreht</translation>
+    </message>
 </context>
 <context>
     <name>CalibrationWords</name>
@@ -618,6 +864,65 @@
     </message>
 </context>
 <context>
+    <name>Experiment</name>
+    <message>
+        <source>Barrera et al. 2005, figure 3: the particles projected into both cameras while the cloud finds the ball.</source>
+        <translation>Barrera et al. 2005, Abbildung 3: die Partikel in beiden Kamerabildern, während die Wolke den Ball findet.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 4: the same cloud from above.</source>
+        <translation>Barrera et al. 2005, Abbildung 4: dieselbe Wolke von oben.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 6: the object jumps 2 m at iteration 30.</source>
+        <translation>Barrera et al. 2005, Abbildung 6: Das Objekt springt bei Iteration 30 um 2 m.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 7: the same for motion sigmas from 0.001 to 0.3 m, as an image.</source>
+        <translation>Barrera et al. 2005, Abbildung 7: dasselbe für Bewegungs-Sigmas von 0,001 bis 0,3 m, als Bild.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 8: the cloud at six instants, with a small and a large motion sigma.</source>
+        <translation>Barrera et al. 2005, Abbildung 8: die Wolke in sechs Momenten, mit kleinem und großem Bewegungs-Sigma.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, section III-B: start volume against the share of runs that converge, and starts beyond the ball.</source>
+        <translation>Barrera et al. 2005, Abschnitt III-B: Startvolumen gegen den Anteil der Läufe, die konvergieren, und Starts hinter dem Ball.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, section III-B: with one camera the cloud moves away from it.</source>
+        <translation>Barrera et al. 2005, Abschnitt III-B: Mit einer Kamera entfernt sich die Wolke von ihr.</translation>
+    </message>
+    <message>
+        <source>Drift along the optical axis</source>
+        <translation>Abdrift entlang der optischen Achse</translation>
+    </message>
+    <message>
+        <source>Error after a jump</source>
+        <translation>Fehler nach einem Sprung</translation>
+    </message>
+    <message>
+        <source>Error over iteration and motion sigma</source>
+        <translation>Fehler über Iteration und Bewegungs-Sigma</translation>
+    </message>
+    <message>
+        <source>Particles from above</source>
+        <translation>Partikel von oben</translation>
+    </message>
+    <message>
+        <source>Particles in both images</source>
+        <translation>Partikel in beiden Bildern</translation>
+    </message>
+    <message>
+        <source>The cloud on its way</source>
+        <translation>Die Wolke unterwegs</translation>
+    </message>
+    <message>
+        <source>Where the cloud may start</source>
+        <translation>Wo die Wolke beginnen darf</translation>
+    </message>
+</context>
+<context>
     <name>Export</name>
     <message>
         <source>CSV, one row per target and time</source>
@@ -723,6 +1028,29 @@
     </message>
 </context>
 <context>
+    <name>MapLegend</name>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>blank: none</source>
+        <translation>leer: keine</translation>
+    </message>
+    <message>
+        <source>blank: fewer than two cameras</source>
+        <translation>leer: weniger als zwei Kameras</translation>
+    </message>
+    <message>
+        <source>Cameras that see it</source>
+        <translation>Kameras, die es sehen</translation>
+    </message>
+    <message>
+        <source>Expected error (1 σ)</source>
+        <translation>Erwarteter Fehler (1 σ)</translation>
+    </message>
+</context>
+<context>
     <name>Method</name>
     <message>
         <source>barrera</source>
@@ -731,6 +1059,22 @@
     <message>
         <source>dewpoint</source>
         <translation>Dewpoint</translation>
+    </message>
+    <message>
+        <source>The color particle filter of Barrera et al. (2005): for teaching and comparison.</source>
+        <translation>Der Farb-Partikelfilter von Barrera et al. (2005): für Lehre und Vergleich.</translation>
+    </message>
+    <message>
+        <source>The filter over triangulated positions of Barrera et al. (2005), section III-C: to study how a particle filter moves.</source>
+        <translation>Das Filter über triangulierte Positionen von Barrera et al. (2005), Abschnitt III-C: um zu untersuchen, wie sich ein Partikelfilter bewegt.</translation>
+    </message>
+    <message>
+        <source>The surest and most accurate: for all that moves, any number of cameras and targets.</source>
+        <translation>Das sicherste und genaueste: für alles, was sich bewegt, mit beliebig vielen Kameras und Zielen.</translation>
+    </message>
+    <message>
+        <source>dynamics</source>
+        <translation>dynamics</translation>
     </message>
 </context>
 <context>
@@ -866,6 +1210,14 @@
     <message>
         <source>How fast a target&apos;s color range follows slow changes of light, as a time constant; only while the target is surely there, and in each camera by itself. 0 keeps the range as it is; 2 is a good value in a room with daylight.</source>
         <translation>Wie schnell der Farbbereich eines Ziels langsamen Änderungen des Lichts folgt, als Zeitkonstante; nur während das Ziel sicher da ist, und in jeder Kamera für sich. 0 lässt den Bereich, wie er ist; 2 ist ein guter Wert in einem Raum mit Tageslicht.</translation>
+    </message>
+    <message>
+        <source>How far off a measured position is taken to be along each axis: larger trusts the particles more, smaller the measurement.</source>
+        <translation>Wie ungenau eine gemessene Position je Achse angenommen wird: größer vertraut mehr den Partikeln, kleiner der Messung.</translation>
+    </message>
+    <message>
+        <source>Observation sigma</source>
+        <translation>Beobachtungs-Sigma</translation>
     </message>
 </context>
 <context>
@@ -1282,6 +1634,432 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>No 3D: %1</source>
         <translation>Kein 3D: %1</translation>
+    </message>
+    <message>
+        <source>Cameras that see it: %1</source>
+        <translation>Kameras, die es sehen: %1</translation>
+    </message>
+    <message>
+        <source>±%1 (1 σ); cameras that see it: %2</source>
+        <translation>±%1 (1 σ); Kameras, die es sehen: %2</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardDesk</name>
+    <message>
+        <source>Stopped: the former calibration is kept.</source>
+        <translation>Abgebrochen: die bisherige Kalibrierung bleibt.</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>The project has other cameras by now: calibrate again.</source>
+        <translation>Das Projekt hat inzwischen andere Kameras: bitte neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Calibrate with a board</source>
+        <translation>Mit einer Tafel kalibrieren</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardFields</name>
+    <message>
+        <source>Print the board</source>
+        <translation>Tafel drucken</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Chessboard</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>ChArUco (with markers)</source>
+        <translation>ChArUco (mit Markern)</translation>
+    </message>
+    <message>
+        <source>Kind of board</source>
+        <translation>Art der Tafel</translation>
+    </message>
+    <message>
+        <source>ChArUco boards may be partly hidden or outside the image; chessboards must be seen whole</source>
+        <translation>ChArUco-Tafeln dürfen teilweise verdeckt oder außerhalb des Bildes sein; Schachbretter müssen ganz zu sehen sein</translation>
+    </message>
+    <message>
+        <source>Squares across, down</source>
+        <translation>Felder quer, hoch</translation>
+    </message>
+    <message>
+        <source>Squares in a row</source>
+        <translation>Felder in einer Zeile</translation>
+    </message>
+    <message>
+        <source>All squares of a row, black and white</source>
+        <translation>Alle Felder einer Zeile, schwarze und weiße</translation>
+    </message>
+    <message>
+        <source>Squares in a column</source>
+        <translation>Felder in einer Spalte</translation>
+    </message>
+    <message>
+        <source>All squares of a column, black and white</source>
+        <translation>Alle Felder einer Spalte, schwarze und weiße</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>Seite eines Feldes</translation>
+    </message>
+    <message>
+        <source>Measured on the print: a long row with a ruler, divided by its squares</source>
+        <translation>Am Ausdruck gemessen: eine lange Zeile mit dem Lineal, geteilt durch ihre Felder</translation>
+    </message>
+    <message>
+        <source>Unit of the sizes</source>
+        <translation>Einheit der Größen</translation>
+    </message>
+    <message>
+        <source>Unit in which the sizes are typed</source>
+        <translation>Einheit, in der die Größen eingegeben werden</translation>
+    </message>
+    <message>
+        <source>Marker, dictionary</source>
+        <translation>Marker, Wörterbuch</translation>
+    </message>
+    <message>
+        <source>Side of a marker</source>
+        <translation>Seite eines Markers</translation>
+    </message>
+    <message>
+        <source>Of the black square around the pattern</source>
+        <translation>Des schwarzen Quadrats um das Muster</translation>
+    </message>
+    <message>
+        <source>Dictionary of the markers</source>
+        <translation>Wörterbuch der Marker</translation>
+    </message>
+    <message>
+        <source>As the program called it that made it</source>
+        <translation>Wie das Programm es nannte, das die Tafel gemacht hat</translation>
+    </message>
+    <message>
+        <source>Even rows of older software</source>
+        <translation>Gerade Zeilenzahl älterer Software</translation>
+    </message>
+    <message>
+        <source>A ChArUco board with an even number of rows from software older than OpenCV 4.6: its first square is white</source>
+        <translation>Eine ChArUco-Tafel mit gerader Zeilenzahl aus Software vor OpenCV 4.6: ihr erstes Feld ist weiß</translation>
+    </message>
+    <message>
+        <source>Black and white exchanged</source>
+        <translation>Schwarz und Weiß vertauscht</translation>
+    </message>
+    <message>
+        <source>White markers and corners on a black page</source>
+        <translation>Weiße Marker und Ecken auf schwarzem Blatt</translation>
+    </message>
+    <message>
+        <source>Print this board…</source>
+        <translation>Diese Tafel drucken…</translation>
+    </message>
+    <message>
+        <source>Write the board as a PDF in its true size, with a bar to check it with a ruler</source>
+        <translation>Die Tafel in wahrer Größe als PDF schreiben, mit einem Balken zum Nachmessen</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Size of the sheet that is printed on</source>
+        <translation>Größe des Blattes, auf das gedruckt wird</translation>
+    </message>
+    <message>
+        <source>%1 × %2 inner corners; for the command line: %3</source>
+        <translation>%1 × %2 innere Ecken; für die Befehlszeile: %3</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardGoalFields</name>
+    <message>
+        <source>Find</source>
+        <translation>Gesucht</translation>
+    </message>
+    <message>
+        <source>Lenses and places</source>
+        <translation>Objektive und Standorte</translation>
+    </message>
+    <message>
+        <source>Lenses</source>
+        <translation>Objektive</translation>
+    </message>
+    <message>
+        <source>Places of the cameras</source>
+        <translation>Standorte der Kameras</translation>
+    </message>
+    <message>
+        <source>What is found</source>
+        <translation>Was gefunden wird</translation>
+    </message>
+    <message>
+        <source>Lenses: how each camera sees, by itself. Places: where the cameras stand, from a board that several of them see at once</source>
+        <translation>Objektive: wie jede Kamera für sich sieht. Standorte: wo die Kameras stehen, aus einer Tafel, die mehrere zugleich sehen</translation>
+    </message>
+    <message>
+        <source>Lens model</source>
+        <translation>Objektivmodell</translation>
+    </message>
+    <message>
+        <source>Pinhole, 5 coefficients</source>
+        <translation>Lochkamera, 5 Koeffizienten</translation>
+    </message>
+    <message>
+        <source>Pinhole, 8 coefficients (wide)</source>
+        <translation>Lochkamera, 8 Koeffizienten (Weitwinkel)</translation>
+    </message>
+    <message>
+        <source>Fisheye</source>
+        <translation>Fischauge</translation>
+    </message>
+    <message>
+        <source>5 for most lenses; 8 for wide ones; fisheye from about 120° on</source>
+        <translation>5 für die meisten Objektive; 8 für weitwinklige; Fischauge ab etwa 120°</translation>
+    </message>
+    <message>
+        <source>The board lies on the floor in frame</source>
+        <translation>Die Tafel liegt auf dem Boden in Bild</translation>
+    </message>
+    <message>
+        <source>That frame makes the world: X along the rows, Y to the upper edge, Z up. Without it the first camera keeps its place</source>
+        <translation>Dieses Bild legt die Welt fest: X entlang der Zeilen, Y zur Oberkante, Z nach oben. Ohne es behält die erste Kamera ihren Platz</translation>
+    </message>
+    <message>
+        <source>Frame in which the board lies on the floor</source>
+        <translation>Bild, in dem die Tafel auf dem Boden liegt</translation>
+    </message>
+    <message>
+        <source>Number of the frame</source>
+        <translation>Nummer des Bildes</translation>
+    </message>
+    <message>
+        <source>This one</source>
+        <translation>Dieses</translation>
+    </message>
+    <message>
+        <source>The frame shown</source>
+        <translation>Das gezeigte Bild</translation>
+    </message>
+    <message>
+        <source>Take the frame that is shown now</source>
+        <translation>Das Bild nehmen, das jetzt gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Enough at</source>
+        <translation>Genug bei</translation>
+    </message>
+    <message>
+        <source>Accuracy wanted of lenses</source>
+        <translation>Gewünschte Genauigkeit der Objektive</translation>
+    </message>
+    <message>
+        <source>The guidance ends when a ray is known to so many pixels all over the image</source>
+        <translation>Die Anleitung endet, wenn ein Strahl überall im Bild auf so viele Pixel bekannt ist</translation>
+    </message>
+    <message>
+        <source>Accuracy wanted of places</source>
+        <translation>Gewünschte Genauigkeit der Standorte</translation>
+    </message>
+    <message>
+        <source>The guidance ends when the place of each camera is known so well</source>
+        <translation>Die Anleitung endet, wenn der Standort jeder Kamera so genau bekannt ist</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardLive</name>
+    <message>
+        <source>How long the board was held still before %1</source>
+        <translation>Wie lange die Tafel vor %1 still gehalten wurde</translation>
+    </message>
+    <message>
+        <source>Where %1 saw the board</source>
+        <translation>Wo %1 die Tafel sah</translation>
+    </message>
+    <message>
+        <source>Filled: the regions and tilts that the board was shown in. Orange: what is asked for. Green: the board as it is seen now</source>
+        <translation>Gefüllt: Bereiche und Neigungen, in denen die Tafel gezeigt wurde. Orange: was gewünscht ist. Grün: die Tafel, wie sie jetzt gesehen wird</translation>
+    </message>
+    <message>
+        <source>Capture now</source>
+        <translation>Jetzt aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take the board as it is shown now, also when it is not held still</source>
+        <translation>Die Tafel nehmen, wie sie jetzt gezeigt wird, auch wenn sie nicht still gehalten wird</translation>
+    </message>
+    <message>
+        <source>On the floor now</source>
+        <translation>Liegt jetzt auf dem Boden</translation>
+    </message>
+    <message>
+        <source>Take the board as it lies on the floor now: it makes the world. X along its rows, Y to its upper edge, Z up</source>
+        <translation>Die Tafel nehmen, wie sie jetzt auf dem Boden liegt: sie legt die Welt fest. X entlang ihrer Zeilen, Y zu ihrer Oberkante, Z nach oben</translation>
+    </message>
+    <message>
+        <source>Next: places</source>
+        <translation>Weiter: Standorte</translation>
+    </message>
+    <message>
+        <source>Leave the lenses as well known as they are, and show the board to several cameras at once</source>
+        <translation>Die Objektive so genau lassen, wie sie bekannt sind, und die Tafel mehreren Kameras zugleich zeigen</translation>
+    </message>
+    <message>
+        <source>Calibrate with these views</source>
+        <translation>Mit diesen Ansichten kalibrieren</translation>
+    </message>
+    <message>
+        <source>End here: what was taken so far is enough</source>
+        <translation>Hier aufhören: was bisher aufgenommen wurde, genügt</translation>
+    </message>
+    <message>
+        <source>Start over</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Look for the board in the live images, and be told what to show</source>
+        <translation>Die Tafel in den Livebildern suchen und sagen, was zu zeigen ist</translation>
+    </message>
+    <message>
+        <source>Waiting for images: are the cameras playing?</source>
+        <translation>Warte auf Bilder: laufen die Kameras?</translation>
+    </message>
+    <message>
+        <source>Show the board to one camera after the other, as each of them asks.</source>
+        <translation>Zeigen Sie die Tafel einer Kamera nach der anderen, wie jede es verlangt.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardPage</name>
+    <message>
+        <source>Board</source>
+        <translation>Tafel</translation>
+    </message>
+    <message>
+        <source>What to find</source>
+        <translation>Was zu finden ist</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Look for the board in the recording, and calibrate the cameras with it; one step that can be undone</source>
+        <translation>Die Tafel in der Aufnahme suchen und die Kameras damit kalibrieren; ein Schritt, der sich zurücknehmen lässt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop; the former calibration is kept</source>
+        <translation>Abbrechen; die bisherige Kalibrierung bleibt</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Take the calibration into the project; one step that can be undone</source>
+        <translation>Die Kalibrierung ins Projekt übernehmen; ein Schritt, der sich zurücknehmen lässt</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>Save a page with residuals, coverage and errors of all pictures, and open it</source>
+        <translation>Eine Seite mit Residuen, Abdeckung und Fehlern aller Bilder speichern und öffnen</translation>
+    </message>
+    <message>
+        <source>How far the calibration is</source>
+        <translation>Wie weit die Kalibrierung ist</translation>
+    </message>
+    <message>
+        <source>Show a printed board to the cameras: you are told what to show next, and it is taken when you hold it still.</source>
+        <translation>Zeigen Sie den Kameras eine gedruckte Tafel: Sie erfahren, was als Nächstes zu zeigen ist; aufgenommen wird, wenn Sie still halten.</translation>
+    </message>
+    <message>
+        <source>A recording in which a printed board is shown to the cameras, held still in many places, near and tilted, calibrates them.</source>
+        <translation>Eine Aufnahme, in der eine gedruckte Tafel an vielen Orten still vor die Kameras gehalten wird, nah und geneigt, kalibriert sie.</translation>
+    </message>
+    <message>
+        <source>Live cameras</source>
+        <translation>Livekameras</translation>
+    </message>
+    <message>
+        <source>This recording</source>
+        <translation>Diese Aufnahme</translation>
+    </message>
+    <message>
+        <source>✓ The cameras are calibrated (Ctrl+Z takes it back).</source>
+        <translation>✓ Die Kameras sind kalibriert (Strg+Z nimmt es zurück).</translation>
+    </message>
+    <message>
+        <source>Looking for the board: %p %</source>
+        <translation>Suche die Tafel: %p %</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Berechne</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Page (*.html)</source>
+        <translation>Seite (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BumpMessages</name>
+    <message>
+        <source>%1 was %2 (frame %3).</source>
+        <translation>%1 wurde %2 (Bild %3).</translation>
+    </message>
+    <message>
+        <source>Its new pose is being worked out.</source>
+        <translation>Ihre neue Lage wird gerade bestimmt.</translation>
+    </message>
+    <message>
+        <source>Its pose can be solved again from what it sees.</source>
+        <translation>Ihre Lage lässt sich aus dem, was sie sieht, neu bestimmen.</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>%1 neu bestimmen</translation>
+    </message>
+    <message>
+        <source>It cannot be solved again from what it sees: calibrate it anew, or put it back.</source>
+        <translation>Aus dem, was sie sieht, lässt sich das nicht neu bestimmen: neu kalibrieren oder zurückstellen.</translation>
+    </message>
+    <message>
+        <source>Calibrate %1…</source>
+        <translation>%1 kalibrieren…</translation>
+    </message>
+    <message>
+        <source>%1 stands again as it was calibrated.</source>
+        <translation>%1 steht wieder so, wie sie kalibriert wurde.</translation>
     </message>
 </context>
 <context>
@@ -2141,6 +2919,93 @@ bei %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ExperimentDialog</name>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Experiments</source>
+        <translation>Experimente</translation>
+    </message>
+    <message>
+        <source>Experiments of the papers</source>
+        <translation>Experimente der Artikel</translation>
+    </message>
+    <message>
+        <source>&amp;Runs per case</source>
+        <translation>&amp;Läufe je Fall</translation>
+    </message>
+    <message>
+        <source>How many seeds, 1, 2, 3 and so on: more take longer and are surer</source>
+        <translation>Wie viele Startzahlen, 1, 2, 3 und so weiter: Mehr dauern länger und sind sicherer</translation>
+    </message>
+    <message>
+        <source>&amp;Folder</source>
+        <translation>&amp;Ordner</translation>
+    </message>
+    <message>
+        <source>The report, its pictures and its numbers go there</source>
+        <translation>Dorthin kommen der Bericht, seine Bilder und seine Zahlen</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose the folder of the report</source>
+        <translation>Den Ordner des Berichts wählen</translation>
+    </message>
+    <message>
+        <source>How far the experiment is</source>
+        <translation>Wie weit das Experiment ist</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>Run the chosen experiment (Enter)</source>
+        <translation>Das gewählte Experiment ausführen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop the experiment; nothing is written</source>
+        <translation>Das Experiment anhalten; nichts wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Open the report</source>
+        <translation>Bericht öffnen</translation>
+    </message>
+    <message>
+        <source>Show the last report in the web browser</source>
+        <translation>Den letzten Bericht im Browser zeigen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Folder of the report</source>
+        <translation>Ordner des Berichts</translation>
+    </message>
+    <message>
+        <source>Name the folder of the report first.</source>
+        <translation>Nenne zuerst den Ordner des Berichts.</translation>
+    </message>
+    <message>
+        <source>Running “%1”…</source>
+        <translation>„%1“ läuft …</translation>
+    </message>
+    <message>
+        <source>The report is in %1.</source>
+        <translation>Der Bericht liegt in %1.</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ExportDialog</name>
     <message>
         <source>Export trajectory</source>
@@ -2875,6 +3740,149 @@ bei %4, %5, %6 m</translation>
         <source>Wave</source>
         <translation>Schwenken</translation>
     </message>
+    <message>
+        <source>&amp;Calibration</source>
+        <translation>&amp;Kalibrierung</translation>
+    </message>
+    <message>
+        <source>No camera was bumped.</source>
+        <translation>Keine Kamera wurde verdreht.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be solved again now.</source>
+        <translation>%1 lässt sich jetzt nicht neu bestimmen.</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>%1 neu bestimmen</translation>
+    </message>
+    <message>
+        <source>%1 is calibrated as it stands now. Undo takes it back.</source>
+        <translation>%1 ist jetzt so kalibriert, wie sie steht. Rückgängig nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
+        <translation>Das Ziel lag %1 px neben dem, wo die anderen es sehen, jetzt %2 px.</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Tafel</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::MapFields</name>
+    <message>
+        <source>Show the map in the bird&apos;s-eye view</source>
+        <translation>Die Karte in der Vogelperspektive zeigen</translation>
+    </message>
+    <message>
+        <source>How far off a target is expected to be at each place; it follows every move of a camera</source>
+        <translation>Wie weit ein Ziel an jedem Ort voraussichtlich danebenliegt; folgt jeder Bewegung einer Kamera</translation>
+    </message>
+    <message>
+        <source>Colors show</source>
+        <translation>Farben zeigen</translation>
+    </message>
+    <message>
+        <source>the expected error</source>
+        <translation>den erwarteten Fehler</translation>
+    </message>
+    <message>
+        <source>the number of cameras</source>
+        <translation>die Zahl der Kameras</translation>
+    </message>
+    <message>
+        <source>What the colors show</source>
+        <translation>Was die Farben zeigen</translation>
+    </message>
+    <message>
+        <source>The expected error (standard deviation along the worst direction), or how many cameras see a place</source>
+        <translation>Der erwartete Fehler (Standardabweichung in der schlechtesten Richtung), oder wie viele Kameras einen Ort sehen</translation>
+    </message>
+    <message>
+        <source>Good enough</source>
+        <translation>Gut genug</translation>
+    </message>
+    <message>
+        <source>The error that is good enough: up to it the map is blue, and it is what the sentence and the search for a place go by</source>
+        <translation>Der Fehler, der gut genug ist: bis dahin ist die Karte blau, und danach richten sich der Satz und die Suche nach einem Ort</translation>
+    </message>
+    <message>
+        <source>Error of a sighting</source>
+        <translation>Fehler einer Sichtung</translation>
+    </message>
+    <message>
+        <source>How far off a target is found in an image, in pixels (one standard deviation)</source>
+        <translation>Wie weit daneben ein Ziel im Bild gefunden wird, in Pixeln (eine Standardabweichung)</translation>
+    </message>
+    <message>
+        <source>Layer at</source>
+        <translation>Schicht bei</translation>
+    </message>
+    <message>
+        <source>Show the map in a horizontal layer</source>
+        <translation>Die Karte in einer waagrechten Schicht zeigen</translation>
+    </message>
+    <message>
+        <source>Height of the layer</source>
+        <translation>Höhe der Schicht</translation>
+    </message>
+    <message>
+        <source>Height of the layer above the floor</source>
+        <translation>Höhe der Schicht über dem Boden</translation>
+    </message>
+    <message>
+        <source>Height of the layer in metres</source>
+        <translation>Höhe der Schicht in Metern</translation>
+    </message>
+    <message>
+        <source>Volume: surfaces around what is good and what is fair</source>
+        <translation>Raum: Flächen um Gutes und Brauchbares</translation>
+    </message>
+    <message>
+        <source>Show through the room where the error is at most 0.4, 1 and 2 times what is good enough, or where two, three and four cameras see</source>
+        <translation>Im ganzen Raum zeigen, wo der Fehler höchstens das 0,4-, 1- und 2-fache dessen ist, was gut genug ist, oder wo zwei, drei und vier Kameras sehen</translation>
+    </message>
+    <message>
+        <source>Volume from x, y, z</source>
+        <translation>Raum von x, y, z</translation>
+    </message>
+    <message>
+        <source>to x, y, z</source>
+        <translation>bis x, y, z</translation>
+    </message>
+    <message>
+        <source>Volume from %1</source>
+        <translation>Raum von %1</translation>
+    </message>
+    <message>
+        <source>Where the volume begins, in metres</source>
+        <translation>Wo der Raum beginnt, in Metern</translation>
+    </message>
+    <message>
+        <source>Volume to %1</source>
+        <translation>Raum bis %1</translation>
+    </message>
+    <message>
+        <source>Where the volume ends, in metres</source>
+        <translation>Wo der Raum endet, in Metern</translation>
+    </message>
+    <message>
+        <source>Like the reference grid</source>
+        <translation>Wie das Bezugsgitter</translation>
+    </message>
+    <message>
+        <source>The volume above the reference grid, up to the highest camera</source>
+        <translation>Der Raum über dem Bezugsgitter, bis zur höchsten Kamera</translation>
+    </message>
+    <message>
+        <source>%1 of the volume within %2, %3 seen by fewer than two cameras</source>
+        <translation>%1 des Raums innerhalb von %2, %3 von weniger als zwei Kameras gesehen</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::MessageBar</name>
@@ -3053,8 +4061,161 @@ bei %4, %5, %6 m</translation>
         <translation>&amp;Verfahren</translation>
     </message>
     <message>
-        <source>How the targets are tracked: “dewpoint” is the surest and most accurate, “barrera” the particle filter of Barrera et al. (2005). Tracking starts anew.</source>
-        <translation>Wie die Ziele verfolgt werden: „dewpoint“ ist am sichersten und genauesten, „barrera“ ist der Partikelfilter von Barrera et al. (2005). Die Verfolgung beginnt neu.</translation>
+        <source>How the targets are tracked. Another method begins anew; the rest stays.</source>
+        <translation>Wie die Ziele verfolgt werden. Ein anderes Verfahren beginnt neu; der Rest bleibt.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanDesk</name>
+    <message>
+        <source>camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
+        <translation>%1 hierher: x %2, y %3, z %4 m. Dann liegen %5 des Raums innerhalb von %6, statt %7.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanFields</name>
+    <message>
+        <source>Add a camera to plan</source>
+        <translation>Eine Kamera einplanen</translation>
+    </message>
+    <message>
+        <source>A camera that is not there yet: drag it in the bird&apos;s-eye view, or type where it stands (%1)</source>
+        <translation>Eine Kamera, die es noch nicht gibt: in der Vogelperspektive ziehen oder ihren Ort eingeben (%1)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the planned camera</source>
+        <translation>Die geplante Kamera entfernen</translation>
+    </message>
+    <message>
+        <source>Take the chosen planned camera away</source>
+        <translation>Die gewählte geplante Kamera wegnehmen</translation>
+    </message>
+    <message>
+        <source>Planned camera</source>
+        <translation>Geplante Kamera</translation>
+    </message>
+    <message>
+        <source>The planned camera that the numbers below belong to</source>
+        <translation>Die geplante Kamera, zu der die Zahlen darunter gehören</translation>
+    </message>
+    <message>
+        <source>Stands at x, y, z</source>
+        <translation>Steht bei x, y, z</translation>
+    </message>
+    <message>
+        <source>Looks at x, y, z</source>
+        <translation>Blickt auf x, y, z</translation>
+    </message>
+    <message>
+        <source>Field of view, image width and height</source>
+        <translation>Blickwinkel, Bildbreite und -höhe</translation>
+    </message>
+    <message>
+        <source>Planned position %1</source>
+        <translation>Geplanter Ort %1</translation>
+    </message>
+    <message>
+        <source>Where the camera stands, in metres</source>
+        <translation>Wo die Kamera steht, in Metern</translation>
+    </message>
+    <message>
+        <source>Planned camera looks at %1</source>
+        <translation>Geplante Kamera blickt auf %1</translation>
+    </message>
+    <message>
+        <source>A point on its line of sight, in metres</source>
+        <translation>Ein Punkt auf ihrer Blickrichtung, in Metern</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Blickwinkel</translation>
+    </message>
+    <message>
+        <source>How wide the camera sees, from left to right</source>
+        <translation>Wie weit die Kamera sieht, von links nach rechts</translation>
+    </message>
+    <message>
+        <source>Image width</source>
+        <translation>Bildbreite</translation>
+    </message>
+    <message>
+        <source>Pixels of its image, from left to right</source>
+        <translation>Pixel ihres Bildes, von links nach rechts</translation>
+    </message>
+    <message>
+        <source>Image height</source>
+        <translation>Bildhöhe</translation>
+    </message>
+    <message>
+        <source>Pixels of its image, from top to bottom</source>
+        <translation>Pixel ihres Bildes, von oben nach unten</translation>
+    </message>
+    <message>
+        <source>Walls and ceiling outside the volume by</source>
+        <translation>Wände und Decke außerhalb des Raums um</translation>
+    </message>
+    <message>
+        <source>Distance of the walls</source>
+        <translation>Abstand der Wände</translation>
+    </message>
+    <message>
+        <source>The search looks on the four walls and the ceiling around the volume, this far outside of it</source>
+        <translation>Gesucht wird an den vier Wänden und der Decke um den Raum, so weit außerhalb</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel the search</source>
+        <translation>Die Suche abbrechen</translation>
+    </message>
+    <message>
+        <source>End the search; nothing is added</source>
+        <translation>Die Suche beenden; nichts wird hinzugefügt</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>none chosen</source>
+        <translation>keine gewählt</translation>
+    </message>
+    <message>
+        <source>Find the best place for %1</source>
+        <translation>Den besten Ort für %1 suchen</translation>
+    </message>
+    <message>
+        <source>Search the walls and the ceiling for the place from which one more camera helps most (%1)</source>
+        <translation>An Wänden und Decke den Ort suchen, von dem eine weitere Kamera am meisten hilft (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanPage</name>
+    <message>
+        <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
+        <translation>Wie gut werden diese Kameras messen, und wo hülfe eine weitere? Eine Kamera in der Vogelperspektive ziehen: die Karte folgt.</translation>
+    </message>
+    <message>
+        <source>Map of expected errors</source>
+        <translation>Karte der erwarteten Fehler</translation>
+    </message>
+    <message>
+        <source>Planned cameras</source>
+        <translation>Geplante Kameras</translation>
+    </message>
+    <message>
+        <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
+        <translation>Geplante Kameras werden nicht mit dem Projekt gespeichert und gehören nicht zum Lauf. Die Karte berücksichtigt nichts im Raum, was einen Ort verdeckt.</translation>
     </message>
 </context>
 <context>

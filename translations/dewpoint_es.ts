@@ -451,6 +451,252 @@
         <source>Refine cameras with a waved ball, or a stick with two balls</source>
         <translation>Refinar las cámaras con una pelota agitada o una vara con dos pelotas</translation>
     </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Calibración</translation>
+    </message>
+    <message>
+        <source>Calibrate with a board…</source>
+        <translation>Calibrar con un tablero…</translation>
+    </message>
+    <message>
+        <source>Find lenses and places of the cameras with a printed board</source>
+        <translation>Hallar objetivos y posiciones de las cámaras con un tablero impreso</translation>
+    </message>
+    <message>
+        <source>Print a calibration board…</source>
+        <translation>Imprimir un tablero de calibración…</translation>
+    </message>
+    <message>
+        <source>Write the board to calibrate with as a PDF in its true size</source>
+        <translation>Escribir el tablero de calibración como PDF a tamaño real</translation>
+    </message>
+    <message>
+        <source>Plan the rig…</source>
+        <translation>Planificar el montaje…</translation>
+    </message>
+    <message>
+        <source>See how well the cameras will measure, and where one more would help</source>
+        <translation>Ver qué tal medirán las cámaras y dónde ayudaría otra</translation>
+    </message>
+    <message>
+        <source>Show the map of expected errors</source>
+        <translation>Mostrar el mapa de errores esperados</translation>
+    </message>
+    <message>
+        <source>Show in the bird&apos;s-eye view how far off a target is expected to be at each place</source>
+        <translation>Mostrar en la vista de pájaro cuánto se espera que se desvíe un objetivo en cada lugar</translation>
+    </message>
+    <message>
+        <source>Add a camera to plan</source>
+        <translation>Añadir una cámara al plan</translation>
+    </message>
+    <message>
+        <source>Add a camera that is not there yet, to be dragged about</source>
+        <translation>Añadir una cámara que aún no existe, para arrastrarla</translation>
+    </message>
+    <message>
+        <source>Re-solve the bumped camera</source>
+        <translation>Resolver de nuevo la cámara movida</translation>
+    </message>
+    <message>
+        <source>Calibrate the camera that was turned during the run as it stands now; all others stay</source>
+        <translation>Calibrar la cámara que se giró durante la ejecución tal como está ahora; las demás no cambian</translation>
+    </message>
+    <message>
+        <source>Find the best place for one more camera</source>
+        <translation>Buscar el mejor lugar para otra cámara</translation>
+    </message>
+    <message>
+        <source>Search the walls and the ceiling for the place from which one more camera helps most</source>
+        <translation>Buscar en paredes y techo el lugar desde el que más ayuda otra cámara</translation>
+    </message>
+    <message>
+        <source>Experiments…</source>
+        <translation>Experimentos…</translation>
+    </message>
+    <message>
+        <source>Make the figures of the papers anew, with a report</source>
+        <translation>Rehacer las figuras de los artículos, con un informe</translation>
+    </message>
+</context>
+<context>
+    <name>BoardWords</name>
+    <message>
+        <source>%1: rms %2 px, focal length %3 px, %4 pictures</source>
+        <translation>%1: rms %2 px, distancia focal %3 px, %4 imágenes</translation>
+    </message>
+    <message>
+        <source>%1 keeps its place: it never saw the board.</source>
+        <translation>%1 conserva su posición: nunca vio el tablero.</translation>
+    </message>
+    <message>
+        <source>%1: rms %2 px</source>
+        <translation>%1: rms %2 px</translation>
+    </message>
+    <message>
+        <source>, place ±%1 mm, direction ±%2°</source>
+        <translation>, posición ±%1 mm, dirección ±%2°</translation>
+    </message>
+    <message>
+        <source>Lenses</source>
+        <translation>Objetivos</translation>
+    </message>
+    <message>
+        <source>%1 keeps its lens: %2</source>
+        <translation>%1 conserva su objetivo: %2</translation>
+    </message>
+    <message>
+        <source>Places: rms %1 px over %2 positions of the board</source>
+        <translation>Posiciones: rms %1 px en %2 lugares del tablero</translation>
+    </message>
+    <message>
+        <source>upper left</source>
+        <translation>arriba a la izquierda</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>arriba</translation>
+    </message>
+    <message>
+        <source>upper right</source>
+        <translation>arriba a la derecha</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>izquierda</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>centro</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecha</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>abajo a la izquierda</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>abajo</translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation>abajo a la derecha</translation>
+    </message>
+    <message>
+        <source>its left side nearer</source>
+        <translation>con el lado izquierdo más cerca</translation>
+    </message>
+    <message>
+        <source>its right side nearer</source>
+        <translation>con el lado derecho más cerca</translation>
+    </message>
+    <message>
+        <source>its upper side nearer</source>
+        <translation>con el lado superior más cerca</translation>
+    </message>
+    <message>
+        <source>its lower side nearer</source>
+        <translation>con el lado inferior más cerca</translation>
+    </message>
+    <message>
+        <source>facing the camera</source>
+        <translation>de frente a la cámara</translation>
+    </message>
+    <message>
+        <source>No image yet</source>
+        <translation>Aún sin imagen</translation>
+    </message>
+    <message>
+        <source>Show it the whole board</source>
+        <translation>Muéstrele el tablero entero</translation>
+    </message>
+    <message>
+        <source>Move the board to: %1</source>
+        <translation>Mueva el tablero a: %1</translation>
+    </message>
+    <message>
+        <source>Tilt it, %1</source>
+        <translation>Inclínelo, %1</translation>
+    </message>
+    <message>
+        <source>Come nearer with the board</source>
+        <translation>Acérquese con el tablero</translation>
+    </message>
+    <message>
+        <source>Hold it still</source>
+        <translation>Manténgalo quieto</translation>
+    </message>
+    <message>
+        <source>The image is soft: focus, or more light</source>
+        <translation>La imagen está borrosa: enfoque o más luz</translation>
+    </message>
+    <message>
+        <source>✓ Done</source>
+        <translation>✓ Listo</translation>
+    </message>
+    <message>
+        <source>✓ All cameras have seen enough together</source>
+        <translation>✓ Todas las cámaras han visto bastante juntas</translation>
+    </message>
+    <message>
+        <source>Show the board to %1 and %2 at once, hold it still, then elsewhere</source>
+        <translation>Muestre el tablero a %1 y %2 a la vez, quieto, y luego en otro lugar</translation>
+    </message>
+    <message>
+        <source>no board in sight</source>
+        <translation>ningún tablero a la vista</translation>
+    </message>
+    <message>
+        <source>⚠ soft, edges of %1 px</source>
+        <translation>⚠ borroso, bordes de %1 px</translation>
+    </message>
+    <message>
+        <source>sharp, edges of %1 px</source>
+        <translation>nítido, bordes de %1 px</translation>
+    </message>
+    <message>
+        <source>%1 of at least %2 views</source>
+        <translation>%1 de al menos %2 vistas</translation>
+    </message>
+    <message>
+        <source>%1 views, known to %2 px (wanted: %3 px)</source>
+        <translation>%1 vistas, conocido con %2 px (deseado: %3 px)</translation>
+    </message>
+    <message>
+        <source>● sees the board</source>
+        <translation>● ve el tablero</translation>
+    </message>
+    <message>
+        <source>○ does not see the board</source>
+        <translation>○ no ve el tablero</translation>
+    </message>
+    <message>
+        <source>%1 views, place known to %2 mm</source>
+        <translation>%1 vistas, posición conocida con %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 views with others</source>
+        <translation>%1 vistas con otras</translation>
+    </message>
+    <message>
+        <source>The places were not found: %1</source>
+        <translation>No se hallaron las posiciones: %1</translation>
+    </message>
+    <message>
+        <source>How good it is cannot be said: too few places were seen by two cameras.</source>
+        <translation>No se puede decir qué tan buena es: dos cámaras vieron muy pocos lugares.</translation>
+    </message>
+</context>
+<context>
+    <name>Bump</name>
+    <message>
+        <source>turned by %1°</source>
+        <translation>girada %1°</translation>
+    </message>
 </context>
 <context>
     <name>CalibrationWords</name>
@@ -618,6 +864,65 @@
     </message>
 </context>
 <context>
+    <name>Experiment</name>
+    <message>
+        <source>Barrera et al. 2005, figure 3: the particles projected into both cameras while the cloud finds the ball.</source>
+        <translation>Barrera et al. 2005, figura 3: las partículas proyectadas en ambas cámaras mientras la nube encuentra la pelota.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 4: the same cloud from above.</source>
+        <translation>Barrera et al. 2005, figura 4: la misma nube desde arriba.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 6: the object jumps 2 m at iteration 30.</source>
+        <translation>Barrera et al. 2005, figura 6: el objeto salta 2 m en la iteración 30.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 7: the same for motion sigmas from 0.001 to 0.3 m, as an image.</source>
+        <translation>Barrera et al. 2005, figura 7: lo mismo para sigmas de movimiento de 0,001 a 0,3 m, como imagen.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 8: the cloud at six instants, with a small and a large motion sigma.</source>
+        <translation>Barrera et al. 2005, figura 8: la nube en seis instantes, con sigma de movimiento pequeña y grande.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, section III-B: start volume against the share of runs that converge, and starts beyond the ball.</source>
+        <translation>Barrera et al. 2005, sección III-B: volumen inicial frente a la proporción de ejecuciones que convergen, e inicios más allá de la pelota.</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, section III-B: with one camera the cloud moves away from it.</source>
+        <translation>Barrera et al. 2005, sección III-B: con una cámara la nube se aleja de ella.</translation>
+    </message>
+    <message>
+        <source>Drift along the optical axis</source>
+        <translation>Deriva a lo largo del eje óptico</translation>
+    </message>
+    <message>
+        <source>Error after a jump</source>
+        <translation>Error tras un salto</translation>
+    </message>
+    <message>
+        <source>Error over iteration and motion sigma</source>
+        <translation>Error según la iteración y la sigma de movimiento</translation>
+    </message>
+    <message>
+        <source>Particles from above</source>
+        <translation>Partículas desde arriba</translation>
+    </message>
+    <message>
+        <source>Particles in both images</source>
+        <translation>Partículas en ambas imágenes</translation>
+    </message>
+    <message>
+        <source>The cloud on its way</source>
+        <translation>La nube en camino</translation>
+    </message>
+    <message>
+        <source>Where the cloud may start</source>
+        <translation>Dónde puede empezar la nube</translation>
+    </message>
+</context>
+<context>
     <name>Export</name>
     <message>
         <source>CSV, one row per target and time</source>
@@ -723,6 +1028,29 @@
     </message>
 </context>
 <context>
+    <name>MapLegend</name>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 o más</translation>
+    </message>
+    <message>
+        <source>blank: none</source>
+        <translation>vacío: ninguna</translation>
+    </message>
+    <message>
+        <source>blank: fewer than two cameras</source>
+        <translation>vacío: menos de dos cámaras</translation>
+    </message>
+    <message>
+        <source>Cameras that see it</source>
+        <translation>Cámaras que lo ven</translation>
+    </message>
+    <message>
+        <source>Expected error (1 σ)</source>
+        <translation>Error esperado (1 σ)</translation>
+    </message>
+</context>
+<context>
     <name>Method</name>
     <message>
         <source>barrera</source>
@@ -731,6 +1059,22 @@
     <message>
         <source>dewpoint</source>
         <translation>Dewpoint</translation>
+    </message>
+    <message>
+        <source>The color particle filter of Barrera et al. (2005): for teaching and comparison.</source>
+        <translation>El filtro de partículas de color de Barrera et al. (2005): para enseñar y comparar.</translation>
+    </message>
+    <message>
+        <source>The filter over triangulated positions of Barrera et al. (2005), section III-C: to study how a particle filter moves.</source>
+        <translation>El filtro sobre posiciones trianguladas de Barrera et al. (2005), sección III-C: para estudiar cómo se mueve un filtro de partículas.</translation>
+    </message>
+    <message>
+        <source>The surest and most accurate: for all that moves, any number of cameras and targets.</source>
+        <translation>El más seguro y preciso: para todo lo que se mueve, con cualquier número de cámaras y objetivos.</translation>
+    </message>
+    <message>
+        <source>dynamics</source>
+        <translation>dynamics</translation>
     </message>
 </context>
 <context>
@@ -866,6 +1210,14 @@
     <message>
         <source>How fast a target&apos;s color range follows slow changes of light, as a time constant; only while the target is surely there, and in each camera by itself. 0 keeps the range as it is; 2 is a good value in a room with daylight.</source>
         <translation>Con qué rapidez el rango de color de un objetivo sigue los cambios lentos de luz, como constante de tiempo; solo mientras el objetivo está ahí con seguridad, y en cada cámara por separado. 0 deja el rango como está; 2 es un buen valor en una sala con luz natural.</translation>
+    </message>
+    <message>
+        <source>How far off a measured position is taken to be along each axis: larger trusts the particles more, smaller the measurement.</source>
+        <translation>Cuánto se supone que falla una posición medida en cada eje: mayor confía más en las partículas, menor en la medida.</translation>
+    </message>
+    <message>
+        <source>Observation sigma</source>
+        <translation>Sigma de observación</translation>
     </message>
 </context>
 <context>
@@ -1282,6 +1634,432 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>No 3D: %1</source>
         <translation>Sin 3D: %1</translation>
+    </message>
+    <message>
+        <source>Cameras that see it: %1</source>
+        <translation>Cámaras que lo ven: %1</translation>
+    </message>
+    <message>
+        <source>±%1 (1 σ); cameras that see it: %2</source>
+        <translation>±%1 (1 σ); cámaras que lo ven: %2</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardDesk</name>
+    <message>
+        <source>Stopped: the former calibration is kept.</source>
+        <translation>Detenido: se conserva la calibración anterior.</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>cámara %1</translation>
+    </message>
+    <message>
+        <source>The project has other cameras by now: calibrate again.</source>
+        <translation>El proyecto ya tiene otras cámaras: calibre de nuevo.</translation>
+    </message>
+    <message>
+        <source>Calibrate with a board</source>
+        <translation>Calibrar con un tablero</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardFields</name>
+    <message>
+        <source>Print the board</source>
+        <translation>Imprimir el tablero</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Chessboard</source>
+        <translation>Tablero de ajedrez</translation>
+    </message>
+    <message>
+        <source>ChArUco (with markers)</source>
+        <translation>ChArUco (con marcadores)</translation>
+    </message>
+    <message>
+        <source>Kind of board</source>
+        <translation>Tipo de tablero</translation>
+    </message>
+    <message>
+        <source>ChArUco boards may be partly hidden or outside the image; chessboards must be seen whole</source>
+        <translation>Los tableros ChArUco pueden verse solo en parte; los de ajedrez deben verse enteros</translation>
+    </message>
+    <message>
+        <source>Squares across, down</source>
+        <translation>Casillas a lo ancho y alto</translation>
+    </message>
+    <message>
+        <source>Squares in a row</source>
+        <translation>Casillas por fila</translation>
+    </message>
+    <message>
+        <source>All squares of a row, black and white</source>
+        <translation>Todas las casillas de una fila, negras y blancas</translation>
+    </message>
+    <message>
+        <source>Squares in a column</source>
+        <translation>Casillas por columna</translation>
+    </message>
+    <message>
+        <source>All squares of a column, black and white</source>
+        <translation>Todas las casillas de una columna, negras y blancas</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>Lado de una casilla</translation>
+    </message>
+    <message>
+        <source>Measured on the print: a long row with a ruler, divided by its squares</source>
+        <translation>Medido en la hoja impresa: una fila larga con regla, dividida entre sus casillas</translation>
+    </message>
+    <message>
+        <source>Unit of the sizes</source>
+        <translation>Unidad de las medidas</translation>
+    </message>
+    <message>
+        <source>Unit in which the sizes are typed</source>
+        <translation>Unidad en la que se escriben las medidas</translation>
+    </message>
+    <message>
+        <source>Marker, dictionary</source>
+        <translation>Marcador, diccionario</translation>
+    </message>
+    <message>
+        <source>Side of a marker</source>
+        <translation>Lado de un marcador</translation>
+    </message>
+    <message>
+        <source>Of the black square around the pattern</source>
+        <translation>Del cuadrado negro alrededor del patrón</translation>
+    </message>
+    <message>
+        <source>Dictionary of the markers</source>
+        <translation>Diccionario de los marcadores</translation>
+    </message>
+    <message>
+        <source>As the program called it that made it</source>
+        <translation>Como lo llamó el programa que lo creó</translation>
+    </message>
+    <message>
+        <source>Even rows of older software</source>
+        <translation>Filas pares de programas antiguos</translation>
+    </message>
+    <message>
+        <source>A ChArUco board with an even number of rows from software older than OpenCV 4.6: its first square is white</source>
+        <translation>Un tablero ChArUco con un número par de filas de un programa anterior a OpenCV 4.6: su primera casilla es blanca</translation>
+    </message>
+    <message>
+        <source>Black and white exchanged</source>
+        <translation>Blanco y negro invertidos</translation>
+    </message>
+    <message>
+        <source>White markers and corners on a black page</source>
+        <translation>Marcadores y esquinas blancos sobre una hoja negra</translation>
+    </message>
+    <message>
+        <source>Print this board…</source>
+        <translation>Imprimir este tablero…</translation>
+    </message>
+    <message>
+        <source>Write the board as a PDF in its true size, with a bar to check it with a ruler</source>
+        <translation>Escribir el tablero como PDF a tamaño real, con una barra para comprobarlo con regla</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papel</translation>
+    </message>
+    <message>
+        <source>Size of the sheet that is printed on</source>
+        <translation>Tamaño de la hoja en que se imprime</translation>
+    </message>
+    <message>
+        <source>%1 × %2 inner corners; for the command line: %3</source>
+        <translation>%1 × %2 esquinas interiores; para la línea de órdenes: %3</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardGoalFields</name>
+    <message>
+        <source>Find</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Lenses and places</source>
+        <translation>Objetivos y posiciones</translation>
+    </message>
+    <message>
+        <source>Lenses</source>
+        <translation>Objetivos</translation>
+    </message>
+    <message>
+        <source>Places of the cameras</source>
+        <translation>Posiciones de las cámaras</translation>
+    </message>
+    <message>
+        <source>What is found</source>
+        <translation>Lo que se busca</translation>
+    </message>
+    <message>
+        <source>Lenses: how each camera sees, by itself. Places: where the cameras stand, from a board that several of them see at once</source>
+        <translation>Objetivos: cómo ve cada cámara por sí sola. Posiciones: dónde están las cámaras, con un tablero que varias ven a la vez</translation>
+    </message>
+    <message>
+        <source>Lens model</source>
+        <translation>Modelo de objetivo</translation>
+    </message>
+    <message>
+        <source>Pinhole, 5 coefficients</source>
+        <translation>Estenopeico, 5 coeficientes</translation>
+    </message>
+    <message>
+        <source>Pinhole, 8 coefficients (wide)</source>
+        <translation>Estenopeico, 8 coeficientes (gran angular)</translation>
+    </message>
+    <message>
+        <source>Fisheye</source>
+        <translation>Ojo de pez</translation>
+    </message>
+    <message>
+        <source>5 for most lenses; 8 for wide ones; fisheye from about 120° on</source>
+        <translation>5 para la mayoría; 8 para gran angular; ojo de pez a partir de unos 120°</translation>
+    </message>
+    <message>
+        <source>The board lies on the floor in frame</source>
+        <translation>El tablero está en el suelo en el fotograma</translation>
+    </message>
+    <message>
+        <source>That frame makes the world: X along the rows, Y to the upper edge, Z up. Without it the first camera keeps its place</source>
+        <translation>Ese fotograma define el mundo: X a lo largo de las filas, Y hacia el borde superior, Z hacia arriba. Sin él, la primera cámara conserva su posición</translation>
+    </message>
+    <message>
+        <source>Frame in which the board lies on the floor</source>
+        <translation>Fotograma en que el tablero está en el suelo</translation>
+    </message>
+    <message>
+        <source>Number of the frame</source>
+        <translation>Número del fotograma</translation>
+    </message>
+    <message>
+        <source>This one</source>
+        <translation>Este</translation>
+    </message>
+    <message>
+        <source>The frame shown</source>
+        <translation>El fotograma mostrado</translation>
+    </message>
+    <message>
+        <source>Take the frame that is shown now</source>
+        <translation>Tomar el fotograma que se muestra ahora</translation>
+    </message>
+    <message>
+        <source>Enough at</source>
+        <translation>Basta con</translation>
+    </message>
+    <message>
+        <source>Accuracy wanted of lenses</source>
+        <translation>Precisión deseada de los objetivos</translation>
+    </message>
+    <message>
+        <source>The guidance ends when a ray is known to so many pixels all over the image</source>
+        <translation>La guía termina cuando un rayo se conoce con tantos píxeles en toda la imagen</translation>
+    </message>
+    <message>
+        <source>Accuracy wanted of places</source>
+        <translation>Precisión deseada de las posiciones</translation>
+    </message>
+    <message>
+        <source>The guidance ends when the place of each camera is known so well</source>
+        <translation>La guía termina cuando la posición de cada cámara se conoce así de bien</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardLive</name>
+    <message>
+        <source>How long the board was held still before %1</source>
+        <translation>Cuánto tiempo se mantuvo quieto el tablero ante %1</translation>
+    </message>
+    <message>
+        <source>Where %1 saw the board</source>
+        <translation>Dónde vio %1 el tablero</translation>
+    </message>
+    <message>
+        <source>Filled: the regions and tilts that the board was shown in. Orange: what is asked for. Green: the board as it is seen now</source>
+        <translation>Relleno: zonas e inclinaciones en que se mostró el tablero. Naranja: lo que se pide. Verde: el tablero tal como se ve ahora</translation>
+    </message>
+    <message>
+        <source>Capture now</source>
+        <translation>Capturar ahora</translation>
+    </message>
+    <message>
+        <source>Take the board as it is shown now, also when it is not held still</source>
+        <translation>Tomar el tablero tal como se muestra ahora, aunque no esté quieto</translation>
+    </message>
+    <message>
+        <source>On the floor now</source>
+        <translation>Ahora en el suelo</translation>
+    </message>
+    <message>
+        <source>Take the board as it lies on the floor now: it makes the world. X along its rows, Y to its upper edge, Z up</source>
+        <translation>Tomar el tablero tal como está ahora en el suelo: define el mundo. X a lo largo de sus filas, Y hacia su borde superior, Z hacia arriba</translation>
+    </message>
+    <message>
+        <source>Next: places</source>
+        <translation>Siguiente: posiciones</translation>
+    </message>
+    <message>
+        <source>Leave the lenses as well known as they are, and show the board to several cameras at once</source>
+        <translation>Dejar los objetivos como están y mostrar el tablero a varias cámaras a la vez</translation>
+    </message>
+    <message>
+        <source>Calibrate with these views</source>
+        <translation>Calibrar con estas vistas</translation>
+    </message>
+    <message>
+        <source>End here: what was taken so far is enough</source>
+        <translation>Terminar aquí: basta con lo capturado</translation>
+    </message>
+    <message>
+        <source>Start over</source>
+        <translation>Empezar de nuevo</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Empezar</translation>
+    </message>
+    <message>
+        <source>Look for the board in the live images, and be told what to show</source>
+        <translation>Buscar el tablero en las imágenes en vivo e indicar qué mostrar</translation>
+    </message>
+    <message>
+        <source>Waiting for images: are the cameras playing?</source>
+        <translation>Esperando imágenes: ¿están en marcha las cámaras?</translation>
+    </message>
+    <message>
+        <source>Show the board to one camera after the other, as each of them asks.</source>
+        <translation>Muestre el tablero a una cámara tras otra, como pida cada una.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardPage</name>
+    <message>
+        <source>Board</source>
+        <translation>Tablero</translation>
+    </message>
+    <message>
+        <source>What to find</source>
+        <translation>Qué buscar</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Calibrar</translation>
+    </message>
+    <message>
+        <source>Look for the board in the recording, and calibrate the cameras with it; one step that can be undone</source>
+        <translation>Buscar el tablero en la grabación y calibrar con él las cámaras; un paso que se puede deshacer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stop; the former calibration is kept</source>
+        <translation>Detener; se conserva la calibración anterior</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Take the calibration into the project; one step that can be undone</source>
+        <translation>Llevar la calibración al proyecto; un paso que se puede deshacer</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Informe…</translation>
+    </message>
+    <message>
+        <source>Save a page with residuals, coverage and errors of all pictures, and open it</source>
+        <translation>Guardar y abrir una página con residuos, cobertura y errores de todas las imágenes</translation>
+    </message>
+    <message>
+        <source>How far the calibration is</source>
+        <translation>Avance de la calibración</translation>
+    </message>
+    <message>
+        <source>Show a printed board to the cameras: you are told what to show next, and it is taken when you hold it still.</source>
+        <translation>Muestre un tablero impreso a las cámaras: se le indica qué mostrar después y se captura cuando lo mantiene quieto.</translation>
+    </message>
+    <message>
+        <source>A recording in which a printed board is shown to the cameras, held still in many places, near and tilted, calibrates them.</source>
+        <translation>Una grabación en la que se muestra un tablero impreso a las cámaras, quieto en muchos lugares, cerca e inclinado, las calibra.</translation>
+    </message>
+    <message>
+        <source>Live cameras</source>
+        <translation>Cámaras en vivo</translation>
+    </message>
+    <message>
+        <source>This recording</source>
+        <translation>Esta grabación</translation>
+    </message>
+    <message>
+        <source>✓ The cameras are calibrated (Ctrl+Z takes it back).</source>
+        <translation>✓ Las cámaras están calibradas (Ctrl+Z lo deshace).</translation>
+    </message>
+    <message>
+        <source>Looking for the board: %p %</source>
+        <translation>Buscando el tablero: %p %</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Calculando</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Guardar el informe</translation>
+    </message>
+    <message>
+        <source>Page (*.html)</source>
+        <translation>Página (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BumpMessages</name>
+    <message>
+        <source>%1 was %2 (frame %3).</source>
+        <translation>%1 fue %2 (fotograma %3).</translation>
+    </message>
+    <message>
+        <source>Its new pose is being worked out.</source>
+        <translation>Se está calculando su nueva pose.</translation>
+    </message>
+    <message>
+        <source>Its pose can be solved again from what it sees.</source>
+        <translation>Su pose puede resolverse de nuevo a partir de lo que ve.</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>Resolver de nuevo %1</translation>
+    </message>
+    <message>
+        <source>It cannot be solved again from what it sees: calibrate it anew, or put it back.</source>
+        <translation>No puede resolverse de nuevo a partir de lo que ve: calíbrela otra vez o devuélvala a su sitio.</translation>
+    </message>
+    <message>
+        <source>Calibrate %1…</source>
+        <translation>Calibrar %1…</translation>
+    </message>
+    <message>
+        <source>%1 stands again as it was calibrated.</source>
+        <translation>%1 vuelve a estar como se calibró.</translation>
     </message>
 </context>
 <context>
@@ -2141,6 +2919,93 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ExperimentDialog</name>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Cancelado.</translation>
+    </message>
+    <message>
+        <source>Experiments</source>
+        <translation>Experimentos</translation>
+    </message>
+    <message>
+        <source>Experiments of the papers</source>
+        <translation>Experimentos de los artículos</translation>
+    </message>
+    <message>
+        <source>&amp;Runs per case</source>
+        <translation>&amp;Ejecuciones por caso</translation>
+    </message>
+    <message>
+        <source>How many seeds, 1, 2, 3 and so on: more take longer and are surer</source>
+        <translation>Cuántas semillas, 1, 2, 3, etc.: más tardan más y son más seguras</translation>
+    </message>
+    <message>
+        <source>&amp;Folder</source>
+        <translation>&amp;Carpeta</translation>
+    </message>
+    <message>
+        <source>The report, its pictures and its numbers go there</source>
+        <translation>Ahí van el informe, sus imágenes y sus números</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Choose the folder of the report</source>
+        <translation>Elegir la carpeta del informe</translation>
+    </message>
+    <message>
+        <source>How far the experiment is</source>
+        <translation>Progreso del experimento</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ejecución</translation>
+    </message>
+    <message>
+        <source>Run the chosen experiment (Enter)</source>
+        <translation>Ejecutar el experimento elegido (Intro)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stop the experiment; nothing is written</source>
+        <translation>Detener el experimento; no se escribe nada</translation>
+    </message>
+    <message>
+        <source>Open the report</source>
+        <translation>Abrir el informe</translation>
+    </message>
+    <message>
+        <source>Show the last report in the web browser</source>
+        <translation>Mostrar el último informe en el navegador</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Folder of the report</source>
+        <translation>Carpeta del informe</translation>
+    </message>
+    <message>
+        <source>Name the folder of the report first.</source>
+        <translation>Indica primero la carpeta del informe.</translation>
+    </message>
+    <message>
+        <source>Running “%1”…</source>
+        <translation>Ejecutando «%1»…</translation>
+    </message>
+    <message>
+        <source>The report is in %1.</source>
+        <translation>El informe está en %1.</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ExportDialog</name>
     <message>
         <source>Export trajectory</source>
@@ -2875,6 +3740,149 @@ en %4, %5, %6 m</translation>
         <source>Wave</source>
         <translation>Agitar</translation>
     </message>
+    <message>
+        <source>&amp;Calibration</source>
+        <translation>&amp;Calibración</translation>
+    </message>
+    <message>
+        <source>No camera was bumped.</source>
+        <translation>No se ha movido ninguna cámara.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be solved again now.</source>
+        <translation>%1 no puede resolverse de nuevo ahora.</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>Resolver de nuevo %1</translation>
+    </message>
+    <message>
+        <source>%1 is calibrated as it stands now. Undo takes it back.</source>
+        <translation>%1 queda calibrada como está ahora. Deshacer lo revierte.</translation>
+    </message>
+    <message>
+        <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
+        <translation>El objetivo estaba a %1 px de donde lo ven las demás, y ahora a %2 px.</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Tablero</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planificar</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::MapFields</name>
+    <message>
+        <source>Show the map in the bird&apos;s-eye view</source>
+        <translation>Mostrar el mapa en la vista de pájaro</translation>
+    </message>
+    <message>
+        <source>How far off a target is expected to be at each place; it follows every move of a camera</source>
+        <translation>Cuánto se espera que se desvíe un objetivo en cada lugar; sigue cada movimiento de una cámara</translation>
+    </message>
+    <message>
+        <source>Colors show</source>
+        <translation>Los colores muestran</translation>
+    </message>
+    <message>
+        <source>the expected error</source>
+        <translation>el error esperado</translation>
+    </message>
+    <message>
+        <source>the number of cameras</source>
+        <translation>el número de cámaras</translation>
+    </message>
+    <message>
+        <source>What the colors show</source>
+        <translation>Qué muestran los colores</translation>
+    </message>
+    <message>
+        <source>The expected error (standard deviation along the worst direction), or how many cameras see a place</source>
+        <translation>El error esperado (desviación estándar en la peor dirección), o cuántas cámaras ven un lugar</translation>
+    </message>
+    <message>
+        <source>Good enough</source>
+        <translation>Suficiente</translation>
+    </message>
+    <message>
+        <source>The error that is good enough: up to it the map is blue, and it is what the sentence and the search for a place go by</source>
+        <translation>El error que basta: hasta él el mapa es azul, y por él se rigen la frase y la búsqueda de un lugar</translation>
+    </message>
+    <message>
+        <source>Error of a sighting</source>
+        <translation>Error de una observación</translation>
+    </message>
+    <message>
+        <source>How far off a target is found in an image, in pixels (one standard deviation)</source>
+        <translation>Cuánto se desvía el objetivo hallado en una imagen, en píxeles (una desviación estándar)</translation>
+    </message>
+    <message>
+        <source>Layer at</source>
+        <translation>Capa a</translation>
+    </message>
+    <message>
+        <source>Show the map in a horizontal layer</source>
+        <translation>Mostrar el mapa en una capa horizontal</translation>
+    </message>
+    <message>
+        <source>Height of the layer</source>
+        <translation>Altura de la capa</translation>
+    </message>
+    <message>
+        <source>Height of the layer above the floor</source>
+        <translation>Altura de la capa sobre el suelo</translation>
+    </message>
+    <message>
+        <source>Height of the layer in metres</source>
+        <translation>Altura de la capa en metros</translation>
+    </message>
+    <message>
+        <source>Volume: surfaces around what is good and what is fair</source>
+        <translation>Volumen: superficies en torno a lo bueno y lo aceptable</translation>
+    </message>
+    <message>
+        <source>Show through the room where the error is at most 0.4, 1 and 2 times what is good enough, or where two, three and four cameras see</source>
+        <translation>Mostrar en toda la sala dónde el error es como mucho 0,4, 1 y 2 veces lo suficiente, o dónde ven dos, tres y cuatro cámaras</translation>
+    </message>
+    <message>
+        <source>Volume from x, y, z</source>
+        <translation>Volumen desde x, y, z</translation>
+    </message>
+    <message>
+        <source>to x, y, z</source>
+        <translation>hasta x, y, z</translation>
+    </message>
+    <message>
+        <source>Volume from %1</source>
+        <translation>Volumen desde %1</translation>
+    </message>
+    <message>
+        <source>Where the volume begins, in metres</source>
+        <translation>Dónde empieza el volumen, en metros</translation>
+    </message>
+    <message>
+        <source>Volume to %1</source>
+        <translation>Volumen hasta %1</translation>
+    </message>
+    <message>
+        <source>Where the volume ends, in metres</source>
+        <translation>Dónde acaba el volumen, en metros</translation>
+    </message>
+    <message>
+        <source>Like the reference grid</source>
+        <translation>Como la cuadrícula de referencia</translation>
+    </message>
+    <message>
+        <source>The volume above the reference grid, up to the highest camera</source>
+        <translation>El volumen sobre la cuadrícula de referencia, hasta la cámara más alta</translation>
+    </message>
+    <message>
+        <source>%1 of the volume within %2, %3 seen by fewer than two cameras</source>
+        <translation>%1 del volumen dentro de %2, %3 visto por menos de dos cámaras</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::MessageBar</name>
@@ -3053,8 +4061,161 @@ en %4, %5, %6 m</translation>
         <translation>&amp;Método</translation>
     </message>
     <message>
-        <source>How the targets are tracked: “dewpoint” is the surest and most accurate, “barrera” the particle filter of Barrera et al. (2005). Tracking starts anew.</source>
-        <translation>Cómo se siguen los objetivos: «dewpoint» es el más seguro y exacto, «barrera» el filtro de partículas de Barrera et al. (2005). El seguimiento empieza de nuevo.</translation>
+        <source>How the targets are tracked. Another method begins anew; the rest stays.</source>
+        <translation>Cómo se siguen los objetivos. Otro método empieza de nuevo; el resto se queda.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanDesk</name>
+    <message>
+        <source>camera %1</source>
+        <translation>cámara %1</translation>
+    </message>
+    <message>
+        <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
+        <translation>Ponga %1 aquí: x %2, y %3, z %4 m. Entonces el %5 del volumen queda dentro de %6, en vez del %7.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanFields</name>
+    <message>
+        <source>Add a camera to plan</source>
+        <translation>Añadir una cámara al plan</translation>
+    </message>
+    <message>
+        <source>A camera that is not there yet: drag it in the bird&apos;s-eye view, or type where it stands (%1)</source>
+        <translation>Una cámara que aún no existe: arrástrela en la vista de pájaro o escriba dónde está (%1)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Remove the planned camera</source>
+        <translation>Quitar la cámara planeada</translation>
+    </message>
+    <message>
+        <source>Take the chosen planned camera away</source>
+        <translation>Quitar la cámara planeada elegida</translation>
+    </message>
+    <message>
+        <source>Planned camera</source>
+        <translation>Cámara planeada</translation>
+    </message>
+    <message>
+        <source>The planned camera that the numbers below belong to</source>
+        <translation>La cámara planeada a la que pertenecen los números de abajo</translation>
+    </message>
+    <message>
+        <source>Stands at x, y, z</source>
+        <translation>Está en x, y, z</translation>
+    </message>
+    <message>
+        <source>Looks at x, y, z</source>
+        <translation>Mira a x, y, z</translation>
+    </message>
+    <message>
+        <source>Field of view, image width and height</source>
+        <translation>Campo de visión, anchura y altura de la imagen</translation>
+    </message>
+    <message>
+        <source>Planned position %1</source>
+        <translation>Posición planeada %1</translation>
+    </message>
+    <message>
+        <source>Where the camera stands, in metres</source>
+        <translation>Dónde está la cámara, en metros</translation>
+    </message>
+    <message>
+        <source>Planned camera looks at %1</source>
+        <translation>La cámara planeada mira a %1</translation>
+    </message>
+    <message>
+        <source>A point on its line of sight, in metres</source>
+        <translation>Un punto de su línea de visión, en metros</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Campo de visión</translation>
+    </message>
+    <message>
+        <source>How wide the camera sees, from left to right</source>
+        <translation>Cuánto abarca la cámara de izquierda a derecha</translation>
+    </message>
+    <message>
+        <source>Image width</source>
+        <translation>Anchura de la imagen</translation>
+    </message>
+    <message>
+        <source>Pixels of its image, from left to right</source>
+        <translation>Píxeles de su imagen, de izquierda a derecha</translation>
+    </message>
+    <message>
+        <source>Image height</source>
+        <translation>Altura de la imagen</translation>
+    </message>
+    <message>
+        <source>Pixels of its image, from top to bottom</source>
+        <translation>Píxeles de su imagen, de arriba abajo</translation>
+    </message>
+    <message>
+        <source>Walls and ceiling outside the volume by</source>
+        <translation>Paredes y techo fuera del volumen a</translation>
+    </message>
+    <message>
+        <source>Distance of the walls</source>
+        <translation>Distancia de las paredes</translation>
+    </message>
+    <message>
+        <source>The search looks on the four walls and the ceiling around the volume, this far outside of it</source>
+        <translation>La búsqueda recorre las cuatro paredes y el techo alrededor del volumen, a esta distancia de él</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Cancel the search</source>
+        <translation>Cancelar la búsqueda</translation>
+    </message>
+    <message>
+        <source>End the search; nothing is added</source>
+        <translation>Terminar la búsqueda; no se añade nada</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>aún ninguna</translation>
+    </message>
+    <message>
+        <source>none chosen</source>
+        <translation>ninguna elegida</translation>
+    </message>
+    <message>
+        <source>Find the best place for %1</source>
+        <translation>Buscar el mejor lugar para %1</translation>
+    </message>
+    <message>
+        <source>Search the walls and the ceiling for the place from which one more camera helps most (%1)</source>
+        <translation>Buscar en paredes y techo el lugar desde el que más ayuda otra cámara (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanPage</name>
+    <message>
+        <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
+        <translation>¿Qué tal medirán estas cámaras, y dónde ayudaría otra? Arrastre una cámara en la vista de pájaro: el mapa la sigue.</translation>
+    </message>
+    <message>
+        <source>Map of expected errors</source>
+        <translation>Mapa de errores esperados</translation>
+    </message>
+    <message>
+        <source>Planned cameras</source>
+        <translation>Cámaras planeadas</translation>
+    </message>
+    <message>
+        <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
+        <translation>Las cámaras planeadas no se guardan con el proyecto ni forman parte de la ejecución. El mapa no tiene en cuenta nada de la sala que oculte un lugar.</translation>
     </message>
 </context>
 <context>

@@ -451,6 +451,252 @@
         <source>Refine cameras with a waved ball, or a stick with two balls</source>
         <translation>振ったボール、または2つのボールの付いた棒でカメラを精密化する</translation>
     </message>
+    <message>
+        <source>Calibration</source>
+        <translation>キャリブレーション</translation>
+    </message>
+    <message>
+        <source>Calibrate with a board…</source>
+        <translation>ボードでキャリブレーション…</translation>
+    </message>
+    <message>
+        <source>Find lenses and places of the cameras with a printed board</source>
+        <translation>印刷したボードでカメラのレンズと位置を求めます</translation>
+    </message>
+    <message>
+        <source>Print a calibration board…</source>
+        <translation>キャリブレーションボードを印刷…</translation>
+    </message>
+    <message>
+        <source>Write the board to calibrate with as a PDF in its true size</source>
+        <translation>キャリブレーション用ボードを実寸のPDFに書き出します</translation>
+    </message>
+    <message>
+        <source>Plan the rig…</source>
+        <translation>配置を計画…</translation>
+    </message>
+    <message>
+        <source>See how well the cameras will measure, and where one more would help</source>
+        <translation>カメラの測定精度と、もう1台が役立つ場所を見る</translation>
+    </message>
+    <message>
+        <source>Show the map of expected errors</source>
+        <translation>予想誤差のマップを表示</translation>
+    </message>
+    <message>
+        <source>Show in the bird&apos;s-eye view how far off a target is expected to be at each place</source>
+        <translation>各場所でターゲットがどれだけずれると予想されるかを鳥瞰図に表示</translation>
+    </message>
+    <message>
+        <source>Add a camera to plan</source>
+        <translation>計画にカメラを追加</translation>
+    </message>
+    <message>
+        <source>Add a camera that is not there yet, to be dragged about</source>
+        <translation>まだ存在しないカメラを追加してドラッグする</translation>
+    </message>
+    <message>
+        <source>Re-solve the bumped camera</source>
+        <translation>動いたカメラを解き直す</translation>
+    </message>
+    <message>
+        <source>Calibrate the camera that was turned during the run as it stands now; all others stay</source>
+        <translation>実行中に回転したカメラを現在の姿勢に校正します。他のカメラはそのままです</translation>
+    </message>
+    <message>
+        <source>Find the best place for one more camera</source>
+        <translation>もう1台のカメラの最適な場所を探す</translation>
+    </message>
+    <message>
+        <source>Search the walls and the ceiling for the place from which one more camera helps most</source>
+        <translation>もう1台のカメラが最も役立つ場所を壁と天井で探す</translation>
+    </message>
+    <message>
+        <source>Experiments…</source>
+        <translation>実験…</translation>
+    </message>
+    <message>
+        <source>Make the figures of the papers anew, with a report</source>
+        <translation>論文の図を作り直し、レポートにします</translation>
+    </message>
+</context>
+<context>
+    <name>BoardWords</name>
+    <message>
+        <source>%1: rms %2 px, focal length %3 px, %4 pictures</source>
+        <translation>%1: rms %2 px、焦点距離 %3 px、画像 %4 枚</translation>
+    </message>
+    <message>
+        <source>%1 keeps its place: it never saw the board.</source>
+        <translation>%1の位置はそのままです。ボードが一度も見えませんでした。</translation>
+    </message>
+    <message>
+        <source>%1: rms %2 px</source>
+        <translation>%1: rms %2 px</translation>
+    </message>
+    <message>
+        <source>, place ±%1 mm, direction ±%2°</source>
+        <translation>、位置 ±%1 mm、向き ±%2°</translation>
+    </message>
+    <message>
+        <source>Lenses</source>
+        <translation>レンズ</translation>
+    </message>
+    <message>
+        <source>%1 keeps its lens: %2</source>
+        <translation>%1のレンズはそのままです: %2</translation>
+    </message>
+    <message>
+        <source>Places: rms %1 px over %2 positions of the board</source>
+        <translation>位置: ボード %2 か所で rms %1 px</translation>
+    </message>
+    <message>
+        <source>upper left</source>
+        <translation>左上</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>upper right</source>
+        <translation>右上</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>中央</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>左下</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation>右下</translation>
+    </message>
+    <message>
+        <source>its left side nearer</source>
+        <translation>左側を近く</translation>
+    </message>
+    <message>
+        <source>its right side nearer</source>
+        <translation>右側を近く</translation>
+    </message>
+    <message>
+        <source>its upper side nearer</source>
+        <translation>上側を近く</translation>
+    </message>
+    <message>
+        <source>its lower side nearer</source>
+        <translation>下側を近く</translation>
+    </message>
+    <message>
+        <source>facing the camera</source>
+        <translation>カメラの正面に</translation>
+    </message>
+    <message>
+        <source>No image yet</source>
+        <translation>まだ画像がありません</translation>
+    </message>
+    <message>
+        <source>Show it the whole board</source>
+        <translation>ボード全体を見せてください</translation>
+    </message>
+    <message>
+        <source>Move the board to: %1</source>
+        <translation>ボードを動かす: %1</translation>
+    </message>
+    <message>
+        <source>Tilt it, %1</source>
+        <translation>傾ける: %1</translation>
+    </message>
+    <message>
+        <source>Come nearer with the board</source>
+        <translation>ボードを近づけてください</translation>
+    </message>
+    <message>
+        <source>Hold it still</source>
+        <translation>静止させてください</translation>
+    </message>
+    <message>
+        <source>The image is soft: focus, or more light</source>
+        <translation>画像がぼけています。ピントを合わせるか明るくしてください</translation>
+    </message>
+    <message>
+        <source>✓ Done</source>
+        <translation>✓ 完了</translation>
+    </message>
+    <message>
+        <source>✓ All cameras have seen enough together</source>
+        <translation>✓ すべてのカメラが十分に同時に見ました</translation>
+    </message>
+    <message>
+        <source>Show the board to %1 and %2 at once, hold it still, then elsewhere</source>
+        <translation>ボードを%1と%2に同時に見せて静止させ、別の場所でも繰り返してください</translation>
+    </message>
+    <message>
+        <source>no board in sight</source>
+        <translation>ボードが見えません</translation>
+    </message>
+    <message>
+        <source>⚠ soft, edges of %1 px</source>
+        <translation>⚠ ぼけ、エッジ幅 %1 px</translation>
+    </message>
+    <message>
+        <source>sharp, edges of %1 px</source>
+        <translation>鮮明、エッジ幅 %1 px</translation>
+    </message>
+    <message>
+        <source>%1 of at least %2 views</source>
+        <translation>%1 / 少なくとも %2 ビュー</translation>
+    </message>
+    <message>
+        <source>%1 views, known to %2 px (wanted: %3 px)</source>
+        <translation>%1 ビュー、精度 %2 px（目標: %3 px）</translation>
+    </message>
+    <message>
+        <source>● sees the board</source>
+        <translation>● ボードが見えています</translation>
+    </message>
+    <message>
+        <source>○ does not see the board</source>
+        <translation>○ ボードが見えません</translation>
+    </message>
+    <message>
+        <source>%1 views, place known to %2 mm</source>
+        <translation>%1 ビュー、位置の精度 %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 views with others</source>
+        <translation>他と共通のビュー %1</translation>
+    </message>
+    <message>
+        <source>The places were not found: %1</source>
+        <translation>位置は求められませんでした: %1</translation>
+    </message>
+    <message>
+        <source>How good it is cannot be said: too few places were seen by two cameras.</source>
+        <translation>どれほど良いかは判定できません。2台のカメラで見えた場所が少なすぎます。</translation>
+    </message>
+</context>
+<context>
+    <name>Bump</name>
+    <message>
+        <source>turned by %1°</source>
+        <translation>%1° 回転</translation>
+    </message>
 </context>
 <context>
     <name>CalibrationWords</name>
@@ -618,6 +864,65 @@
     </message>
 </context>
 <context>
+    <name>Experiment</name>
+    <message>
+        <source>Barrera et al. 2005, figure 3: the particles projected into both cameras while the cloud finds the ball.</source>
+        <translation>Barrera ら 2005、図3:雲がボールを見つけるまで、両カメラに投影したパーティクル。</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 4: the same cloud from above.</source>
+        <translation>Barrera ら 2005、図4:同じ雲を上から見たもの。</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 6: the object jumps 2 m at iteration 30.</source>
+        <translation>Barrera ら 2005、図6:30回目の反復で物体が2 m移動します。</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 7: the same for motion sigmas from 0.001 to 0.3 m, as an image.</source>
+        <translation>Barrera ら 2005、図7:モーションシグマ0.001〜0.3 mについて画像で示します。</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, figure 8: the cloud at six instants, with a small and a large motion sigma.</source>
+        <translation>Barrera ら 2005、図8:小さいシグマと大きいシグマでの6時点の雲。</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, section III-B: start volume against the share of runs that converge, and starts beyond the ball.</source>
+        <translation>Barrera ら 2005、III-B節:開始体積と収束した割合、ボールの向こうからの開始。</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005, section III-B: with one camera the cloud moves away from it.</source>
+        <translation>Barrera ら 2005、III-B節:カメラ1台では雲がそこから遠ざかります。</translation>
+    </message>
+    <message>
+        <source>Drift along the optical axis</source>
+        <translation>光軸方向のドリフト</translation>
+    </message>
+    <message>
+        <source>Error after a jump</source>
+        <translation>ジャンプ後の誤差</translation>
+    </message>
+    <message>
+        <source>Error over iteration and motion sigma</source>
+        <translation>反復とモーションシグマに対する誤差</translation>
+    </message>
+    <message>
+        <source>Particles from above</source>
+        <translation>上から見たパーティクル</translation>
+    </message>
+    <message>
+        <source>Particles in both images</source>
+        <translation>両画像のパーティクル</translation>
+    </message>
+    <message>
+        <source>The cloud on its way</source>
+        <translation>移動中の雲</translation>
+    </message>
+    <message>
+        <source>Where the cloud may start</source>
+        <translation>雲の開始位置</translation>
+    </message>
+</context>
+<context>
     <name>Export</name>
     <message>
         <source>CSV, one row per target and time</source>
@@ -723,6 +1028,29 @@
     </message>
 </context>
 <context>
+    <name>MapLegend</name>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1台以上</translation>
+    </message>
+    <message>
+        <source>blank: none</source>
+        <translation>空白：なし</translation>
+    </message>
+    <message>
+        <source>blank: fewer than two cameras</source>
+        <translation>空白：2台未満</translation>
+    </message>
+    <message>
+        <source>Cameras that see it</source>
+        <translation>見えるカメラの数</translation>
+    </message>
+    <message>
+        <source>Expected error (1 σ)</source>
+        <translation>予想誤差（1 σ）</translation>
+    </message>
+</context>
+<context>
     <name>Method</name>
     <message>
         <source>barrera</source>
@@ -731,6 +1059,22 @@
     <message>
         <source>dewpoint</source>
         <translation>Dewpoint</translation>
+    </message>
+    <message>
+        <source>The color particle filter of Barrera et al. (2005): for teaching and comparison.</source>
+        <translation>Barrera ら (2005) の色パーティクルフィルタ。教育と比較のために。</translation>
+    </message>
+    <message>
+        <source>The filter over triangulated positions of Barrera et al. (2005), section III-C: to study how a particle filter moves.</source>
+        <translation>Barrera ら (2005) III-C節の、三角測量した位置に対するフィルタ。パーティクルフィルタの動きを調べるために。</translation>
+    </message>
+    <message>
+        <source>The surest and most accurate: for all that moves, any number of cameras and targets.</source>
+        <translation>最も確実で正確。動くものすべてに、カメラもターゲットも何台でも。</translation>
+    </message>
+    <message>
+        <source>dynamics</source>
+        <translation>dynamics</translation>
     </message>
 </context>
 <context>
@@ -866,6 +1210,14 @@
     <message>
         <source>How fast a target&apos;s color range follows slow changes of light, as a time constant; only while the target is surely there, and in each camera by itself. 0 keeps the range as it is; 2 is a good value in a room with daylight.</source>
         <translation>ターゲットの色範囲が光のゆっくりした変化に追従する速さ(時定数)。ターゲットが確かに見えている間だけ、カメラごとに追従します。0では範囲は変わりません。自然光の入る部屋では2が適しています。</translation>
+    </message>
+    <message>
+        <source>How far off a measured position is taken to be along each axis: larger trusts the particles more, smaller the measurement.</source>
+        <translation>測定位置の各軸の誤差。大きいほどパーティクルを、小さいほど測定を信頼します。</translation>
+    </message>
+    <message>
+        <source>Observation sigma</source>
+        <translation>観測シグマ</translation>
     </message>
 </context>
 <context>
@@ -1282,6 +1634,432 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>No 3D: %1</source>
         <translation>3D 表示なし：%1</translation>
+    </message>
+    <message>
+        <source>Cameras that see it: %1</source>
+        <translation>見えるカメラ：%1台</translation>
+    </message>
+    <message>
+        <source>±%1 (1 σ); cameras that see it: %2</source>
+        <translation>±%1（1 σ）、見えるカメラ：%2台</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardDesk</name>
+    <message>
+        <source>Stopped: the former calibration is kept.</source>
+        <translation>中止しました。以前のキャリブレーションはそのままです。</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>カメラ %1</translation>
+    </message>
+    <message>
+        <source>The project has other cameras by now: calibrate again.</source>
+        <translation>プロジェクトのカメラが変わりました。もう一度キャリブレーションしてください。</translation>
+    </message>
+    <message>
+        <source>Calibrate with a board</source>
+        <translation>ボードでキャリブレーション</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardFields</name>
+    <message>
+        <source>Print the board</source>
+        <translation>ボードを印刷</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Chessboard</source>
+        <translation>チェスボード</translation>
+    </message>
+    <message>
+        <source>ChArUco (with markers)</source>
+        <translation>ChArUco（マーカー付き）</translation>
+    </message>
+    <message>
+        <source>Kind of board</source>
+        <translation>ボードの種類</translation>
+    </message>
+    <message>
+        <source>ChArUco boards may be partly hidden or outside the image; chessboards must be seen whole</source>
+        <translation>ChArUcoボードは一部が隠れても画像の外に出てもかまいません。チェスボードは全体が見える必要があります</translation>
+    </message>
+    <message>
+        <source>Squares across, down</source>
+        <translation>マス目の数（横・縦）</translation>
+    </message>
+    <message>
+        <source>Squares in a row</source>
+        <translation>横のマス目の数</translation>
+    </message>
+    <message>
+        <source>All squares of a row, black and white</source>
+        <translation>1行のすべてのマス目（黒と白）</translation>
+    </message>
+    <message>
+        <source>Squares in a column</source>
+        <translation>縦のマス目の数</translation>
+    </message>
+    <message>
+        <source>All squares of a column, black and white</source>
+        <translation>1列のすべてのマス目（黒と白）</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>マス目の一辺</translation>
+    </message>
+    <message>
+        <source>Measured on the print: a long row with a ruler, divided by its squares</source>
+        <translation>印刷物で測ります。長い行を定規で測り、マス目の数で割ります</translation>
+    </message>
+    <message>
+        <source>Unit of the sizes</source>
+        <translation>寸法の単位</translation>
+    </message>
+    <message>
+        <source>Unit in which the sizes are typed</source>
+        <translation>寸法を入力する単位</translation>
+    </message>
+    <message>
+        <source>Marker, dictionary</source>
+        <translation>マーカー、辞書</translation>
+    </message>
+    <message>
+        <source>Side of a marker</source>
+        <translation>マーカーの一辺</translation>
+    </message>
+    <message>
+        <source>Of the black square around the pattern</source>
+        <translation>模様を囲む黒い四角の一辺</translation>
+    </message>
+    <message>
+        <source>Dictionary of the markers</source>
+        <translation>マーカーの辞書</translation>
+    </message>
+    <message>
+        <source>As the program called it that made it</source>
+        <translation>ボードを作ったプログラムでの名前</translation>
+    </message>
+    <message>
+        <source>Even rows of older software</source>
+        <translation>古いソフトウェアの偶数行</translation>
+    </message>
+    <message>
+        <source>A ChArUco board with an even number of rows from software older than OpenCV 4.6: its first square is white</source>
+        <translation>OpenCV 4.6より古いソフトウェアで作った偶数行のChArUcoボード（最初のマス目が白）</translation>
+    </message>
+    <message>
+        <source>Black and white exchanged</source>
+        <translation>白黒反転</translation>
+    </message>
+    <message>
+        <source>White markers and corners on a black page</source>
+        <translation>黒い紙に白いマーカーと角</translation>
+    </message>
+    <message>
+        <source>Print this board…</source>
+        <translation>このボードを印刷…</translation>
+    </message>
+    <message>
+        <source>Write the board as a PDF in its true size, with a bar to check it with a ruler</source>
+        <translation>ボードを実寸のPDFに書き出します。定規で確かめる目盛りが付きます</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>用紙</translation>
+    </message>
+    <message>
+        <source>Size of the sheet that is printed on</source>
+        <translation>印刷する用紙の大きさ</translation>
+    </message>
+    <message>
+        <source>%1 × %2 inner corners; for the command line: %3</source>
+        <translation>内側の角 %1 × %2。コマンドライン用: %3</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardGoalFields</name>
+    <message>
+        <source>Find</source>
+        <translation>求めるもの</translation>
+    </message>
+    <message>
+        <source>Lenses and places</source>
+        <translation>レンズと位置</translation>
+    </message>
+    <message>
+        <source>Lenses</source>
+        <translation>レンズ</translation>
+    </message>
+    <message>
+        <source>Places of the cameras</source>
+        <translation>カメラの位置</translation>
+    </message>
+    <message>
+        <source>What is found</source>
+        <translation>求めるもの</translation>
+    </message>
+    <message>
+        <source>Lenses: how each camera sees, by itself. Places: where the cameras stand, from a board that several of them see at once</source>
+        <translation>レンズ: 各カメラの写り方。位置: 複数のカメラが同時に見るボードから求めるカメラの場所</translation>
+    </message>
+    <message>
+        <source>Lens model</source>
+        <translation>レンズモデル</translation>
+    </message>
+    <message>
+        <source>Pinhole, 5 coefficients</source>
+        <translation>ピンホール、係数5個</translation>
+    </message>
+    <message>
+        <source>Pinhole, 8 coefficients (wide)</source>
+        <translation>ピンホール、係数8個（広角）</translation>
+    </message>
+    <message>
+        <source>Fisheye</source>
+        <translation>魚眼</translation>
+    </message>
+    <message>
+        <source>5 for most lenses; 8 for wide ones; fisheye from about 120° on</source>
+        <translation>ほとんどのレンズは5、広角は8、約120°以上は魚眼</translation>
+    </message>
+    <message>
+        <source>The board lies on the floor in frame</source>
+        <translation>ボードが床に置かれているフレーム</translation>
+    </message>
+    <message>
+        <source>That frame makes the world: X along the rows, Y to the upper edge, Z up. Without it the first camera keeps its place</source>
+        <translation>このフレームが世界座標を決めます。Xは行の向き、Yは上の辺の向き、Zは上。指定しなければ最初のカメラの位置を保ちます</translation>
+    </message>
+    <message>
+        <source>Frame in which the board lies on the floor</source>
+        <translation>ボードが床にあるフレーム</translation>
+    </message>
+    <message>
+        <source>Number of the frame</source>
+        <translation>フレーム番号</translation>
+    </message>
+    <message>
+        <source>This one</source>
+        <translation>このフレーム</translation>
+    </message>
+    <message>
+        <source>The frame shown</source>
+        <translation>表示中のフレーム</translation>
+    </message>
+    <message>
+        <source>Take the frame that is shown now</source>
+        <translation>今表示しているフレームを使います</translation>
+    </message>
+    <message>
+        <source>Enough at</source>
+        <translation>目標精度</translation>
+    </message>
+    <message>
+        <source>Accuracy wanted of lenses</source>
+        <translation>レンズの目標精度</translation>
+    </message>
+    <message>
+        <source>The guidance ends when a ray is known to so many pixels all over the image</source>
+        <translation>画像全体で光線がこのピクセル数まで分かると案内が終わります</translation>
+    </message>
+    <message>
+        <source>Accuracy wanted of places</source>
+        <translation>位置の目標精度</translation>
+    </message>
+    <message>
+        <source>The guidance ends when the place of each camera is known so well</source>
+        <translation>各カメラの位置がこの精度で分かると案内が終わります</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardLive</name>
+    <message>
+        <source>How long the board was held still before %1</source>
+        <translation>%1の前でボードを静止させた時間</translation>
+    </message>
+    <message>
+        <source>Where %1 saw the board</source>
+        <translation>%1がボードを見た場所</translation>
+    </message>
+    <message>
+        <source>Filled: the regions and tilts that the board was shown in. Orange: what is asked for. Green: the board as it is seen now</source>
+        <translation>塗り: ボードを見せた領域と傾き。オレンジ: 次に求められるもの。緑: 今見えているボード</translation>
+    </message>
+    <message>
+        <source>Capture now</source>
+        <translation>今取り込む</translation>
+    </message>
+    <message>
+        <source>Take the board as it is shown now, also when it is not held still</source>
+        <translation>静止していなくても、今見せているボードを取り込みます</translation>
+    </message>
+    <message>
+        <source>On the floor now</source>
+        <translation>今、床にある</translation>
+    </message>
+    <message>
+        <source>Take the board as it lies on the floor now: it makes the world. X along its rows, Y to its upper edge, Z up</source>
+        <translation>今床にあるボードを取り込み、世界座標を決めます。Xは行の向き、Yは上の辺の向き、Zは上</translation>
+    </message>
+    <message>
+        <source>Next: places</source>
+        <translation>次へ: 位置</translation>
+    </message>
+    <message>
+        <source>Leave the lenses as well known as they are, and show the board to several cameras at once</source>
+        <translation>レンズは今の精度のままにして、ボードを複数のカメラに同時に見せます</translation>
+    </message>
+    <message>
+        <source>Calibrate with these views</source>
+        <translation>これらのビューでキャリブレーション</translation>
+    </message>
+    <message>
+        <source>End here: what was taken so far is enough</source>
+        <translation>ここで終わります。これまでの取り込みで十分です</translation>
+    </message>
+    <message>
+        <source>Start over</source>
+        <translation>最初から</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>Look for the board in the live images, and be told what to show</source>
+        <translation>ライブ画像でボードを探し、何を見せるかを案内します</translation>
+    </message>
+    <message>
+        <source>Waiting for images: are the cameras playing?</source>
+        <translation>画像を待っています。カメラは再生中ですか？</translation>
+    </message>
+    <message>
+        <source>Show the board to one camera after the other, as each of them asks.</source>
+        <translation>各カメラの案内に従って、順番にボードを見せてください。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardPage</name>
+    <message>
+        <source>Board</source>
+        <translation>ボード</translation>
+    </message>
+    <message>
+        <source>What to find</source>
+        <translation>求めるもの</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>キャリブレーション</translation>
+    </message>
+    <message>
+        <source>Look for the board in the recording, and calibrate the cameras with it; one step that can be undone</source>
+        <translation>録画からボードを探してカメラをキャリブレーションします。1つの取り消せる手順です</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Stop; the former calibration is kept</source>
+        <translation>中止します。以前のキャリブレーションは保たれます</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>適用</translation>
+    </message>
+    <message>
+        <source>Take the calibration into the project; one step that can be undone</source>
+        <translation>キャリブレーションをプロジェクトに取り込みます。1つの取り消せる手順です</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>レポート…</translation>
+    </message>
+    <message>
+        <source>Save a page with residuals, coverage and errors of all pictures, and open it</source>
+        <translation>残差、カバー範囲、全画像の誤差のページを保存して開きます</translation>
+    </message>
+    <message>
+        <source>How far the calibration is</source>
+        <translation>キャリブレーションの進み具合</translation>
+    </message>
+    <message>
+        <source>Show a printed board to the cameras: you are told what to show next, and it is taken when you hold it still.</source>
+        <translation>印刷したボードをカメラに見せてください。次に何を見せるかが示され、静止させると取り込まれます。</translation>
+    </message>
+    <message>
+        <source>A recording in which a printed board is shown to the cameras, held still in many places, near and tilted, calibrates them.</source>
+        <translation>印刷したボードを多くの場所で、近づけたり傾けたりして静止させながらカメラに見せた録画から、キャリブレーションします。</translation>
+    </message>
+    <message>
+        <source>Live cameras</source>
+        <translation>ライブカメラ</translation>
+    </message>
+    <message>
+        <source>This recording</source>
+        <translation>この録画</translation>
+    </message>
+    <message>
+        <source>✓ The cameras are calibrated (Ctrl+Z takes it back).</source>
+        <translation>✓ カメラをキャリブレーションしました（Ctrl+Zで取り消せます）。</translation>
+    </message>
+    <message>
+        <source>Looking for the board: %p %</source>
+        <translation>ボードを探しています: %p %</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>計算中</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>レポートを保存</translation>
+    </message>
+    <message>
+        <source>Page (*.html)</source>
+        <translation>ページ (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BumpMessages</name>
+    <message>
+        <source>%1 was %2 (frame %3).</source>
+        <translation>%1 が %2 しました（フレーム %3）。</translation>
+    </message>
+    <message>
+        <source>Its new pose is being worked out.</source>
+        <translation>新しい姿勢を計算しています。</translation>
+    </message>
+    <message>
+        <source>Its pose can be solved again from what it sees.</source>
+        <translation>見えているものから姿勢を解き直せます。</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>%1 を解き直す</translation>
+    </message>
+    <message>
+        <source>It cannot be solved again from what it sees: calibrate it anew, or put it back.</source>
+        <translation>見えているものからは解き直せません。再校正するか、元に戻してください。</translation>
+    </message>
+    <message>
+        <source>Calibrate %1…</source>
+        <translation>%1 を校正…</translation>
+    </message>
+    <message>
+        <source>%1 stands again as it was calibrated.</source>
+        <translation>%1 は校正時の位置に戻りました。</translation>
     </message>
 </context>
 <context>
@@ -2141,6 +2919,93 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ExperimentDialog</name>
+    <message>
+        <source>Cancelled.</source>
+        <translation>中止しました。</translation>
+    </message>
+    <message>
+        <source>Experiments</source>
+        <translation>実験</translation>
+    </message>
+    <message>
+        <source>Experiments of the papers</source>
+        <translation>論文の実験</translation>
+    </message>
+    <message>
+        <source>&amp;Runs per case</source>
+        <translation>1条件あたりの回数(&amp;R)</translation>
+    </message>
+    <message>
+        <source>How many seeds, 1, 2, 3 and so on: more take longer and are surer</source>
+        <translation>シードの数(1、2、3…)。多いほど時間がかかり、確かになります</translation>
+    </message>
+    <message>
+        <source>&amp;Folder</source>
+        <translation>フォルダー(&amp;F)</translation>
+    </message>
+    <message>
+        <source>The report, its pictures and its numbers go there</source>
+        <translation>レポート、図、数値がここに入ります</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>Choose the folder of the report</source>
+        <translation>レポートのフォルダーを選びます</translation>
+    </message>
+    <message>
+        <source>How far the experiment is</source>
+        <translation>実験の進み具合</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>実行</translation>
+    </message>
+    <message>
+        <source>Run the chosen experiment (Enter)</source>
+        <translation>選んだ実験を実行します(Enter)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Stop the experiment; nothing is written</source>
+        <translation>実験を止めます。何も書き込みません</translation>
+    </message>
+    <message>
+        <source>Open the report</source>
+        <translation>レポートを開く</translation>
+    </message>
+    <message>
+        <source>Show the last report in the web browser</source>
+        <translation>最後のレポートをブラウザーで表示します</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Folder of the report</source>
+        <translation>レポートのフォルダー</translation>
+    </message>
+    <message>
+        <source>Name the folder of the report first.</source>
+        <translation>先にレポートのフォルダーを指定してください。</translation>
+    </message>
+    <message>
+        <source>Running “%1”…</source>
+        <translation>「%1」を実行中…</translation>
+    </message>
+    <message>
+        <source>The report is in %1.</source>
+        <translation>レポートは %1 にあります。</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ExportDialog</name>
     <message>
         <source>Export trajectory</source>
@@ -2874,6 +3739,149 @@ at %4, %5, %6 m</source>
         <source>Wave</source>
         <translation>振る</translation>
     </message>
+    <message>
+        <source>&amp;Calibration</source>
+        <translation>キャリブレーション(&amp;C)</translation>
+    </message>
+    <message>
+        <source>No camera was bumped.</source>
+        <translation>動いたカメラはありません。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be solved again now.</source>
+        <translation>%1 は今は解き直せません。</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>%1 を解き直す</translation>
+    </message>
+    <message>
+        <source>%1 is calibrated as it stands now. Undo takes it back.</source>
+        <translation>%1 を現在の姿勢に校正しました。元に戻すで取り消せます。</translation>
+    </message>
+    <message>
+        <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
+        <translation>ターゲットは他のカメラが見る位置から %1 px ずれていましたが、今は %2 px です。</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>ボード</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>計画</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::MapFields</name>
+    <message>
+        <source>Show the map in the bird&apos;s-eye view</source>
+        <translation>鳥瞰図にマップを表示</translation>
+    </message>
+    <message>
+        <source>How far off a target is expected to be at each place; it follows every move of a camera</source>
+        <translation>各場所でターゲットがどれだけずれると予想されるか。カメラの動きに追従します</translation>
+    </message>
+    <message>
+        <source>Colors show</source>
+        <translation>色の意味</translation>
+    </message>
+    <message>
+        <source>the expected error</source>
+        <translation>予想誤差</translation>
+    </message>
+    <message>
+        <source>the number of cameras</source>
+        <translation>カメラの数</translation>
+    </message>
+    <message>
+        <source>What the colors show</source>
+        <translation>色が示すもの</translation>
+    </message>
+    <message>
+        <source>The expected error (standard deviation along the worst direction), or how many cameras see a place</source>
+        <translation>予想誤差（最も悪い方向の標準偏差）、またはその場所が見えるカメラの数</translation>
+    </message>
+    <message>
+        <source>Good enough</source>
+        <translation>十分な精度</translation>
+    </message>
+    <message>
+        <source>The error that is good enough: up to it the map is blue, and it is what the sentence and the search for a place go by</source>
+        <translation>十分とみなす誤差：ここまでマップは青く、文と場所の探索もこれに従います</translation>
+    </message>
+    <message>
+        <source>Error of a sighting</source>
+        <translation>観測の誤差</translation>
+    </message>
+    <message>
+        <source>How far off a target is found in an image, in pixels (one standard deviation)</source>
+        <translation>画像内で見つかるターゲットのずれ（ピクセル、標準偏差）</translation>
+    </message>
+    <message>
+        <source>Layer at</source>
+        <translation>層の高さ</translation>
+    </message>
+    <message>
+        <source>Show the map in a horizontal layer</source>
+        <translation>水平な層にマップを表示</translation>
+    </message>
+    <message>
+        <source>Height of the layer</source>
+        <translation>層の高さ（スライダー）</translation>
+    </message>
+    <message>
+        <source>Height of the layer above the floor</source>
+        <translation>床からの層の高さ</translation>
+    </message>
+    <message>
+        <source>Height of the layer in metres</source>
+        <translation>層の高さ（メートル）</translation>
+    </message>
+    <message>
+        <source>Volume: surfaces around what is good and what is fair</source>
+        <translation>空間：良い範囲とまずまずの範囲を囲む面</translation>
+    </message>
+    <message>
+        <source>Show through the room where the error is at most 0.4, 1 and 2 times what is good enough, or where two, three and four cameras see</source>
+        <translation>誤差が十分な値の0.4倍、1倍、2倍以下の範囲、または2台、3台、4台のカメラから見える範囲を空間全体で表示</translation>
+    </message>
+    <message>
+        <source>Volume from x, y, z</source>
+        <translation>空間の始まり x, y, z</translation>
+    </message>
+    <message>
+        <source>to x, y, z</source>
+        <translation>終わり x, y, z</translation>
+    </message>
+    <message>
+        <source>Volume from %1</source>
+        <translation>空間の始まり %1</translation>
+    </message>
+    <message>
+        <source>Where the volume begins, in metres</source>
+        <translation>空間の始まり（メートル）</translation>
+    </message>
+    <message>
+        <source>Volume to %1</source>
+        <translation>空間の終わり %1</translation>
+    </message>
+    <message>
+        <source>Where the volume ends, in metres</source>
+        <translation>空間の終わり（メートル）</translation>
+    </message>
+    <message>
+        <source>Like the reference grid</source>
+        <translation>基準グリッドに合わせる</translation>
+    </message>
+    <message>
+        <source>The volume above the reference grid, up to the highest camera</source>
+        <translation>基準グリッドの上、最も高いカメラまでの空間</translation>
+    </message>
+    <message>
+        <source>%1 of the volume within %2, %3 seen by fewer than two cameras</source>
+        <translation>空間の %1 が %2 以内、%3 は見えるカメラが2台未満</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::MessageBar</name>
@@ -3052,8 +4060,161 @@ at %4, %5, %6 m</source>
         <translation>手法(&amp;M)</translation>
     </message>
     <message>
-        <source>How the targets are tracked: “dewpoint” is the surest and most accurate, “barrera” the particle filter of Barrera et al. (2005). Tracking starts anew.</source>
-        <translation>ターゲットの追跡方法:「dewpoint」は最も確実で正確な手法、「barrera」は Barrera ら (2005) のパーティクルフィルタです。追跡は最初からやり直します。</translation>
+        <source>How the targets are tracked. Another method begins anew; the rest stays.</source>
+        <translation>ターゲットの追跡方法。別の方法にすると最初からやり直し、ほかはそのままです。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanDesk</name>
+    <message>
+        <source>camera %1</source>
+        <translation>カメラ %1</translation>
+    </message>
+    <message>
+        <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
+        <translation>%1 をここに置く：x %2、y %3、z %4 m。空間の %5 が %6 以内になります（現在は %7）。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanFields</name>
+    <message>
+        <source>Add a camera to plan</source>
+        <translation>計画にカメラを追加</translation>
+    </message>
+    <message>
+        <source>A camera that is not there yet: drag it in the bird&apos;s-eye view, or type where it stands (%1)</source>
+        <translation>まだ存在しないカメラ：鳥瞰図でドラッグするか位置を入力します（%1）</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Remove the planned camera</source>
+        <translation>計画中のカメラを削除</translation>
+    </message>
+    <message>
+        <source>Take the chosen planned camera away</source>
+        <translation>選択した計画中のカメラを取り除く</translation>
+    </message>
+    <message>
+        <source>Planned camera</source>
+        <translation>計画中のカメラ</translation>
+    </message>
+    <message>
+        <source>The planned camera that the numbers below belong to</source>
+        <translation>下の数値が示す計画中のカメラ</translation>
+    </message>
+    <message>
+        <source>Stands at x, y, z</source>
+        <translation>位置 x, y, z</translation>
+    </message>
+    <message>
+        <source>Looks at x, y, z</source>
+        <translation>注視点 x, y, z</translation>
+    </message>
+    <message>
+        <source>Field of view, image width and height</source>
+        <translation>画角、画像の幅と高さ</translation>
+    </message>
+    <message>
+        <source>Planned position %1</source>
+        <translation>計画位置 %1</translation>
+    </message>
+    <message>
+        <source>Where the camera stands, in metres</source>
+        <translation>カメラの位置（メートル）</translation>
+    </message>
+    <message>
+        <source>Planned camera looks at %1</source>
+        <translation>計画中のカメラの注視点 %1</translation>
+    </message>
+    <message>
+        <source>A point on its line of sight, in metres</source>
+        <translation>視線上の点（メートル）</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>画角</translation>
+    </message>
+    <message>
+        <source>How wide the camera sees, from left to right</source>
+        <translation>カメラが見る広さ（左右）</translation>
+    </message>
+    <message>
+        <source>Image width</source>
+        <translation>画像の幅</translation>
+    </message>
+    <message>
+        <source>Pixels of its image, from left to right</source>
+        <translation>画像のピクセル数（左右）</translation>
+    </message>
+    <message>
+        <source>Image height</source>
+        <translation>画像の高さ</translation>
+    </message>
+    <message>
+        <source>Pixels of its image, from top to bottom</source>
+        <translation>画像のピクセル数（上下）</translation>
+    </message>
+    <message>
+        <source>Walls and ceiling outside the volume by</source>
+        <translation>壁と天井の空間からの距離</translation>
+    </message>
+    <message>
+        <source>Distance of the walls</source>
+        <translation>壁の距離</translation>
+    </message>
+    <message>
+        <source>The search looks on the four walls and the ceiling around the volume, this far outside of it</source>
+        <translation>空間を囲む4つの壁と天井（この距離だけ外側）を探索します</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Cancel the search</source>
+        <translation>探索をキャンセル</translation>
+    </message>
+    <message>
+        <source>End the search; nothing is added</source>
+        <translation>探索を終了します。何も追加されません</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>まだありません</translation>
+    </message>
+    <message>
+        <source>none chosen</source>
+        <translation>未選択</translation>
+    </message>
+    <message>
+        <source>Find the best place for %1</source>
+        <translation>%1 の最適な場所を探す</translation>
+    </message>
+    <message>
+        <source>Search the walls and the ceiling for the place from which one more camera helps most (%1)</source>
+        <translation>もう1台のカメラが最も役立つ場所を壁と天井で探します（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PlanPage</name>
+    <message>
+        <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
+        <translation>これらのカメラはどれだけ正確に測れるか、もう1台はどこで役立つか。鳥瞰図でカメラをドラッグすると、マップが追従します。</translation>
+    </message>
+    <message>
+        <source>Map of expected errors</source>
+        <translation>予想誤差のマップ</translation>
+    </message>
+    <message>
+        <source>Planned cameras</source>
+        <translation>計画中のカメラ</translation>
+    </message>
+    <message>
+        <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
+        <translation>計画中のカメラはプロジェクトに保存されず、実行にも含まれません。マップは室内の遮蔽物を考慮しません。</translation>
     </message>
 </context>
 <context>
