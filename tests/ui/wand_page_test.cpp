@@ -7,6 +7,7 @@
 #include "ui/selection/selection.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
