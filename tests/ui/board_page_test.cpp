@@ -96,7 +96,8 @@ void BoardPageTest::openWindow(const ProjectOpener& opener, const std::filesyste
   window_->setTheme(Theme::Light);
   window_->resize(1500, 950);
   window_->show();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(window_.get()));
   window_->setPlayOnOpen(false);
   QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
   window_->openProject(project);
