@@ -5243,6 +5243,10 @@ bei %4, %5, %6 m</translation>
         <source>Web pages (*.html)</source>
         <translation>Webseiten (*.html)</translation>
     </message>
+    <message>
+        <source>What was found of each camera; point at a heading to see what it means</source>
+        <translation>Was über jede Kamera gefunden wurde; zeige auf eine Überschrift, um zu sehen, was sie bedeutet</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::WandPage</name>

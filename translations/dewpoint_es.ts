@@ -5243,6 +5243,10 @@ en %4, %5, %6 m</translation>
         <source>Web pages (*.html)</source>
         <translation>Páginas web (*.html)</translation>
     </message>
+    <message>
+        <source>What was found of each camera; point at a heading to see what it means</source>
+        <translation>Lo que se halló de cada cámara; señala un encabezado para ver qué significa</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::WandPage</name>

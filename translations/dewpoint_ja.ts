@@ -5239,6 +5239,10 @@ at %4, %5, %6 m</source>
         <source>Web pages (*.html)</source>
         <translation>ウェブページ (*.html)</translation>
     </message>
+    <message>
+        <source>What was found of each camera; point at a heading to see what it means</source>
+        <translation>各カメラについて分かったこと。見出しを指すと意味が表示されます</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::WandPage</name>

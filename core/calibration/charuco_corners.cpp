@@ -51,6 +51,10 @@ std::vector<SeenMarker> seenMarkers(const cv::Mat& gray, const BoardDescription&
                      middle + cv::Point2f(half, half), middle + cv::Point2f(-half, half)},
                     outlines[k]});
   }
+  // The detector works in threads and lists markers as they come: the same order every time.
+  std::ranges::sort(seen, {}, [](const SeenMarker& marker) {
+    return std::pair(marker.middle.y, marker.middle.x);
+  });
   return seen;
 }
 

@@ -130,6 +130,7 @@ void WandOutcome::say() {
   button(report_, tr("Save report…"),
          tr("A page with all figures, residuals as arrows, coverage and a drawing in space"));
   table_->setAccessibleName(tr("Cameras found"));
+  table_->setToolTip(tr("What was found of each camera; point at a heading to see what it means"));
   table_->setHorizontalHeaderLabels(
       {tr("Camera"), tr("px"), tr("moved cm"), tr("turned °"), tr("late ms")});
   const QStringList tips = {{},
