@@ -427,6 +427,284 @@
         <source>Adjust cameras until a grid lies on the real thing in their images</source>
         <translation>Kameras einstellen, bis ein Gitter in ihren Bildern auf dem Wirklichen liegt</translation>
     </message>
+    <message>
+        <source>Calibrate with a board…</source>
+        <translation>Mit einer Tafel kalibrieren…</translation>
+    </message>
+    <message>
+        <source>Find lenses and places of the cameras with a printed board</source>
+        <translation>Objektive und Standorte der Kameras mit einer gedruckten Tafel finden</translation>
+    </message>
+    <message>
+        <source>Print a calibration board…</source>
+        <translation>Kalibriertafel drucken…</translation>
+    </message>
+    <message>
+        <source>Write the board to calibrate with as a PDF in its true size</source>
+        <translation>Die Tafel zum Kalibrieren in wahrer Größe als PDF schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>BoardWords</name>
+    <message>
+        <source>%1: rms %2 px, focal length %3 px, %4 pictures</source>
+        <translation>%1: rms %2 px, Brennweite %3 px, %4 Bilder</translation>
+    </message>
+    <message>
+        <source>%1 keeps its place: it never saw the board.</source>
+        <translation>%1 behält seinen Platz: die Tafel war dort nie zu sehen.</translation>
+    </message>
+    <message>
+        <source>%1: rms %2 px</source>
+        <translation>%1: rms %2 px</translation>
+    </message>
+    <message>
+        <source>, place ±%1 mm, direction ±%2°</source>
+        <translation>, Ort ±%1 mm, Richtung ±%2°</translation>
+    </message>
+    <message>
+        <source>Lenses</source>
+        <translation>Objektive</translation>
+    </message>
+    <message>
+        <source>%1 keeps its lens: %2</source>
+        <translation>%1 behält sein Objektiv: %2</translation>
+    </message>
+    <message>
+        <source>Places: rms %1 px over %2 positions of the board</source>
+        <translation>Standorte: rms %1 px über %2 Lagen der Tafel</translation>
+    </message>
+    <message>
+        <source>upper left</source>
+        <translation>oben links</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>upper right</source>
+        <translation>oben rechts</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>unten links</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation>unten rechts</translation>
+    </message>
+    <message>
+        <source>its left side nearer</source>
+        <translation>linke Seite näher</translation>
+    </message>
+    <message>
+        <source>its right side nearer</source>
+        <translation>rechte Seite näher</translation>
+    </message>
+    <message>
+        <source>its upper side nearer</source>
+        <translation>obere Seite näher</translation>
+    </message>
+    <message>
+        <source>its lower side nearer</source>
+        <translation>untere Seite näher</translation>
+    </message>
+    <message>
+        <source>facing the camera</source>
+        <translation>zur Kamera gewandt</translation>
+    </message>
+    <message>
+        <source>No image yet</source>
+        <translation>Noch kein Bild</translation>
+    </message>
+    <message>
+        <source>Show it the whole board</source>
+        <translation>Ihr die ganze Tafel zeigen</translation>
+    </message>
+    <message>
+        <source>Move the board to: %1</source>
+        <translation>Tafel bewegen nach: %1</translation>
+    </message>
+    <message>
+        <source>Tilt it, %1</source>
+        <translation>Neigen, %1</translation>
+    </message>
+    <message>
+        <source>Come nearer with the board</source>
+        <translation>Näher kommen mit der Tafel</translation>
+    </message>
+    <message>
+        <source>Hold it still</source>
+        <translation>Still halten</translation>
+    </message>
+    <message>
+        <source>The image is soft: focus, or more light</source>
+        <translation>Das Bild ist unscharf: scharfstellen oder mehr Licht</translation>
+    </message>
+    <message>
+        <source>✓ Done</source>
+        <translation>✓ Fertig</translation>
+    </message>
+    <message>
+        <source>✓ All cameras have seen enough together</source>
+        <translation>✓ Alle Kameras haben genug gemeinsam gesehen</translation>
+    </message>
+    <message>
+        <source>Show the board to %1 and %2 at once, hold it still, then elsewhere</source>
+        <translation>Zeigen Sie die Tafel %1 und %2 zugleich, still gehalten, dann anderswo</translation>
+    </message>
+    <message>
+        <source>no board in sight</source>
+        <translation>keine Tafel zu sehen</translation>
+    </message>
+    <message>
+        <source>⚠ soft, edges of %1 px</source>
+        <translation>⚠ unscharf, Kanten von %1 px</translation>
+    </message>
+    <message>
+        <source>sharp, edges of %1 px</source>
+        <translation>scharf, Kanten von %1 px</translation>
+    </message>
+    <message>
+        <source>%1 of at least %2 views</source>
+        <translation>%1 von mindestens %2 Ansichten</translation>
+    </message>
+    <message>
+        <source>%1 views, known to %2 px (wanted: %3 px)</source>
+        <translation>%1 Ansichten, auf %2 px bekannt (gewünscht: %3 px)</translation>
+    </message>
+    <message>
+        <source>● sees the board</source>
+        <translation>● sieht die Tafel</translation>
+    </message>
+    <message>
+        <source>○ does not see the board</source>
+        <translation>○ sieht die Tafel nicht</translation>
+    </message>
+    <message>
+        <source>%1 views, place known to %2 mm</source>
+        <translation>%1 Ansichten, Standort auf %2 mm bekannt</translation>
+    </message>
+    <message>
+        <source>%1 views with others</source>
+        <translation>%1 Ansichten mit anderen</translation>
+    </message>
+    <message>
+        <source>The places were not found: %1</source>
+        <translation>Die Standorte wurden nicht gefunden: %1</translation>
+    </message>
+    <message>
+        <source>How good it is cannot be said: too few places were seen by two cameras.</source>
+        <translation>Wie gut es ist, lässt sich nicht sagen: zu wenige Orte wurden von zwei Kameras gesehen.</translation>
+    </message>
+</context>
+<context>
+    <name>CalibrationWords</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
+        <translation>Alles passt, wenn %1 und %2 vertauscht werden: wahrscheinlich sind ihre Videos verwechselt. Tauschen Sie die beiden Dateien.</translation>
+    </message>
+    <message>
+        <source>%1 fits when its video is shifted: it likely shows everything %2 frames late. Synchronize the videos, or let time offsets be found.</source>
+        <translation>%1 passt, wenn ihr Video verschoben wird: es zeigt wahrscheinlich alles %2 Bilder zu spät. Synchronisieren Sie die Videos, oder lassen Sie Zeitversätze suchen.</translation>
+    </message>
+    <message>
+        <source>%1 fits when its video is shifted: it likely shows everything %2 frames early. Synchronize the videos, or let time offsets be found.</source>
+        <translation>%1 passt, wenn ihr Video verschoben wird: es zeigt wahrscheinlich alles %2 Bilder zu früh. Synchronisieren Sie die Videos, oder lassen Sie Zeitversätze suchen.</translation>
+    </message>
+    <message>
+        <source>%1 fits one place before %2 s and another after: it was likely moved or bumped then. Calibrate with the part after it.</source>
+        <translation>%1 passt vor %2 s an einen Ort und danach an einen anderen: sie wurde da wahrscheinlich bewegt oder angestoßen. Kalibrieren Sie mit dem Teil danach.</translation>
+    </message>
+    <message>
+        <source>%1 fits only with flipped images: its video is likely mirrored or upside down. Set how its images are turned and mirrored.</source>
+        <translation>%1 passt nur mit gekippten Bildern: ihr Video ist wahrscheinlich gespiegelt oder steht auf dem Kopf. Stellen Sie ein, wie ihre Bilder gedreht und gespiegelt werden.</translation>
+    </message>
+    <message>
+        <source>%1 fits with a focal length %2 times the given one: its zoom (or a crop) was likely changed. Calibrate its lens again.</source>
+        <translation>%1 passt mit dem %2-fachen der angegebenen Brennweite: wahrscheinlich wurde ihr Zoom (oder ein Ausschnitt) geändert. Kalibrieren Sie ihr Objektiv neu.</translation>
+    </message>
+    <message>
+        <source>The lens data of %1 are likely for another resolution: its images are %2 times as large. Convert them, or record at the calibrated size.</source>
+        <translation>Die Objektivdaten von %1 gelten wahrscheinlich für eine andere Auflösung: ihre Bilder sind %2-mal so groß. Rechnen Sie sie um, oder nehmen Sie in der kalibrierten Größe auf.</translation>
+    </message>
+    <message>
+        <source>In this volume ±%1 (95 %)</source>
+        <translation>In diesem Raum ±%1 (95 %)</translation>
+    </message>
+    <message>
+        <source>, scale ±%1 %</source>
+        <translation>, Größe ±%1 %</translation>
+    </message>
+    <message>
+        <source>, scale unknown</source>
+        <translation>, Größe unbekannt</translation>
+    </message>
+    <message>
+        <source>, up ±%1°</source>
+        <translation>, Lot ±%1°</translation>
+    </message>
+    <message>
+        <source>, up not measured</source>
+        <translation>, Lot nicht gemessen</translation>
+    </message>
+    <message>
+        <source>all cameras</source>
+        <translation>alle Kameras</translation>
+    </message>
+    <message>
+        <source>The cameras would all look at the back of the board or floor: its points are likely mirrored. Check the direction of its axes, and that the print is not reversed.</source>
+        <translation>Alle Kameras sähen auf die Rückseite der Tafel oder des Bodens: ihre Punkte sind wahrscheinlich gespiegelt. Prüfen Sie die Richtung der Achsen, und dass der Druck nicht seitenverkehrt ist.</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: millimetres and metres are likely mixed up.</source>
+        <translation>Die angegebene Länge ist das %1-fache dessen, was die Kameras sehen: wahrscheinlich sind Millimeter und Meter verwechselt.</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: it is likely in inches (1 inch = 2.54 cm).</source>
+        <translation>Die angegebene Länge ist das %1-fache dessen, was die Kameras sehen: wahrscheinlich ist sie in Zoll (1 Zoll = 2,54 cm).</translation>
+    </message>
+    <message>
+        <source>The corners form a board with %1 in a row: the number of squares is likely wrong. Count them and correct the board.</source>
+        <translation>Die Ecken bilden eine Tafel mit %1 in einer Reihe: die Zahl der Felder ist wahrscheinlich falsch. Zählen Sie nach und berichtigen Sie die Tafel.</translation>
+    </message>
+    <message>
+        <source>The board&apos;s squares are given %1 times as large as the cameras see them: measure a row with a ruler (prints are often rescaled).</source>
+        <translation>Die Felder der Tafel sind %1-mal so groß angegeben, wie die Kameras sie sehen: messen Sie eine Reihe mit dem Lineal (Drucke werden oft skaliert).</translation>
+    </message>
+    <message>
+        <source>The images fit when shifted by %1 px along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
+        <translation>Die Bilder passen, wenn sie um %1 px in beiden Achsen verschoben werden: ein Programm zählt Pixel wahrscheinlich von ihren Ecken aus. Rechnen Sie die Hauptpunkte um.</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -1078,6 +1356,10 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
         <translation>Das füllt einen großen Teil des Bildes: Klicke das Ding selbst an oder ziehe einen Rahmen darum.</translation>
     </message>
+    <message>
+        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
+        <translation>%1 % der Bilder passen. Umschalt-Klick auf das Ziel sagt, wie gut es sich abhebt.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BirdsEyeView</name>
@@ -1116,6 +1398,393 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>No 3D: %1</source>
         <translation>Kein 3D: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardDesk</name>
+    <message>
+        <source>Stopped: the former calibration is kept.</source>
+        <translation>Abgebrochen: die bisherige Kalibrierung bleibt.</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>The project has other cameras by now: calibrate again.</source>
+        <translation>Das Projekt hat inzwischen andere Kameras: bitte neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Calibrate with a board</source>
+        <translation>Mit einer Tafel kalibrieren</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardFields</name>
+    <message>
+        <source>Print the board</source>
+        <translation>Tafel drucken</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Chessboard</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>ChArUco (with markers)</source>
+        <translation>ChArUco (mit Markern)</translation>
+    </message>
+    <message>
+        <source>Kind of board</source>
+        <translation>Art der Tafel</translation>
+    </message>
+    <message>
+        <source>ChArUco boards may be partly hidden or outside the image; chessboards must be seen whole</source>
+        <translation>ChArUco-Tafeln dürfen teilweise verdeckt oder außerhalb des Bildes sein; Schachbretter müssen ganz zu sehen sein</translation>
+    </message>
+    <message>
+        <source>Squares across, down</source>
+        <translation>Felder quer, hoch</translation>
+    </message>
+    <message>
+        <source>Squares in a row</source>
+        <translation>Felder in einer Zeile</translation>
+    </message>
+    <message>
+        <source>All squares of a row, black and white</source>
+        <translation>Alle Felder einer Zeile, schwarze und weiße</translation>
+    </message>
+    <message>
+        <source>Squares in a column</source>
+        <translation>Felder in einer Spalte</translation>
+    </message>
+    <message>
+        <source>All squares of a column, black and white</source>
+        <translation>Alle Felder einer Spalte, schwarze und weiße</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>Seite eines Feldes</translation>
+    </message>
+    <message>
+        <source>Measured on the print: a long row with a ruler, divided by its squares</source>
+        <translation>Am Ausdruck gemessen: eine lange Zeile mit dem Lineal, geteilt durch ihre Felder</translation>
+    </message>
+    <message>
+        <source>Unit of the sizes</source>
+        <translation>Einheit der Größen</translation>
+    </message>
+    <message>
+        <source>Unit in which the sizes are typed</source>
+        <translation>Einheit, in der die Größen eingegeben werden</translation>
+    </message>
+    <message>
+        <source>Marker, dictionary</source>
+        <translation>Marker, Wörterbuch</translation>
+    </message>
+    <message>
+        <source>Side of a marker</source>
+        <translation>Seite eines Markers</translation>
+    </message>
+    <message>
+        <source>Of the black square around the pattern</source>
+        <translation>Des schwarzen Quadrats um das Muster</translation>
+    </message>
+    <message>
+        <source>Dictionary of the markers</source>
+        <translation>Wörterbuch der Marker</translation>
+    </message>
+    <message>
+        <source>As the program called it that made it</source>
+        <translation>Wie das Programm es nannte, das die Tafel gemacht hat</translation>
+    </message>
+    <message>
+        <source>Even rows of older software</source>
+        <translation>Gerade Zeilenzahl älterer Software</translation>
+    </message>
+    <message>
+        <source>A ChArUco board with an even number of rows from software older than OpenCV 4.6: its first square is white</source>
+        <translation>Eine ChArUco-Tafel mit gerader Zeilenzahl aus Software vor OpenCV 4.6: ihr erstes Feld ist weiß</translation>
+    </message>
+    <message>
+        <source>Black and white exchanged</source>
+        <translation>Schwarz und Weiß vertauscht</translation>
+    </message>
+    <message>
+        <source>White markers and corners on a black page</source>
+        <translation>Weiße Marker und Ecken auf schwarzem Blatt</translation>
+    </message>
+    <message>
+        <source>Print this board…</source>
+        <translation>Diese Tafel drucken…</translation>
+    </message>
+    <message>
+        <source>Write the board as a PDF in its true size, with a bar to check it with a ruler</source>
+        <translation>Die Tafel in wahrer Größe als PDF schreiben, mit einem Balken zum Nachmessen</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Size of the sheet that is printed on</source>
+        <translation>Größe des Blattes, auf das gedruckt wird</translation>
+    </message>
+    <message>
+        <source>%1 × %2 inner corners; for the command line: %3</source>
+        <translation>%1 × %2 innere Ecken; für die Befehlszeile: %3</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardGoalFields</name>
+    <message>
+        <source>Find</source>
+        <translation>Gesucht</translation>
+    </message>
+    <message>
+        <source>Lenses and places</source>
+        <translation>Objektive und Standorte</translation>
+    </message>
+    <message>
+        <source>Lenses</source>
+        <translation>Objektive</translation>
+    </message>
+    <message>
+        <source>Places of the cameras</source>
+        <translation>Standorte der Kameras</translation>
+    </message>
+    <message>
+        <source>What is found</source>
+        <translation>Was gefunden wird</translation>
+    </message>
+    <message>
+        <source>Lenses: how each camera sees, by itself. Places: where the cameras stand, from a board that several of them see at once</source>
+        <translation>Objektive: wie jede Kamera für sich sieht. Standorte: wo die Kameras stehen, aus einer Tafel, die mehrere zugleich sehen</translation>
+    </message>
+    <message>
+        <source>Lens model</source>
+        <translation>Objektivmodell</translation>
+    </message>
+    <message>
+        <source>Pinhole, 5 coefficients</source>
+        <translation>Lochkamera, 5 Koeffizienten</translation>
+    </message>
+    <message>
+        <source>Pinhole, 8 coefficients (wide)</source>
+        <translation>Lochkamera, 8 Koeffizienten (Weitwinkel)</translation>
+    </message>
+    <message>
+        <source>Fisheye</source>
+        <translation>Fischauge</translation>
+    </message>
+    <message>
+        <source>5 for most lenses; 8 for wide ones; fisheye from about 120° on</source>
+        <translation>5 für die meisten Objektive; 8 für weitwinklige; Fischauge ab etwa 120°</translation>
+    </message>
+    <message>
+        <source>The board lies on the floor in frame</source>
+        <translation>Die Tafel liegt auf dem Boden in Bild</translation>
+    </message>
+    <message>
+        <source>That frame makes the world: X along the rows, Y to the upper edge, Z up. Without it the first camera keeps its place</source>
+        <translation>Dieses Bild legt die Welt fest: X entlang der Zeilen, Y zur Oberkante, Z nach oben. Ohne es behält die erste Kamera ihren Platz</translation>
+    </message>
+    <message>
+        <source>Frame in which the board lies on the floor</source>
+        <translation>Bild, in dem die Tafel auf dem Boden liegt</translation>
+    </message>
+    <message>
+        <source>Number of the frame</source>
+        <translation>Nummer des Bildes</translation>
+    </message>
+    <message>
+        <source>This one</source>
+        <translation>Dieses</translation>
+    </message>
+    <message>
+        <source>The frame shown</source>
+        <translation>Das gezeigte Bild</translation>
+    </message>
+    <message>
+        <source>Take the frame that is shown now</source>
+        <translation>Das Bild nehmen, das jetzt gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Enough at</source>
+        <translation>Genug bei</translation>
+    </message>
+    <message>
+        <source>Accuracy wanted of lenses</source>
+        <translation>Gewünschte Genauigkeit der Objektive</translation>
+    </message>
+    <message>
+        <source>The guidance ends when a ray is known to so many pixels all over the image</source>
+        <translation>Die Anleitung endet, wenn ein Strahl überall im Bild auf so viele Pixel bekannt ist</translation>
+    </message>
+    <message>
+        <source>Accuracy wanted of places</source>
+        <translation>Gewünschte Genauigkeit der Standorte</translation>
+    </message>
+    <message>
+        <source>The guidance ends when the place of each camera is known so well</source>
+        <translation>Die Anleitung endet, wenn der Standort jeder Kamera so genau bekannt ist</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardLive</name>
+    <message>
+        <source>How long the board was held still before %1</source>
+        <translation>Wie lange die Tafel vor %1 still gehalten wurde</translation>
+    </message>
+    <message>
+        <source>Where %1 saw the board</source>
+        <translation>Wo %1 die Tafel sah</translation>
+    </message>
+    <message>
+        <source>Filled: the regions and tilts that the board was shown in. Orange: what is asked for. Green: the board as it is seen now</source>
+        <translation>Gefüllt: Bereiche und Neigungen, in denen die Tafel gezeigt wurde. Orange: was gewünscht ist. Grün: die Tafel, wie sie jetzt gesehen wird</translation>
+    </message>
+    <message>
+        <source>Capture now</source>
+        <translation>Jetzt aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take the board as it is shown now, also when it is not held still</source>
+        <translation>Die Tafel nehmen, wie sie jetzt gezeigt wird, auch wenn sie nicht still gehalten wird</translation>
+    </message>
+    <message>
+        <source>On the floor now</source>
+        <translation>Liegt jetzt auf dem Boden</translation>
+    </message>
+    <message>
+        <source>Take the board as it lies on the floor now: it makes the world. X along its rows, Y to its upper edge, Z up</source>
+        <translation>Die Tafel nehmen, wie sie jetzt auf dem Boden liegt: sie legt die Welt fest. X entlang ihrer Zeilen, Y zu ihrer Oberkante, Z nach oben</translation>
+    </message>
+    <message>
+        <source>Next: places</source>
+        <translation>Weiter: Standorte</translation>
+    </message>
+    <message>
+        <source>Leave the lenses as well known as they are, and show the board to several cameras at once</source>
+        <translation>Die Objektive so genau lassen, wie sie bekannt sind, und die Tafel mehreren Kameras zugleich zeigen</translation>
+    </message>
+    <message>
+        <source>Calibrate with these views</source>
+        <translation>Mit diesen Ansichten kalibrieren</translation>
+    </message>
+    <message>
+        <source>End here: what was taken so far is enough</source>
+        <translation>Hier aufhören: was bisher aufgenommen wurde, genügt</translation>
+    </message>
+    <message>
+        <source>Start over</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Look for the board in the live images, and be told what to show</source>
+        <translation>Die Tafel in den Livebildern suchen und sagen, was zu zeigen ist</translation>
+    </message>
+    <message>
+        <source>Waiting for images: are the cameras playing?</source>
+        <translation>Warte auf Bilder: laufen die Kameras?</translation>
+    </message>
+    <message>
+        <source>Show the board to one camera after the other, as each of them asks.</source>
+        <translation>Zeigen Sie die Tafel einer Kamera nach der anderen, wie jede es verlangt.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardPage</name>
+    <message>
+        <source>Board</source>
+        <translation>Tafel</translation>
+    </message>
+    <message>
+        <source>What to find</source>
+        <translation>Was zu finden ist</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Look for the board in the recording, and calibrate the cameras with it; one step that can be undone</source>
+        <translation>Die Tafel in der Aufnahme suchen und die Kameras damit kalibrieren; ein Schritt, der sich zurücknehmen lässt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop; the former calibration is kept</source>
+        <translation>Abbrechen; die bisherige Kalibrierung bleibt</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Take the calibration into the project; one step that can be undone</source>
+        <translation>Die Kalibrierung ins Projekt übernehmen; ein Schritt, der sich zurücknehmen lässt</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>Save a page with residuals, coverage and errors of all pictures, and open it</source>
+        <translation>Eine Seite mit Residuen, Abdeckung und Fehlern aller Bilder speichern und öffnen</translation>
+    </message>
+    <message>
+        <source>How far the calibration is</source>
+        <translation>Wie weit die Kalibrierung ist</translation>
+    </message>
+    <message>
+        <source>Show a printed board to the cameras: you are told what to show next, and it is taken when you hold it still.</source>
+        <translation>Zeigen Sie den Kameras eine gedruckte Tafel: Sie erfahren, was als Nächstes zu zeigen ist; aufgenommen wird, wenn Sie still halten.</translation>
+    </message>
+    <message>
+        <source>A recording in which a printed board is shown to the cameras, held still in many places, near and tilted, calibrates them.</source>
+        <translation>Eine Aufnahme, in der eine gedruckte Tafel an vielen Orten still vor die Kameras gehalten wird, nah und geneigt, kalibriert sie.</translation>
+    </message>
+    <message>
+        <source>Live cameras</source>
+        <translation>Livekameras</translation>
+    </message>
+    <message>
+        <source>This recording</source>
+        <translation>Diese Aufnahme</translation>
+    </message>
+    <message>
+        <source>✓ The cameras are calibrated (Ctrl+Z takes it back).</source>
+        <translation>✓ Die Kameras sind kalibriert (Strg+Z nimmt es zurück).</translation>
+    </message>
+    <message>
+        <source>Looking for the board: %p %</source>
+        <translation>Suche die Tafel: %p %</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Berechne</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Page (*.html)</source>
+        <translation>Seite (*.html)</translation>
     </message>
 </context>
 <context>
@@ -2412,6 +3081,10 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Speak this language</source>
         <translation>Diese Sprache sprechen</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Tafel</translation>
     </message>
 </context>
 <context>

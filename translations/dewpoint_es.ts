@@ -427,6 +427,284 @@
         <source>Adjust cameras until a grid lies on the real thing in their images</source>
         <translation>Ajustar las cámaras hasta que una cuadrícula coincida con lo real en sus imágenes</translation>
     </message>
+    <message>
+        <source>Calibrate with a board…</source>
+        <translation>Calibrar con un tablero…</translation>
+    </message>
+    <message>
+        <source>Find lenses and places of the cameras with a printed board</source>
+        <translation>Hallar objetivos y posiciones de las cámaras con un tablero impreso</translation>
+    </message>
+    <message>
+        <source>Print a calibration board…</source>
+        <translation>Imprimir un tablero de calibración…</translation>
+    </message>
+    <message>
+        <source>Write the board to calibrate with as a PDF in its true size</source>
+        <translation>Escribir el tablero de calibración como PDF a tamaño real</translation>
+    </message>
+</context>
+<context>
+    <name>BoardWords</name>
+    <message>
+        <source>%1: rms %2 px, focal length %3 px, %4 pictures</source>
+        <translation>%1: rms %2 px, distancia focal %3 px, %4 imágenes</translation>
+    </message>
+    <message>
+        <source>%1 keeps its place: it never saw the board.</source>
+        <translation>%1 conserva su posición: nunca vio el tablero.</translation>
+    </message>
+    <message>
+        <source>%1: rms %2 px</source>
+        <translation>%1: rms %2 px</translation>
+    </message>
+    <message>
+        <source>, place ±%1 mm, direction ±%2°</source>
+        <translation>, posición ±%1 mm, dirección ±%2°</translation>
+    </message>
+    <message>
+        <source>Lenses</source>
+        <translation>Objetivos</translation>
+    </message>
+    <message>
+        <source>%1 keeps its lens: %2</source>
+        <translation>%1 conserva su objetivo: %2</translation>
+    </message>
+    <message>
+        <source>Places: rms %1 px over %2 positions of the board</source>
+        <translation>Posiciones: rms %1 px en %2 lugares del tablero</translation>
+    </message>
+    <message>
+        <source>upper left</source>
+        <translation>arriba a la izquierda</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>arriba</translation>
+    </message>
+    <message>
+        <source>upper right</source>
+        <translation>arriba a la derecha</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>izquierda</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>centro</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecha</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>abajo a la izquierda</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>abajo</translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation>abajo a la derecha</translation>
+    </message>
+    <message>
+        <source>its left side nearer</source>
+        <translation>con el lado izquierdo más cerca</translation>
+    </message>
+    <message>
+        <source>its right side nearer</source>
+        <translation>con el lado derecho más cerca</translation>
+    </message>
+    <message>
+        <source>its upper side nearer</source>
+        <translation>con el lado superior más cerca</translation>
+    </message>
+    <message>
+        <source>its lower side nearer</source>
+        <translation>con el lado inferior más cerca</translation>
+    </message>
+    <message>
+        <source>facing the camera</source>
+        <translation>de frente a la cámara</translation>
+    </message>
+    <message>
+        <source>No image yet</source>
+        <translation>Aún sin imagen</translation>
+    </message>
+    <message>
+        <source>Show it the whole board</source>
+        <translation>Muéstrele el tablero entero</translation>
+    </message>
+    <message>
+        <source>Move the board to: %1</source>
+        <translation>Mueva el tablero a: %1</translation>
+    </message>
+    <message>
+        <source>Tilt it, %1</source>
+        <translation>Inclínelo, %1</translation>
+    </message>
+    <message>
+        <source>Come nearer with the board</source>
+        <translation>Acérquese con el tablero</translation>
+    </message>
+    <message>
+        <source>Hold it still</source>
+        <translation>Manténgalo quieto</translation>
+    </message>
+    <message>
+        <source>The image is soft: focus, or more light</source>
+        <translation>La imagen está borrosa: enfoque o más luz</translation>
+    </message>
+    <message>
+        <source>✓ Done</source>
+        <translation>✓ Listo</translation>
+    </message>
+    <message>
+        <source>✓ All cameras have seen enough together</source>
+        <translation>✓ Todas las cámaras han visto bastante juntas</translation>
+    </message>
+    <message>
+        <source>Show the board to %1 and %2 at once, hold it still, then elsewhere</source>
+        <translation>Muestre el tablero a %1 y %2 a la vez, quieto, y luego en otro lugar</translation>
+    </message>
+    <message>
+        <source>no board in sight</source>
+        <translation>ningún tablero a la vista</translation>
+    </message>
+    <message>
+        <source>⚠ soft, edges of %1 px</source>
+        <translation>⚠ borroso, bordes de %1 px</translation>
+    </message>
+    <message>
+        <source>sharp, edges of %1 px</source>
+        <translation>nítido, bordes de %1 px</translation>
+    </message>
+    <message>
+        <source>%1 of at least %2 views</source>
+        <translation>%1 de al menos %2 vistas</translation>
+    </message>
+    <message>
+        <source>%1 views, known to %2 px (wanted: %3 px)</source>
+        <translation>%1 vistas, conocido con %2 px (deseado: %3 px)</translation>
+    </message>
+    <message>
+        <source>● sees the board</source>
+        <translation>● ve el tablero</translation>
+    </message>
+    <message>
+        <source>○ does not see the board</source>
+        <translation>○ no ve el tablero</translation>
+    </message>
+    <message>
+        <source>%1 views, place known to %2 mm</source>
+        <translation>%1 vistas, posición conocida con %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 views with others</source>
+        <translation>%1 vistas con otras</translation>
+    </message>
+    <message>
+        <source>The places were not found: %1</source>
+        <translation>No se hallaron las posiciones: %1</translation>
+    </message>
+    <message>
+        <source>How good it is cannot be said: too few places were seen by two cameras.</source>
+        <translation>No se puede decir qué tan buena es: dos cámaras vieron muy pocos lugares.</translation>
+    </message>
+</context>
+<context>
+    <name>CalibrationWords</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
+        <translation>Todo encaja al intercambiar %1 y %2: probablemente sus vídeos están cambiados. Intercambie los dos archivos.</translation>
+    </message>
+    <message>
+        <source>%1 fits when its video is shifted: it likely shows everything %2 frames late. Synchronize the videos, or let time offsets be found.</source>
+        <translation>%1 encaja si se desplaza su vídeo: probablemente muestra todo %2 fotogramas tarde. Sincronice los vídeos o haga que se busquen los desfases.</translation>
+    </message>
+    <message>
+        <source>%1 fits when its video is shifted: it likely shows everything %2 frames early. Synchronize the videos, or let time offsets be found.</source>
+        <translation>%1 encaja si se desplaza su vídeo: probablemente muestra todo %2 fotogramas antes. Sincronice los vídeos o haga que se busquen los desfases.</translation>
+    </message>
+    <message>
+        <source>%1 fits one place before %2 s and another after: it was likely moved or bumped then. Calibrate with the part after it.</source>
+        <translation>%1 encaja en un lugar antes de %2 s y en otro después: probablemente se movió o recibió un golpe. Calibre con la parte posterior.</translation>
+    </message>
+    <message>
+        <source>%1 fits only with flipped images: its video is likely mirrored or upside down. Set how its images are turned and mirrored.</source>
+        <translation>%1 solo encaja con las imágenes volteadas: su vídeo probablemente está reflejado o boca abajo. Indique cómo se giran y reflejan sus imágenes.</translation>
+    </message>
+    <message>
+        <source>%1 fits with a focal length %2 times the given one: its zoom (or a crop) was likely changed. Calibrate its lens again.</source>
+        <translation>%1 encaja con una distancia focal %2 veces la indicada: probablemente cambió su zoom (o un recorte). Calibre de nuevo su objetivo.</translation>
+    </message>
+    <message>
+        <source>The lens data of %1 are likely for another resolution: its images are %2 times as large. Convert them, or record at the calibrated size.</source>
+        <translation>Los datos del objetivo de %1 son probablemente de otra resolución: sus imágenes son %2 veces mayores. Conviértalos o grabe con el tamaño calibrado.</translation>
+    </message>
+    <message>
+        <source>In this volume ±%1 (95 %)</source>
+        <translation>En este volumen ±%1 (95 %)</translation>
+    </message>
+    <message>
+        <source>, scale ±%1 %</source>
+        <translation>, escala ±%1 %</translation>
+    </message>
+    <message>
+        <source>, scale unknown</source>
+        <translation>, escala desconocida</translation>
+    </message>
+    <message>
+        <source>, up ±%1°</source>
+        <translation>, vertical ±%1°</translation>
+    </message>
+    <message>
+        <source>, up not measured</source>
+        <translation>, vertical sin medir</translation>
+    </message>
+    <message>
+        <source>all cameras</source>
+        <translation>todas las cámaras</translation>
+    </message>
+    <message>
+        <source>The cameras would all look at the back of the board or floor: its points are likely mirrored. Check the direction of its axes, and that the print is not reversed.</source>
+        <translation>Todas las cámaras mirarían el reverso del tablero o del suelo: probablemente sus puntos están reflejados. Compruebe la dirección de los ejes y que la impresión no esté invertida.</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: millimetres and metres are likely mixed up.</source>
+        <translation>La longitud indicada es %1 veces la que ven las cámaras: probablemente se confundieron milímetros y metros.</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: it is likely in inches (1 inch = 2.54 cm).</source>
+        <translation>La longitud indicada es %1 veces la que ven las cámaras: probablemente está en pulgadas (1 pulgada = 2,54 cm).</translation>
+    </message>
+    <message>
+        <source>The corners form a board with %1 in a row: the number of squares is likely wrong. Count them and correct the board.</source>
+        <translation>Las esquinas forman un tablero con %1 por fila: el número de casillas probablemente es erróneo. Cuéntelas y corrija el tablero.</translation>
+    </message>
+    <message>
+        <source>The board&apos;s squares are given %1 times as large as the cameras see them: measure a row with a ruler (prints are often rescaled).</source>
+        <translation>Las casillas del tablero se indicaron %1 veces mayores de lo que ven las cámaras: mida una fila con una regla (las impresiones suelen cambiar de escala).</translation>
+    </message>
+    <message>
+        <source>The images fit when shifted by %1 px along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
+        <translation>Las imágenes encajan desplazadas %1 px en ambos ejes: algún programa cuenta los píxeles desde sus esquinas. Convierta los puntos principales.</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>cámara %1</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -1078,6 +1356,10 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
         <translation>Esto llena gran parte de la imagen: haz clic en la cosa misma o arrastra un recuadro sobre ella.</translation>
     </message>
+    <message>
+        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
+        <translation>Coincide el %1 % de las imágenes. Mayús-clic en el objetivo para saber cuánto destaca.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BirdsEyeView</name>
@@ -1116,6 +1398,393 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>No 3D: %1</source>
         <translation>Sin 3D: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardDesk</name>
+    <message>
+        <source>Stopped: the former calibration is kept.</source>
+        <translation>Detenido: se conserva la calibración anterior.</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>cámara %1</translation>
+    </message>
+    <message>
+        <source>The project has other cameras by now: calibrate again.</source>
+        <translation>El proyecto ya tiene otras cámaras: calibre de nuevo.</translation>
+    </message>
+    <message>
+        <source>Calibrate with a board</source>
+        <translation>Calibrar con un tablero</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardFields</name>
+    <message>
+        <source>Print the board</source>
+        <translation>Imprimir el tablero</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Chessboard</source>
+        <translation>Tablero de ajedrez</translation>
+    </message>
+    <message>
+        <source>ChArUco (with markers)</source>
+        <translation>ChArUco (con marcadores)</translation>
+    </message>
+    <message>
+        <source>Kind of board</source>
+        <translation>Tipo de tablero</translation>
+    </message>
+    <message>
+        <source>ChArUco boards may be partly hidden or outside the image; chessboards must be seen whole</source>
+        <translation>Los tableros ChArUco pueden verse solo en parte; los de ajedrez deben verse enteros</translation>
+    </message>
+    <message>
+        <source>Squares across, down</source>
+        <translation>Casillas a lo ancho y alto</translation>
+    </message>
+    <message>
+        <source>Squares in a row</source>
+        <translation>Casillas por fila</translation>
+    </message>
+    <message>
+        <source>All squares of a row, black and white</source>
+        <translation>Todas las casillas de una fila, negras y blancas</translation>
+    </message>
+    <message>
+        <source>Squares in a column</source>
+        <translation>Casillas por columna</translation>
+    </message>
+    <message>
+        <source>All squares of a column, black and white</source>
+        <translation>Todas las casillas de una columna, negras y blancas</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>Lado de una casilla</translation>
+    </message>
+    <message>
+        <source>Measured on the print: a long row with a ruler, divided by its squares</source>
+        <translation>Medido en la hoja impresa: una fila larga con regla, dividida entre sus casillas</translation>
+    </message>
+    <message>
+        <source>Unit of the sizes</source>
+        <translation>Unidad de las medidas</translation>
+    </message>
+    <message>
+        <source>Unit in which the sizes are typed</source>
+        <translation>Unidad en la que se escriben las medidas</translation>
+    </message>
+    <message>
+        <source>Marker, dictionary</source>
+        <translation>Marcador, diccionario</translation>
+    </message>
+    <message>
+        <source>Side of a marker</source>
+        <translation>Lado de un marcador</translation>
+    </message>
+    <message>
+        <source>Of the black square around the pattern</source>
+        <translation>Del cuadrado negro alrededor del patrón</translation>
+    </message>
+    <message>
+        <source>Dictionary of the markers</source>
+        <translation>Diccionario de los marcadores</translation>
+    </message>
+    <message>
+        <source>As the program called it that made it</source>
+        <translation>Como lo llamó el programa que lo creó</translation>
+    </message>
+    <message>
+        <source>Even rows of older software</source>
+        <translation>Filas pares de programas antiguos</translation>
+    </message>
+    <message>
+        <source>A ChArUco board with an even number of rows from software older than OpenCV 4.6: its first square is white</source>
+        <translation>Un tablero ChArUco con un número par de filas de un programa anterior a OpenCV 4.6: su primera casilla es blanca</translation>
+    </message>
+    <message>
+        <source>Black and white exchanged</source>
+        <translation>Blanco y negro invertidos</translation>
+    </message>
+    <message>
+        <source>White markers and corners on a black page</source>
+        <translation>Marcadores y esquinas blancos sobre una hoja negra</translation>
+    </message>
+    <message>
+        <source>Print this board…</source>
+        <translation>Imprimir este tablero…</translation>
+    </message>
+    <message>
+        <source>Write the board as a PDF in its true size, with a bar to check it with a ruler</source>
+        <translation>Escribir el tablero como PDF a tamaño real, con una barra para comprobarlo con regla</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papel</translation>
+    </message>
+    <message>
+        <source>Size of the sheet that is printed on</source>
+        <translation>Tamaño de la hoja en que se imprime</translation>
+    </message>
+    <message>
+        <source>%1 × %2 inner corners; for the command line: %3</source>
+        <translation>%1 × %2 esquinas interiores; para la línea de órdenes: %3</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardGoalFields</name>
+    <message>
+        <source>Find</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Lenses and places</source>
+        <translation>Objetivos y posiciones</translation>
+    </message>
+    <message>
+        <source>Lenses</source>
+        <translation>Objetivos</translation>
+    </message>
+    <message>
+        <source>Places of the cameras</source>
+        <translation>Posiciones de las cámaras</translation>
+    </message>
+    <message>
+        <source>What is found</source>
+        <translation>Lo que se busca</translation>
+    </message>
+    <message>
+        <source>Lenses: how each camera sees, by itself. Places: where the cameras stand, from a board that several of them see at once</source>
+        <translation>Objetivos: cómo ve cada cámara por sí sola. Posiciones: dónde están las cámaras, con un tablero que varias ven a la vez</translation>
+    </message>
+    <message>
+        <source>Lens model</source>
+        <translation>Modelo de objetivo</translation>
+    </message>
+    <message>
+        <source>Pinhole, 5 coefficients</source>
+        <translation>Estenopeico, 5 coeficientes</translation>
+    </message>
+    <message>
+        <source>Pinhole, 8 coefficients (wide)</source>
+        <translation>Estenopeico, 8 coeficientes (gran angular)</translation>
+    </message>
+    <message>
+        <source>Fisheye</source>
+        <translation>Ojo de pez</translation>
+    </message>
+    <message>
+        <source>5 for most lenses; 8 for wide ones; fisheye from about 120° on</source>
+        <translation>5 para la mayoría; 8 para gran angular; ojo de pez a partir de unos 120°</translation>
+    </message>
+    <message>
+        <source>The board lies on the floor in frame</source>
+        <translation>El tablero está en el suelo en el fotograma</translation>
+    </message>
+    <message>
+        <source>That frame makes the world: X along the rows, Y to the upper edge, Z up. Without it the first camera keeps its place</source>
+        <translation>Ese fotograma define el mundo: X a lo largo de las filas, Y hacia el borde superior, Z hacia arriba. Sin él, la primera cámara conserva su posición</translation>
+    </message>
+    <message>
+        <source>Frame in which the board lies on the floor</source>
+        <translation>Fotograma en que el tablero está en el suelo</translation>
+    </message>
+    <message>
+        <source>Number of the frame</source>
+        <translation>Número del fotograma</translation>
+    </message>
+    <message>
+        <source>This one</source>
+        <translation>Este</translation>
+    </message>
+    <message>
+        <source>The frame shown</source>
+        <translation>El fotograma mostrado</translation>
+    </message>
+    <message>
+        <source>Take the frame that is shown now</source>
+        <translation>Tomar el fotograma que se muestra ahora</translation>
+    </message>
+    <message>
+        <source>Enough at</source>
+        <translation>Basta con</translation>
+    </message>
+    <message>
+        <source>Accuracy wanted of lenses</source>
+        <translation>Precisión deseada de los objetivos</translation>
+    </message>
+    <message>
+        <source>The guidance ends when a ray is known to so many pixels all over the image</source>
+        <translation>La guía termina cuando un rayo se conoce con tantos píxeles en toda la imagen</translation>
+    </message>
+    <message>
+        <source>Accuracy wanted of places</source>
+        <translation>Precisión deseada de las posiciones</translation>
+    </message>
+    <message>
+        <source>The guidance ends when the place of each camera is known so well</source>
+        <translation>La guía termina cuando la posición de cada cámara se conoce así de bien</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardLive</name>
+    <message>
+        <source>How long the board was held still before %1</source>
+        <translation>Cuánto tiempo se mantuvo quieto el tablero ante %1</translation>
+    </message>
+    <message>
+        <source>Where %1 saw the board</source>
+        <translation>Dónde vio %1 el tablero</translation>
+    </message>
+    <message>
+        <source>Filled: the regions and tilts that the board was shown in. Orange: what is asked for. Green: the board as it is seen now</source>
+        <translation>Relleno: zonas e inclinaciones en que se mostró el tablero. Naranja: lo que se pide. Verde: el tablero tal como se ve ahora</translation>
+    </message>
+    <message>
+        <source>Capture now</source>
+        <translation>Capturar ahora</translation>
+    </message>
+    <message>
+        <source>Take the board as it is shown now, also when it is not held still</source>
+        <translation>Tomar el tablero tal como se muestra ahora, aunque no esté quieto</translation>
+    </message>
+    <message>
+        <source>On the floor now</source>
+        <translation>Ahora en el suelo</translation>
+    </message>
+    <message>
+        <source>Take the board as it lies on the floor now: it makes the world. X along its rows, Y to its upper edge, Z up</source>
+        <translation>Tomar el tablero tal como está ahora en el suelo: define el mundo. X a lo largo de sus filas, Y hacia su borde superior, Z hacia arriba</translation>
+    </message>
+    <message>
+        <source>Next: places</source>
+        <translation>Siguiente: posiciones</translation>
+    </message>
+    <message>
+        <source>Leave the lenses as well known as they are, and show the board to several cameras at once</source>
+        <translation>Dejar los objetivos como están y mostrar el tablero a varias cámaras a la vez</translation>
+    </message>
+    <message>
+        <source>Calibrate with these views</source>
+        <translation>Calibrar con estas vistas</translation>
+    </message>
+    <message>
+        <source>End here: what was taken so far is enough</source>
+        <translation>Terminar aquí: basta con lo capturado</translation>
+    </message>
+    <message>
+        <source>Start over</source>
+        <translation>Empezar de nuevo</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Empezar</translation>
+    </message>
+    <message>
+        <source>Look for the board in the live images, and be told what to show</source>
+        <translation>Buscar el tablero en las imágenes en vivo e indicar qué mostrar</translation>
+    </message>
+    <message>
+        <source>Waiting for images: are the cameras playing?</source>
+        <translation>Esperando imágenes: ¿están en marcha las cámaras?</translation>
+    </message>
+    <message>
+        <source>Show the board to one camera after the other, as each of them asks.</source>
+        <translation>Muestre el tablero a una cámara tras otra, como pida cada una.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardPage</name>
+    <message>
+        <source>Board</source>
+        <translation>Tablero</translation>
+    </message>
+    <message>
+        <source>What to find</source>
+        <translation>Qué buscar</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Calibrar</translation>
+    </message>
+    <message>
+        <source>Look for the board in the recording, and calibrate the cameras with it; one step that can be undone</source>
+        <translation>Buscar el tablero en la grabación y calibrar con él las cámaras; un paso que se puede deshacer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stop; the former calibration is kept</source>
+        <translation>Detener; se conserva la calibración anterior</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Take the calibration into the project; one step that can be undone</source>
+        <translation>Llevar la calibración al proyecto; un paso que se puede deshacer</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Informe…</translation>
+    </message>
+    <message>
+        <source>Save a page with residuals, coverage and errors of all pictures, and open it</source>
+        <translation>Guardar y abrir una página con residuos, cobertura y errores de todas las imágenes</translation>
+    </message>
+    <message>
+        <source>How far the calibration is</source>
+        <translation>Avance de la calibración</translation>
+    </message>
+    <message>
+        <source>Show a printed board to the cameras: you are told what to show next, and it is taken when you hold it still.</source>
+        <translation>Muestre un tablero impreso a las cámaras: se le indica qué mostrar después y se captura cuando lo mantiene quieto.</translation>
+    </message>
+    <message>
+        <source>A recording in which a printed board is shown to the cameras, held still in many places, near and tilted, calibrates them.</source>
+        <translation>Una grabación en la que se muestra un tablero impreso a las cámaras, quieto en muchos lugares, cerca e inclinado, las calibra.</translation>
+    </message>
+    <message>
+        <source>Live cameras</source>
+        <translation>Cámaras en vivo</translation>
+    </message>
+    <message>
+        <source>This recording</source>
+        <translation>Esta grabación</translation>
+    </message>
+    <message>
+        <source>✓ The cameras are calibrated (Ctrl+Z takes it back).</source>
+        <translation>✓ Las cámaras están calibradas (Ctrl+Z lo deshace).</translation>
+    </message>
+    <message>
+        <source>Looking for the board: %p %</source>
+        <translation>Buscando el tablero: %p %</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Calculando</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Guardar el informe</translation>
+    </message>
+    <message>
+        <source>Page (*.html)</source>
+        <translation>Página (*.html)</translation>
     </message>
 </context>
 <context>
@@ -2412,6 +3081,10 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Speak this language</source>
         <translation>Hablar este idioma</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Tablero</translation>
     </message>
 </context>
 <context>

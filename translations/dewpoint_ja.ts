@@ -427,6 +427,284 @@
         <source>Adjust cameras until a grid lies on the real thing in their images</source>
         <translation>画像の中で格子が実物に重なるまでカメラを調整します</translation>
     </message>
+    <message>
+        <source>Calibrate with a board…</source>
+        <translation>ボードでキャリブレーション…</translation>
+    </message>
+    <message>
+        <source>Find lenses and places of the cameras with a printed board</source>
+        <translation>印刷したボードでカメラのレンズと位置を求めます</translation>
+    </message>
+    <message>
+        <source>Print a calibration board…</source>
+        <translation>キャリブレーションボードを印刷…</translation>
+    </message>
+    <message>
+        <source>Write the board to calibrate with as a PDF in its true size</source>
+        <translation>キャリブレーション用ボードを実寸のPDFに書き出します</translation>
+    </message>
+</context>
+<context>
+    <name>BoardWords</name>
+    <message>
+        <source>%1: rms %2 px, focal length %3 px, %4 pictures</source>
+        <translation>%1: rms %2 px、焦点距離 %3 px、画像 %4 枚</translation>
+    </message>
+    <message>
+        <source>%1 keeps its place: it never saw the board.</source>
+        <translation>%1の位置はそのままです。ボードが一度も見えませんでした。</translation>
+    </message>
+    <message>
+        <source>%1: rms %2 px</source>
+        <translation>%1: rms %2 px</translation>
+    </message>
+    <message>
+        <source>, place ±%1 mm, direction ±%2°</source>
+        <translation>、位置 ±%1 mm、向き ±%2°</translation>
+    </message>
+    <message>
+        <source>Lenses</source>
+        <translation>レンズ</translation>
+    </message>
+    <message>
+        <source>%1 keeps its lens: %2</source>
+        <translation>%1のレンズはそのままです: %2</translation>
+    </message>
+    <message>
+        <source>Places: rms %1 px over %2 positions of the board</source>
+        <translation>位置: ボード %2 か所で rms %1 px</translation>
+    </message>
+    <message>
+        <source>upper left</source>
+        <translation>左上</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>upper right</source>
+        <translation>右上</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>中央</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>左下</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation>右下</translation>
+    </message>
+    <message>
+        <source>its left side nearer</source>
+        <translation>左側を近く</translation>
+    </message>
+    <message>
+        <source>its right side nearer</source>
+        <translation>右側を近く</translation>
+    </message>
+    <message>
+        <source>its upper side nearer</source>
+        <translation>上側を近く</translation>
+    </message>
+    <message>
+        <source>its lower side nearer</source>
+        <translation>下側を近く</translation>
+    </message>
+    <message>
+        <source>facing the camera</source>
+        <translation>カメラの正面に</translation>
+    </message>
+    <message>
+        <source>No image yet</source>
+        <translation>まだ画像がありません</translation>
+    </message>
+    <message>
+        <source>Show it the whole board</source>
+        <translation>ボード全体を見せてください</translation>
+    </message>
+    <message>
+        <source>Move the board to: %1</source>
+        <translation>ボードを動かす: %1</translation>
+    </message>
+    <message>
+        <source>Tilt it, %1</source>
+        <translation>傾ける: %1</translation>
+    </message>
+    <message>
+        <source>Come nearer with the board</source>
+        <translation>ボードを近づけてください</translation>
+    </message>
+    <message>
+        <source>Hold it still</source>
+        <translation>静止させてください</translation>
+    </message>
+    <message>
+        <source>The image is soft: focus, or more light</source>
+        <translation>画像がぼけています。ピントを合わせるか明るくしてください</translation>
+    </message>
+    <message>
+        <source>✓ Done</source>
+        <translation>✓ 完了</translation>
+    </message>
+    <message>
+        <source>✓ All cameras have seen enough together</source>
+        <translation>✓ すべてのカメラが十分に同時に見ました</translation>
+    </message>
+    <message>
+        <source>Show the board to %1 and %2 at once, hold it still, then elsewhere</source>
+        <translation>ボードを%1と%2に同時に見せて静止させ、別の場所でも繰り返してください</translation>
+    </message>
+    <message>
+        <source>no board in sight</source>
+        <translation>ボードが見えません</translation>
+    </message>
+    <message>
+        <source>⚠ soft, edges of %1 px</source>
+        <translation>⚠ ぼけ、エッジ幅 %1 px</translation>
+    </message>
+    <message>
+        <source>sharp, edges of %1 px</source>
+        <translation>鮮明、エッジ幅 %1 px</translation>
+    </message>
+    <message>
+        <source>%1 of at least %2 views</source>
+        <translation>%1 / 少なくとも %2 ビュー</translation>
+    </message>
+    <message>
+        <source>%1 views, known to %2 px (wanted: %3 px)</source>
+        <translation>%1 ビュー、精度 %2 px（目標: %3 px）</translation>
+    </message>
+    <message>
+        <source>● sees the board</source>
+        <translation>● ボードが見えています</translation>
+    </message>
+    <message>
+        <source>○ does not see the board</source>
+        <translation>○ ボードが見えません</translation>
+    </message>
+    <message>
+        <source>%1 views, place known to %2 mm</source>
+        <translation>%1 ビュー、位置の精度 %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 views with others</source>
+        <translation>他と共通のビュー %1</translation>
+    </message>
+    <message>
+        <source>The places were not found: %1</source>
+        <translation>位置は求められませんでした: %1</translation>
+    </message>
+    <message>
+        <source>How good it is cannot be said: too few places were seen by two cameras.</source>
+        <translation>どれほど良いかは判定できません。2台のカメラで見えた場所が少なすぎます。</translation>
+    </message>
+</context>
+<context>
+    <name>CalibrationWords</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
+        <translation>%1 と %2 を入れ替えるとすべて合います。動画が逆になっているようです。2つのファイルを入れ替えてください。</translation>
+    </message>
+    <message>
+        <source>%1 fits when its video is shifted: it likely shows everything %2 frames late. Synchronize the videos, or let time offsets be found.</source>
+        <translation>%1 は動画をずらすと合います。おそらくすべてが %2 フレーム遅れています。動画を同期させるか、時間のずれを求めてください。</translation>
+    </message>
+    <message>
+        <source>%1 fits when its video is shifted: it likely shows everything %2 frames early. Synchronize the videos, or let time offsets be found.</source>
+        <translation>%1 は動画をずらすと合います。おそらくすべてが %2 フレーム早まっています。動画を同期させるか、時間のずれを求めてください。</translation>
+    </message>
+    <message>
+        <source>%1 fits one place before %2 s and another after: it was likely moved or bumped then. Calibrate with the part after it.</source>
+        <translation>%1 は %2 秒より前と後で位置が異なります。そのとき動かされたかぶつけられたようです。その後の部分で較正してください。</translation>
+    </message>
+    <message>
+        <source>%1 fits only with flipped images: its video is likely mirrored or upside down. Set how its images are turned and mirrored.</source>
+        <translation>%1 は画像を反転させたときだけ合います。動画が鏡像か上下逆のようです。画像の回転と鏡像を設定してください。</translation>
+    </message>
+    <message>
+        <source>%1 fits with a focal length %2 times the given one: its zoom (or a crop) was likely changed. Calibrate its lens again.</source>
+        <translation>%1 は焦点距離を %2 倍にすると合います。ズーム（または切り出し）が変わったようです。レンズを較正し直してください。</translation>
+    </message>
+    <message>
+        <source>The lens data of %1 are likely for another resolution: its images are %2 times as large. Convert them, or record at the calibrated size.</source>
+        <translation>%1 のレンズデータは別の解像度のもののようです。画像は %2 倍の大きさです。換算するか、較正した大きさで録画してください。</translation>
+    </message>
+    <message>
+        <source>In this volume ±%1 (95 %)</source>
+        <translation>この空間内で ±%1 (95 %)</translation>
+    </message>
+    <message>
+        <source>, scale ±%1 %</source>
+        <translation>、縮尺 ±%1 %</translation>
+    </message>
+    <message>
+        <source>, scale unknown</source>
+        <translation>、縮尺は不明</translation>
+    </message>
+    <message>
+        <source>, up ±%1°</source>
+        <translation>、鉛直 ±%1°</translation>
+    </message>
+    <message>
+        <source>, up not measured</source>
+        <translation>、鉛直は未測定</translation>
+    </message>
+    <message>
+        <source>all cameras</source>
+        <translation>全カメラ</translation>
+    </message>
+    <message>
+        <source>The cameras would all look at the back of the board or floor: its points are likely mirrored. Check the direction of its axes, and that the print is not reversed.</source>
+        <translation>すべてのカメラがボードまたは床の裏側を見ていることになります。点が鏡像になっているようです。軸の向きと、印刷が反転していないことを確かめてください。</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: millimetres and metres are likely mixed up.</source>
+        <translation>与えられた長さはカメラの見る長さの %1 倍です。ミリメートルとメートルを取り違えているようです。</translation>
+    </message>
+    <message>
+        <source>The given length is %1 times what the cameras see: it is likely in inches (1 inch = 2.54 cm).</source>
+        <translation>与えられた長さはカメラの見る長さの %1 倍です。インチのようです（1 インチ = 2.54 cm）。</translation>
+    </message>
+    <message>
+        <source>The corners form a board with %1 in a row: the number of squares is likely wrong. Count them and correct the board.</source>
+        <translation>角は1列に %1 個あるボードをなしています。マス目の数が違うようです。数えてボードを直してください。</translation>
+    </message>
+    <message>
+        <source>The board&apos;s squares are given %1 times as large as the cameras see them: measure a row with a ruler (prints are often rescaled).</source>
+        <translation>ボードのマス目はカメラの見る大きさの %1 倍とされています。定規で1列を測ってください（印刷はよく拡大縮小されます）。</translation>
+    </message>
+    <message>
+        <source>The images fit when shifted by %1 px along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
+        <translation>画像は両軸に %1 px ずらすと合います。ピクセルの角を原点に数えるツールがあるようです。主点を換算してください。</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>カメラ %1</translation>
+    </message>
 </context>
 <context>
     <name>ColorTeacher</name>
@@ -1078,6 +1356,10 @@ From %2 to %3%4; default %5%4.</source>
         <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
         <translation>画像の大部分を占めています。物そのものをクリックするか、枠で囲んでください。</translation>
     </message>
+    <message>
+        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
+        <translation>画像の %1 % が一致します。ターゲットを Shift クリックすると、どれだけ見分けやすいか分かります。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BirdsEyeView</name>
@@ -1116,6 +1398,393 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>No 3D: %1</source>
         <translation>3D 表示なし：%1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardDesk</name>
+    <message>
+        <source>Stopped: the former calibration is kept.</source>
+        <translation>中止しました。以前のキャリブレーションはそのままです。</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>カメラ %1</translation>
+    </message>
+    <message>
+        <source>The project has other cameras by now: calibrate again.</source>
+        <translation>プロジェクトのカメラが変わりました。もう一度キャリブレーションしてください。</translation>
+    </message>
+    <message>
+        <source>Calibrate with a board</source>
+        <translation>ボードでキャリブレーション</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardFields</name>
+    <message>
+        <source>Print the board</source>
+        <translation>ボードを印刷</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Chessboard</source>
+        <translation>チェスボード</translation>
+    </message>
+    <message>
+        <source>ChArUco (with markers)</source>
+        <translation>ChArUco（マーカー付き）</translation>
+    </message>
+    <message>
+        <source>Kind of board</source>
+        <translation>ボードの種類</translation>
+    </message>
+    <message>
+        <source>ChArUco boards may be partly hidden or outside the image; chessboards must be seen whole</source>
+        <translation>ChArUcoボードは一部が隠れても画像の外に出てもかまいません。チェスボードは全体が見える必要があります</translation>
+    </message>
+    <message>
+        <source>Squares across, down</source>
+        <translation>マス目の数（横・縦）</translation>
+    </message>
+    <message>
+        <source>Squares in a row</source>
+        <translation>横のマス目の数</translation>
+    </message>
+    <message>
+        <source>All squares of a row, black and white</source>
+        <translation>1行のすべてのマス目（黒と白）</translation>
+    </message>
+    <message>
+        <source>Squares in a column</source>
+        <translation>縦のマス目の数</translation>
+    </message>
+    <message>
+        <source>All squares of a column, black and white</source>
+        <translation>1列のすべてのマス目（黒と白）</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>マス目の一辺</translation>
+    </message>
+    <message>
+        <source>Measured on the print: a long row with a ruler, divided by its squares</source>
+        <translation>印刷物で測ります。長い行を定規で測り、マス目の数で割ります</translation>
+    </message>
+    <message>
+        <source>Unit of the sizes</source>
+        <translation>寸法の単位</translation>
+    </message>
+    <message>
+        <source>Unit in which the sizes are typed</source>
+        <translation>寸法を入力する単位</translation>
+    </message>
+    <message>
+        <source>Marker, dictionary</source>
+        <translation>マーカー、辞書</translation>
+    </message>
+    <message>
+        <source>Side of a marker</source>
+        <translation>マーカーの一辺</translation>
+    </message>
+    <message>
+        <source>Of the black square around the pattern</source>
+        <translation>模様を囲む黒い四角の一辺</translation>
+    </message>
+    <message>
+        <source>Dictionary of the markers</source>
+        <translation>マーカーの辞書</translation>
+    </message>
+    <message>
+        <source>As the program called it that made it</source>
+        <translation>ボードを作ったプログラムでの名前</translation>
+    </message>
+    <message>
+        <source>Even rows of older software</source>
+        <translation>古いソフトウェアの偶数行</translation>
+    </message>
+    <message>
+        <source>A ChArUco board with an even number of rows from software older than OpenCV 4.6: its first square is white</source>
+        <translation>OpenCV 4.6より古いソフトウェアで作った偶数行のChArUcoボード（最初のマス目が白）</translation>
+    </message>
+    <message>
+        <source>Black and white exchanged</source>
+        <translation>白黒反転</translation>
+    </message>
+    <message>
+        <source>White markers and corners on a black page</source>
+        <translation>黒い紙に白いマーカーと角</translation>
+    </message>
+    <message>
+        <source>Print this board…</source>
+        <translation>このボードを印刷…</translation>
+    </message>
+    <message>
+        <source>Write the board as a PDF in its true size, with a bar to check it with a ruler</source>
+        <translation>ボードを実寸のPDFに書き出します。定規で確かめる目盛りが付きます</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>用紙</translation>
+    </message>
+    <message>
+        <source>Size of the sheet that is printed on</source>
+        <translation>印刷する用紙の大きさ</translation>
+    </message>
+    <message>
+        <source>%1 × %2 inner corners; for the command line: %3</source>
+        <translation>内側の角 %1 × %2。コマンドライン用: %3</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardGoalFields</name>
+    <message>
+        <source>Find</source>
+        <translation>求めるもの</translation>
+    </message>
+    <message>
+        <source>Lenses and places</source>
+        <translation>レンズと位置</translation>
+    </message>
+    <message>
+        <source>Lenses</source>
+        <translation>レンズ</translation>
+    </message>
+    <message>
+        <source>Places of the cameras</source>
+        <translation>カメラの位置</translation>
+    </message>
+    <message>
+        <source>What is found</source>
+        <translation>求めるもの</translation>
+    </message>
+    <message>
+        <source>Lenses: how each camera sees, by itself. Places: where the cameras stand, from a board that several of them see at once</source>
+        <translation>レンズ: 各カメラの写り方。位置: 複数のカメラが同時に見るボードから求めるカメラの場所</translation>
+    </message>
+    <message>
+        <source>Lens model</source>
+        <translation>レンズモデル</translation>
+    </message>
+    <message>
+        <source>Pinhole, 5 coefficients</source>
+        <translation>ピンホール、係数5個</translation>
+    </message>
+    <message>
+        <source>Pinhole, 8 coefficients (wide)</source>
+        <translation>ピンホール、係数8個（広角）</translation>
+    </message>
+    <message>
+        <source>Fisheye</source>
+        <translation>魚眼</translation>
+    </message>
+    <message>
+        <source>5 for most lenses; 8 for wide ones; fisheye from about 120° on</source>
+        <translation>ほとんどのレンズは5、広角は8、約120°以上は魚眼</translation>
+    </message>
+    <message>
+        <source>The board lies on the floor in frame</source>
+        <translation>ボードが床に置かれているフレーム</translation>
+    </message>
+    <message>
+        <source>That frame makes the world: X along the rows, Y to the upper edge, Z up. Without it the first camera keeps its place</source>
+        <translation>このフレームが世界座標を決めます。Xは行の向き、Yは上の辺の向き、Zは上。指定しなければ最初のカメラの位置を保ちます</translation>
+    </message>
+    <message>
+        <source>Frame in which the board lies on the floor</source>
+        <translation>ボードが床にあるフレーム</translation>
+    </message>
+    <message>
+        <source>Number of the frame</source>
+        <translation>フレーム番号</translation>
+    </message>
+    <message>
+        <source>This one</source>
+        <translation>このフレーム</translation>
+    </message>
+    <message>
+        <source>The frame shown</source>
+        <translation>表示中のフレーム</translation>
+    </message>
+    <message>
+        <source>Take the frame that is shown now</source>
+        <translation>今表示しているフレームを使います</translation>
+    </message>
+    <message>
+        <source>Enough at</source>
+        <translation>目標精度</translation>
+    </message>
+    <message>
+        <source>Accuracy wanted of lenses</source>
+        <translation>レンズの目標精度</translation>
+    </message>
+    <message>
+        <source>The guidance ends when a ray is known to so many pixels all over the image</source>
+        <translation>画像全体で光線がこのピクセル数まで分かると案内が終わります</translation>
+    </message>
+    <message>
+        <source>Accuracy wanted of places</source>
+        <translation>位置の目標精度</translation>
+    </message>
+    <message>
+        <source>The guidance ends when the place of each camera is known so well</source>
+        <translation>各カメラの位置がこの精度で分かると案内が終わります</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardLive</name>
+    <message>
+        <source>How long the board was held still before %1</source>
+        <translation>%1の前でボードを静止させた時間</translation>
+    </message>
+    <message>
+        <source>Where %1 saw the board</source>
+        <translation>%1がボードを見た場所</translation>
+    </message>
+    <message>
+        <source>Filled: the regions and tilts that the board was shown in. Orange: what is asked for. Green: the board as it is seen now</source>
+        <translation>塗り: ボードを見せた領域と傾き。オレンジ: 次に求められるもの。緑: 今見えているボード</translation>
+    </message>
+    <message>
+        <source>Capture now</source>
+        <translation>今取り込む</translation>
+    </message>
+    <message>
+        <source>Take the board as it is shown now, also when it is not held still</source>
+        <translation>静止していなくても、今見せているボードを取り込みます</translation>
+    </message>
+    <message>
+        <source>On the floor now</source>
+        <translation>今、床にある</translation>
+    </message>
+    <message>
+        <source>Take the board as it lies on the floor now: it makes the world. X along its rows, Y to its upper edge, Z up</source>
+        <translation>今床にあるボードを取り込み、世界座標を決めます。Xは行の向き、Yは上の辺の向き、Zは上</translation>
+    </message>
+    <message>
+        <source>Next: places</source>
+        <translation>次へ: 位置</translation>
+    </message>
+    <message>
+        <source>Leave the lenses as well known as they are, and show the board to several cameras at once</source>
+        <translation>レンズは今の精度のままにして、ボードを複数のカメラに同時に見せます</translation>
+    </message>
+    <message>
+        <source>Calibrate with these views</source>
+        <translation>これらのビューでキャリブレーション</translation>
+    </message>
+    <message>
+        <source>End here: what was taken so far is enough</source>
+        <translation>ここで終わります。これまでの取り込みで十分です</translation>
+    </message>
+    <message>
+        <source>Start over</source>
+        <translation>最初から</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>Look for the board in the live images, and be told what to show</source>
+        <translation>ライブ画像でボードを探し、何を見せるかを案内します</translation>
+    </message>
+    <message>
+        <source>Waiting for images: are the cameras playing?</source>
+        <translation>画像を待っています。カメラは再生中ですか？</translation>
+    </message>
+    <message>
+        <source>Show the board to one camera after the other, as each of them asks.</source>
+        <translation>各カメラの案内に従って、順番にボードを見せてください。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoardPage</name>
+    <message>
+        <source>Board</source>
+        <translation>ボード</translation>
+    </message>
+    <message>
+        <source>What to find</source>
+        <translation>求めるもの</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>キャリブレーション</translation>
+    </message>
+    <message>
+        <source>Look for the board in the recording, and calibrate the cameras with it; one step that can be undone</source>
+        <translation>録画からボードを探してカメラをキャリブレーションします。1つの取り消せる手順です</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Stop; the former calibration is kept</source>
+        <translation>中止します。以前のキャリブレーションは保たれます</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>適用</translation>
+    </message>
+    <message>
+        <source>Take the calibration into the project; one step that can be undone</source>
+        <translation>キャリブレーションをプロジェクトに取り込みます。1つの取り消せる手順です</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>レポート…</translation>
+    </message>
+    <message>
+        <source>Save a page with residuals, coverage and errors of all pictures, and open it</source>
+        <translation>残差、カバー範囲、全画像の誤差のページを保存して開きます</translation>
+    </message>
+    <message>
+        <source>How far the calibration is</source>
+        <translation>キャリブレーションの進み具合</translation>
+    </message>
+    <message>
+        <source>Show a printed board to the cameras: you are told what to show next, and it is taken when you hold it still.</source>
+        <translation>印刷したボードをカメラに見せてください。次に何を見せるかが示され、静止させると取り込まれます。</translation>
+    </message>
+    <message>
+        <source>A recording in which a printed board is shown to the cameras, held still in many places, near and tilted, calibrates them.</source>
+        <translation>印刷したボードを多くの場所で、近づけたり傾けたりして静止させながらカメラに見せた録画から、キャリブレーションします。</translation>
+    </message>
+    <message>
+        <source>Live cameras</source>
+        <translation>ライブカメラ</translation>
+    </message>
+    <message>
+        <source>This recording</source>
+        <translation>この録画</translation>
+    </message>
+    <message>
+        <source>✓ The cameras are calibrated (Ctrl+Z takes it back).</source>
+        <translation>✓ カメラをキャリブレーションしました（Ctrl+Zで取り消せます）。</translation>
+    </message>
+    <message>
+        <source>Looking for the board: %p %</source>
+        <translation>ボードを探しています: %p %</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>計算中</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>レポートを保存</translation>
+    </message>
+    <message>
+        <source>Page (*.html)</source>
+        <translation>ページ (*.html)</translation>
     </message>
 </context>
 <context>
@@ -2411,6 +3080,10 @@ at %4, %5, %6 m</source>
     <message>
         <source>Speak this language</source>
         <translation>この言語で表示します</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>ボード</translation>
     </message>
 </context>
 <context>

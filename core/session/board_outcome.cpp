@@ -26,6 +26,24 @@ std::string page(const SeenBoards& seen, const BoardWish& wish, const BoardOutco
   return htmlText(reports);
 }
 
+Status addPlaces(const SeenBoards& seen, const BoardWish& wish, BoardOutcome& outcome,
+                 const CalibrationProgress& progress) {
+  auto places = extrinsicsFromBoards(outcome.project, seen, wish, progress);
+  if (!places) {
+    return tl::make_unexpected(places.error());
+  }
+  if (!goesOn(progress, "judging", 0.5)) {
+    return cancelled();
+  }
+  const auto verdict = judgeBoard(*places, wish.board, wish.worldFrame);
+  outcome.verdict = verdict ? std::optional(*verdict) : std::nullopt;
+  outcome.verdictSentence =
+      verdict ? verdictSentence(*verdict) : "none; " + sentence(verdict.error());
+  outcome.project = withCameras(std::move(outcome.project), places->cameras);
+  outcome.places = std::move(*places);
+  return {};
+}
+
 } // namespace
 
 Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoards& seen,
@@ -41,20 +59,14 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoard
     outcome.project = withIntrinsics(std::move(outcome.project), lenses->cameras);
     outcome.lenses = std::move(*lenses);
   }
-  if (goal.places) {
-    auto places = extrinsicsFromBoards(outcome.project, seen, wish, progress);
-    if (!places) {
-      return tl::make_unexpected(places.error());
+  const bool alone = project.cameras.size() < 2 && !wish.worldFrame;
+  if (goal.places && !(alone && goal.lenses)) {
+    if (const auto found = addPlaces(seen, wish, outcome, progress); !found) {
+      if (!outcome.lenses || found.error().code == ErrorCode::Cancelled) {
+        return tl::make_unexpected(found.error());
+      }
+      outcome.noPlaces = found.error();
     }
-    outcome.project = withCameras(std::move(outcome.project), places->cameras);
-    outcome.places = std::move(*places);
-    if (!goesOn(progress, "judging", 0.5)) {
-      return cancelled();
-    }
-    const auto verdict = judgeBoard(*outcome.places, wish.board, wish.worldFrame);
-    outcome.verdict = verdict ? std::optional(*verdict) : std::nullopt;
-    outcome.verdictSentence =
-        verdict ? verdictSentence(*verdict) : "none; " + sentence(verdict.error());
   }
   outcome.report = page(seen, wish, outcome);
   return outcome;
@@ -73,6 +85,9 @@ std::vector<std::string> remarksOn(const BoardOutcome& outcome) {
     for (const Error& kept : outcome.lenses->kept) {
       remarks.push_back(keptSentence(kept) + ".");
     }
+  }
+  if (outcome.noPlaces) {
+    remarks.push_back("The places were not found: " + sentence(*outcome.noPlaces) + ".");
   }
   if (outcome.places) {
     for (const std::string& notice : outcome.places->notices) {

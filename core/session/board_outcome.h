@@ -23,13 +23,15 @@ struct BoardOutcome {
   Project project;
   std::optional<LensesFromBoards> lenses;
   std::optional<ExtrinsicsResult> places;
+  std::optional<Error> noPlaces;  ///< why only the lenses were found, although both were wanted
   std::optional<Verdict> verdict; ///< on the places; nothing: it could not be judged
   std::string verdictSentence;    ///< or why there is none; empty without places
   std::string report;             ///< one HTML page
 };
 
 /// Lenses, then places with these lenses, from where the board was seen: the same bits for the
-/// command line and the window, from a recording or live. The project itself is not changed.
+/// command line and the window, from a recording or live. The project itself is not changed. One
+/// camera alone has no place to be found, unless the board lies on the floor somewhere.
 /// Errors: those of intrinsicsFromBoards() and extrinsicsFromBoards().
 Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoards& seen,
                                          const BoardWish& wish, const BoardGoal& goal,

@@ -39,7 +39,9 @@ constexpr std::string_view kFrameHeader = "core/capture/frame.h";
 /// The value types that core/session hands out; besides core/session and core/base, the window
 /// sees nothing else of core.
 const Names& windowHeaders() {
-  static const Names kHeaders = {"core/calibration/click_aids.h",
+  static const Names kHeaders = {"core/calibration/board.h",
+                                 "core/calibration/board_print.h",
+                                 "core/calibration/click_aids.h",
                                  "core/calibration/hand_adjustment.h",
                                  "core/calibration/measured_points.h",
                                  "core/geometry/image_symmetry.h",

@@ -175,6 +175,20 @@ TEST(BoardCalibration, ACameraThatNeverSawTheBoardKeepsWhatItHas) {
   EXPECT_NE(outcome->report.find("door keeps its lens"), std::string::npos);
 }
 
+TEST(BoardCalibration, LensesRemainWherePlacesCannotBeFound) {
+  BlindCamera blind;
+  blind.seen.cameras[2].views.clear(); // one camera is left
+  const auto outcome =
+      calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(), {true, true});
+  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_TRUE(outcome->noPlaces);
+  EXPECT_NE(outcome->noPlaces->detail.find("'right'"), std::string::npos);
+  EXPECT_TRUE(outcome->lenses->cameras[1]);
+  EXPECT_EQ(remarksOn(*outcome).size(), 3U);
+  EXPECT_FALSE(calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(),
+                                   {false, true}));
+}
+
 TEST(BoardCalibration, NobodySawTheBoard) {
   BlindCamera blind;
   for (auto& camera : blind.seen.cameras) {

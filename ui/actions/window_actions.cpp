@@ -64,6 +64,12 @@ std::vector<ActionDeclaration> editActions() {
        QT_TRANSLATE_NOOP("Actions", "Adjust cameras until a grid lies on the real thing in their "
                                     "images"),
        "camera", Qt::Key_C, true},
+      {"actionCalibrateBoard", group, QT_TRANSLATE_NOOP("Actions", "Calibrate with a board…"),
+       QT_TRANSLATE_NOOP("Actions", "Find lenses and places of the cameras with a printed board"),
+       nullptr, Qt::SHIFT | Qt::Key_C},
+      {"actionPrintBoard", group, QT_TRANSLATE_NOOP("Actions", "Print a calibration board…"),
+       QT_TRANSLATE_NOOP("Actions", "Write the board to calibrate with as a PDF in its true size"),
+       nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_B},
       {"actionShortcuts", group, QT_TRANSLATE_NOOP("Actions", "Shortcuts…"),
        QT_TRANSLATE_NOOP("Actions", "See and change all shortcuts"), nullptr,
        Qt::CTRL | Qt::Key_Comma},

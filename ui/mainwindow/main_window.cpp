@@ -295,6 +295,7 @@ void MainWindow::updateEnabled() {
                          "actionExportTrajectory",
                          "actionCloseProject",
                          "actionCalibrateByHand",
+                         "actionCalibrateBoard",
                          "actionRemoveTarget",
                          "actionSavePicture",
                          "actionAddTarget",

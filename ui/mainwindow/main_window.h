@@ -21,6 +21,7 @@ class QStackedWidget;
 namespace dewpoint {
 
 class BirdsEyeView;
+class BoardDesk;
 class CalibrationPlace;
 class CameraView;
 class CameraPanel;
@@ -105,6 +106,7 @@ private:
   void offerRecovery();
   void makeInspector();
   void makeCalibration();
+  void makeBoardPage();
   void showCalibration(bool shown);
   void showHandles();
   void takeCalibration();
@@ -178,6 +180,7 @@ private:
   CameraPanel* cameras_ = nullptr;
   HandDesk* hand_ = nullptr;
   PointDesk* points_ = nullptr;
+  BoardDesk* board_ = nullptr;
   CalibrationPlace* calibration_ = nullptr;
   QDockWidget* calibrationDock_ = nullptr;
   std::vector<GridLayer*> gridLayers_; ///< one per camera view

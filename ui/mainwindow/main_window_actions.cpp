@@ -48,7 +48,8 @@ void MainWindow::makeMenus() {
   project->insertMenu(action("actionOpenDemo"), recent);
   add(tr("&Edit"), "menuEdit",
       {"actionUndo", "actionRedo", nullptr, "actionLearnColor", "actionAddTarget",
-       "actionRemoveTarget", nullptr, "actionCalibrateByHand", nullptr, "actionShortcuts"});
+       "actionRemoveTarget", nullptr, "actionCalibrateByHand", "actionCalibrateBoard",
+       "actionPrintBoard", nullptr, "actionShortcuts"});
   add(tr("&Run"), "menuRun",
       {"actionPlay", "actionNextFrame", "actionNextIteration", "actionPreviousFrame", nullptr,
        "actionNow", "actionRerun", nullptr, "actionAddMark", "actionRemoveMark",

@@ -5,6 +5,8 @@
 #include "ui/actions/action_registry.h"
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/bridge/session_bridge.h"
+#include "ui/calibration/board_desk.h"
+#include "ui/calibration/board_page.h"
 #include "ui/calibration/calibration_place.h"
 #include "ui/calibration/grid_layer.h"
 #include "ui/calibration/hand_desk.h"
@@ -12,6 +14,7 @@
 #include "ui/calibration/point_desk.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/message_bar.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -23,11 +26,17 @@ void MainWindow::makeCalibration() {
   points_ = new PointDesk(*document_, *hand_, this);
   calibration_ = new CalibrationPlace(this);
   calibration_->addPage(new HandPage(*hand_, *points_), [] { return tr("By hand"); });
+  makeBoardPage();
   calibrationDock_ = makeDock(
       QStringLiteral("calibrationDock"), [] { return tr("Calibration"); }, calibration_);
   calibrationDock_->setProperty("closedByChoice", true);
   calibrationDock_->setMinimumWidth(400); // room for the names of all tabs, and three numbers
-  connect(action("actionCalibrateByHand"), &QAction::toggled, this, &MainWindow::showCalibration);
+  connect(action("actionCalibrateByHand"), &QAction::toggled, this, [this](bool shown) {
+    showCalibration(shown);
+    if (shown) {
+      calibration_->showPage(QStringLiteral("handPage"));
+    }
+  });
   connect(calibrationDock_->toggleViewAction(), &QAction::triggered,
           action("actionCalibrateByHand"), &QAction::setChecked);
   connect(hand_, &HandDesk::changed, this, &MainWindow::showHandles);
@@ -45,14 +54,38 @@ void MainWindow::makeCalibration() {
   connect(birdsEye_, &BirdsEyeView::cameraDropped, hand_, &HandDesk::endMerging);
 }
 
+void MainWindow::makeBoardPage() {
+  board_ = new BoardDesk(*document_, loader_->opener(), this);
+  auto* page = new BoardPage(*board_);
+  calibration_->addPage(page, [] { return tr("Board"); });
+  const auto open = [this] {
+    action("actionCalibrateByHand")->setChecked(true);
+    calibration_->showPage(QStringLiteral("boardPage"));
+  };
+  connect(action("actionCalibrateBoard"), &QAction::triggered, this, open);
+  connect(action("actionPrintBoard"), &QAction::triggered, page, &BoardPage::print);
+  connect(calibration_, &CalibrationPlace::pageChanged, this,
+          [this] { showCalibration(action("actionCalibrateByHand")->isChecked()); });
+  connect(this, &MainWindow::snapshotShown, board_, &BoardDesk::setSnapshot);
+  connect(board_, &BoardDesk::playWanted, this, [this] {
+    if (bridge_ != nullptr && shown_ && shown_->state != PlayState::Playing) {
+      bridge_->session().play();
+    }
+  });
+  connect(board_, &BoardDesk::failed, this,
+          [this](const QString& sentence) { messages_->showError(sentence); });
+  connect(board_, &BoardDesk::saved, this,
+          [this](const QString& file) { messages_->showNotice(tr("Saved %1.").arg(file)); });
+}
+
 void MainWindow::showCalibration(bool shown) {
   calibrationDock_->setProperty("closedByChoice", !shown);
   calibrationDock_->setVisible(shown);
   if (shown) {
     calibrationDock_->raise();
-    calibration_->showPage(QStringLiteral("handPage"));
   }
-  hand_->setActive(shown);
+  // The grid would lie over the board that is shown to the cameras.
+  hand_->setActive(shown && calibration_->shownPage() != QStringLiteral("boardPage"));
 }
 
 void MainWindow::showHandles() {

@@ -5,6 +5,7 @@
 #include "ui/actions/command_palette.h"
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/bridge/session_bridge.h"
+#include "ui/calibration/board_layer.h"
 #include "ui/calibration/grid_layer.h"
 #include "ui/camera/camera_view.h"
 #include "ui/color/color_panel.h"
@@ -177,6 +178,7 @@ void MainWindow::makeCameraDocks() {
     view->setMaskShown(action("actionShowMask")->isChecked());
     color_->attach(static_cast<int>(i), view);
     gridLayers_.push_back(new GridLayer(static_cast<int>(i), view, *hand_, *points_));
+    new BoardLayer(static_cast<int>(i), view, *board_);
     view->setEvidenceShown(action("actionShowEvidence")->isChecked());
     cameraDocks_.push_back(dock);
     cameraViews_.push_back(view);

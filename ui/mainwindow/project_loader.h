@@ -28,6 +28,8 @@ public:
   /// Starts opening. While an opening is under way: the last of those asked for comes next, and
   /// what is under way is dropped.
   void open(SessionRequest request);
+  /// For others that open a project in a thread of theirs.
+  const ProjectOpener& opener() const { return opener_; }
   bool isOpening() const { return opening_; }
   /// Lets a session end in a thread of its own.
   void retire(std::unique_ptr<Session> session);

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/camera.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace dewpoint {
+
+struct NamedFault;
+struct Verdict;
+
+/// "In this volume ±3.1 mm (95 %), scale ±0.10 %, up ±0.20°." in the language of the window.
+QString verdictWords(const Verdict& verdict);
+
+/// Likely cause of a fault and what to do, in the language of the window.
+QString faultWords(const NamedFault& fault, const QStringList& cameraNames);
+
+/// "camera 2" where a camera has no name.
+QString cameraName(const CameraRig& rig, std::size_t camera);
+QStringList cameraNames(const CameraRig& rig);
+
+} // namespace dewpoint
