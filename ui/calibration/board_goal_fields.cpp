@@ -158,11 +158,11 @@ void BoardGoalFields::refresh() {
   modelLabel_->setVisible(wish.goal.lenses);
   model_->setVisible(wish.goal.lenses);
   const bool live = desk_.isLive();
-  const bool floor = wish.board.worldFrame.has_value();
-  floor_->setChecked(floor);
+  const bool onFloor = wish.board.worldFrame.has_value();
+  floor_->setChecked(onFloor);
   floor_->setVisible(!live && wish.goal.places);
-  floorFrame_->setVisible(floor && floor_->isVisibleTo(this));
-  floorHere_->setVisible(floor && floor_->isVisibleTo(this));
+  floorFrame_->setVisible(onFloor && floor_->isVisibleTo(this));
+  floorHere_->setVisible(onFloor && floor_->isVisibleTo(this));
   floorHere_->setEnabled(desk_.shownFrame() >= 0);
   {
     const QSignalBlocker quiet(floorFrame_);

@@ -37,8 +37,10 @@ QPolygonF tiltShape(BoardTilt tilt, const QPointF& middle) {
   const double bottom = tilt == BoardTilt::BottomNear ? 9.0
                         : tilt == BoardTilt::TopNear  ? 5.5
                                                       : 7.5;
-  return QPolygonF({middle + QPointF(-top, -left), middle + QPointF(top, -right),
-                    middle + QPointF(bottom, right), middle + QPointF(-bottom, left)});
+  QPolygonF shape;
+  shape << middle + QPointF(-top, -left) << middle + QPointF(top, -right)
+        << middle + QPointF(bottom, right) << middle + QPointF(-bottom, left);
+  return shape;
 }
 
 } // namespace

@@ -147,7 +147,11 @@ void BoardPage::askReport() {
   if (!file.isEmpty()) {
     connect(
         &desk_, &BoardDesk::saved, this,
-        [](const QString& saved) { QDesktopServices::openUrl(QUrl::fromLocalFile(saved)); },
+        [file](const QString& saved) {
+          if (saved == file) {
+            QDesktopServices::openUrl(QUrl::fromLocalFile(saved));
+          }
+        },
         Qt::SingleShotConnection);
     desk_.saveReport(file);
   }
