@@ -332,7 +332,8 @@ void BoardPageTest::everythingHasAName() {
     }
     const auto* button = qobject_cast<QAbstractButton*>(widget);
     QVERIFY2(!widget->accessibleName().isEmpty() || (button && !button->text().isEmpty()),
-             qPrintable(widget->objectName()));
+             qPrintable(widget->objectName() + QStringLiteral(" ") +
+                        QLatin1String(widget->metaObject()->className())));
     QVERIFY2(!widget->toolTip().isEmpty(), qPrintable(widget->objectName()));
   }
 }

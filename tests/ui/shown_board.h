@@ -56,6 +56,7 @@ struct ShownBoard {
   Project project() const {
     Project unknown;
     unknown.name = "board";
+    unknown.parameters = ParameterValues(methodParameters(unknown.method));
     for (const Camera& camera : cameras) {
       ProjectCamera one;
       one.camera.name = camera.name;
