@@ -320,6 +320,7 @@ private Q_SLOTS:
     view_->showMap(map, look);
     QVERIFY(differentPixels(view_->currentPicture(), picture) > 1000);
     view_->showMap(nullptr, look);
+    (void)view_->currentPicture();
     QVERIFY(!scene.placeInLayer({0.0, 0.0}));
   }
 
