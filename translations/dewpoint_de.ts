@@ -1026,6 +1026,10 @@
         <source>No target yet</source>
         <translation>Noch kein Ziel</translation>
     </message>
+    <message>
+        <source>– not tracked</source>
+        <translation>– nicht verfolgt</translation>
+    </message>
 </context>
 <context>
     <name>MapLegend</name>
@@ -1502,6 +1506,54 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <source>pink</source>
         <translation>Rosafarbenes</translation>
     </message>
+    <message>
+        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
+        <translation>Vieles am Ziel passt nicht: Umschalt-Klick auf seine helle und seine dunkle Seite.</translation>
+    </message>
+    <message>
+        <source>Alt-click what matches too: it can be told apart.</source>
+        <translation>Alt-Klick auf das, was auch passt: Es lässt sich unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Cover what has the same color, or take it out of view.</source>
+        <translation>Bedecken Sie, was dieselbe Farbe hat, oder nehmen Sie es aus dem Bild.</translation>
+    </message>
+    <message>
+        <source>The target is nearly black here: more light would help.</source>
+        <translation>Das Ziel ist hier fast schwarz: Mehr Licht würde helfen.</translation>
+    </message>
+    <message>
+        <source>The target is nearly white here: a shorter exposure would help.</source>
+        <translation>Das Ziel ist hier fast weiß: Eine kürzere Belichtung würde helfen.</translation>
+    </message>
+    <message>
+        <source>The target is nearly gray: a stronger color would help.</source>
+        <translation>Das Ziel ist fast grau: Eine kräftigere Farbe würde helfen.</translation>
+    </message>
+    <message>
+        <source>Much of the room has this color: another one would help.</source>
+        <translation>Vieles im Raum hat diese Farbe: Eine andere würde helfen.</translation>
+    </message>
+    <message>
+        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
+        <translation>Das füllt einen großen Teil des Bildes: Klicke das Ding selbst an oder ziehe einen Rahmen darum.</translation>
+    </message>
+    <message>
+        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
+        <translation>%1 % der Bilder passen. Umschalt-Klick auf das Ziel sagt, wie gut es sich abhebt.</translation>
+    </message>
+    <message>
+        <source>%1 % of the background matches too.</source>
+        <translation>%1 % des Hintergrunds passen auch.</translation>
+    </message>
+    <message>
+        <source>One sample does not go with the others: no single range holds both.</source>
+        <translation>Eine Probe passt nicht zu den anderen: Kein Bereich enthält beide.</translation>
+    </message>
+    <message>
+        <source>Something %1 %2 of %3 matches too.</source>
+        <translation>Etwas %1 %2 in %3 passt auch.</translation>
+    </message>
 </context>
 <context>
     <name>WandWish</name>
@@ -1548,53 +1600,6 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>A fall needs two moments: one at which the ball begins to fall, and one at which it still falls.</source>
         <translation>Ein Fall braucht zwei Augenblicke: einen, in dem der Ball zu fallen beginnt, und einen, in dem er noch fällt.</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint</name>
-    <message>
-        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
-        <translation>Vieles am Ziel passt nicht: Umschalt-Klick auf seine helle und seine dunkle Seite.</translation>
-    </message>
-    <message>
-        <source>Alt-click what matches too: it can be told apart.</source>
-        <translation>Alt-Klick auf das, was auch passt: Es lässt sich unterscheiden.</translation>
-    </message>
-    <message>
-        <source>Cover what has the same color, or take it out of view.</source>
-        <translation>Bedecken Sie, was dieselbe Farbe hat, oder nehmen Sie es aus dem Bild.</translation>
-    </message>
-    <message>
-        <source>The target is nearly black here: more light would help.</source>
-        <translation>Das Ziel ist hier fast schwarz: Mehr Licht würde helfen.</translation>
-    </message>
-    <message>
-        <source>The target is nearly white here: a shorter exposure would help.</source>
-        <translation>Das Ziel ist hier fast weiß: Eine kürzere Belichtung würde helfen.</translation>
-    </message>
-    <message>
-        <source>The target is nearly gray: a stronger color would help.</source>
-        <translation>Das Ziel ist fast grau: Eine kräftigere Farbe würde helfen.</translation>
-    </message>
-    <message>
-        <source>Much of the room has this color: another one would help.</source>
-        <translation>Vieles im Raum hat diese Farbe: Eine andere würde helfen.</translation>
-    </message>
-    <message>
-        <source>%1 % of the background matches too.</source>
-        <translation>%1 % des Hintergrunds passen auch.</translation>
-    </message>
-    <message>
-        <source>Something %1 %2 of %3 matches too.</source>
-        <translation>Etwas %1 %2 in %3 passt auch.</translation>
-    </message>
-    <message>
-        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
-        <translation>Das füllt einen großen Teil des Bildes: Klicke das Ding selbst an oder ziehe einen Rahmen darum.</translation>
-    </message>
-    <message>
-        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
-        <translation>%1 % der Bilder passen. Umschalt-Klick auf das Ziel sagt, wie gut es sich abhebt.</translation>
     </message>
 </context>
 <context>
@@ -2685,20 +2690,12 @@ bei %4, %5, %6 m</translation>
         <translation>Lernen</translation>
     </message>
     <message>
-        <source>Then click the target in any camera image, or drag a box on it. Shift-click adds a sample, Alt-click excludes what is not the target.</source>
-        <translation>Danach das Ziel in irgendeinem Kamerabild anklicken oder einen Rahmen darauf ziehen. Umschalt-Klick fügt eine Probe hinzu, Alt-Klick schließt aus, was nicht das Ziel ist.</translation>
-    </message>
-    <message>
         <source>Learned from</source>
         <translation>Gelernt aus</translation>
     </message>
     <message>
         <source>Samples the color was learned from</source>
         <translation>Proben, aus denen die Farbe gelernt wurde</translation>
-    </message>
-    <message>
-        <source>Shift-click in an image adds one, Alt-click excludes one</source>
-        <translation>Umschalt-Klick in einem Bild fügt eine hinzu, Alt-Klick schließt eine aus</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -2751,6 +2748,14 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Click the target</source>
         <translation>Klicke das Ziel an</translation>
+    </message>
+    <message>
+        <source>Then click the target in any camera image, or drag a box on it. Shift-click adds a sample, Alt-click or Ctrl+Shift-click excludes what is not the target.</source>
+        <translation>Klicke dann das Ziel in einem Kamerabild an, oder ziehe einen Rahmen darum. Umschalt-Klick fügt eine Probe hinzu, Alt-Klick oder Strg+Umschalt-Klick schließt aus, was nicht das Ziel ist.</translation>
+    </message>
+    <message>
+        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one</source>
+        <translation>Umschalt-Klick in einem Bild fügt eine hinzu, Alt-Klick oder Strg+Umschalt-Klick schließt eine aus</translation>
     </message>
 </context>
 <context>
@@ -3250,6 +3255,14 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>millimeters</source>
         <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Working on the preview: %1 %</source>
+        <translation>Vorschau in Arbeit: %1 %</translation>
+    </message>
+    <message>
+        <source>%1 exists already: press Export again to replace it.</source>
+        <translation>%1 gibt es schon: Drücke noch einmal auf Exportieren, um es zu ersetzen.</translation>
     </message>
 </context>
 <context>

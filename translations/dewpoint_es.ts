@@ -1026,6 +1026,10 @@
         <source>No target yet</source>
         <translation>Aún sin objetivo</translation>
     </message>
+    <message>
+        <source>– not tracked</source>
+        <translation>– sin seguir</translation>
+    </message>
 </context>
 <context>
     <name>MapLegend</name>
@@ -1502,6 +1506,54 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <source>pink</source>
         <translation>rosa</translation>
     </message>
+    <message>
+        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
+        <translation>Gran parte del objetivo no coincide: Mayús-clic en su lado claro y en su lado oscuro.</translation>
+    </message>
+    <message>
+        <source>Alt-click what matches too: it can be told apart.</source>
+        <translation>Alt-clic en lo que también coincide: se puede distinguir.</translation>
+    </message>
+    <message>
+        <source>Cover what has the same color, or take it out of view.</source>
+        <translation>Cubra lo que tiene el mismo color o sáquelo de la imagen.</translation>
+    </message>
+    <message>
+        <source>The target is nearly black here: more light would help.</source>
+        <translation>El objetivo es casi negro aquí: más luz ayudaría.</translation>
+    </message>
+    <message>
+        <source>The target is nearly white here: a shorter exposure would help.</source>
+        <translation>El objetivo es casi blanco aquí: una exposición más corta ayudaría.</translation>
+    </message>
+    <message>
+        <source>The target is nearly gray: a stronger color would help.</source>
+        <translation>El objetivo es casi gris: un color más vivo ayudaría.</translation>
+    </message>
+    <message>
+        <source>Much of the room has this color: another one would help.</source>
+        <translation>Gran parte de la sala tiene este color: otro ayudaría.</translation>
+    </message>
+    <message>
+        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
+        <translation>Esto llena gran parte de la imagen: haz clic en la cosa misma o arrastra un recuadro sobre ella.</translation>
+    </message>
+    <message>
+        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
+        <translation>Coincide el %1 % de las imágenes. Mayús-clic en el objetivo para saber cuánto destaca.</translation>
+    </message>
+    <message>
+        <source>%1 % of the background matches too.</source>
+        <translation>El %1 % del fondo también coincide.</translation>
+    </message>
+    <message>
+        <source>One sample does not go with the others: no single range holds both.</source>
+        <translation>Una muestra no va con las demás: ningún rango único abarca ambas.</translation>
+    </message>
+    <message>
+        <source>Something %1 %2 of %3 matches too.</source>
+        <translation>Algo %1 %2 de %3 también coincide.</translation>
+    </message>
 </context>
 <context>
     <name>WandWish</name>
@@ -1548,53 +1600,6 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>A fall needs two moments: one at which the ball begins to fall, and one at which it still falls.</source>
         <translation>Una caída necesita dos momentos: uno en que la pelota empieza a caer y otro en que todavía cae.</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint</name>
-    <message>
-        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
-        <translation>Gran parte del objetivo no coincide: Mayús-clic en su lado claro y en su lado oscuro.</translation>
-    </message>
-    <message>
-        <source>Alt-click what matches too: it can be told apart.</source>
-        <translation>Alt-clic en lo que también coincide: se puede distinguir.</translation>
-    </message>
-    <message>
-        <source>Cover what has the same color, or take it out of view.</source>
-        <translation>Cubra lo que tiene el mismo color o sáquelo de la imagen.</translation>
-    </message>
-    <message>
-        <source>The target is nearly black here: more light would help.</source>
-        <translation>El objetivo es casi negro aquí: más luz ayudaría.</translation>
-    </message>
-    <message>
-        <source>The target is nearly white here: a shorter exposure would help.</source>
-        <translation>El objetivo es casi blanco aquí: una exposición más corta ayudaría.</translation>
-    </message>
-    <message>
-        <source>The target is nearly gray: a stronger color would help.</source>
-        <translation>El objetivo es casi gris: un color más vivo ayudaría.</translation>
-    </message>
-    <message>
-        <source>Much of the room has this color: another one would help.</source>
-        <translation>Gran parte de la sala tiene este color: otro ayudaría.</translation>
-    </message>
-    <message>
-        <source>%1 % of the background matches too.</source>
-        <translation>El %1 % del fondo también coincide.</translation>
-    </message>
-    <message>
-        <source>Something %1 %2 of %3 matches too.</source>
-        <translation>Algo %1 %2 de %3 también coincide.</translation>
-    </message>
-    <message>
-        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
-        <translation>Esto llena gran parte de la imagen: haz clic en la cosa misma o arrastra un recuadro sobre ella.</translation>
-    </message>
-    <message>
-        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
-        <translation>Coincide el %1 % de las imágenes. Mayús-clic en el objetivo para saber cuánto destaca.</translation>
     </message>
 </context>
 <context>
@@ -2685,20 +2690,12 @@ en %4, %5, %6 m</translation>
         <translation>Aprender</translation>
     </message>
     <message>
-        <source>Then click the target in any camera image, or drag a box on it. Shift-click adds a sample, Alt-click excludes what is not the target.</source>
-        <translation>Después haga clic en el objetivo en cualquier imagen, o arrastre un recuadro sobre él. Mayús-clic añade una muestra, Alt-clic excluye lo que no es el objetivo.</translation>
-    </message>
-    <message>
         <source>Learned from</source>
         <translation>Aprendido de</translation>
     </message>
     <message>
         <source>Samples the color was learned from</source>
         <translation>Muestras de las que se aprendió el color</translation>
-    </message>
-    <message>
-        <source>Shift-click in an image adds one, Alt-click excludes one</source>
-        <translation>Mayús-clic en una imagen añade una, Alt-clic excluye una</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -2751,6 +2748,14 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Click the target</source>
         <translation>Haz clic en el objetivo</translation>
+    </message>
+    <message>
+        <source>Then click the target in any camera image, or drag a box on it. Shift-click adds a sample, Alt-click or Ctrl+Shift-click excludes what is not the target.</source>
+        <translation>Luego haz clic en el objetivo en cualquier imagen, o arrastra un recuadro sobre él. Mayús-clic añade una muestra; Alt-clic o Ctrl+Mayús-clic excluye lo que no es el objetivo.</translation>
+    </message>
+    <message>
+        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one</source>
+        <translation>Mayús-clic en una imagen añade una; Alt-clic o Ctrl+Mayús-clic excluye una</translation>
     </message>
 </context>
 <context>
@@ -3250,6 +3255,14 @@ en %4, %5, %6 m</translation>
     <message>
         <source>millimeters</source>
         <translation>milímetros</translation>
+    </message>
+    <message>
+        <source>Working on the preview: %1 %</source>
+        <translation>Preparando la vista previa: %1 %</translation>
+    </message>
+    <message>
+        <source>%1 exists already: press Export again to replace it.</source>
+        <translation>%1 ya existe: pulsa Exportar otra vez para reemplazarlo.</translation>
     </message>
 </context>
 <context>

@@ -1026,6 +1026,10 @@
         <source>No target yet</source>
         <translation>ターゲットなし</translation>
     </message>
+    <message>
+        <source>– not tracked</source>
+        <translation>– 未追跡</translation>
+    </message>
 </context>
 <context>
     <name>MapLegend</name>
@@ -1502,6 +1506,54 @@ From %2 to %3%4; default %5%4.</source>
         <source>pink</source>
         <translation>ピンクの物</translation>
     </message>
+    <message>
+        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
+        <translation>ターゲットの多くが一致しません。明るい側と暗い側を Shift クリックしてください。</translation>
+    </message>
+    <message>
+        <source>Alt-click what matches too: it can be told apart.</source>
+        <translation>一致している別の物を Alt クリックすると区別できます。</translation>
+    </message>
+    <message>
+        <source>Cover what has the same color, or take it out of view.</source>
+        <translation>同じ色の物を覆うか、画面の外に出してください。</translation>
+    </message>
+    <message>
+        <source>The target is nearly black here: more light would help.</source>
+        <translation>ターゲットがほぼ黒く写っています。明るくすると良くなります。</translation>
+    </message>
+    <message>
+        <source>The target is nearly white here: a shorter exposure would help.</source>
+        <translation>ターゲットがほぼ白く写っています。露光を短くすると良くなります。</translation>
+    </message>
+    <message>
+        <source>The target is nearly gray: a stronger color would help.</source>
+        <translation>ターゲットがほぼ灰色です。もっと鮮やかな色が良いでしょう。</translation>
+    </message>
+    <message>
+        <source>Much of the room has this color: another one would help.</source>
+        <translation>部屋の多くがこの色です。別の色が良いでしょう。</translation>
+    </message>
+    <message>
+        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
+        <translation>画像の大部分を占めています。物そのものをクリックするか、枠で囲んでください。</translation>
+    </message>
+    <message>
+        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
+        <translation>画像の %1 % が一致します。ターゲットを Shift クリックすると、どれだけ見分けやすいか分かります。</translation>
+    </message>
+    <message>
+        <source>%1 % of the background matches too.</source>
+        <translation>背景の %1 % も一致します。</translation>
+    </message>
+    <message>
+        <source>One sample does not go with the others: no single range holds both.</source>
+        <translation>ほかと合わない見本があります。1つの範囲に両方は収まりません。</translation>
+    </message>
+    <message>
+        <source>Something %1 %2 of %3 matches too.</source>
+        <translation>%3 の%2にある%1も一致します。</translation>
+    </message>
 </context>
 <context>
     <name>WandWish</name>
@@ -1548,53 +1600,6 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>A fall needs two moments: one at which the ball begins to fall, and one at which it still falls.</source>
         <translation>落下には2つの瞬間が必要です。ボールが落ち始める瞬間と、まだ落ちている瞬間です。</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint</name>
-    <message>
-        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
-        <translation>ターゲットの多くが一致しません。明るい側と暗い側を Shift クリックしてください。</translation>
-    </message>
-    <message>
-        <source>Alt-click what matches too: it can be told apart.</source>
-        <translation>一致している別の物を Alt クリックすると区別できます。</translation>
-    </message>
-    <message>
-        <source>Cover what has the same color, or take it out of view.</source>
-        <translation>同じ色の物を覆うか、画面の外に出してください。</translation>
-    </message>
-    <message>
-        <source>The target is nearly black here: more light would help.</source>
-        <translation>ターゲットがほぼ黒く写っています。明るくすると良くなります。</translation>
-    </message>
-    <message>
-        <source>The target is nearly white here: a shorter exposure would help.</source>
-        <translation>ターゲットがほぼ白く写っています。露光を短くすると良くなります。</translation>
-    </message>
-    <message>
-        <source>The target is nearly gray: a stronger color would help.</source>
-        <translation>ターゲットがほぼ灰色です。もっと鮮やかな色が良いでしょう。</translation>
-    </message>
-    <message>
-        <source>Much of the room has this color: another one would help.</source>
-        <translation>部屋の多くがこの色です。別の色が良いでしょう。</translation>
-    </message>
-    <message>
-        <source>%1 % of the background matches too.</source>
-        <translation>背景の %1 % も一致します。</translation>
-    </message>
-    <message>
-        <source>Something %1 %2 of %3 matches too.</source>
-        <translation>%3 の%2にある%1も一致します。</translation>
-    </message>
-    <message>
-        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
-        <translation>画像の大部分を占めています。物そのものをクリックするか、枠で囲んでください。</translation>
-    </message>
-    <message>
-        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
-        <translation>画像の %1 % が一致します。ターゲットを Shift クリックすると、どれだけ見分けやすいか分かります。</translation>
     </message>
 </context>
 <context>
@@ -2685,20 +2690,12 @@ at %4, %5, %6 m</source>
         <translation>学習</translation>
     </message>
     <message>
-        <source>Then click the target in any camera image, or drag a box on it. Shift-click adds a sample, Alt-click excludes what is not the target.</source>
-        <translation>続けてカメラ画像のターゲットをクリックするか、枠をドラッグします。Shift クリックで見本を追加、Alt クリックでターゲットでないものを除外します。</translation>
-    </message>
-    <message>
         <source>Learned from</source>
         <translation>学習に使った見本</translation>
     </message>
     <message>
         <source>Samples the color was learned from</source>
         <translation>色の学習に使った見本</translation>
-    </message>
-    <message>
-        <source>Shift-click in an image adds one, Alt-click excludes one</source>
-        <translation>画像で Shift クリックすると追加、Alt クリックすると除外します</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -2751,6 +2748,14 @@ at %4, %5, %6 m</source>
     <message>
         <source>Click the target</source>
         <translation>ターゲットをクリック</translation>
+    </message>
+    <message>
+        <source>Then click the target in any camera image, or drag a box on it. Shift-click adds a sample, Alt-click or Ctrl+Shift-click excludes what is not the target.</source>
+        <translation>続けてカメラ画像のターゲットをクリックするか、枠をドラッグします。Shift クリックで見本を追加、Alt クリックまたは Ctrl+Shift クリックでターゲットでないものを除外します。</translation>
+    </message>
+    <message>
+        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one</source>
+        <translation>画像上で Shift クリックすると追加、Alt クリックまたは Ctrl+Shift クリックで除外します</translation>
     </message>
 </context>
 <context>
@@ -3250,6 +3255,14 @@ at %4, %5, %6 m</source>
     <message>
         <source>millimeters</source>
         <translation>ミリメートル</translation>
+    </message>
+    <message>
+        <source>Working on the preview: %1 %</source>
+        <translation>プレビューを作成中:%1 %</translation>
+    </message>
+    <message>
+        <source>%1 exists already: press Export again to replace it.</source>
+        <translation>%1 はすでにあります。置き換えるにはもう一度「エクスポート」を押してください。</translation>
     </message>
 </context>
 <context>

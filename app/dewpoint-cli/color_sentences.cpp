@@ -70,6 +70,9 @@ std::vector<std::string> verdictSentences(const ColorVerdict& verdict,
                   std::lround(100.0 * verdict.separability)),
       fmt::format("{:.0f} % of the target and {:.2f} % of the background match.",
                   100.0 * verdict.targetShare, 100.0 * verdict.backgroundShare)};
+  if (verdict.sampleLeftOut) {
+    sentences.emplace_back("One sample does not go with the others: no single range holds both.");
+  }
   for (const LookAlikeRegion& region : verdict.lookAlikes) {
     const cv::Point middle = (region.box.tl() + region.box.br()) / 2;
     sentences.push_back(fmt::format(

@@ -125,6 +125,14 @@ int exportCommand(ExportCommand& command) {
     report(complete.error());
     return kExitUsage;
   }
+  std::error_code ignored;
+  const std::filesystem::path source = command.source;
+  for (const auto& read : {source, source / "trajectory.csv"}) {
+    if (!command.file.empty() && std::filesystem::equivalent(read, command.file, ignored)) {
+      report({ErrorCode::BadValue, command.file, "--out", "this is the trajectory that is read"});
+      return kExitUsage;
+    }
+  }
   const auto trajectory = readExportSource(command.source);
   if (!trajectory) {
     return report(trajectory.error());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/color/color_learning.h"
 
+#include "core/color/color_classifier.h"
 #include "core/color/color_evidence.h"
 #include "core/color/color_verdict.h"
 #include "core/color/range_fit.h"
@@ -24,9 +25,29 @@ Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
   return learned;
 }
 
+namespace {
+
+/// Whether one of several samples hardly matches.
+bool leavesSampleOut(const ColorRange& range, const std::vector<ColorSample>& samples) {
+  constexpr double kHardly = 0.2; // of its colors
+  const ColorClassifier classifier(range);
+  const auto isLeftOut = [&](const ColorSample& sample) {
+    const auto matching = std::ranges::count_if(sample.colors, [&](const BgrColor& color) {
+      return classifier.matches(color[0], color[1], color[2]);
+    });
+    return !sample.excluded && !sample.colors.empty() &&
+           static_cast<double>(matching) < kHardly * static_cast<double>(sample.colors.size());
+  };
+  return samples.size() > 1 && std::ranges::any_of(samples, isLeftOut);
+}
+
+} // namespace
+
 ColorVerdict judgeColor(const ColorRange& range, const std::vector<ColorSample>& samples,
                         const std::vector<cv::Mat>& images) {
-  return verdictOn(range, colorEvidence(samples, images, range), images);
+  ColorVerdict verdict = verdictOn(range, colorEvidence(samples, images, range), images);
+  verdict.sampleLeftOut = leavesSampleOut(range, samples);
+  return verdict;
 }
 
 } // namespace dewpoint

@@ -67,6 +67,8 @@ struct ColorVerdict {
   double targetShare = 0.0;                ///< share of the sampled colors that match
   double backgroundShare = 0.0;            ///< share of the other pixels that match too
   std::vector<LookAlikeRegion> lookAlikes; ///< largest first, at most kMostLookAlikes
+  /// A sample hardly matches the range that was found for all: one range cannot hold both.
+  bool sampleLeftOut = false;
   Suggestion suggestion = Suggestion::None;
 
   static constexpr std::size_t kMostLookAlikes = 5;

@@ -146,6 +146,7 @@ AskedQuestion askedQuestion(Error error) {
       asked.question = question;
       const auto end = error.detail.find_last_of(";:,", option);
       error.detail.erase(end != std::string::npos ? end : 0);
+      break;
     }
   }
   if (error.field == "camera") {

@@ -41,8 +41,16 @@ struct Encoded {
 };
 
 Result<Encoded> encode(const Trajectory& trajectory, const ExportOptions& options,
-                       const ExportFormat& format, const std::filesystem::path& file) {
-  auto table = makeExportTable(trajectory, options, format.wishes);
+                       const ExportFormat& format, const std::filesystem::path& file,
+                       const ExportProgress& progress) {
+  bool wanted = true;
+  auto table = makeExportTable(trajectory, options, format.wishes, [&](double done) {
+    wanted = wanted && (!progress || progress(done));
+    return wanted;
+  });
+  if (!wanted) {
+    return failure(ErrorCode::Cancelled, file.string(), "preview", "stopped");
+  }
   if (!table) {
     return tl::make_unexpected(table.error());
   }
@@ -131,12 +139,13 @@ Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const Expor
 }
 
 Result<ExportPreview> previewExport(const Trajectory& trajectory, const ExportOptions& options,
-                                    const std::filesystem::path& file, std::size_t lineCount) {
+                                    const std::filesystem::path& file, std::size_t lineCount,
+                                    const ExportProgress& progress) {
   const auto format = exportFormat(options.format);
   if (!format) {
     return tl::make_unexpected(format.error());
   }
-  const auto encoded = encode(trajectory, options, **format, file);
+  const auto encoded = encode(trajectory, options, **format, file, progress);
   if (!encoded) {
     return tl::make_unexpected(encoded.error());
   }

@@ -45,9 +45,11 @@ Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const Expor
                                        const std::filesystem::path& file,
                                        const ExportProgress& progress = {});
 
-/// The first `lineCount` lines as exportTrajectory() would write them.
+/// The first `lineCount` lines as exportTrajectory() would write them. Cancelled when `progress`
+/// says so.
 Result<ExportPreview> previewExport(const Trajectory& trajectory, const ExportOptions& options,
-                                    const std::filesystem::path& file, std::size_t lineCount = 40);
+                                    const std::filesystem::path& file, std::size_t lineCount = 40,
+                                    const ExportProgress& progress = {});
 
 /// Reads the trajectory of an export's source: a trajectory file, or a run's folder with one.
 Result<Trajectory> readExportSource(const std::filesystem::path& fileOrFolder);

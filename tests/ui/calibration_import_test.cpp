@@ -41,7 +41,7 @@ private:
     line->setFocus();
     line->selectAll();
     QTest::keyClicks(line, text);
-    QTest::keyClick(line, Qt::Key_Tab);
+    QTest::keyClick(line, Qt::Key_Return);
   }
   void choose(const char* name, const char* data) {
     auto* box = find<QComboBox>(name);
@@ -184,7 +184,7 @@ void CalibrationImportTest::asksWhatTheFileLeavesOpen() {
   unit->setFocus();
   unit->lineEdit()->selectAll();
   QTest::keyClicks(unit->lineEdit(), QStringLiteral("0.001"));
-  QTest::keyClick(unit->lineEdit(), Qt::Key_Tab);
+  QTest::keyClick(unit->lineEdit(), Qt::Key_Return);
   QVERIFY(waitText("calibrationImportPreview", QStringLiteral("0.001 m")));
   QVERIFY(QApplication::activeModalWidget() == nullptr);
 }

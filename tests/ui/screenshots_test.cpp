@@ -135,6 +135,10 @@ void ScreenshotsTest::keepCalibration(MainWindow& window) {
 
 void ScreenshotsTest::keepWaving(MainWindow& window) {
   window.findChild<QAction*>("actionCalibrateWand")->trigger();
+  QVERIFY(window.document().edit(QStringLiteral("nudge"), [](Project& project) {
+    project.cameras[1].adjusted = true;
+    project.cameras[1].camera.cameraFromWorld.translation() += Eigen::Vector3d(0.02, 0.01, 0.0);
+  }));
   window.selection().selectSpan(FrameSpan{60, 199});
   window.findChild<QCheckBox*>("wandSpan")->click();
   window.findChild<QPushButton*>("wandTake")->click();
@@ -158,6 +162,7 @@ void ScreenshotsTest::keepWaving(MainWindow& window) {
   QTest::qWait(kSettleMs);
   keep(import->grab().toImage(), QStringLiteral("calibration-import"));
   import->close();
+  window.document().undoStack()->undo();
   window.document().undoStack()->undo();
 }
 

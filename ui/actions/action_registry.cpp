@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QCoreApplication>
 #include <QGuiApplication>
+#include <QKeyEvent>
 #include <QPalette>
 #include <QSettings>
 #include <QWidget>
@@ -32,7 +33,9 @@ QString tooltipWithShortcut(const QString& sentence, const QKeySequence& shortcu
              : QStringLiteral("%1 (%2)").arg(sentence, shortcut.toString(QKeySequence::NativeText));
 }
 
-ActionRegistry::ActionRegistry(QWidget* window) : QObject(window), window_(window) {}
+ActionRegistry::ActionRegistry(QWidget* window) : QObject(window), window_(window) {
+  QCoreApplication::instance()->installEventFilter(this);
+}
 
 QAction* ActionRegistry::add(const ActionDeclaration& declaration) {
   auto* action = new QAction(this);
@@ -145,6 +148,21 @@ void ActionRegistry::drawIcons(const QPalette& palette) {
 
 void ActionRegistry::retranslate() {
   std::ranges::for_each(entries_, [this](const Entry& entry) { say(entry); });
+}
+
+bool ActionRegistry::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool moves = key->matches(QKeySequence::MoveToEndOfLine) ||
+                       key->matches(QKeySequence::MoveToStartOfLine) ||
+                       key->matches(QKeySequence::DeleteEndOfLine);
+    if (moves && key->modifiers() == Qt::ControlModifier &&
+        holderOf(QKeySequence(key->key() | Qt::ControlModifier), nullptr) != nullptr) {
+      event->ignore();
+      return true;
+    }
+  }
+  return QObject::eventFilter(watched, event);
 }
 
 } // namespace dewpoint

@@ -55,6 +55,10 @@ public:
   /// Says everything again after a change of language.
   void retranslate();
 
+protected:
+  /// Fields leave keys to actions that X11 gives them for moving about (Ctrl+E: end of line).
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 Q_SIGNALS:
   void shortcutsChanged();
 

@@ -29,6 +29,9 @@ HoldState holdState(const TrackSnapshot& snapshot) {
   if (snapshot.targets.empty()) {
     return HoldState::NoTarget;
   }
+  if (snapshot.past && !snapshot.tracked) {
+    return HoldState::NotTracked;
+  }
   const auto any = [&](TargetStatus status) {
     return std::ranges::any_of(snapshot.targets,
                                [&](const auto& target) { return target.status == status; });

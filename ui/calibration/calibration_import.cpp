@@ -54,8 +54,6 @@ CalibrationImportDialog::CalibrationImportDialog(Document& document, QWidget* pa
        std::initializer_list<QWidget*>{format_, unit_, lens_, size_, poses_, camera_}) {
     labels_.push_back(addRow(field));
   }
-  connect(size_, &QLineEdit::editingFinished, this, &CalibrationImportDialog::refresh);
-  connect(unit_->lineEdit(), &QLineEdit::editingFinished, this, &CalibrationImportDialog::refresh);
   connect(folder_, &QPushButton::clicked, this, [this] {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Choose a folder"));
     if (!folder.isEmpty()) {

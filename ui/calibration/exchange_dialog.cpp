@@ -15,6 +15,9 @@
 #include <QVBoxLayout>
 
 namespace dewpoint {
+namespace {
+constexpr const char* kPreviewed = "previewed"; ///< the text of a field that the preview is of
+}
 
 ExchangeDialog::ExchangeDialog(const QString& name, QWidget* parent)
     : QDialog(parent), fileLabel_(new QLabel(this)), choose_(new QPushButton(this)),
@@ -54,7 +57,14 @@ ExchangeDialog::ExchangeDialog(const QString& name, QWidget* parent)
 }
 
 void ExchangeDialog::begin() {
-  connect(file_, &QLineEdit::editingFinished, this, &ExchangeDialog::refresh);
+  for (QLineEdit* line : findChildren<QLineEdit*>()) {
+    // Leaving a field as it was is no news: the button would be disabled under the mouse.
+    connect(line, &QLineEdit::editingFinished, this, [this, line] {
+      if (line->property(kPreviewed).toString() != line->text()) {
+        refresh();
+      }
+    });
+  }
   connect(choose_, &QPushButton::clicked, this, [this] { chooseFile(); });
   connect(close_, &QPushButton::clicked, this, &QDialog::close);
   connect(accept_, &QPushButton::clicked, this, [this] { accepted(); });
@@ -111,6 +121,9 @@ void ExchangeDialog::setFile(const QString& file) {
 }
 
 void ExchangeDialog::refresh() {
+  for (QLineEdit* line : findChildren<QLineEdit*>()) {
+    line->setProperty(kPreviewed, line->text());
+  }
   ready_ = false;
   accept_->setEnabled(false);
   if (job_->isRunning()) {

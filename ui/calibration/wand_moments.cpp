@@ -22,7 +22,7 @@ WandMoments::WandMoments(WandDesk& desk, QWidget* parent)
   makeNarrow(*role_);
   take_->setObjectName(QStringLiteral("wandTake"));
   list_->setObjectName(QStringLiteral("wandMomentList"));
-  list_->setFixedHeight(84);
+  list_->setFixedHeight(60);
   remove_->setObjectName(QStringLiteral("wandRemove"));
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);

@@ -47,6 +47,8 @@ ColorPanel::ColorPanel(Document& document, QWidget* parent)
   verdict_->setObjectName(QStringLiteral("colorVerdict"));
   verdict_->setWordWrap(true);
   verdict_->setTextFormat(Qt::PlainText);
+  verdict_->setAlignment(Qt::AlignTop);
+  verdict_->setMinimumHeight(4 * fontMetrics().lineSpacing()); // the ring stays where it is
   samples_->setObjectName(QStringLiteral("colorSamples"));
   samples_->setMaximumHeight(96);
   remove_->setObjectName(QStringLiteral("colorRemoveSample"));
@@ -87,11 +89,11 @@ ColorPanel::ColorPanel(Document& document, QWidget* parent)
 }
 
 void ColorPanel::connectTeacher() {
-  connect(teacher_, &ColorTeacher::learned, this, [this](int target) {
+  connect(teacher_, &ColorTeacher::learned, this, [this](int target, bool isNew) {
     target_ = target;
     setPicking(false);
     refresh();
-    Q_EMIT learned(target);
+    Q_EMIT learned(target, isNew);
   });
   connect(teacher_, &ColorTeacher::judged, this, &ColorPanel::showVerdict);
   judgeSoon_->setSingleShot(true);
@@ -108,10 +110,12 @@ void ColorPanel::connectTeacher() {
 void ColorPanel::say() {
   learn_->setText(tr("Learn"));
   learn_->setToolTip(tr("Then click the target in any camera image, or drag a box on it. "
-                        "Shift-click adds a sample, Alt-click excludes what is not the target."));
+                        "Shift-click adds a sample, Alt-click or Ctrl+Shift-click excludes what is "
+                        "not the target."));
   samplesTitle_->setText(tr("Learned from"));
   samples_->setAccessibleName(tr("Samples the color was learned from"));
-  samples_->setToolTip(tr("Shift-click in an image adds one, Alt-click excludes one"));
+  samples_->setToolTip(
+      tr("Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one"));
   remove_->setText(tr("Remove"));
   remove_->setToolTip(tr("Forget the chosen sample and learn from the rest (Del)"));
   refresh();
@@ -139,10 +143,14 @@ void ColorPanel::attach(int camera, CameraView* view) {
 void ColorPanel::pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers) {
   teacher_->setSnapshot(snapshot_);
   teacher_->setTarget(target_);
+  // Many desktops keep Alt with the mouse for themselves: Ctrl+Shift does the same.
+  const bool shift = modifiers.testFlag(Qt::ShiftModifier);
+  const bool excludes =
+      modifiers.testFlag(Qt::AltModifier) || (shift && modifiers.testFlag(Qt::ControlModifier));
   teacher_->point(camera, region,
-                  modifiers.testFlag(Qt::AltModifier)     ? ColorTeacher::Lesson::Exclude
-                  : modifiers.testFlag(Qt::ShiftModifier) ? ColorTeacher::Lesson::Add
-                                                          : ColorTeacher::Lesson::Replace);
+                  excludes ? ColorTeacher::Lesson::Exclude
+                  : shift  ? ColorTeacher::Lesson::Add
+                           : ColorTeacher::Lesson::Replace);
 }
 
 void ColorPanel::setPicking(bool picking) {

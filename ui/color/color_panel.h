@@ -46,7 +46,7 @@ public:
 Q_SIGNALS:
   void pickingChanged(bool picking);
   /// A color was learned from images: time to track it.
-  void learned(int target);
+  void learned(int target, bool isNew);
   void cameraChosen(int camera);
   void failed(const QString& sentence);
 

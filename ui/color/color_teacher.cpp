@@ -126,7 +126,8 @@ void ColorTeacher::removeSample(int index) {
   const auto anyLeft =
       std::ranges::any_of(samples, [](const ColorSample& sample) { return !sample.excluded; });
   if (!anyLeft) {
-    const LearnedColor same{project.targets[static_cast<std::size_t>(target)].color, {}};
+    LearnedColor same{project.targets[static_cast<std::size_t>(target)].color, {}};
+    same.verdict.targetKnown = false;
     adopt(target, samples, same, step);
     return;
   }
@@ -159,8 +160,12 @@ void ColorTeacher::adopt(int target, const std::vector<ColorSample>& samples,
     return;
   }
   setTarget(taught);
-  Q_EMIT learned(taught);
-  Q_EMIT judged(color.verdict);
+  Q_EMIT learned(taught, taught != target);
+  if (color.verdict.targetKnown) {
+    Q_EMIT judged(color.verdict);
+  } else {
+    judge();
+  }
 }
 
 void ColorTeacher::judge() {

@@ -38,8 +38,8 @@ public:
   void judge();
 
 Q_SIGNALS:
-  /// A color was learned, and this is what to expect of it.
-  void learned(int target);
+  /// A color was learned; `isNew`: of a target that was not there before.
+  void learned(int target, bool isNew);
   void judged(const dewpoint::ColorVerdict& verdict);
   void failed(const QString& sentence);
   void busyChanged(bool busy);

@@ -11,9 +11,9 @@ namespace dewpoint {
 
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("Verdict", text);
-}
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Verdict)
+};
 
 /// Where in the image: nine whole phrases, because languages put them together differently.
 QString placeName(HorizontalPlace horizontal, VerticalPlace vertical) {
@@ -25,7 +25,7 @@ QString placeName(HorizontalPlace horizontal, VerticalPlace vertical) {
       {QT_TRANSLATE_NOOP("Verdict", "at the bottom left"),
        QT_TRANSLATE_NOOP("Verdict", "at the bottom"),
        QT_TRANSLATE_NOOP("Verdict", "at the bottom right")}};
-  return tr(kPlaces[static_cast<int>(vertical)][static_cast<int>(horizontal)]);
+  return Words::tr(kPlaces[static_cast<int>(vertical)][static_cast<int>(horizontal)]);
 }
 
 QString separationSentence(double separability) {
@@ -35,27 +35,27 @@ QString separationSentence(double separability) {
       : separability >= 0.7 ? QT_TRANSLATE_NOOP("Verdict", "Stands out: %1 of 100.")
       : separability >= 0.4 ? QT_TRANSLATE_NOOP("Verdict", "Hard to tell apart: %1 of 100.")
                             : QT_TRANSLATE_NOOP("Verdict", "Hardly stands out: %1 of 100.");
-  return tr(text).arg(percent);
+  return Words::tr(text).arg(percent);
 }
 
 QString suggestionSentence(Suggestion suggestion) {
   switch (suggestion) {
   case Suggestion::AddSamples:
-    return tr("Much of the target does not match: Shift-click its light and its dark side.");
+    return Words::tr("Much of the target does not match: Shift-click its light and its dark side.");
   case Suggestion::ExcludeLookAlike:
-    return tr("Alt-click what matches too: it can be told apart.");
+    return Words::tr("Alt-click what matches too: it can be told apart.");
   case Suggestion::RemoveLookAlike:
-    return tr("Cover what has the same color, or take it out of view.");
+    return Words::tr("Cover what has the same color, or take it out of view.");
   case Suggestion::MoreLight:
-    return tr("The target is nearly black here: more light would help.");
+    return Words::tr("The target is nearly black here: more light would help.");
   case Suggestion::LessExposure:
-    return tr("The target is nearly white here: a shorter exposure would help.");
+    return Words::tr("The target is nearly white here: a shorter exposure would help.");
   case Suggestion::UseStrongerColor:
-    return tr("The target is nearly gray: a stronger color would help.");
+    return Words::tr("The target is nearly gray: a stronger color would help.");
   case Suggestion::UseAnotherColor:
-    return tr("Much of the room has this color: another one would help.");
+    return Words::tr("Much of the room has this color: another one would help.");
   case Suggestion::ClickThingItself:
-    return tr("This fills much of the image: click the thing itself, or drag a box on it.");
+    return Words::tr("This fills much of the image: click the thing itself, or drag a box on it.");
   case Suggestion::None:
     break;
   }
@@ -72,21 +72,25 @@ QString colorName(ColorWord color) {
       QT_TRANSLATE_NOOP("Verdict", "yellow"),    QT_TRANSLATE_NOOP("Verdict", "green"),
       QT_TRANSLATE_NOOP("Verdict", "turquoise"), QT_TRANSLATE_NOOP("Verdict", "blue"),
       QT_TRANSLATE_NOOP("Verdict", "purple"),    QT_TRANSLATE_NOOP("Verdict", "pink")};
-  return tr(kNames[static_cast<int>(color)]);
+  return Words::tr(kNames[static_cast<int>(color)]);
 }
 
 QString verdictText(const ColorVerdict& verdict, const std::vector<QString>& cameras) {
   if (!verdict.targetKnown) {
-    return tr("%1 % of the images match. Shift-click the target to learn how well it stands out.")
+    return Words::tr(
+               "%1 % of the images match. Shift-click the target to learn how well it stands out.")
         .arg(QLocale().toString(100.0 * verdict.backgroundShare, 'f', 2));
   }
   QStringList sentences{separationSentence(verdict.separability)};
-  sentences << tr("%1 % of the background matches too.")
+  sentences << Words::tr("%1 % of the background matches too.")
                    .arg(QLocale().toString(100.0 * verdict.backgroundShare, 'f', 2));
+  if (verdict.sampleLeftOut) {
+    sentences << Words::tr("One sample does not go with the others: no single range holds both.");
+  }
   if (!verdict.lookAlikes.empty()) {
     const LookAlikeRegion& region = verdict.lookAlikes.front();
     const auto camera = static_cast<std::size_t>(region.camera);
-    sentences << tr("Something %1 %2 of %3 matches too.")
+    sentences << Words::tr("Something %1 %2 of %3 matches too.")
                      .arg(colorName(region.color), placeName(region.horizontal, region.vertical),
                           camera < cameras.size() ? cameras[camera] : QString());
   }

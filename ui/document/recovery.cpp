@@ -80,6 +80,7 @@ void Recovery::write() {
     forget(); // undone to what is in the file
     return;
   }
+  Q_EMIT writing();
   const Project& project = document_.project();
   const std::filesystem::path copy = copyOf(id_);
   // The copy lies in no project's folder: all its paths are absolute.

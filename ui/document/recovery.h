@@ -48,6 +48,8 @@ public:
   static std::filesystem::path standardFolder();
 
 Q_SIGNALS:
+  /// A copy is about to be written: what is not in the document yet goes there now.
+  void writing();
   /// A copy is safely on the disk.
   void kept();
   /// The copy cannot be written: the sentence why, once per reason.

@@ -74,6 +74,8 @@ void ExportDialog::connectFields() {
   connect(figure_, &QPushButton::clicked, this, &ExportDialog::startFigure);
   connect(cancel_, &QPushButton::clicked, worker_, [this] { worker_->cancel(); });
   connect(close_, &QPushButton::clicked, this, &QDialog::close);
+  connect(worker_, &ExportWorker::previewing, this,
+          [this](int percent) { size_->setText(tr("Working on the preview: %1 %").arg(percent)); });
   connect(worker_, &ExportWorker::previewReady, this, &ExportDialog::showPreview);
   connect(worker_, &ExportWorker::previewFailed, this, [this](const QString& sentence) {
     units_->clear();
@@ -201,8 +203,30 @@ void ExportDialog::setRunning(bool running) {
   figure_->setEnabled(!running);
 }
 
+void ExportDialog::setSpan(double from, double to) {
+  from_->setValue(from);
+  to_->setValue(to);
+}
+
+bool ExportDialog::mayReplace() {
+  const QString name = file_->text();
+  if (name == written_ || name == replaced_ || !QFileInfo::exists(name)) {
+    return true;
+  }
+  replaced_ = name;
+  size_->setText(tr("%1 exists already: press Export again to replace it.").arg(name));
+  return false;
+}
+
 void ExportDialog::start() {
-  refresh(); // with what came since
+  if (!mayReplace()) {
+    return;
+  }
+  trajectory_ = std::make_shared<const Trajectory>(trajectorySource_()); // with what came since
+  fillTargets();
+  soon_->stop();
+  written_ = file_->text();
+  replaced_.clear();
   setRunning(true);
   worker_->run(trajectory_, options(), file());
 }

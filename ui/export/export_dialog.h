@@ -32,6 +32,8 @@ public:
   /// Takes the run as it is now and shows it.
   void refresh();
   /// Proposes a file in this folder.
+  /// Proposes to export these seconds only.
+  void setSpan(double from, double to);
   void proposeIn(const QString& folder);
   ExportOptions options() const;
 
@@ -53,6 +55,8 @@ private:
   void formatChanged();
   void askFile();
   void start();
+  /// Asks once before a file is replaced that is not of this dialog.
+  bool mayReplace();
   void startFigure();
   void setRunning(bool running);
   void showPreview(const ExportPreview& preview);
@@ -85,6 +89,8 @@ private:
   QPushButton* figure_;
   QPushButton* export_;
   QPushButton* close_;
+  QString written_;  ///< the file that was exported last
+  QString replaced_; ///< the file that may be replaced
 };
 
 } // namespace dewpoint

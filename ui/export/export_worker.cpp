@@ -44,11 +44,20 @@ void ExportWorker::post(std::function<void()> say) {
 
 void ExportWorker::preview(TrajectoryPtr trajectory, const ExportOptions& options,
                            const std::filesystem::path& file) {
-  add(nextPreview_, [this, trajectory = std::move(trajectory), options, file] {
-    const auto preview = previewExport(*trajectory, options, file);
+  const unsigned number = ++wish_;
+  add(nextPreview_, [this, number, trajectory = std::move(trajectory), options, file] {
+    constexpr std::size_t kLines = 40;
+    int shown = -1;
+    const auto preview = previewExport(*trajectory, options, file, kLines, [&](double done) {
+      if (const int percent = static_cast<int>(100.0 * done); percent != shown) {
+        shown = percent;
+        post([this, percent] { Q_EMIT previewing(percent); });
+      }
+      return number == wish_ && !cancelled_;
+    });
     if (preview) {
       post([this, found = *preview] { Q_EMIT previewReady(found); });
-    } else {
+    } else if (preview.error().code != ErrorCode::Cancelled) {
       post([this, error = preview.error()] { Q_EMIT previewFailed(errorSentence(error)); });
     }
   });
@@ -57,6 +66,7 @@ void ExportWorker::preview(TrajectoryPtr trajectory, const ExportOptions& option
 void ExportWorker::run(TrajectoryPtr trajectory, const ExportOptions& options,
                        const std::filesystem::path& file) {
   cancelled_ = false;
+  ++wish_; // a preview under way makes room
   add(nextExport_, [this, trajectory = std::move(trajectory), options, file] {
     int shown = -1;
     const auto progress = [&](double done) {

@@ -35,6 +35,8 @@ public:
   void cancel() { cancelled_ = true; }
 
 Q_SIGNALS:
+  /// How far a preview is that takes long.
+  void previewing(int percent);
   void previewReady(const dewpoint::ExportPreview& preview);
   void previewFailed(const QString& sentence);
   void progressChanged(int percent);
@@ -53,7 +55,8 @@ private:
   std::optional<Job> nextPreview_;
   std::optional<Job> nextExport_;
   std::atomic<bool> cancelled_ = false;
-  std::jthread thread_; // last: it uses the rest
+  std::atomic<unsigned> wish_ = 0; ///< counts up: an older preview is not wanted any more
+  std::jthread thread_;            // last: it uses the rest
 };
 
 } // namespace dewpoint

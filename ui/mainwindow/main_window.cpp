@@ -175,6 +175,7 @@ void MainWindow::startSession(SessionInputs inputs, bool unsaved) {
 }
 
 void MainWindow::clearViews() {
+  layoutBehindPages_.clear();
   shown_.reset();
   cameras_->setSnapshot({});
   selection_->clear();
@@ -202,7 +203,7 @@ void MainWindow::showSnapshot(const TrackSnapshotPtr& snapshot) {
   birdsEye_->show(snapshot);
   color_->setSnapshot(snapshot);
   cameras_->setSnapshot(snapshot);
-  figures_->show(*snapshot);
+  figures_->show(*snapshot, selection_->target());
   plot_->show(*snapshot);
   trajectory_->show(*snapshot);
   snapshot->state == PlayState::Playing
@@ -233,11 +234,12 @@ void MainWindow::showNotices(const TrackSnapshot& snapshot) {
   bumps_->show(snapshot);
 }
 
-void MainWindow::trackLearned(int target) {
+void MainWindow::trackLearned(int target, bool isNew) {
   targets_->choose(target);
   colorDock_->raise();
   action("actionShowMask")->setChecked(true);
-  if (bridge_ != nullptr && shown_ && shown_->state != PlayState::Playing) {
+  // The first click starts tracking; a sample more or less takes no run away.
+  if (bridge_ != nullptr && shown_ && shown_->state != PlayState::Playing && isNew) {
     togglePlay(); // at the end: from the beginning
   }
 }

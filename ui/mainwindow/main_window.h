@@ -152,7 +152,7 @@ private:
   void updateTitle();
   void updateEnabled();
 
-  void trackLearned(int target);
+  void trackLearned(int target, bool isNew);
   void togglePlay();
   void restart(bool newSeed);
   void askOpen();
@@ -206,6 +206,7 @@ private:
   QDockWidget* historyDock_ = nullptr;
   QDockWidget* maximized_ = nullptr;
   QByteArray layoutBeforeMaximized_;
+  QByteArray layoutBehindPages_; ///< of the views while the start page or another is shown
   std::vector<QDockWidget*> cameraDocks_;
   std::vector<CameraView*> cameraViews_;
   TrackSnapshotPtr shown_;
@@ -218,6 +219,7 @@ private:
   bool playOnOpen_ = true;
   bool openUnsaved_ = false; ///< what is being opened is in no file as it is
   QString unsavedNote_;      ///< said once it is open
+  bool offered_ = false;     ///< unsaved work of an earlier window
   bool keepHistory_ = false; ///< of the document, when the inputs come that are being opened
 };
 

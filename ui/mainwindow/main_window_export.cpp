@@ -10,6 +10,8 @@
 #include "ui/export/view_picture.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/message_bar.h"
+#include "ui/selection/selection.h"
+#include "ui/timeline/timeline.h"
 
 #include <QAction>
 #include <QApplication>
@@ -34,6 +36,10 @@ void MainWindow::exportTrajectory() {
     if (!project.empty()) {
       dialog->proposeIn(QString::fromStdString(project.parent_path().string()));
     }
+  }
+  if (const auto span = selection_->span()) {
+    dialog->setSpan(timeline_->model().secondsOf(span->first),
+                    timeline_->model().secondsOf(span->last));
   }
   dialog->show();
   dialog->raise();

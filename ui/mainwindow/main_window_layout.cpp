@@ -17,6 +17,7 @@
 #include "ui/mainwindow/message_bar.h"
 #include "ui/mainwindow/status_figures.h"
 #include "ui/plots/plot_panel.h"
+#include "ui/selection/selection.h"
 #include "ui/settings/parameter_panel.h"
 #include "ui/settings/retranslation.h"
 #include "ui/trajectory/trajectory_panel.h"
@@ -108,7 +109,7 @@ void MainWindow::makeDocks() {
   figures_ = new StatusFigures(this);
   inEveryLanguage(figures_, [this] {
     if (shown_) {
-      figures_->show(*shown_);
+      figures_->show(*shown_, selection_->target());
     }
   });
   statusBar()->setSizeGripEnabled(false);
@@ -152,6 +153,7 @@ void MainWindow::makeInspector() {
   connect(color_, &ColorPanel::pickingChanged, action("actionLearnColor"), &QAction::setChecked);
   connect(color_, &ColorPanel::learned, this, &MainWindow::trackLearned);
   connect(targets_, &TargetPanel::targetChosen, color_, &ColorPanel::setTarget);
+  connect(targets_, &TargetPanel::targetChosen, selection_, &Selection::selectTarget);
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
 }
 
@@ -190,6 +192,7 @@ void MainWindow::makeCameraDocks() {
     restoreState(layout);
   }
   showCalibration(action("actionCalibrateByHand")->isChecked()); // a mode, no part of the layout
+  messages_->raise();
 }
 
 void MainWindow::keepLayout() {

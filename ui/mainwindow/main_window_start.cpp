@@ -21,8 +21,15 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QStackedWidget>
+#include <QTimer>
+
+#include <utility>
 
 namespace dewpoint {
+
+namespace {
+constexpr int kUntilGoneMs = 8000;
+}
 
 namespace {
 
@@ -86,6 +93,9 @@ void MainWindow::showStart(bool shown) {
 }
 
 void MainWindow::showViews(bool shown) {
+  if (!shown && bridge_ != nullptr && !start_->isVisible()) {
+    layoutBehindPages_ = saveState();
+  }
   start_->setVisible(!shown);
   figures_->setVisible(shown); // there is nothing to measure yet
   for (QDockWidget* dock : findChildren<QDockWidget*>()) {
@@ -95,6 +105,10 @@ void MainWindow::showViews(bool shown) {
       dock->show();
     }
   }
+  if (shown && !layoutBehindPages_.isEmpty()) {
+    restoreState(std::exchange(layoutBehindPages_, {}));
+  }
+  messages_->raise();
 }
 
 void MainWindow::beginNewProject(const QStringList& files) {
@@ -167,13 +181,19 @@ void MainWindow::fillRecentMenu(QMenu* menu) {
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (!filesOf(*event->mimeData()).isEmpty()) {
-    event->acceptProposedAction();
+    event->setDropAction(Qt::CopyAction); // nobody's files are moved
+    event->accept();
   }
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
   const QStringList files = filesOf(*event->mimeData());
-  event->acceptProposedAction();
+  event->setDropAction(Qt::CopyAction);
+  event->accept();
+  if (start_->isVisible() && start_->currentWidget() == newProject_) {
+    newProject_->addFiles(files);
+    return;
+  }
   if (!mayDiscard()) {
     return;
   }
@@ -188,7 +208,14 @@ void MainWindow::useRecovery(const std::filesystem::path& folder) {
   recovery_ = new Recovery(*document_, folder, this);
   connect(recovery_, &Recovery::failed, this,
           [this](const QString& sentence) { messages_->showError(sentence); });
+  connect(recovery_, &Recovery::writing, this, &MainWindow::keepLayout);
   offerRecovery();
+  // A window that was killed may take a while to be gone.
+  QTimer::singleShot(kUntilGoneMs, this, [this] {
+    if (!offered_) {
+      offerRecovery();
+    }
+  });
 }
 
 void MainWindow::offerRecovery() {
@@ -196,6 +223,7 @@ void MainWindow::offerRecovery() {
   if (left.empty()) {
     return;
   }
+  offered_ = true;
   const RecoverableWork work = left.front();
   messages_->ask(tr("Dewpoint did not end properly. Unsaved work on “%1” is from %2.")
                      .arg(work.name, work.time),

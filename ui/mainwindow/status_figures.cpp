@@ -146,7 +146,7 @@ void StatusFigures::clear() {
   applyPalette();
 }
 
-void StatusFigures::show(const TrackSnapshot& snapshot) {
+void StatusFigures::show(const TrackSnapshot& snapshot, int chosen) {
   playing_->setText(playWord(snapshot));
   const QString frame = QString::number(snapshot.frame + 1); // people count from 1
   frame_->setText(snapshot.frameCount ? tr("frame %1 / %2").arg(frame).arg(*snapshot.frameCount)
@@ -158,8 +158,9 @@ void StatusFigures::show(const TrackSnapshot& snapshot) {
                               ? tr("%1 µs").arg(number(microseconds, 0))
                               : tr("%1 ms").arg(number(microseconds / 1000.0, 1))));
   time_->setToolTip(timeHint(snapshot.latency));
-  if (!snapshot.targets.empty() && snapshot.targets.front().estimate.particleCount > 0) {
-    const TargetEstimate& estimate = snapshot.targets.front().estimate;
+  const TargetSnapshot* target = targetToExplain(snapshot, chosen);
+  if (target != nullptr && target->estimate.particleCount > 0) {
+    const TargetEstimate& estimate = target->estimate;
     sampleSize_->setToolTip(sampleHint(snapshot.budget));
     sampleSize_->setText(
         tr("ESS %1 / %2").arg(number(estimate.effectiveSampleSize, 0)).arg(estimate.particleCount));
@@ -172,8 +173,10 @@ void StatusFigures::show(const TrackSnapshot& snapshot) {
       label->clear();
     }
   }
-  state_ = holdState(snapshot);
-  const TargetSnapshot* target = targetToExplain(snapshot, -1);
+  const bool several = snapshot.targets.size() > 1;
+  state_ = target != nullptr && several && snapshot.tracked ? holdState(target->status)
+                                                            : holdState(snapshot);
+  name_ = several ? QString::fromStdString(target->target.name) : QString();
   const bool mustSay = target != nullptr && target->status != TargetStatus::Held;
   const QString reason = mustSay ? reasonText(target->reasons, cameraNames(snapshot)) : QString();
   reason_->setFullText(reason);
@@ -188,7 +191,8 @@ void StatusFigures::changeEvent(QEvent* event) {
 }
 
 void StatusFigures::applyPalette() {
-  held_->setText(holdText(state_));
+  held_->setText(name_.isEmpty() ? holdText(state_)
+                                 : QStringLiteral("%1: %2").arg(name_, holdText(state_)));
   QPalette colors = held_->palette();
   const QColor color = holdColor(state_, palette());
   if (colors.color(QPalette::WindowText) != color) {

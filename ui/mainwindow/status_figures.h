@@ -21,7 +21,8 @@ class StatusFigures : public QWidget {
 public:
   explicit StatusFigures(QWidget* parent = nullptr);
 
-  void show(const TrackSnapshot& snapshot);
+  /// `target`: the one that is chosen; -1: the one that needs attention.
+  void show(const TrackSnapshot& snapshot, int target = -1);
   using QWidget::show;
   void clear();
   /// Held while two cameras see the target; searching at first and for a second after a loss.
@@ -44,6 +45,7 @@ private:
   QLabel* position_;
   ElidedLabel* reason_; ///< why it is not held
   QLabel* held_;
+  QString name_; ///< of the target shown, when there are several
   HoldState state_ = HoldState::NoImages;
 };
 

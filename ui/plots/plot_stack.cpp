@@ -322,7 +322,8 @@ void PlotStack::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
     applyPalette();
-    draw();
+    // The plot gets its palette after this widget.
+    QMetaObject::invokeMethod(this, &PlotStack::draw, Qt::QueuedConnection);
   }
 }
 

@@ -87,6 +87,8 @@ QString holdText(HoldState state) {
     return QCoreApplication::translate("HoldState", "▲ lost");
   case HoldState::Missing:
     return QCoreApplication::translate("HoldState", "✕ missing");
+  case HoldState::NotTracked:
+    return QCoreApplication::translate("HoldState", "– not tracked");
   case HoldState::NoTarget:
     return QCoreApplication::translate("HoldState", "No target yet");
   case HoldState::NoImages:
@@ -105,6 +107,7 @@ QColor holdColor(HoldState state, const QPalette& palette) {
   case HoldState::Lost:
   case HoldState::Missing:
     return QColor(dark ? "#ff7f3f" : "#b34a00");
+  case HoldState::NotTracked:
   case HoldState::NoTarget:
   case HoldState::NoImages:
     break;

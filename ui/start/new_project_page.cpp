@@ -158,10 +158,14 @@ void NewProjectPage::begin(const QStringList& files) {
   cameras_->setRowCount(0);
   name_->clear();
   setCalibration({});
+  addFiles(files);
+  addVideos_->setFocus();
+}
+
+void NewProjectPage::addFiles(const QStringList& files) {
   for (const QString& file : files) {
     file.endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive) ? setCalibration(file) : add(file);
   }
-  addVideos_->setFocus();
 }
 
 void NewProjectPage::add(const QString& location) {

@@ -24,6 +24,8 @@ public:
 
   /// Starts anew, with these files (videos, image folders, a calibration) already in it.
   void begin(const QStringList& files);
+  /// Adds files to those it has; a .toml file is the calibration.
+  void addFiles(const QStringList& files);
   /// Asks for videos, and adds them.
   void chooseVideos();
   /// Adds the cameras that are connected to this computer.

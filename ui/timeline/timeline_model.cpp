@@ -12,11 +12,7 @@
 
 namespace dewpoint {
 
-namespace {
-
-constexpr std::int64_t kCoarsest = 512; ///< frames that one record may stand for
-
-} // namespace
+namespace {} // namespace
 
 void TimelineModel::append(const std::vector<FrameRecord>& more, bool restarted) {
   if (restarted) {
@@ -39,6 +35,18 @@ void TimelineModel::append(const std::vector<FrameRecord>& more, bool restarted)
   }
 }
 
+qint64 TimelineModel::endOf(std::size_t record) const {
+  constexpr std::int64_t kDropped = 8; // frames that live cameras may skip
+  const std::int64_t frame = records[record].frame;
+  if (record + 1 == records.size()) {
+    return frame + 1;
+  }
+  const std::int64_t before = record > 0 ? frame - records[record - 1].frame : 1;
+  const std::int64_t step = records[record + 1].frame - frame;
+  // Old records stand in coarse steps that fall by halves.
+  return step <= std::max(kDropped, 2 * before) ? frame + step : frame + 1;
+}
+
 const FrameRecord* TimelineModel::at(qint64 frame) const {
   const auto next = std::upper_bound(
       records.begin(), records.end(), frame,
@@ -46,7 +54,8 @@ const FrameRecord* TimelineModel::at(qint64 frame) const {
   if (next == records.begin() || (next == records.end() && std::prev(next)->frame < frame)) {
     return nullptr; // before the first, or not tracked yet
   }
-  return frame - std::prev(next)->frame < kCoarsest ? &*std::prev(next) : nullptr;
+  const auto record = std::prev(next);
+  return frame < endOf(std::size_t(record - records.begin())) ? &*record : nullptr;
 }
 
 double TimelineModel::secondsOf(qint64 frame) const {

@@ -24,6 +24,9 @@ struct TimelineModel {
 
   /// Takes in what is new in the log; a frame that comes again takes the place of the old one.
   void append(const std::vector<FrameRecord>& more, bool restarted);
+  /// One past the last frame that a record stands for: the next record's, unless there are frames
+  /// between that were never tracked.
+  qint64 endOf(std::size_t record) const;
   /// The record of a frame, or of the last one before it within a coarse step; null when there is
   /// none.
   const FrameRecord* at(qint64 frame) const;

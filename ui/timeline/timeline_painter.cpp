@@ -45,7 +45,7 @@ std::vector<Stretch> stretchesOf(const TimelineModel& model, const TimelineScale
   std::vector<Stretch> stretches;
   const auto& records = model.records;
   for (std::size_t k = 0; k < records.size(); ++k) {
-    const auto next = k + 1 < records.size() ? records[k + 1].frame : records[k].frame + 1;
+    const qint64 next = model.endOf(k);
     if (static_cast<double>(next) < scale.begin() ||
         static_cast<double>(records[k].frame) > scale.end() ||
         target >= records[k].targets.size()) {
