@@ -43,8 +43,8 @@ TEST_P(FigureExperiments, AnUnwritableFolderIsSaid) {
 
 INSTANTIATE_TEST_SUITE_P(All, FigureExperiments,
                          testing::ValuesIn(figureExperiments().begin(), figureExperiments().end()),
-                         [](const auto& info) {
-                           std::string name(info.param.name);
+                         [](const auto& test) {
+                           std::string name(test.param.name);
                            std::erase(name, '-');
                            return name;
                          });

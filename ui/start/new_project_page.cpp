@@ -4,6 +4,7 @@
 #include "ui/bridge/error_sentence.h"
 #include "ui/settings/retranslation.h"
 
+#include <QCollator>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
@@ -16,11 +17,23 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <memory>
 
 namespace dewpoint {
 
 namespace {
+
+/// By name, "camera 2" before "camera 10": which one was clicked first means nothing, but cameras
+/// of a calibration may be taken in their order.
+QStringList inOrder(QStringList files) {
+  QCollator names;
+  names.setNumericMode(true);
+  std::ranges::sort(files, [&](const QString& one, const QString& other) {
+    return names.compare(QFileInfo(one).fileName(), QFileInfo(other).fileName()) < 0;
+  });
+  return files;
+}
 
 constexpr int kWidth = 820;
 constexpr double kUsualRate = 30.0; ///< frames per second of image folders
@@ -163,7 +176,7 @@ void NewProjectPage::begin(const QStringList& files) {
 }
 
 void NewProjectPage::addFiles(const QStringList& files) {
-  for (const QString& file : files) {
+  for (const QString& file : inOrder(files)) {
     file.endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive) ? setCalibration(file) : add(file);
   }
 }
@@ -191,9 +204,7 @@ void NewProjectPage::chooseVideos() {
   const QStringList files = QFileDialog::getOpenFileNames(
       this, tr("Choose one video per camera"), {},
       tr("Videos (*.mp4 *.mkv *.avi *.mov *.m4v *.mpg *.mpeg *.webm *.mjpeg);;All files (*)"));
-  for (const QString& file : files) {
-    add(file);
-  }
+  addFiles(files);
 }
 
 void NewProjectPage::chooseFolder() {

@@ -232,6 +232,7 @@ void TrajectoryPanel::updatePlots(std::size_t firstChanged) {
     const TrajectorySample& sample = rows[i].sample;
     if (sample.target == target_) {
       const float unknown = std::numeric_limits<float>::quiet_NaN();
+      breakLineBefore(sample);
       const std::array<float, kColumns> values{
           static_cast<float>(rows[i].speed),
           sample.valid ? static_cast<float>(sample.position.z()) : unknown};
@@ -239,6 +240,20 @@ void TrajectoryPanel::updatePlots(std::size_t firstChanged) {
     }
   }
   plots_->refresh();
+}
+
+/// No line goes over frames that were never tracked.
+void TrajectoryPanel::breakLineBefore(const TrajectorySample& sample) {
+  constexpr std::int64_t kDropped = 8; // frames that live cameras may skip
+  if (series_.size() == 0) {
+    return;
+  }
+  const PlotSeries::Row last = series_.row(series_.size() - 1);
+  if (sample.frame - last.frame > kDropped) {
+    std::array<float, kColumns> unknown{};
+    unknown.fill(std::numeric_limits<float>::quiet_NaN());
+    series_.append({last.iteration + 1, last.frame + 1, last.time}, unknown);
+  }
 }
 
 void TrajectoryPanel::show(const TrackSnapshot& snapshot) {

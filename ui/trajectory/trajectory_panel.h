@@ -73,6 +73,7 @@ private:
   void makePlots();
   void connectViews();
   void fetch();
+  void breakLineBefore(const TrajectorySample& sample);
   void updatePlots(std::size_t firstChanged);
   void chooseRows();
   void selectSpan();
