@@ -22,7 +22,7 @@ struct CameraParts {
 };
 
 /// What the parts are called in that file, for the error's field.
-struct CameraFields {
+struct CameraPartNames {
   std::string size;
   std::string matrix;
   std::string distortion;
@@ -34,7 +34,7 @@ struct CameraFields {
 /// size that is no whole number of pixels, skew, a focal length that is not positive, more
 /// coefficients than the lens has, no rotation.
 Result<Camera> checkedCamera(const CameraParts& parts, const std::string& file,
-                             const CameraFields& fields);
+                             const CameraPartNames& fields);
 
 /// The matrix of the intrinsics, and its inverse use.
 Eigen::Matrix3d matrixOf(const Intrinsics& intrinsics);

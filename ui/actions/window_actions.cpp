@@ -81,7 +81,7 @@ std::vector<ActionDeclaration> calibrationActions() {
        nullptr, QKeySequence::Print},
       {"actionCalibrateWand", group, QT_TRANSLATE_NOOP("Actions", "Calibrate by waving…"),
        QT_TRANSLATE_NOOP("Actions", "Refine cameras with a waved ball, or a stick with two balls"),
-       nullptr, Qt::SHIFT | Qt::Key_W},
+       nullptr, Qt::SHIFT | Qt::Key_V},
       {"actionImportCalibration", group, QT_TRANSLATE_NOOP("Actions", "Import calibration…"),
        QT_TRANSLATE_NOOP("Actions", "Take the cameras' calibration from a file of any tool"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_I},

@@ -34,6 +34,9 @@ ExchangeDialog::ExchangeDialog(const QString& name, QWidget* parent)
   preview_->setReadOnly(true);
   preview_->setTabChangesFocus(true);
   preview_->setMinimumSize(460, 200);
+  for (QPushButton* button : {choose_, close_}) {
+    button->setAutoDefault(false); // Enter in a field is for the preview
+  }
   accept_->setDefault(true);
   fileRow_->setSpacing(6);
   fileRow_->addWidget(file_, 1);
@@ -108,6 +111,7 @@ QLabel* ExchangeDialog::addRow(QWidget* field) {
 }
 
 void ExchangeDialog::addButton(QPushButton* button) {
+  button->setAutoDefault(false);
   fileRow_->addWidget(button);
 }
 
