@@ -5,7 +5,11 @@
 
 #include <CLI/App.hpp>
 
+#include <filesystem>
+
 namespace dewpoint {
+
+struct OfficeScene;
 
 /// What the process returns, as promised by --help.
 enum ExitCode {
@@ -30,6 +34,7 @@ void addExperimentCommand(CLI::App& app, int& exitCode);
 /// The figures of the papers, as subcommands of `experiment`.
 void addFigureCommands(CLI::App& group, int& exitCode);
 void addSuiteCommand(CLI::App& app, int& exitCode);
+void addPeopleCommand(CLI::App& app, int& exitCode);
 void addExportCommand(CLI::App& app, int& exitCode);
 void addLearnColorCommand(CLI::App& app, int& exitCode);
 /// Below `calibration`, which it makes when it is not there yet.
@@ -42,5 +47,12 @@ void addCalibrateIntrinsicsCommand(CLI::App& group, int& exitCode);
 void addCalibrateExtrinsicsCommand(CLI::App& group, int& exitCode);
 void addCalibrateWandCommand(CLI::App& group, int& exitCode);
 void addCalibratePointsCommand(CLI::App& group, int& exitCode);
+
+/// Writes a simulated office scene with people to disk, ready to track: a video per camera,
+/// pictures of the empty room, project.toml, calibration.toml, truth.csv. Returns the exit code.
+int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder);
+
+/// Into the group `experiment`.
+void addPeopleExperiments(CLI::App& group, int& exitCode);
 
 } // namespace dewpoint

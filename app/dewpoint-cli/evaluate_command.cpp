@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
+#include "core/experiment/identity_evaluation.h"
 #include "core/trajectory/evaluation_text.h"
 #include "core/trajectory/trajectory_reader.h"
 
@@ -17,7 +18,23 @@ struct EvaluateOptions {
   std::string truth;
   double gate = kDefaultGate;
   bool json = false;
+  bool identities = false;
+  bool ground = false;
 };
+
+int evaluateIdentity(const EvaluateOptions& options, const Trajectory& estimate,
+                     const Trajectory& truth) {
+  const auto evaluation = evaluateIdentities(estimate, truth, {options.gate, options.ground});
+  if (!evaluation) {
+    return report(evaluation.error());
+  }
+  if (options.json) {
+    fmt::print("{}\n", identityJson(*evaluation).dump(2));
+  } else {
+    fmt::print("{}", identityText(*evaluation));
+  }
+  return kExitDone;
+}
 
 int evaluateFiles(const EvaluateOptions& options) {
   const auto estimate = readTrajectory(options.trajectory);
@@ -27,6 +44,9 @@ int evaluateFiles(const EvaluateOptions& options) {
   const auto truth = readTrajectory(options.truth);
   if (!truth) {
     return report(truth.error());
+  }
+  if (options.identities) {
+    return evaluateIdentity(options, *estimate, *truth);
   }
   const auto evaluations = evaluate(*estimate, *truth, options.gate);
   if (!evaluations) {
@@ -51,6 +71,9 @@ void addEvaluateCommand(CLI::App& app, int& exitCode) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print JSON (metres) instead of a table (mm)");
+  command->add_flag("--identities", options->identities,
+                    "Several targets whose names differ from the truth's: CLEAR MOT, HOTA, GOSPA");
+  command->add_flag("--ground", options->ground, "With --identities: heights do not count");
   command->callback([options, &exitCode] { exitCode = evaluateFiles(*options); });
 }
 

@@ -119,6 +119,7 @@ void addExperimentCommand(CLI::App& app, int& exitCode) {
   convergence->callback([runs, &exitCode] { exitCode = studyBarrera(*runs); });
   addWandStudy(*command, exitCode);
   addFigureCommands(*command, exitCode);
+  addPeopleExperiments(*command, exitCode);
 }
 
 } // namespace dewpoint

@@ -39,6 +39,7 @@ int run(int argc, char** argv) {
   addSimulateCommand(app, exitCode);
   addExperimentCommand(app, exitCode);
   addSuiteCommand(app, exitCode);
+  addPeopleCommand(app, exitCode);
   addExportCommand(app, exitCode);
   addLearnColorCommand(app, exitCode);
   addCalibrateCommand(app, exitCode);

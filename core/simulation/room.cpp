@@ -123,8 +123,8 @@ Solid solidOf(Shape shape, const Vector3f& center, const Vector3f& halfSize,
 
 } // namespace
 
-float shade(const Vector3f& point, const Vector3f& normal, float lit) {
-  const float lambert = std::max(0.0F, normal.dot((kLampPosition - point).normalized()));
+float shade(const Vector3f& point, const Vector3f& normal, float lit, const Vector3f& lamp) {
+  const float lambert = std::max(0.0F, normal.dot((lamp - point).normalized()));
   return kAmbient + (1.0F - kAmbient - kLampShare) * (1.0F + normal.z()) * 0.5F +
          kLampShare * lambert * lit;
 }
@@ -134,6 +134,12 @@ Room::Room(Furnishing furnishing) {
   if (furnishing == Furnishing::Hall) {
     walls_ = solidOf(Shape::Box, {0.0F, 0.0F, 1.25F}, {2.25F, 2.25F, 1.25F}, plaster, 0.0F);
     furnishHall();
+    return;
+  }
+  if (furnishing == Furnishing::Office) {
+    walls_ = solidOf(Shape::Box, {0.0F, 0.0F, 1.35F}, {3.5F, 3.5F, 1.35F}, plaster, 0.0F);
+    lamp_ = kOfficeLampPosition;
+    furnishOffice();
     return;
   }
   walls_ = solidOf(Shape::Box, {0.4F, 0.4F, 0.65F}, {1.9F, 1.9F, 1.4F}, plaster, 0.0F);
@@ -261,15 +267,15 @@ Sight Room::look(const Vector3f& origin, const Vector3f& direction, const Hit& h
     const std::uint32_t word = hashed(jitter * kRays + ray, 17, 0);
     const Vector3f offset{static_cast<float>(word & 0x3FFU) / 511.5F - 1.0F,
                           static_cast<float>((word >> 10U) & 0x3FFU) / 511.5F - 1.0F, 0.0F};
-    lit += shadowed(start, kLampPosition + kLampRadius * offset) ? 0.0F : 1.0F / kRays;
+    lit += shadowed(start, lamp_ + kLampRadius * offset) ? 0.0F : 1.0F / kRays;
   }
   const bool isWall = hit.solid == &walls_;
   const Pattern pattern =
       isWall && hit.normal.z() > 0.5F ? Pattern::Floor : hit.solid->material.pattern;
   const Vector3f place = isWall ? point : toSolid(*hit.solid, point - hit.solid->center);
   const Vector3f color = texture(pattern, hit.solid->material.color, place);
-  const float light = shade(point, hit.normal, lit);
-  const float dark = shade(point, hit.normal, 0.0F);
+  const float light = shade(point, hit.normal, lit, lamp_);
+  const float dark = shade(point, hit.normal, 0.0F, lamp_);
   return {(light * color).cwiseMin(255.0F), 1.0F - dark / light};
 }
 

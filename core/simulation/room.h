@@ -13,12 +13,15 @@ using Eigen::Vector3f;
 
 /// The one lamp: a small area light, so that shadows have soft borders. World frame, metres.
 inline const Vector3f kLampPosition{0.15F, -0.25F, 1.7F};
+/// That of the office, above the heads.
+inline const Vector3f kOfficeLampPosition{0.2F, -0.3F, 2.6F};
 inline constexpr float kLampRadius = 0.12F;
 inline constexpr float kLampShare = 0.62F; ///< of full light; the rest is ambient
 
 /// Light on a matte surface with unit normal `normal`: ambient, brighter from above, and `lit`
 /// (0 in shadow to 1) times Lambert's share of the lamp.
-float shade(const Vector3f& point, const Vector3f& normal, float lit);
+float shade(const Vector3f& point, const Vector3f& normal, float lit,
+            const Vector3f& lamp = kLampPosition);
 
 enum class Pattern { Plain, Wood, Plaster, Skin, Floor, Pages };
 
@@ -65,6 +68,7 @@ enum class Furnishing {
   Desk,          ///< a bare desk; its top is z = 0
   ClutteredDesk, ///< the desk with books, boxes, wood- and skin-colored things
   Hall,          ///< a living room of 4.5 x 4.5 x 2.5 m around the origin; its floor is z = 0
+  Office,        ///< an office of 7 x 7 x 2.7 m around the origin; its floor is z = 0
 };
 
 /// The furnished room of the simulation, at rest. Its textures are functions of the place in the
@@ -77,11 +81,14 @@ public:
   /// The color of a hit; `jitter` varies the place on the lamp that shadows are cast from.
   Sight look(const Vector3f& origin, const Vector3f& direction, const Hit& hit,
              std::uint32_t jitter) const;
+  /// Where its lamp hangs: kLampPosition, or higher in a room for people.
+  const Vector3f& lamp() const { return lamp_; }
 
 private:
   void furnish();
   void clutterDesk();
   void furnishHall();
+  void furnishOffice();
   void add(Shape shape, const Vector3f& center, const Vector3f& halfSize, const Material& material,
            float yaw = 0.0F);
   void addBook(const Vector3f& center, const Vector3f& halfSize, const Vector3f& color, float yaw);
@@ -89,6 +96,7 @@ private:
 
   std::vector<Solid> solids_;
   Solid walls_;
+  Vector3f lamp_ = kLampPosition;
 };
 
 } // namespace dewpoint::simulation

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/frame_range.h"
+#include "app/dewpoint-cli/interruption.h"
+#include "app/dewpoint-cli/progress.h"
+#include "app/wiring/open_project.h"
+#include "core/session/people_overlay.h"
+#include "core/session/people_writer.h"
+#include "core/session/tracking_run.h"
+#include "core/tracking/people_tracker.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+namespace dewpoint {
+namespace {
+
+struct PeopleOptions {
+  std::string project;
+  std::string folder;
+  std::string method = peopleMethodNames().front();
+  std::string frames;
+  std::optional<std::uint64_t> seed;
+  int threads = 1;
+  std::vector<std::string> settings;
+  std::vector<std::string> persons;
+  int overlay = 0;
+  bool list = false;
+};
+
+/// Everything that is open while people are tracked.
+struct PeopleJob {
+  SessionInputs inputs;
+  CameraRig rig;
+  std::unique_ptr<PeopleTracker> tracker;
+  FrameRange range;
+  int overlayEvery = 0; ///< frames between two rows of the contact sheet; 0: none
+  std::vector<cv::Mat> rows;
+  std::int64_t frames = 0;
+  double seconds = 0.0; ///< in the tracker
+  int most = 0;         ///< people at once
+};
+
+void listMethods() {
+  for (const std::string& method : peopleMethodNames()) {
+    fmt::print("{}: {}\n", method, peopleMethodSentence(method));
+    for (const ParameterDeclaration& one : peopleMethodParameters(method)) {
+      fmt::print("  {:<20} {:>9} {:<5} {} to {}. {}\n", one.key, one.defaultValue, one.unit,
+                 one.minimum, one.maximum, one.sentence);
+    }
+  }
+}
+
+Result<ParameterValues> parametersOf(const PeopleOptions& options) {
+  ParameterValues parameters(peopleMethodParameters(options.method));
+  for (const std::string& setting : options.settings) {
+    const auto equals = setting.find('=');
+    if (equals == std::string::npos) {
+      return failure(ErrorCode::BadValue, "", "--set", setting + " is not key=value");
+    }
+    const auto set = parameters.setText(setting.substr(0, equals), setting.substr(equals + 1));
+    if (!set) {
+      return tl::make_unexpected(set.error());
+    }
+  }
+  return parameters;
+}
+
+Status addPersons(const std::vector<std::string>& texts, PeopleTracker& tracker) {
+  for (const std::string& text : texts) {
+    Eigen::Vector3d place;
+    int used = 0;
+    if (std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &place[0], &place[1], &place[2], &used) != 3 ||
+        static_cast<std::size_t>(used) != text.size() || !place.allFinite()) {
+      return failure(ErrorCode::BadValue, "", "--person", text + " is not x,y,z in metres");
+    }
+    tracker.addPerson(place);
+  }
+  return {};
+}
+
+Status trackPeople(PeopleJob& job, const PeopleOptions& options, PeopleWriter& writer) {
+  ThreadTeam team(options.threads);
+  const auto total = job.inputs.source->frameCount();
+  const auto end = std::min(job.range.end.value_or(total.value_or(0)), total.value_or(0));
+  if (job.range.first > 0) {
+    if (const auto sought = job.inputs.source->seek(job.range.first); !sought) {
+      return sought;
+    }
+  }
+  Progress progress("people", std::max<std::int64_t>(0, end - job.range.first));
+  while (!interruptionAsked() && (!total || job.range.first + job.frames < end)) {
+    auto frames = job.inputs.source->next();
+    if (!frames) {
+      progress.finish();
+      return tl::make_unexpected(frames.error());
+    }
+    if (!*frames) {
+      break;
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    job.tracker->step(*frames, team);
+    job.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    job.most = std::max(job.most, static_cast<int>(job.tracker->people().size()));
+    const auto written =
+        writer.write(*job.tracker, (*frames)->index, dewpoint::seconds((*frames)->time));
+    if (!written) {
+      progress.finish();
+      return written;
+    }
+    if (job.overlayEvery > 0 && job.frames % job.overlayEvery == 0) {
+      job.rows.push_back(peopleOverlay(*job.tracker, **frames, job.rig, 400));
+    }
+    progress.show(++job.frames);
+  }
+  progress.finish();
+  return writer.finish();
+}
+
+int runPeople(const PeopleOptions& options) {
+  if (options.list) {
+    listMethods();
+    return kExitDone;
+  }
+  auto project = resolveProject(options.project);
+  if (!project) {
+    return report(project.error());
+  }
+  const auto frames = parseFrames(options.frames);
+  const auto parameters = parametersOf(options);
+  if (!frames || !parameters) {
+    report(frames ? parameters.error() : frames.error());
+    return kExitUsage;
+  }
+  project->method = options.method;
+  project->parameters = *parameters;
+  project->seed = options.seed.value_or(project->seed);
+  auto inputs = openInputs(std::move(*project));
+  if (!inputs) {
+    return report(inputs.error());
+  }
+  PeopleJob job;
+  job.range = *frames;
+  job.inputs = std::move(*inputs);
+  job.rig = rigOf(job.inputs.project);
+  auto tracker = makePeopleTracker(options.method, *parameters, job.rig);
+  if (!tracker) {
+    return report(tracker.error());
+  }
+  job.tracker = std::move(*tracker);
+  job.tracker->setEmptyRooms(job.inputs.emptyRooms);
+  job.tracker->restart(job.inputs.project.seed);
+  if (const auto added = addPersons(options.persons, *job.tracker); !added) {
+    report(added.error());
+    return kExitUsage;
+  }
+  const auto total = job.inputs.source->frameCount().value_or(0);
+  if (options.overlay > 0) {
+    const auto span = job.range.end.value_or(total) - job.range.first;
+    job.overlayEvery =
+        static_cast<int>(std::max<std::int64_t>(1, (span + options.overlay - 1) / options.overlay));
+  }
+  auto writer = PeopleWriter::create(options.folder, trajectoryHeader(job.inputs.project));
+  if (!writer) {
+    return report(writer.error());
+  }
+  heedInterruption();
+  const auto tracked = trackPeople(job, options, *writer);
+  if (!job.rows.empty()) {
+    const auto sheet = std::filesystem::path(options.folder) / "overlay.png";
+    if (const auto written = writeContactSheet(job.rows, sheet); !written) {
+      return report(written.error());
+    }
+  }
+  fmt::print("frames                  {:>10}\n", job.frames);
+  fmt::print("most people at once     {:>10}\n", job.most);
+  fmt::print("ms per frame            {:>10.2f}\n",
+             1000.0 * job.seconds / static_cast<double>(std::max<std::int64_t>(1, job.frames)));
+  if (!tracked) {
+    const int code = report(tracked.error());
+    return code == kExitBadInput && job.frames > 0 ? kExitEndedEarly : code;
+  }
+  return interruptionAsked() ? kExitInterrupted : kExitDone;
+}
+
+} // namespace
+
+void addPeopleCommand(CLI::App& app, int& exitCode) {
+  auto* command = app.add_subcommand(
+      "people", "Track people of a project's cameras: places, volumes, ground-plane densities.");
+  auto options = std::make_shared<PeopleOptions>();
+  command->add_flag("--list", options->list, "Only say which methods and parameters there are");
+  command->add_option("PROJECT", options->project, "Project file (TOML)");
+  command->add_option("--out", options->folder, "Folder to write");
+  command->add_option("--method", options->method, "Method")
+      ->check(CLI::IsMember(peopleMethodNames()))
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of the run (the project's unless given)");
+  command->add_option("--threads", options->threads, "Threads; never changes the result")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command->add_option("--frames", options->frames,
+                      "Only frames A to B-1, as A:B (either may be empty)");
+  command->add_option("--set", options->settings, "Set a parameter of the method: key=value");
+  command->add_option("--person", options->persons,
+                      "Somebody stands here from the first frame on: x,y,z of the body's middle");
+  command
+      ->add_option("--overlay", options->overlay,
+                   "Write overlay.png: about so many instants, all cameras, hulls drawn")
+      ->check(CLI::Range(0, 1000));
+  command->callback([options, command, &exitCode] {
+    if (!options->list && (options->project.empty() || options->folder.empty())) {
+      throw CLI::RequiredError(options->project.empty() ? "PROJECT" : "--out");
+    }
+    exitCode = runPeople(*options);
+  });
+}
+
+} // namespace dewpoint

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/interruption.h"
+#include "app/dewpoint-cli/progress.h"
+#include "core/base/text_file.h"
+#include "core/experiment/people_summary.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace dewpoint {
+namespace {
+
+struct StudyOptions {
+  std::string scenario;
+  std::uint64_t first = 1;
+  int seeds = 30;
+  std::string clothes = "both";
+  std::vector<std::string> methods;
+  std::vector<std::string> settings;
+  std::string folder;
+  std::string record;
+};
+
+Result<PeopleStudySetup> setupOf(const StudyOptions& options) {
+  PeopleStudySetup setup;
+  setup.scenario = options.scenario;
+  setup.methods = options.methods.empty() ? peopleMethodNames() : options.methods;
+  for (const std::string& setting : options.settings) {
+    const auto equals = setting.find('=');
+    char* end = nullptr;
+    const double value =
+        equals == std::string::npos ? 0.0 : std::strtod(setting.c_str() + equals + 1, &end);
+    if (end == nullptr || *end != '\0') {
+      return failure(ErrorCode::BadValue, "", "--set", setting + " is not key=number");
+    }
+    setup.parameters.emplace_back(setting.substr(0, equals), value);
+  }
+  return setup;
+}
+
+Status writeStudy(const StudyOptions& options, const std::vector<PeopleTrial>& trials) {
+  const std::filesystem::path folder(options.folder);
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) {
+    return failure(ErrorCode::FileUnwritable, folder.string(), "--out", problem.message());
+  }
+  if (const auto written = writeTextFile(folder / "runs.csv", peopleTrialsCsv(trials)); !written) {
+    return written;
+  }
+  return writeTextFile(folder / "report.html", peopleReportHtml(options.scenario, trials));
+}
+
+int recordScenario(const StudyOptions& options) {
+  const auto clothes = options.clothes == clothesName(PeopleClothes::Similar)
+                           ? PeopleClothes::Similar
+                           : PeopleClothes::Different;
+  const auto scenario = makePeopleScenario(options.scenario, clothes, options.first);
+  return scenario ? recordOffice(scenario->scene, options.record) : report(scenario.error());
+}
+
+int studyScenario(const StudyOptions& options) {
+  auto setup = setupOf(options);
+  if (!setup) {
+    report(setup.error());
+    return kExitUsage;
+  }
+  heedInterruption();
+  std::vector<PeopleClothes> clothes;
+  for (const auto kind : {PeopleClothes::Different, PeopleClothes::Similar}) {
+    if (options.clothes == "both" || options.clothes == clothesName(kind)) {
+      clothes.push_back(kind);
+    }
+  }
+  simulation::ViewCache views;
+  std::vector<PeopleTrial> trials;
+  Progress progress("people-" + options.scenario,
+                    options.seeds * static_cast<std::int64_t>(clothes.size()));
+  std::int64_t done = 0;
+  for (const PeopleClothes kind : clothes) {
+    setup->clothes = kind;
+    for (int k = 0; k < options.seeds && !interruptionAsked(); ++k) {
+      setup->seed = options.first + static_cast<std::uint64_t>(k);
+      const auto more = studyPeople(*setup, views);
+      if (!more) {
+        progress.finish();
+        return report(more.error());
+      }
+      trials.insert(trials.end(), more->begin(), more->end());
+      progress.show(++done);
+    }
+  }
+  progress.finish();
+  fmt::print("{}\n", peopleTableHead());
+  for (const PeopleSummary& summary : summarize(trials)) {
+    fmt::print("{}\n", peopleTableRow(summary));
+  }
+  if (!options.folder.empty()) {
+    if (const auto written = writeStudy(options, trials); !written) {
+      return report(written.error());
+    }
+  }
+  return interruptionAsked() ? kExitInterrupted : kExitDone;
+}
+
+} // namespace
+
+void addPeopleExperiments(CLI::App& group, int& exitCode) {
+  for (const std::string& scenario : peopleScenarioNames()) {
+    auto* command = group.add_subcommand("people-" + scenario,
+                                         "Simulated office: " + peopleScenarioSentence(scenario));
+    auto options = std::make_shared<StudyOptions>();
+    options->scenario = scenario;
+    command->add_option("--seed", options->first, "The first seed")->capture_default_str();
+    command->add_option("--seeds", options->seeds, "How many")
+        ->check(CLI::Range(1, 10000))
+        ->capture_default_str();
+    command->add_option("--clothes", options->clothes, "Clothes: different, similar or both")
+        ->check(CLI::IsMember({"different", "similar", "both"}))
+        ->capture_default_str();
+    command->add_option("--method", options->methods, "Method; all unless given")
+        ->delimiter(',')
+        ->check(CLI::IsMember(peopleMethodNames()));
+    command->add_option("--set", options->settings,
+                        "Set a parameter, of the methods that have it: key=value");
+    command->add_option("--out", options->folder, "Folder for runs.csv and report.html");
+    command->add_option("--record", options->record,
+                        "Only write the scene of --seed into this folder, as a project to track");
+    command->callback([options, &exitCode] {
+      exitCode = options->record.empty() ? studyScenario(*options) : recordScenario(*options);
+    });
+  }
+}
+
+} // namespace dewpoint

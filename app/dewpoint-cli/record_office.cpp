@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/progress.h"
+#include "core/calibration/calibration_file.h"
+#include "core/capture/frame_writer.h"
+#include "core/session/tracking_run.h"
+#include "core/simulation/office.h"
+#include "core/trajectory/trajectory_writer.h"
+
+#include <fmt/format.h>
+
+namespace dewpoint {
+namespace {
+
+Trajectory truthOf(const OfficeRenderer& renderer) {
+  Trajectory truth;
+  const OfficeScene& scene = renderer.scene();
+  for (const Camera& camera : scene.cameras) {
+    truth.header.cameras.push_back({camera.name, camera.center(), camera.opticalAxis()});
+  }
+  for (std::int64_t frame = 0; frame < scene.frameCount; ++frame) {
+    for (std::size_t k = 0; k < scene.people.size(); ++k) {
+      TrajectorySample sample;
+      sample.frame = frame;
+      sample.time = scene.timeOf(frame);
+      sample.target = scene.people[k].name;
+      sample.position = renderer.middle(k, sample.time);
+      sample.valid = renderer.inside(k, sample.time);
+      truth.samples.push_back(std::move(sample));
+    }
+  }
+  return truth;
+}
+
+Status writeVideo(const OfficeRenderer& renderer, std::size_t camera, const std::string& file,
+                  Progress& progress) {
+  const OfficeScene& scene = renderer.scene();
+  auto writer = FrameWriter::video(file, scene.framesPerSecond);
+  if (!writer) {
+    return tl::make_unexpected(writer.error());
+  }
+  for (std::int64_t frame = 0; frame < scene.frameCount; ++frame) {
+    if (const auto written = writer->write(renderer.render(camera, frame)); !written) {
+      return written;
+    }
+    progress.show(static_cast<std::int64_t>(camera) * scene.frameCount + frame + 1);
+  }
+  return writer->finish();
+}
+
+Status writeRoom(const OfficeRenderer& renderer, std::size_t camera, const std::string& folder) {
+  auto writer = FrameWriter::images(folder);
+  if (!writer) {
+    return tl::make_unexpected(writer.error());
+  }
+  if (const auto written = writer->write(renderer.emptyRoom(camera)); !written) {
+    return written;
+  }
+  return writer->finish();
+}
+
+} // namespace
+
+int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder) {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) {
+    return report({ErrorCode::FileUnwritable, folder.string(), "--record", problem.message()});
+  }
+  simulation::ViewCache views;
+  const OfficeRenderer renderer(scene, views);
+  const auto whole = std::filesystem::absolute(folder);
+  Project project;
+  project.name = "people in the office";
+  project.parameters = ParameterValues(methodParameters(project.method));
+  project.framesPerSecond = scene.framesPerSecond;
+  project.truth = whole / "truth.csv";
+  Progress progress("rendering",
+                    scene.frameCount * static_cast<std::int64_t>(scene.cameras.size()));
+  for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
+    ProjectCamera camera;
+    camera.camera = scene.cameras[k];
+    camera.source = SourceKind::Video;
+    camera.location = (whole / fmt::format("camera-{}.mkv", k + 1)).string();
+    camera.emptyRoom = (whole / fmt::format("empty-{}", k + 1)).string();
+    for (const auto& written : {writeVideo(renderer, k, camera.location, progress),
+                                writeRoom(renderer, k, camera.emptyRoom)}) {
+      if (!written) {
+        progress.finish();
+        return report(written.error());
+      }
+    }
+    project.cameras.push_back(std::move(camera));
+  }
+  progress.finish();
+  for (const auto& written : {writeTrajectory(truthOf(renderer), folder / "truth.csv"),
+                              saveCalibration(rigOf(project), folder / "calibration.toml"),
+                              saveProject(project, folder / "project.toml")}) {
+    if (!written) {
+      return report(written.error());
+    }
+  }
+  fmt::print("{}: {} frames of {} cameras, project.toml, calibration.toml, truth.csv\n",
+             folder.string(), scene.frameCount, scene.cameras.size());
+  return kExitDone;
+}
+
+} // namespace dewpoint

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/random.h"
+#include "core/filter/particle_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace dewpoint {
+
+/// The dynamic model of Mohedano et al. 2009, equations 14 and 15: constant velocity and, in states
+/// that have it, constant color, with normal noise of its own on position, velocity and color.
+/// States: x y z (m) vx vy vz (m/s), perhaps h s (in [0, 1]; the hue is circular).
+struct PersonMotion {
+  double interval = 0.0;       ///< seconds from the last step to this one
+  double positionSigma = 0.03; ///< m, per step
+  double velocitySigma = 0.25; ///< m/s, per step
+  double colorSigma = 0.005;   ///< per step
+
+  void predict(StateRows rows, std::uint32_t firstIndex, const RandomStream& stream) const {
+    const bool hasColor = rows.cols() >= 8;
+    for (Eigen::Index row = 0; row < rows.rows(); ++row) {
+      const auto index = firstIndex + static_cast<std::uint32_t>(row);
+      const auto place = stream.normal4(index, 0);
+      const auto velocity = stream.normal4(index, 1);
+      for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const auto k = static_cast<std::size_t>(axis);
+        rows(row, axis) += interval * rows(row, axis + 3) + positionSigma * place[k];
+        rows(row, axis + 3) += velocitySigma * velocity[k];
+      }
+      if (hasColor) {
+        const double hue = rows(row, 6) + colorSigma * place[3];
+        rows(row, 6) = hue - std::floor(hue);
+        rows(row, 7) = std::clamp(rows(row, 7) + colorSigma * velocity[3], 0.0, 1.0);
+      }
+    }
+  }
+};
+
+/// A person on the floor: x y vx vy (m, m/s) and the height (m). A constant, random acceleration
+/// acts from one step to the next; the height hardly changes, and is drawn to what is usual.
+struct WalkingMotion {
+  double interval = 0.0;          ///< seconds from the last step to this one
+  double accelerationSigma = 3.0; ///< m/s², along each axis
+  double usualHeight = 1.72;      ///< m
+  double heightSigma = 0.01;      ///< m, per step
+
+  void predict(StateRows rows, std::uint32_t firstIndex, const RandomStream& stream) const {
+    constexpr double kHeightPull = 0.02; // per step
+    const double half = 0.5 * interval * interval;
+    for (Eigen::Index row = 0; row < rows.rows(); ++row) {
+      const auto normal = stream.normal4(firstIndex + static_cast<std::uint32_t>(row));
+      for (Eigen::Index axis = 0; axis < 2; ++axis) {
+        const double acceleration = accelerationSigma * normal[static_cast<std::size_t>(axis)];
+        rows(row, axis) += interval * rows(row, axis + 2) + half * acceleration;
+        rows(row, axis + 2) += interval * acceleration;
+      }
+      rows(row, 4) += kHeightPull * (usualHeight - rows(row, 4)) + heightSigma * normal[2];
+    }
+  }
+};
+
+} // namespace dewpoint

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/office.h"
+
+#include "core/simulation/people_painter.h"
+#include "core/simulation/sensor.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace dewpoint {
+namespace {
+
+constexpr double kHalfOffice = 3.5; ///< metres from the middle to the walls
+
+} // namespace
+
+CameraRig officeRig() {
+  static constexpr std::array<std::array<double, 2>, 4> kCorners{
+      {{-3.3, -3.3}, {3.3, -3.3}, {3.3, 3.3}, {-3.3, 3.3}}};
+  CameraRig rig;
+  for (const auto& corner : kCorners) {
+    Camera camera;
+    camera.name = fmt::format("camera {}", rig.size() + 1);
+    camera.intrinsics = {320, 240, 230.0, 230.0, 159.5, 119.5};
+    camera.cameraFromWorld = lookAt({corner[0], corner[1], 2.4}, {0.0, 0.0, 0.8});
+    rig.push_back(camera);
+  }
+  return rig;
+}
+
+OfficeRenderer::OfficeRenderer(OfficeScene scene, simulation::ViewCache& views)
+    : scene_(std::move(scene)) {
+  for (const Camera& camera : scene_.cameras) {
+    views_.push_back(views.view(camera, simulation::Furnishing::Office));
+  }
+}
+
+cv::Mat OfficeRenderer::render(std::size_t camera, std::int64_t frame, cv::Mat* who) const {
+  const auto& view = *views_.at(camera);
+  std::vector<std::vector<simulation::BodyPart>> people;
+  const double time = scene_.timeOf(frame);
+  for (const auto& walker : scene_.people) {
+    people.push_back(walker.presentAt(time) ? bodyParts(walker, time)
+                                            : std::vector<simulation::BodyPart>{});
+  }
+  cv::Mat image = view.background.clone();
+  paintPeople(view, people, simulation::kOfficeLampPosition, image, who);
+  const RandomStream noise(scene_.seed, static_cast<std::uint32_t>(frame),
+                           static_cast<std::uint32_t>(camera), RandomPurpose::Simulation);
+  return simulation::develop(image, scene_.noiseSigma, noise);
+}
+
+cv::Mat OfficeRenderer::emptyRoom(std::size_t camera) const {
+  cv::Mat image;
+  views_.at(camera)->background.convertTo(image, CV_8UC3);
+  return image;
+}
+
+bool OfficeRenderer::inside(std::size_t person, double time) const {
+  const auto& walker = scene_.people.at(person);
+  return walker.presentAt(time) && walker.place(time).cwiseAbs().maxCoeff() < kHalfOffice;
+}
+
+Eigen::Vector3d OfficeRenderer::middle(std::size_t person, double time) const {
+  const auto& walker = scene_.people.at(person);
+  const Eigen::Vector2d place = walker.place(time);
+  return {place.x(), place.y(), 0.5 * walker.height};
+}
+
+} // namespace dewpoint

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/camera.h"
+#include "core/simulation/view_cache.h"
+#include "core/simulation/walker.h"
+
+#include <opencv2/core.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace dewpoint {
+
+/// Four 320x240 cameras in the upper corners of the simulated office (7 x 7 x 2.7 m), 2.4 m high,
+/// looking at its middle.
+CameraRig officeRig();
+
+/// People in the simulated office: shadows, furniture that hides them in part, clothes that may
+/// look like the room (so that their masks fall apart).
+struct OfficeScene {
+  CameraRig cameras = officeRig();
+  std::vector<simulation::Walker> people;
+  double framesPerSecond = 15.0;
+  std::int64_t frameCount = 150;
+  std::uint64_t seed = 1;  ///< of the sensor noise
+  double noiseSigma = 3.0; ///< gray levels
+
+  double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
+};
+
+/// Renders an office scene.
+class OfficeRenderer {
+public:
+  /// The views of the empty office come from `views`, so that many scenes share them.
+  OfficeRenderer(OfficeScene scene, simulation::ViewCache& views);
+
+  const OfficeScene& scene() const { return scene_; }
+  /// CV_8UC3, BGR: a pure function of its arguments. `who`: as paintPeople().
+  cv::Mat render(std::size_t camera, std::int64_t frame, cv::Mat* who = nullptr) const;
+  /// The office without anybody, without noise: CV_8UC3.
+  cv::Mat emptyRoom(std::size_t camera) const;
+  /// Whether the person is there, and inside the office's walls.
+  bool inside(std::size_t person, double time) const;
+  /// Point of the floor below the person and half its height: the middle of the body, metres.
+  Eigen::Vector3d middle(std::size_t person, double time) const;
+
+private:
+  OfficeScene scene_;
+  std::vector<std::shared_ptr<const simulation::CameraView>> views_;
+};
+
+} // namespace dewpoint

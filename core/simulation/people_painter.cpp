@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/people_painter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+namespace dewpoint::simulation {
+namespace {
+
+/// A ray as a body part sees it: in its own axes, in units of its half sizes.
+struct PartRay {
+  Vector3f origin;
+  Eigen::Matrix3f toPart;
+
+  PartRay(const BodyPart& part, const Vector3f& from)
+      : toPart(part.halfSize.cwiseInverse().asDiagonal() * part.axes) {
+    origin = toPart * (from - part.center);
+  }
+  /// Distance along the unit direction to where the ray enters the part.
+  std::optional<float> enter(const Vector3f& direction) const {
+    const Vector3f d = toPart * direction;
+    const float a = d.squaredNorm();
+    const float b = origin.dot(d);
+    const float root = b * b - a * (origin.squaredNorm() - 1.0F);
+    if (root < 0.0F || b > 0.0F) {
+      return std::nullopt;
+    }
+    return (-b - std::sqrt(root)) / a;
+  }
+  Vector3f normal(float distance, const Vector3f& direction) const {
+    const Vector3f surface = origin + distance * (toPart * direction);
+    return (toPart.transpose() * surface).normalized();
+  }
+};
+
+cv::Rect boundsOf(const CameraView& view, const BodyPart& part) {
+  // Along a thin limb a ball around it would be far too large: three balls along it.
+  const float radius = std::max(part.halfSize.x(), part.halfSize.y());
+  const float reach = std::max(0.0F, part.halfSize.z() - radius);
+  cv::Rect area;
+  for (const float along : {-1.0F, 0.0F, 1.0F}) {
+    const Vector3f middle = part.center + along * reach * part.axes.row(2).transpose();
+    area |= view.boundsOfSphere(middle.cast<double>(), 1.05 * radius);
+  }
+  return area;
+}
+
+class Canvas {
+public:
+  Canvas(const CameraView& view, const Vector3f& lamp, cv::Mat& image, cv::Mat* who)
+      : view_(view), lamp_(lamp), image_(image), who_(who), depth_(view.distances) {}
+
+  void paint(const BodyPart& part, std::uint8_t person) {
+    const PartRay ray(part, view_.center);
+    const cv::Rect area = boundsOf(view_, part);
+    for (int row = area.y; row < area.y + area.height; ++row) {
+      for (int column = area.x; column < area.x + area.width; ++column) {
+        const std::size_t pixel = view_.index(column, row);
+        const Vector3f& direction = view_.directions[pixel];
+        const auto distance = direction.isZero(0.0F) ? std::nullopt : ray.enter(direction);
+        if (!distance || *distance >= depth_[pixel] || *distance <= 0.0F) {
+          continue;
+        }
+        depth_[pixel] = *distance;
+        const Vector3f point = view_.center + *distance * direction;
+        const Vector3f color =
+            shade(point, ray.normal(*distance, direction), 1.0F, lamp_) * part.color;
+        image_.at<cv::Vec3f>(row, column) = {color.x(), color.y(), color.z()};
+        if (who_ != nullptr) {
+          who_->at<std::uint8_t>(row, column) = person;
+        }
+      }
+    }
+  }
+
+private:
+  const CameraView& view_;
+  const Vector3f& lamp_;
+  cv::Mat& image_;
+  cv::Mat* who_;
+  std::vector<float> depth_;
+};
+
+/// Adds the shadow that a part casts on the floor, as that of a ball: `covered` becomes the share
+/// of the lamp that is hidden, per pixel.
+void addShadow(const CameraView& view, const BodyPart& part, const Vector3f& lamp,
+               cv::Mat& covered) {
+  constexpr float kPanel = 0.35F; // radius of the office's lamp, metres: a panel
+  const float radius = std::cbrt(part.halfSize.prod());
+  const float height = std::min(part.center.z(), lamp.z() - 0.3F);
+  const Vector3f spot = lamp + (part.center - lamp) * (lamp.z() / (lamp.z() - height));
+  const float reach =
+      radius * lamp.z() / (lamp.z() - height) + kPanel * height / (lamp.z() - height);
+  const cv::Rect area = view.boundsOfSphere({spot.x(), spot.y(), 0.0}, 1.2 * reach);
+  for (int row = area.y; row < area.y + area.height; ++row) {
+    for (int column = area.x; column < area.x + area.width; ++column) {
+      const std::size_t pixel = view.index(column, row);
+      const float distance = view.distances[pixel];
+      if (!(distance < 100.0F)) {
+        continue;
+      }
+      const Vector3f point = view.center + distance * view.directions[pixel];
+      const Vector3f way = lamp - point;
+      const float length = way.norm();
+      const float along = (part.center - point).dot(way) / length;
+      if (point.z() > 0.02F || along <= 0.0F) {
+        continue;
+      }
+      const float aside = ((part.center - point) - along / length * way).norm();
+      const float blur = std::max(0.01F, kPanel * along / length);
+      const float t = std::clamp((aside - radius + blur) / (2.0F * blur), 0.0F, 1.0F);
+      const float share =
+          (1.0F - t * t * (3.0F - 2.0F * t)) * std::min(1.0F, radius * radius / (blur * blur));
+      float& most = covered.at<float>(row, column);
+      most = 1.0F - (1.0F - most) * (1.0F - share);
+    }
+  }
+}
+
+} // namespace
+
+void paintPeople(const CameraView& view, const std::vector<std::vector<BodyPart>>& people,
+                 const Vector3f& lamp, cv::Mat& image, cv::Mat* who) {
+  if (who != nullptr) {
+    *who = cv::Mat::zeros(image.size(), CV_8UC1);
+  }
+  if (people.empty()) {
+    return;
+  }
+  cv::Mat covered = cv::Mat::zeros(image.size(), CV_32FC1);
+  for (const auto& parts : people) {
+    for (const BodyPart& part : parts) {
+      addShadow(view, part, lamp, covered);
+    }
+  }
+  for (int row = 0; row < image.rows; ++row) {
+    for (int column = 0; column < image.cols; ++column) {
+      if (const float share = covered.at<float>(row, column); share > 0.0F) {
+        image.at<cv::Vec3f>(row, column) *= 1.0F - share * view.lit[view.index(column, row)];
+      }
+    }
+  }
+  Canvas canvas(view, lamp, image, who);
+  for (std::size_t person = 0; person < people.size(); ++person) {
+    for (const BodyPart& part : people[person]) {
+      canvas.paint(part, static_cast<std::uint8_t>(person + 1));
+    }
+  }
+}
+
+} // namespace dewpoint::simulation

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/camera_view.h"
+#include "core/simulation/walker.h"
+
+#include <opencv2/core.hpp>
+
+#include <vector>
+
+namespace dewpoint::simulation {
+
+/// Draws people into `image` (CV_32FC3), which shows the room at rest as `view` sees it: what
+/// stands before them hides them, they hide each other, and they cast soft shadows of `lamp` on the
+/// floor (z = 0). `people`: the parts of each of them. `who`, unless null, becomes CV_8UC1: 0 for
+/// the room, else 1 + the index of the person that is seen.
+void paintPeople(const CameraView& view, const std::vector<std::vector<BodyPart>>& people,
+                 const Vector3f& lamp, cv::Mat& image, cv::Mat* who = nullptr);
+
+} // namespace dewpoint::simulation

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/people_tracker.h"
+
+#include "core/tracking/joint_people_tracker.h"
+#include "core/tracking/mohedano_tracker.h"
+#include "core/tracking/people_parameters.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dewpoint {
+
+std::vector<std::string> peopleMethodNames() {
+  return {"people", "mohedano-msc", "mohedano-ms"};
+}
+
+std::string peopleMethodSentence(const std::string& method) {
+  if (method == "people") {
+    return "Several people who walk, meet and wear similar clothes: places on the floor, told "
+           "apart "
+           "by what each of them covers in the images.";
+  }
+  if (method == "mohedano-msc") {
+    return "Several people by motion and color, each by a filter of its own (Mohedano et al. 2009, "
+           "MS+C): keeps them apart when their clothes differ.";
+  }
+  return "Several people by motion only (Mohedano et al. 2009, MS): covers whole bodies, but "
+         "confuses people who come close.";
+}
+
+std::span<const ParameterDeclaration> peopleMethodParameters(std::string_view method) {
+  if (method == "people") {
+    return peopleParameters();
+  }
+  if (method == "mohedano-msc") {
+    return mohedanoMscParameters();
+  }
+  if (method == "mohedano-ms") {
+    return mohedanoMsParameters();
+  }
+  return {};
+}
+
+Result<std::unique_ptr<PeopleTracker>> makePeopleTracker(const std::string& method,
+                                                         const ParameterValues& parameters,
+                                                         const CameraRig& rig) {
+  const auto declared = parameters.declarations();
+  for (const ParameterDeclaration& needed : peopleMethodParameters(method)) {
+    if (std::ranges::find(declared, needed.key, &ParameterDeclaration::key) == declared.end()) {
+      return failure(ErrorCode::MissingKey, "", needed.key,
+                     fmt::format("method {} needs it", method));
+    }
+  }
+  if (method == "people") {
+    return std::make_unique<JointPeopleTracker>(parameters, rig);
+  }
+  if (method == "mohedano-msc" || method == "mohedano-ms") {
+    return std::make_unique<MohedanoTracker>(parameters, rig, method == "mohedano-msc");
+  }
+  return failure(ErrorCode::NotFound, "", "method",
+                 fmt::format("{}: known are {}", method, fmt::join(peopleMethodNames(), ", ")));
+}
+
+} // namespace dewpoint

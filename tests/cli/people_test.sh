@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# People from a written recording to judged identities.
+. "$(dirname "$0")/common.sh"
+
+expectExit 0 experiment people-apart --record office --seed 3
+for file in office/project.toml office/truth.csv office/calibration.toml office/camera-4.mkv; do
+  [[ -s $file ]] || fail "$file is missing"
+done
+expectExit 0 people office/project.toml --out run --seed 1 --overlay 3
+for file in run/trajectory.csv run/volumes.csv run/hulls.csv run/ground.csv run/overlay.png; do
+  [[ -s $file ]] || fail "$file is missing"
+done
+# The same bits with other numbers of threads.
+expectExit 0 people office/project.toml --out again --seed 1 --threads 3
+for file in trajectory.csv volumes.csv hulls.csv ground.csv; do
+  cmp -s "run/$file" "again/$file" || fail "$file differs between 1 and 3 threads"
+done
+expectExit 0 evaluate run/trajectory.csv office/truth.csv --identities --ground --gate 0.5
+expectText out.txt MOTA HOTA GOSPA ' 0 switches'
+
+expectExit 0 people --list
+expectText out.txt mohedano-ms mohedano-msc hue_floor acceleration_sigma
+expectExit $kUsage people office/project.toml --out run --set no_such=1
+expectSentence no_such
+expectExit $kUsage people office/project.toml --out run --person 1,2
+expectSentence --person
+expectExit $kUsage people office/project.toml
+expectExit $kBadInput people missing.toml --out run
