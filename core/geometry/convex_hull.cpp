@@ -56,19 +56,20 @@ std::optional<std::array<int, 4>> firstCorners(const Points& points, double slac
 /// Replaces the faces that see the point by a cone from the point to their rim.
 void addPoint(const Points& points, int index, double slack, std::vector<Face>& faces) {
   const Eigen::Vector3d& point = points[static_cast<std::size_t>(index)];
+  const auto sees = [&](const Face& face) { return face.normal.dot(point) - face.offset > slack; };
+  if (std::ranges::none_of(faces, sees)) {
+    return;
+  }
   std::map<std::pair<int, int>, bool> edges; // directed, of the faces that are seen
   std::vector<Face> kept;
   for (const Face& face : faces) {
-    if (face.normal.dot(point) - face.offset <= slack) {
+    if (!sees(face)) {
       kept.push_back(face);
       continue;
     }
     for (std::size_t k = 0; k < 3; ++k) {
       edges[{face.corners[k], face.corners[(k + 1) % 3]}] = true;
     }
-  }
-  if (edges.empty()) {
-    return;
   }
   for (const auto& [edge, seen] : edges) {
     if (!edges.contains({edge.second, edge.first})) {

@@ -1,23 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/people_volume.h"
 
+#include "core/base/elementary.h"
+#include "core/base/vector_kernel.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <numeric>
 
 namespace dewpoint {
+
+namespace {
+
+/// Adds what the kernel on one point contributes at all points.
+struct KernelKernel {
+  DEWPOINT_KERNEL void run(std::int64_t count, const double* __restrict x,
+                           const double* __restrict y, const double* __restrict z,
+                           std::int64_t center, double scale, double weight,
+                           double* __restrict density) {
+    const double centerX = x[center];
+    const double centerY = y[center];
+    const double centerZ = z[center];
+    for (std::int64_t i = 0; i < count; ++i) {
+      const double dx = x[i] - centerX;
+      const double dy = y[i] - centerY;
+      const double dz = z[i] - centerZ;
+      density[i] += weight * exponential(scale * (dx * dx + dy * dy + dz * dz));
+    }
+  }
+};
+
+} // namespace
 
 Eigen::ArrayXd densityAtPoints(const BodyCloud& body, double sigma) {
   const Eigen::Index count = body.points.rows();
   const double scale = -0.5 / (sigma * sigma);
   const double peak = std::pow(2.0 * std::numbers::pi * sigma * sigma, -1.5);
   Eigen::ArrayXd density = Eigen::ArrayXd::Zero(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::ArrayXd squares = (body.points.col(0) - body.points(i, 0)).square() +
-                                   (body.points.col(1) - body.points(i, 1)).square() +
-                                   (body.points.col(2) - body.points(i, 2)).square();
-    density[i] = peak * (body.weights * (scale * squares).exp()).sum();
+  for (Eigen::Index center = 0; center < count; ++center) {
+    runKernel<KernelKernel>(std::int64_t{count}, body.points.col(0).data(),
+                            body.points.col(1).data(), body.points.col(2).data(),
+                            std::int64_t{center}, scale, peak * body.weights[center],
+                            density.data());
   }
   return density;
 }
