@@ -76,4 +76,15 @@ double bodyScore(const ScoreSums& score, const BodySilhouette& silhouette, doubl
   return sum / kBodyPieces;
 }
 
+double upperBodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor) {
+  if (!silhouette.visible) {
+    return 0.0;
+  }
+  double sum = 0.0;
+  for (std::size_t k = kBodyPieces / 2; k < kBodyPieces; ++k) {
+    sum += std::max(floor, score.mean(silhouette.pieces[k]));
+  }
+  return sum / (kBodyPieces - kBodyPieces / 2);
+}
+
 } // namespace dewpoint

@@ -76,4 +76,7 @@ struct ScoreSums {
 /// furniture, or look like the room.
 double bodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor);
 
+/// The same of the upper half of the body alone: legs are hidden more often than heads.
+double upperBodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor);
+
 } // namespace dewpoint

@@ -15,10 +15,11 @@ constexpr std::size_t kMostCells = 4000; ///< a larger floor gets a coarser grid
 constexpr double kSeen = 0.2;            ///< score from which a camera sees somebody
 constexpr double kNotSeen = 0.0;         ///< score below which it sees nobody
 constexpr double kPieceFloor = -0.3;
-constexpr double kApart = 0.5;     ///< metres to people who are there already
-constexpr double kSame = 0.5;      ///< metres a candidate may move between frames
-constexpr double kPatience = 0.15; ///< seconds that a candidate may be out of sight
-constexpr double kInImage = 0.6;   ///< share of a body in the image from which its camera counts
+constexpr double kUpperShare = 0.7; ///< what the upper body counts by itself
+constexpr double kApart = 0.5;      ///< metres to people who are there already
+constexpr double kSame = 0.5;       ///< metres a candidate may move between frames
+constexpr double kPatience = 0.15;  ///< seconds that a candidate may be out of sight
+constexpr double kInImage = 0.6;    ///< share of a body in the image from which its camera counts
 
 /// Share of a silhouette that lies in the image.
 double shareInImage(const BodySilhouette& silhouette, const Intrinsics& size) {
@@ -85,8 +86,11 @@ double PeopleBirths::scoreOf(const Cell& cell, const PeopleCameras& cameras,
     }
     // The chest first: where that is not seen, nothing more is looked at.
     const double chest = scores[k].mean(silhouette.pieces[3]);
-    const double score = chest < kNotSeen ? std::min(chest, kNotSeen - 0.01)
-                                          : bodyScore(scores[k], silhouette, kPieceFloor);
+    const double score =
+        chest < kNotSeen
+            ? std::min(chest, kNotSeen - 0.01)
+            : std::max(bodyScore(scores[k], silhouette, kPieceFloor),
+                       kUpperShare * upperBodyScore(scores[k], silhouette, kPieceFloor));
     seeing += score >= kSeen ? 1 : 0;
     notSeeing += score < kNotSeen ? 1 : 0;
     sum += score;
