@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/box_commands.h"
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/interruption.h"
 #include "core/experiment/convergence_study.h"
@@ -120,6 +121,7 @@ void addExperimentCommand(CLI::App& app, int& exitCode) {
   addWandStudy(*command, exitCode);
   addFigureCommands(*command, exitCode);
   addPeopleExperiments(*command, exitCode);
+  addSugandiExperiment(*command, exitCode);
 }
 
 } // namespace dewpoint

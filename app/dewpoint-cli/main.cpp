@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/box_commands.h"
 #include "app/dewpoint-cli/commands.h"
 #include "app/wiring/quiet_libraries.h"
 
@@ -35,6 +36,7 @@ int run(int argc, char** argv) {
   addNewCommand(app, exitCode);
   addTrackCommand(app, exitCode);
   addTrackPositionsCommand(app, exitCode);
+  addTrackBoxCommand(app, exitCode);
   addEvaluateCommand(app, exitCode);
   addSimulateCommand(app, exitCode);
   addExperimentCommand(app, exitCode);

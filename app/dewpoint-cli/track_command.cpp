@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/frame_range.h"
+#include "app/dewpoint-cli/parameter_settings.h"
 #include "app/dewpoint-cli/track_job.h"
 #include "app/wiring/open_project.h"
 
@@ -22,7 +23,7 @@ struct TrackOptions {
   std::vector<std::string> settings;
 };
 
-Status applySettings(const TrackOptions& options, Project& project) {
+Status applyOptions(const TrackOptions& options, Project& project) {
   if (options.method && *options.method != project.method) {
     project.method = *options.method;
     project.parameters = carriedOver(project.parameters, project.method);
@@ -35,19 +36,7 @@ Status applySettings(const TrackOptions& options, Project& project) {
       return set;
     }
   }
-  for (const auto& setting : options.settings) {
-    const auto equals = setting.find('=');
-    if (equals == std::string::npos) {
-      return failure(ErrorCode::BadValue, "", "--set", "expected key=value, found " + setting);
-    }
-    if (auto set =
-            project.parameters.setText(setting.substr(0, equals), setting.substr(equals + 1));
-        !set) {
-      set.error().file = "--set";
-      return set;
-    }
-  }
-  return {};
+  return applySettings(options.settings, project.parameters);
 }
 
 int track(TrackOptions options) {
@@ -62,7 +51,7 @@ int track(TrackOptions options) {
   }
   options.job.firstFrame = frames->first;
   options.job.endFrame = frames->end;
-  if (const auto applied = applySettings(options, *project); !applied) {
+  if (const auto applied = applyOptions(options, *project); !applied) {
     report(applied.error());
     return kExitUsage;
   }

@@ -4,6 +4,8 @@
 #include "core/tracking/barrera_parameters.h"
 #include "core/tracking/dewpoint_parameters.h"
 #include "core/tracking/dynamics_parameters.h"
+#include "core/tracking/histogram_parameters.h"
+#include "core/tracking/sugandi_parameters.h"
 
 #include <fmt/format.h>
 
@@ -109,6 +111,12 @@ std::span<const ParameterDeclaration> methodParameters(std::string_view method) 
   }
   if (method == "dynamics") {
     return dynamicsParameters();
+  }
+  if (method == "histogram") {
+    return histogramParameters();
+  }
+  if (method == "sugandi") {
+    return sugandiParameters();
   }
   return {};
 }

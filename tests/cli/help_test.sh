@@ -2,7 +2,7 @@
 . "$(dirname "$0")/common.sh"
 
 expectExit 0 --help
-expectText out.txt track evaluate simulate
+expectText out.txt track track-box evaluate simulate
 expectExit 0 track --help
 expectText out.txt --out --method --seed --threads --frames --particles --set
 expectExit 0 evaluate --help

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include <cstdint>
+
+namespace dewpoint {
+
+/// The color histogram of Sugandi et al. 2009, section 2.2: RGB with 8 x 8 x 8 bins.
+inline constexpr int kRgbBinCount = 512;
+
+/// h(x) of equation 7: which bin a color falls into.
+inline std::uint16_t rgbBin(std::uint8_t blue, std::uint8_t green, std::uint8_t red) {
+  return static_cast<std::uint16_t>(((red >> 5) << 6) | ((green >> 5) << 3) | (blue >> 5));
+}
+
+/// Finer bins, 16 x 16 x 16, for histograms that are smoothed.
+inline constexpr int kFineRgbBinsPerChannel = 16;
+inline constexpr int kFineRgbBinCount = 4096;
+
+inline std::uint16_t fineRgbBin(std::uint8_t blue, std::uint8_t green, std::uint8_t red) {
+  return static_cast<std::uint16_t>(((red >> 4) << 8) | ((green >> 4) << 4) | (blue >> 4));
+}
+
+/// The bins of the pixels of `part` of an image (CV_8UC3) into the same part of `bins`, which is
+/// made CV_16UC1 of the image's size when it is not; the rest of it stays as it was.
+void findRgbBins(const cv::Mat& bgr, const cv::Rect& part, cv::Mat& bins);
+
+} // namespace dewpoint

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/markup.h"
+#include "core/base/text_file.h"
+#include "core/experiment/sugandi_study.h"
+#include "core/experiment/suite_report.h"
+#include "core/trajectory/csv_text.h"
+
+#include <fmt/format.h>
+
+namespace dewpoint {
+namespace {
+
+constexpr const char* kRemarks[] = {
+    "RMSE: of the centers, over all frames after the first, px. Success: area under the curve of "
+    "the "
+    "share of frames whose overlap is above a threshold. Precision: share of frames with the "
+    "center "
+    "within the radius (20 px on otb, else the ball's).",
+    "All start from the true box of the first frame. Figures of sugandi and histogram are means "
+    "over "
+    "the seeds; OpenCV's trackers have their default parameters.",
+    "A star marks clips where only centers are marked and the boxes have a set size: their success "
+    "says little.",
+    "The paper's clip is not public: its 6.48 px with 100 particles and 2.28 px with 300 cannot be "
+    "repeated, only the trend. It gives neither the noise of the motion nor sigma."};
+
+std::string starred(const BoxRow& row) {
+  return row.clip + (row.exactBoxes ? "" : " *");
+}
+
+std::string tableHead() {
+  return "<div class='scroll'><table><thead><tr><th>method</th><th>seeds</th><th>RMSE px</th>"
+         "<th>success</th><th>precision</th><th>worst seed</th><th>ms per frame</th></tr></thead>"
+         "<tbody>";
+}
+
+std::string tableRow(const BoxRow& row) {
+  return fmt::format("<tr{}><td>{}</td><td>{}</td><td>{:.2f}</td><td>{:.3f}</td><td>{:.1f} %</td>"
+                     "<td>{:.1f} %</td><td>{:.2f}</td></tr>",
+                     row.ours ? " class='ours'" : "", escaped(row.method), row.seeds,
+                     row.figures.rmse, row.figures.success, 100.0 * row.figures.precision,
+                     100.0 * row.worstPrecision, row.milliseconds);
+}
+
+std::string barsHtml(const BoxStudy& study) {
+  std::string text = "<h2>What must be reached</h2><div class='scroll'><table><tbody>";
+  for (const BoxBar& bar : study.bars) {
+    text += fmt::format("<tr><td class='text'>{}</td><td><span class='chip {}'>{}</span></td></tr>",
+                        escaped(bar.sentence), bar.reached ? "good" : "bad",
+                        bar.reached ? "reached" : "not reached");
+  }
+  return text + "</tbody></table></div>";
+}
+
+} // namespace
+
+std::string boxStudyText(const BoxStudy& study) {
+  std::string text =
+      fmt::format("{:<26} {:<25} {:>5} {:>8} {:>8} {:>9} {:>8} {:>8}\n", "clip", "method", "seeds",
+                  "RMSE px", "success", "precision", "worst", "ms");
+  for (const BoxRow& row : study.rows) {
+    text +=
+        fmt::format("{:<26} {:<25} {:>5} {:>8.2f} {:>8.3f} {:>7.1f} % {:>6.1f} % {:>8.2f}\n",
+                    starred(row), row.method, row.seeds, row.figures.rmse, row.figures.success,
+                    100.0 * row.figures.precision, 100.0 * row.worstPrecision, row.milliseconds);
+  }
+  text += '\n';
+  for (const BoxBar& bar : study.bars) {
+    text += fmt::format("{:<12} {}\n", bar.reached ? "reached" : "NOT REACHED", bar.sentence);
+  }
+  text += '\n';
+  for (const char* remark : kRemarks) {
+    text += fmt::format("{}\n", remark);
+  }
+  return text;
+}
+
+std::string boxStudyCsv(const BoxStudy& study) {
+  std::string text = "clip,method,seeds,rmse_px,success,precision,worst_precision,ms_per_frame\n";
+  for (const BoxRow& row : study.rows) {
+    text += fmt::format("{},{},{},{},{},{},{},{}\n", csvCell(row.clip), csvCell(row.method),
+                        row.seeds, row.figures.rmse, row.figures.success, row.figures.precision,
+                        row.worstPrecision, row.milliseconds);
+  }
+  return text;
+}
+
+std::string boxStudyHtml(const BoxStudy& study) {
+  std::string text = "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta "
+                     "name='viewport' content='width=device-width, initial-scale=1'><title>Color "
+                     "histograms in one camera</title><style>" +
+                     reportStyle() +
+                     "</style></head>\n<body><main>\n<h1>Color histograms in one camera</h1><p "
+                     "class='meta'>Experiment sugandi-rmse, version " DEWPOINT_VERSION "</p>" +
+                     barsHtml(study);
+  std::string clip;
+  for (const BoxRow& row : study.rows) {
+    if (row.clip != clip) {
+      text += clip.empty() ? "" : "</tbody></table></div>";
+      clip = row.clip;
+      text += fmt::format("<h2>{}</h2>", escaped(starred(row))) + tableHead();
+    }
+    text += tableRow(row);
+  }
+  text += clip.empty() ? "" : "</tbody></table></div>";
+  text += "<h2>How to read it</h2>";
+  for (const char* remark : kRemarks) {
+    text += fmt::format("<p>{}</p>", escaped(remark));
+  }
+  return text + "\n</main></body></html>\n";
+}
+
+Status writeBoxStudy(const BoxStudy& study, const std::filesystem::path& folder) {
+  return writeTextFile(folder / "sugandi-rmse.txt", boxStudyText(study))
+      .and_then([&] { return writeTextFile(folder / "sugandi-rmse.csv", boxStudyCsv(study)); })
+      .and_then([&] { return writeTextFile(folder / "sugandi-rmse.html", boxStudyHtml(study)); });
+}
+
+} // namespace dewpoint

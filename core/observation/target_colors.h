@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/image_box.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace dewpoint {
+
+/// A color histogram of fine bins (fineRgbBin()), smoothed over neighboring bins; it sums to 1.
+using FineHistogram = std::vector<double>;
+
+/// How probable it is that a pixel belongs to the target, for each bin of color; in kWhole-ths.
+using BinShares = std::vector<std::uint16_t>;
+
+/// What colors the parts of a boxed target have, and what colors are around it. The histograms
+/// follow slow changes, the target's by half its way only: the first image stays an anchor.
+class TargetColors {
+public:
+  static constexpr int kColumns = 2;
+  static constexpr int kRows = 3;
+  static constexpr int kParts = kColumns * kRows;
+  static constexpr std::uint16_t kWhole = 256;
+
+  /// Forgets everything and takes the colors of a box (its center in the image).
+  void learn(const cv::Mat& bgr, const ImageBox& box);
+  /// Moves the histograms towards those of a box by `rate`, [0, 1].
+  void adaptTarget(const cv::Mat& bgr, const ImageBox& box, double rate);
+  void adaptSurroundings(const cv::Mat& bgr, const ImageBox& box, double rate);
+
+  /// P(target | color) in a part (row by row from the upper left), by the background-weighted ratio
+  /// q² / (q² + b²) of the histograms of part and surroundings.
+  BinShares shares(int part) const;
+
+  /// A part of a box.
+  static ImageBox partOf(const ImageBox& box, int part);
+
+private:
+  std::array<FineHistogram, kParts> first_;
+  std::array<FineHistogram, kParts> parts_;
+  FineHistogram surroundings_;
+};
+
+} // namespace dewpoint

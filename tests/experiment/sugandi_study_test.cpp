@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/sugandi_study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+
+namespace dewpoint {
+namespace {
+
+TEST(BoxMetrics, AreTheBenchmarksDefinitions) {
+  const std::vector<ImageBox> truth(4, ImageBox{0, 0, 10, 10});
+  const std::vector<std::optional<ImageBox>> found{
+      truth[0],               // given, does not count
+      ImageBox{0, 0, 10, 10}, // overlap 1: above 20 of the 21 thresholds 0, 0.05, ..., 1
+      ImageBox{5, 0, 10, 10}, // overlap 50 / 150, above 0 ... 0.30: 7 thresholds; 5 px off
+      std::nullopt};          // overlap 0; the last box, 5 px off, counts for the RMSE
+  const BoxFigures figures = measureBoxes(found, truth, 4.0);
+  EXPECT_NEAR(figures.success, (20.0 + 7.0) / 21.0 / 3.0, 1e-12);
+  EXPECT_NEAR(figures.precision, 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(figures.rmse, std::sqrt(50.0 / 3.0), 1e-12);
+}
+
+TEST(BoxClips, SimulatedBoxesAreWhereTheBallIs) {
+  const BoxClip clip = simulatedBoxClip(7);
+  ASSERT_EQ(clip.truth.size(), 300U);
+  for (const std::int64_t frame : {0, 40, 160}) {
+    const auto image = clip.image(frame);
+    ASSERT_TRUE(image);
+    const Eigen::Vector2d center = clip.truth[std::size_t(frame)].center();
+    const auto& color = image->at<cv::Vec3b>(int(center.y()), int(center.x()));
+    EXPECT_GT(int(color[2]), int(color[1]) + 40) << frame; // pink: BGR 145, 85, 245 in full light
+  }
+}
+
+TEST(BoxClips, ReadsABenchmarkFolder) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "box_clips";
+  std::filesystem::create_directories(folder / "otb" / "Road");
+  std::ofstream(folder / "otb" / "Road" / "groundtruth_rect.txt") << "5,6,7,8\n9\t10\t11\t12\n";
+  const auto clips = recordedBoxClips(folder);
+  ASSERT_TRUE(clips);
+  ASSERT_EQ(clips->size(), 1U);
+  EXPECT_EQ(clips->front().truth[0], (ImageBox{4, 5, 7, 8})); // counted from 1 there
+  EXPECT_EQ(clips->front().truth[1], (ImageBox{8, 9, 11, 12}));
+  const auto image = clips->front().image(0);
+  ASSERT_FALSE(image);
+  EXPECT_EQ(image.error().code, ErrorCode::FileUnreadable);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(SugandiStudy, ReportsEveryMethodAndBar) {
+  BoxClip clip = simulatedBoxClip(7);
+  clip.truth.resize(6);
+  const auto study = studyBoxes({clip}, 1, [](const BoxRow&) { return true; });
+  ASSERT_TRUE(study);
+  EXPECT_EQ(study->rows.size(), 7U); // sugandi twice, histogram, four of OpenCV
+  ASSERT_EQ(study->bars.size(), 1U); // the paper's trend
+  EXPECT_NE(boxStudyText(*study).find("csrt"), std::string::npos);
+  EXPECT_NE(boxStudyCsv(*study).find("\"sugandi, 100 particles\""), std::string::npos);
+  EXPECT_NE(boxStudyHtml(*study).find("</html>"), std::string::npos);
+}
+
+TEST(SugandiStudy, HistogramStaysOnTheJuggledBalls) {
+  const char* data = std::getenv("DEWPOINT_DATA");
+  if (data == nullptr || !std::filesystem::exists(std::filesystem::path(data) / "juggle1")) {
+    GTEST_SKIP() << "the recording juggle1 is not in DEWPOINT_DATA";
+  }
+  auto clips = recordedBoxClips(data);
+  ASSERT_TRUE(clips);
+  std::erase_if(*clips, [](const BoxClip& clip) { return !clip.name.starts_with("juggle1"); });
+  ASSERT_EQ(clips->size(), 3U);
+  const auto study = studyBoxes(*clips, 1, [](const BoxRow&) { return true; });
+  ASSERT_TRUE(study);
+  for (const BoxBar& bar : study->bars) { // within a ball's radius on at least 85 % of the frames
+    EXPECT_TRUE(bar.reached) << bar.sentence;
+  }
+}
+
+} // namespace
+} // namespace dewpoint
