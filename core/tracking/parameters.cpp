@@ -99,6 +99,15 @@ std::string_view methodSentence(std::string_view method) {
            "study "
            "how a particle filter moves.";
   }
+  if (method == "histogram") {
+    return "Follows a box in one camera's images by the colors of its parts: finds it again after "
+           "it "
+           "was hidden, and follows its size.";
+  }
+  if (method == "sugandi") {
+    return "The color histogram filter of Sugandi et al. (2009), for a box in one camera's images: "
+           "for teaching and comparison.";
+  }
   return "";
 }
 

@@ -123,6 +123,7 @@ TEST(BoxTracker, NamesWhatIsWrong) {
 TEST(BoxTracker, EveryMethodDeclaresItsParameters) {
   for (const std::string& method : boxMethodNames()) {
     EXPECT_FALSE(methodParameters(method).empty()) << method;
+    EXPECT_FALSE(methodSentence(method).empty()) << method;
     for (const ParameterDeclaration& declaration : methodParameters(method)) {
       EXPECT_GE(declaration.defaultValue, declaration.minimum) << declaration.key;
       EXPECT_LE(declaration.defaultValue, declaration.maximum) << declaration.key;
