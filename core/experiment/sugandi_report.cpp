@@ -18,7 +18,7 @@ constexpr const char* kRemarks[] = {
     "within the radius (20 px on otb, else the ball's).",
     "All start from the true box of the first frame. Figures of sugandi and histogram are means "
     "over "
-    "the seeds; OpenCV's trackers have their default parameters.",
+    "the seeds; OpenCV's trackers have their default parameters; KCF gives up soon with them.",
     "A star marks clips where only centers are marked and the boxes have a set size: their success "
     "says little.",
     "The paper's clip is not public: its 6.48 px with 100 particles and 2.28 px with 300 cannot be "

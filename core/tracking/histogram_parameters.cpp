@@ -18,7 +18,7 @@ std::vector<ParameterDeclaration> declare() {
        "How much the size of the box may change from image to image (logarithm); 0 keeps it as it "
        "was given.",
        false},
-      {"aspect_sigma", ParameterKind::Real, "Aspect sigma", "", 0.0, 0.5, 0.005, 0.005,
+      {"aspect_sigma", ParameterKind::Real, "Aspect sigma", "", 0.0, 0.5, 0.005, 0.01,
        "How much the proportion of width to height may change from image to image (logarithm); 0 "
        "keeps it as it was given.",
        false},
@@ -30,7 +30,7 @@ std::vector<ParameterDeclaration> declare() {
        true},
       {"sharpness", ParameterKind::Real, "Sharpness", "", 1.0, 500.0, 1.0, 60.0,
        "How much better a place with more of the target's colors is held to be.", true},
-      {"adaptation", ParameterKind::Real, "Adaptation", "", 0.0, 1.0, 0.01, 0.15,
+      {"adaptation", ParameterKind::Real, "Adaptation", "", 0.0, 1.0, 0.01, 0.1,
        "Share by which the reference colors follow those of the box from image to image; 0 keeps "
        "those of the first image.",
        false},
