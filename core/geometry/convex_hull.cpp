@@ -53,6 +53,20 @@ std::optional<std::array<int, 4>> firstCorners(const Points& points, double slac
   return height > 0.0 ? std::array{a, c, b, d} : std::array{a, b, c, d};
 }
 
+/// The order in which most points turn out to lie inside already.
+std::vector<int> outermostFirst(const Points& points, const Eigen::Vector3d& middle) {
+  std::vector<std::pair<double, int>> order;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    order.emplace_back(-(points[k] - middle).squaredNorm(), static_cast<int>(k));
+  }
+  std::ranges::sort(order);
+  std::vector<int> result;
+  for (const auto& [distance, index] : order) {
+    result.push_back(index);
+  }
+  return result;
+}
+
 /// Replaces the faces that see the point by a cone from the point to their rim.
 void addPoint(const Points& points, int index, double slack, std::vector<Face>& faces) {
   const Eigen::Vector3d& point = points[static_cast<std::size_t>(index)];
@@ -138,7 +152,7 @@ ConvexHull convexHull(const std::vector<Eigen::Vector3d>& points) {
   const auto [a, b, c, d] = *first;
   std::vector<Face> faces{faceOf(points, a, b, c), faceOf(points, a, d, b), faceOf(points, b, d, c),
                           faceOf(points, c, d, a)};
-  for (int k = 0; k < static_cast<int>(points.size()); ++k) {
+  for (const int k : outermostFirst(points, 0.5 * (low + high))) {
     addPoint(points, k, slack, faces);
   }
   return compact(points, faces);
