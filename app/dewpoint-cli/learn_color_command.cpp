@@ -177,7 +177,8 @@ int learn(const LearnColorOptions& options) {
   const auto fail = [&](Error error) {
     if (error.field == "pixel" || error.field == "box") { // what was typed, in no file
       error.field = options.box.empty() ? "--pixel" : "--box";
-    } else if (error.file.empty()) {
+    }
+    if (error.file.empty()) {
       error.file = options.project;
     }
     return report(error);

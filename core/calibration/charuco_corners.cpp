@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -22,6 +23,8 @@ constexpr std::size_t kNeighbors = 8;
 constexpr std::size_t kLeastNeighbors = 6;
 constexpr double kMostOffPx = 1.0;
 constexpr double kMostOffPart = 0.03; // of the spacing
+
+constexpr double kAsNear = 0.01; // squares
 
 struct SeenMarker {
   cv::Point2d middle; ///< on the board, in squares
@@ -68,7 +71,12 @@ std::optional<cv::Matx33d> localMap(std::vector<SeenMarker> markers, const cv::P
   if (markers.size() < 2 || cv::norm(markers.front().middle - corner) > 1.0) {
     return std::nullopt;
   }
-  markers.resize(std::min(markers.size(), kNearestMarkers));
+  // All that are as near as the last one: which of equals comes first means nothing.
+  const double reach = markers.size() > kNearestMarkers
+                           ? cv::norm(markers[kNearestMarkers - 1].middle - corner) + kAsNear
+                           : std::numeric_limits<double>::max();
+  std::erase_if(markers,
+                [&](const SeenMarker& marker) { return cv::norm(marker.middle - corner) > reach; });
   std::vector<cv::Point2f> page;
   std::vector<cv::Point2f> image;
   for (const SeenMarker& marker : markers) {

@@ -30,9 +30,12 @@ void CalibrationPlace::addPage(QWidget* page, const std::function<QString()>& ti
   auto* scroll = new QScrollArea(tabs_);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(page);
   tabs_->addTab(scroll, QString());
+  for (QComboBox* choice : page->findChildren<QComboBox*>()) {
+    choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    choice->setMinimumContentsLength(8); // long words are seen in the list
+  }
   for (QWidget* field : page->findChildren<QWidget*>()) {
     if (qobject_cast<QComboBox*>(field) != nullptr ||
         qobject_cast<QAbstractSpinBox*>(field) != nullptr ||

@@ -99,13 +99,10 @@ void WandFields::build() {
   grid->addWidget(roughPlace_, 6, 1);
   grid->addWidget(roughTurn_, 6, 2);
   roughLabel_->setBuddy(roughPlace_);
-  auto* checks = new QGridLayout;
-  checks->setSpacing(6);
-  checks->addWidget(offsets_, 0, 0);
-  checks->addWidget(focal_, 0, 1);
-  checks->addWidget(span_, 1, 0);
-  checks->addWidget(distortion_, 1, 1);
-  grid->addLayout(checks, 7, 0, 1, 3);
+  int at = 7; // one below the other: some languages need the width
+  for (QWidget* check : std::initializer_list<QWidget*>{offsets_, focal_, distortion_, span_}) {
+    grid->addWidget(check, at++, 0, 1, 3);
+  }
 }
 
 void WandFields::connectFields() {

@@ -116,14 +116,14 @@ void ExperimentDialog::makeFields() {
 void ExperimentDialog::say() {
   setWindowTitle(tr("Experiments"));
   list_->setAccessibleName(tr("Experiments of the papers"));
-  runsLabel_->setText(tr("&Runs per case"));
+  runsLabel_->setText(tr("Runs per case"));
   runs_->setToolTip(tr("How many seeds, 1, 2, 3 and so on: more take longer and are surer"));
-  folderLabel_->setText(tr("&Folder"));
+  folderLabel_->setText(tr("Folder"));
   folder_->setToolTip(tr("The report, its pictures and its numbers go there"));
   browse_->setText(tr("Choose…"));
   browse_->setToolTip(tr("Choose the folder of the report"));
   progress_->setAccessibleName(tr("How far the experiment is"));
-  run_->setText(tr("Run"));
+  run_->setText(tr("Run it"));
   run_->setToolTip(tr("Run the chosen experiment (Enter)"));
   cancel_->setText(tr("Cancel"));
   cancel_->setToolTip(tr("Stop the experiment; nothing is written"));

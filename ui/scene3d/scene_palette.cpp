@@ -22,8 +22,8 @@ const ScenePalette& scenePalette(bool dark) {
 
 SceneColor targetColor(std::size_t index) {
   // The hues of the images' strokes (ui/settings/theme.h), dark enough for a light ground.
-  static const std::array<unsigned, 6> kColors{0x2b8cc4, 0xb8a500, 0xe69f00,
-                                               0x009e73, 0xcc79a7, 0xd55e00};
+  static const std::array<unsigned, 6> kColors{0xd55e00, 0x0072b2, 0x009e73,
+                                               0xcc79a7, 0xe69f00, 0xb8a500};
   return hex(kColors[index % kColors.size()]);
 }
 

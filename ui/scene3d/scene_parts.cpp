@@ -69,7 +69,7 @@ void Scene3d::Parts::applyPalette() {
 
 ScenePalette Scene3d::Parts::plannedPalette() const {
   ScenePalette colors = palette();
-  colors.camera = targetColor(3); // no target is drawn as a pyramid
+  colors.camera = targetColor(2); // no target is drawn as a pyramid
   return colors;
 }
 

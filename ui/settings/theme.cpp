@@ -116,8 +116,8 @@ QColor holdColor(HoldState state, const QPalette& palette) {
 }
 
 QColor targetColor(int target) {
-  static constexpr std::array<const char*, 6> kOkabeIto{"#56b4e9", "#f0e442", "#e69f00",
-                                                        "#009e73", "#cc79a7", "#d55e00"};
+  static constexpr std::array<const char*, 6> kOkabeIto{"#ff8640", "#56b4e9", "#2fc79a",
+                                                        "#e59ac6", "#e69f00", "#f0e442"};
   return QColor(kOkabeIto[static_cast<std::size_t>(target) % kOkabeIto.size()]);
 }
 
