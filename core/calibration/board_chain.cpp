@@ -146,7 +146,7 @@ Result<std::vector<Eigen::Isometry3d>> joined(const ExtrinsicsRequest& request,
           missing.push_back(fmt::format("'{}'", nameOf(k)));
         }
       }
-      return failure(ErrorCode::NotFound, "", "views",
+      return failure(ErrorCode::Undetermined, "", "views",
                      fmt::format("{} never see{} the board at the same instant as '{}' or those it "
                                  "is joined with",
                                  fmt::join(missing, ", "), missing.size() == 1 ? "s" : "",

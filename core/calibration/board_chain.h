@@ -26,7 +26,7 @@ struct BoardChain {
   std::vector<std::string> notices;
 };
 
-/// Poses of the board view by view, and of the cameras pair by pair; NotFound names the cameras
+/// Poses of the board view by view, and of the cameras pair by pair; Undetermined names the cameras
 /// that cannot be reached from the first.
 Result<BoardChain> chainCameras(const ExtrinsicsRequest& request);
 

@@ -19,6 +19,9 @@ constexpr double kLeastSpread = 0.01;     ///< metres: cameras all in one place 
 /// was no knowledge.
 constexpr double kMostSigma = 1.0;
 constexpr double kMostSigmas = 3.0;
+/// A solution that leaves more than this has errors that boards share, as of late images of a board
+/// that moves, or of poor lens data: corners are no independent witnesses then.
+constexpr double kSharedErrors = 0.5; ///< pixels, per axis
 
 /// A board's pose, turned and moved a little in its own frame along one of six numbers.
 Eigen::Isometry3d nudged(const Eigen::Isometry3d& pose, int number) {
@@ -165,9 +168,10 @@ FaultReport findBoardFaults(const ExtrinsicsRequest& request, double framesPerSe
     countFrames(report, alike ? 1.0 : strideOf(question.problem, framesPerSecond), request);
     return report;
   };
+  const double own = result != nullptr ? result->rmsPx / std::sqrt(2.0) : kCornerSigma;
+  question.unsynchronized = own > kSharedErrors;
   if (cameraSpread(former) > kLeastSpread) {
     auto report = ask(former);
-    const double own = result != nullptr ? result->rmsPx / std::sqrt(2.0) : kCornerSigma;
     if (report.sigmaPx > 0.0 && report.sigmaPx < std::max(kMostSigma, kMostSigmas * own)) {
       return report;
     }

@@ -206,7 +206,7 @@ private:
     }
     if (!seen.contains(*request_.worldInstant)) {
       return failure(
-          ErrorCode::NotFound, "", "world",
+          ErrorCode::Undetermined, "", "world",
           fmt::format("no camera saw the board well at {}, where it is to make the world",
                       *request_.worldInstant));
     }

@@ -63,7 +63,7 @@ struct ExtrinsicsResult {
 /// that agree best, then bundle adjustment of all cameras and boards (adjustBundle). A symmetric
 /// chessboard is turned so that the pairs of cameras agree. Views that fit badly are left out and
 /// named.
-/// Errors: NotFound names the cameras that share no instant with the others, and an instant at
+/// Errors: Undetermined names the cameras that share no instant with the others, and an instant at
 /// which the board was not seen; Cancelled when cancelled; and those of adjustBundle().
 Result<ExtrinsicsResult> calibrateExtrinsics(const ExtrinsicsRequest& request,
                                              const CalibrationProgress& progress = {});

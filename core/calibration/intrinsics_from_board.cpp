@@ -134,7 +134,7 @@ private:
     square_ = square && request_.model != IntrinsicsModel::Fisheye;
     for (int round = 0; round < kMostRounds; ++round) {
       if (views_.size() < kLeastViews) {
-        return failure(ErrorCode::NotFound, "", "views",
+        return failure(ErrorCode::Undetermined, "", "views",
                        fmt::format("the board is seen well in {} picture{}, at least {} are needed",
                                    views_.size(), views_.size() == 1 ? "" : "s", kLeastViews));
       }

@@ -57,7 +57,7 @@ struct IntrinsicsResult {
 
 /// Intrinsics from pictures of a board: Zhang (2000) with OpenCV's cv::calibrateCamera or
 /// cv::fisheye, all views together. Views that fit badly (five times the median error and more than
-/// 0.25 % of the image's diagonal) are left out and named. NotFound when fewer than three views
+/// 0.25 % of the image's diagonal) are left out and named. Undetermined when fewer than three views
 /// remain; Cancelled when cancelled; BadValue when the views do not determine a camera, or nothing
 /// fits, as with a wrong number of corners.
 Result<IntrinsicsResult> calibrateIntrinsics(const IntrinsicsRequest& request,

@@ -66,7 +66,7 @@ Error named(Error error, const std::string& camera) {
 Result<IntrinsicsResult> lensOf(const SeenBoards::PerCamera& camera, const BoardWish& wish,
                                 const CalibrationProgress& progress) {
   if (camera.views.empty()) {
-    return failure(ErrorCode::NotFound, "", "",
+    return failure(ErrorCode::Undetermined, "", "",
                    fmt::format("it never saw the board, in {} pictures", camera.looked));
   }
   IntrinsicsRequest request;

@@ -126,7 +126,7 @@ TEST(ExtrinsicsFromBoard, UnconnectedCamerasAreNamed) {
   }
   const auto result = calibrateExtrinsics(request);
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, ErrorCode::NotFound);
+  EXPECT_EQ(result.error().code, ErrorCode::Undetermined);
   EXPECT_NE(result.error().detail.find("'camera 4'"), std::string::npos) << result.error().detail;
 }
 

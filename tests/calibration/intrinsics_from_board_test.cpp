@@ -106,7 +106,7 @@ TEST(IntrinsicsFromBoard, TooFewViewsAndCancel) {
   request.views.resize(2);
   const auto few = calibrateIntrinsics(request);
   ASSERT_FALSE(few);
-  EXPECT_EQ(few.error().code, ErrorCode::NotFound);
+  EXPECT_EQ(few.error().code, ErrorCode::Undetermined);
 }
 
 // Counted along the wrong side, corners 6 and 7 of a row of nine become the ends of different rows.
