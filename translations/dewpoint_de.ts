@@ -523,8 +523,12 @@
 <context>
     <name>BoardWords</name>
     <message>
-        <source>%1: rms %2 px, focal length %3 px, %4 pictures</source>
-        <translation>%1: rms %2 px, Brennweite %3 px, %4 Bilder</translation>
+        <source>%1: rms %2 px, focal length %3 px, %4 pictures; known to %5 px</source>
+        <translation>%1: rms %2 px, Brennweite %3 px, %4 Bilder; auf %5 px bekannt</translation>
+    </message>
+    <message>
+        <source>Corners in only %1 % of its image: show the board in all of it, also tilted.</source>
+        <translation>Ecken nur in %1 % des Bildes: die Tafel überall darin zeigen, auch geneigt.</translation>
     </message>
     <message>
         <source>%1 keeps its place: it never saw the board.</source>
@@ -1787,8 +1791,8 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <translation>Größe des Blattes, auf das gedruckt wird</translation>
     </message>
     <message>
-        <source>%1 × %2 inner corners; for the command line: %3</source>
-        <translation>%1 × %2 innere Ecken; für die Befehlszeile: %3</translation>
+        <source>%1 × %2 inner corners; for the command line:</source>
+        <translation>%1 × %2 innere Ecken; für die Befehlszeile:</translation>
     </message>
 </context>
 <context>

@@ -523,8 +523,12 @@
 <context>
     <name>BoardWords</name>
     <message>
-        <source>%1: rms %2 px, focal length %3 px, %4 pictures</source>
-        <translation>%1: rms %2 px, distancia focal %3 px, %4 imágenes</translation>
+        <source>%1: rms %2 px, focal length %3 px, %4 pictures; known to %5 px</source>
+        <translation>%1: rms %2 px, distancia focal %3 px, %4 imágenes; conocido con %5 px</translation>
+    </message>
+    <message>
+        <source>Corners in only %1 % of its image: show the board in all of it, also tilted.</source>
+        <translation>Esquinas en solo el %1 % de la imagen: muestre el tablero por toda ella, también inclinado.</translation>
     </message>
     <message>
         <source>%1 keeps its place: it never saw the board.</source>
@@ -1787,8 +1791,8 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>Tamaño de la hoja en que se imprime</translation>
     </message>
     <message>
-        <source>%1 × %2 inner corners; for the command line: %3</source>
-        <translation>%1 × %2 esquinas interiores; para la línea de órdenes: %3</translation>
+        <source>%1 × %2 inner corners; for the command line:</source>
+        <translation>%1 × %2 esquinas interiores; para la línea de órdenes:</translation>
     </message>
 </context>
 <context>

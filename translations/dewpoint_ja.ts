@@ -523,8 +523,12 @@
 <context>
     <name>BoardWords</name>
     <message>
-        <source>%1: rms %2 px, focal length %3 px, %4 pictures</source>
-        <translation>%1: rms %2 px、焦点距離 %3 px、画像 %4 枚</translation>
+        <source>%1: rms %2 px, focal length %3 px, %4 pictures; known to %5 px</source>
+        <translation>%1: rms %2 px、焦点距離 %3 px、画像 %4 枚、精度 %5 px</translation>
+    </message>
+    <message>
+        <source>Corners in only %1 % of its image: show the board in all of it, also tilted.</source>
+        <translation>角があるのは画像の%1 %だけです。画像全体で、傾けても見せてください。</translation>
     </message>
     <message>
         <source>%1 keeps its place: it never saw the board.</source>
@@ -1787,8 +1791,8 @@ From %2 to %3%4; default %5%4.</source>
         <translation>印刷する用紙の大きさ</translation>
     </message>
     <message>
-        <source>%1 × %2 inner corners; for the command line: %3</source>
-        <translation>内側の角 %1 × %2。コマンドライン用: %3</translation>
+        <source>%1 × %2 inner corners; for the command line:</source>
+        <translation>内側の角 %1 × %2。コマンドライン用:</translation>
     </message>
 </context>
 <context>

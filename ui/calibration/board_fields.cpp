@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace dewpoint {
 namespace {
@@ -49,6 +50,12 @@ int counted(int squares, BoardDescription::Kind kind) {
   return kind == BoardDescription::Kind::Chessboard ? squares - 1 : squares;
 }
 
+/// Without the noise of units and ratios: 0.01875, not 0.018750000000000003.
+double rounded(double metres) {
+  constexpr double kPerMetre = 1e8;
+  return std::round(metres * kPerMetre) / kPerMetre;
+}
+
 /// The same squares as a board of the other kind.
 void changeKind(BoardDescription& board, BoardDescription::Kind kind) {
   const int columns = squares(board.columns, board.kind);
@@ -57,7 +64,7 @@ void changeKind(BoardDescription& board, BoardDescription::Kind kind) {
   board.columns = counted(columns, kind);
   board.rows = counted(rows, kind);
   const bool markers = kind == BoardDescription::Kind::Charuco;
-  board.markerSize = markers ? kMarkerPart * board.squareSize : 0.0;
+  board.markerSize = markers ? rounded(kMarkerPart * board.squareSize) : 0.0;
   board.dictionary = markers ? "DICT_4X4_100" : "";
   board.legacy = false;
   board.inverted = false;
@@ -155,13 +162,13 @@ void BoardFields::connectFields() {
     edit([value](Board& board) { board.rows = counted(value, board.kind); });
   });
   connect(size_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([metres = value * metresPerUnit()](Board& board) {
-      board.markerSize *= metres / board.squareSize;
+    edit([metres = rounded(value * metresPerUnit())](Board& board) {
+      board.markerSize = rounded(board.markerSize * metres / board.squareSize);
       board.squareSize = metres;
     });
   });
   connect(marker_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([metres = value * metresPerUnit()](Board& board) { board.markerSize = metres; });
+    edit([metres = rounded(value * metresPerUnit())](Board& board) { board.markerSize = metres; });
   });
   connect(unit_, &QComboBox::activated, this, &BoardFields::refresh);
   connect(dictionary_, &QComboBox::textActivated, this, [this](const QString& name) {
@@ -257,10 +264,10 @@ void BoardFields::refresh() {
   legacy_->setEnabled(board.rows % 2 == 0);
   legacy_->setChecked(board.legacy);
   inverted_->setChecked(board.inverted);
-  summary_->setText(tr("%1 × %2 inner corners; for the command line: %3")
-                        .arg(QString::number(board.cornerColumns()),
-                             QString::number(board.cornerRows()),
-                             QString::fromStdString(boardText(board))));
+  summary_->setText(
+      tr("%1 × %2 inner corners; for the command line:")
+          .arg(QString::number(board.cornerColumns()), QString::number(board.cornerRows())) +
+      QLatin1Char('\n') + QString::fromStdString(boardText(board)));
 }
 
 } // namespace dewpoint

@@ -15,6 +15,8 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QTimer>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -34,6 +36,9 @@ BoardPage::BoardPage(BoardDesk& desk, QWidget* parent) : QWidget(parent), desk_(
   connect(report_, &QPushButton::clicked, this, &BoardPage::askReport);
   connect(&desk_, &BoardDesk::changed, this, &BoardPage::refresh);
   connect(&desk_, &BoardDesk::wishChanged, this, &BoardPage::refresh);
+  connect(&desk_, &BoardDesk::calibrated, this, [this] {
+    QTimer::singleShot(0, this, &BoardPage::showResult); // laid out by then
+  });
   connect(&desk_, &BoardDesk::progressChanged, this, &BoardPage::showProgress);
   inEveryLanguage(this, [this] { say(); });
 }
@@ -139,6 +144,15 @@ void BoardPage::showProgress(double part) {
   progress_->setRange(0, part < 0.0 ? 0 : kSteps);
   progress_->setValue(static_cast<int>(part * kSteps));
   progress_->setFormat(desk_.isLooking() ? tr("Looking for the board: %p %") : tr("Solving"));
+}
+
+void BoardPage::showResult() {
+  for (QWidget* parent = parentWidget(); parent != nullptr; parent = parent->parentWidget()) {
+    if (auto* scroll = qobject_cast<QScrollArea*>(parent)) {
+      scroll->ensureWidgetVisible(report_->isVisible() ? static_cast<QWidget*>(report_) : result_);
+      return;
+    }
+  }
 }
 
 void BoardPage::askReport() {

@@ -27,6 +27,7 @@ private:
   void say();
   void refresh();
   void showProgress(double part);
+  void showResult();
   void askReport();
 
   BoardDesk& desk_;

@@ -19,15 +19,23 @@ class Words {
   Q_DECLARE_TR_FUNCTIONS(BoardWords)
 };
 
+constexpr double kPoorlyKnownPx = 5.0; ///< somewhere in the image: worth a warning
+
 QString figure(double value, int decimals) {
   return QLocale().toString(value, 'f', decimals);
 }
 
 QString lensLine(const QString& name, const IntrinsicsResult& lens) {
   const auto used = std::ranges::count(lens.views, true, &ViewFit::used);
-  return Words::tr("%1: rms %2 px, focal length %3 px, %4 pictures")
-      .arg(name, figure(lens.rmsPx, 3), figure(lens.camera.intrinsics.focalX, 1),
-           QString::number(used));
+  QString line = Words::tr("%1: rms %2 px, focal length %3 px, %4 pictures; known to %5 px")
+                     .arg(name, figure(lens.rmsPx, 3), figure(lens.camera.intrinsics.focalX, 1),
+                          QString::number(used), figure(lens.worstProjectionPx, 2));
+  if (lens.worstProjectionPx > kPoorlyKnownPx) {
+    line += QStringLiteral("\n⚠ ") + Words::tr("Corners in only %1 % of its image: show the board "
+                                               "in all of it, also tilted.")
+                                         .arg(figure(100.0 * lens.coverage.imagePart(), 0));
+  }
+  return line;
 }
 
 QString placeLine(const QString& name, const CameraFit& fit) {
@@ -58,6 +66,9 @@ void addLenses(const BoardDesk& desk, const LensesFromBoards& lenses, QStringLis
 }
 
 void addPlaces(const BoardDesk& desk, const ExtrinsicsResult& places, QStringList& lines) {
+  if (!lines.isEmpty()) {
+    lines << QString();
+  }
   lines << Words::tr("Places: rms %1 px over %2 positions of the board")
                .arg(figure(places.rmsPx, 3), QString::number(places.places.size()));
   for (std::size_t k = 0; k < places.fits.size(); ++k) {
