@@ -2942,16 +2942,8 @@ bei %4, %5, %6 m</translation>
         <translation>Experimente der Artikel</translation>
     </message>
     <message>
-        <source>&amp;Runs per case</source>
-        <translation>&amp;Läufe je Fall</translation>
-    </message>
-    <message>
         <source>How many seeds, 1, 2, 3 and so on: more take longer and are surer</source>
         <translation>Wie viele Startzahlen, 1, 2, 3 und so weiter: Mehr dauern länger und sind sicherer</translation>
-    </message>
-    <message>
-        <source>&amp;Folder</source>
-        <translation>&amp;Ordner</translation>
     </message>
     <message>
         <source>The report, its pictures and its numbers go there</source>
@@ -2968,10 +2960,6 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>How far the experiment is</source>
         <translation>Wie weit das Experiment ist</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Lauf</translation>
     </message>
     <message>
         <source>Run the chosen experiment (Enter)</source>
@@ -3012,6 +3000,18 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>The report is in %1.</source>
         <translation>Der Bericht liegt in %1.</translation>
+    </message>
+    <message>
+        <source>Runs per case</source>
+        <translation>Läufe je Fall</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Run it</source>
+        <translation>Ausführen</translation>
     </message>
 </context>
 <context>

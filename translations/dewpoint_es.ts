@@ -2942,16 +2942,8 @@ en %4, %5, %6 m</translation>
         <translation>Experimentos de los artículos</translation>
     </message>
     <message>
-        <source>&amp;Runs per case</source>
-        <translation>&amp;Ejecuciones por caso</translation>
-    </message>
-    <message>
         <source>How many seeds, 1, 2, 3 and so on: more take longer and are surer</source>
         <translation>Cuántas semillas, 1, 2, 3, etc.: más tardan más y son más seguras</translation>
-    </message>
-    <message>
-        <source>&amp;Folder</source>
-        <translation>&amp;Carpeta</translation>
     </message>
     <message>
         <source>The report, its pictures and its numbers go there</source>
@@ -2968,10 +2960,6 @@ en %4, %5, %6 m</translation>
     <message>
         <source>How far the experiment is</source>
         <translation>Progreso del experimento</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Ejecución</translation>
     </message>
     <message>
         <source>Run the chosen experiment (Enter)</source>
@@ -3012,6 +3000,18 @@ en %4, %5, %6 m</translation>
     <message>
         <source>The report is in %1.</source>
         <translation>El informe está en %1.</translation>
+    </message>
+    <message>
+        <source>Runs per case</source>
+        <translation>Ejecuciones por caso</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <source>Run it</source>
+        <translation>Ejecutar</translation>
     </message>
 </context>
 <context>

@@ -2942,16 +2942,8 @@ at %4, %5, %6 m</source>
         <translation>論文の実験</translation>
     </message>
     <message>
-        <source>&amp;Runs per case</source>
-        <translation>1条件あたりの回数(&amp;R)</translation>
-    </message>
-    <message>
         <source>How many seeds, 1, 2, 3 and so on: more take longer and are surer</source>
         <translation>シードの数(1、2、3…)。多いほど時間がかかり、確かになります</translation>
-    </message>
-    <message>
-        <source>&amp;Folder</source>
-        <translation>フォルダー(&amp;F)</translation>
     </message>
     <message>
         <source>The report, its pictures and its numbers go there</source>
@@ -2968,10 +2960,6 @@ at %4, %5, %6 m</source>
     <message>
         <source>How far the experiment is</source>
         <translation>実験の進み具合</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>実行</translation>
     </message>
     <message>
         <source>Run the chosen experiment (Enter)</source>
@@ -3012,6 +3000,18 @@ at %4, %5, %6 m</source>
     <message>
         <source>The report is in %1.</source>
         <translation>レポートは %1 にあります。</translation>
+    </message>
+    <message>
+        <source>Runs per case</source>
+        <translation>1条件あたりの回数</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>フォルダー</translation>
+    </message>
+    <message>
+        <source>Run it</source>
+        <translation>実行</translation>
     </message>
 </context>
 <context>

@@ -242,7 +242,7 @@ Plot sharePlot(const std::string& what, const std::vector<double>& at,
   plot.title = "Share of runs that converge";
   plot.x = {what, 0.0, 1.05 * at.back(), false};
   plot.y = {"share that converges", 0.0, 1.0, false};
-  PlotSeries& series = plot.series.emplace_back();
+  SvgSeries& series = plot.series.emplace_back();
   series.style = "m0";
   for (std::size_t k = 0; k < at.size(); ++k) {
     series.line.push_back({at[k], shares[k]});

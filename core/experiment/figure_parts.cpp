@@ -13,9 +13,9 @@ bool experimentGoesOn(const ExperimentOptions& options, double part) {
   return !options.progress || options.progress(part);
 }
 
-PlotSeries lineOver(const std::string& style, const std::vector<double>& values, double first,
+SvgSeries lineOver(const std::string& style, const std::vector<double>& values, double first,
                     double step) {
-  PlotSeries series;
+  SvgSeries series;
   series.style = style;
   for (std::size_t k = 0; k < values.size(); ++k) {
     series.line.push_back({first + step * static_cast<double>(k), values[k]});
@@ -23,10 +23,10 @@ PlotSeries lineOver(const std::string& style, const std::vector<double>& values,
   return series;
 }
 
-PlotSeries pointsOf(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
+SvgSeries pointsOf(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
                     Eigen::Index up, double area) {
   constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-  PlotSeries series;
+  SvgSeries series;
   series.style = style;
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     series.line.push_back({rows(i, across), rows(i, up)});

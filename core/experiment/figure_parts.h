@@ -21,10 +21,10 @@ Status experimentStopped();
 bool experimentGoesOn(const ExperimentOptions& options, double part);
 
 /// The line through values at 0, 1, 2, ... times `step`, after `first`.
-PlotSeries lineOver(const std::string& style, const std::vector<double>& values, double first = 0.0,
+SvgSeries lineOver(const std::string& style, const std::vector<double>& values, double first = 0.0,
                     double step = 1.0);
 /// Points without a line: columns `across` and `up` of the rows.
-PlotSeries pointsOf(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
+SvgSeries pointsOf(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
                     Eigen::Index up, double area = 7.0);
 
 } // namespace dewpoint

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostPoints = 150; ///< per line: more cannot be told apart
 constexpr double kLargestDisk = 120.0;   // square pixels
 
-PlotAxis errorAxis() {
+SvgAxis errorAxis() {
   return {"error, mm", 0.1, 3000.0, true};
 }
 
@@ -47,8 +47,8 @@ std::vector<double> errorsAt(const SuiteCell& cell, std::size_t begin, std::size
   return errors;
 }
 
-PlotSeries overTime(const SuiteCell& cell, std::size_t frameCount) {
-  PlotSeries series{methodStyle(cell.method), {}, {}, {}, {}};
+SvgSeries overTime(const SuiteCell& cell, std::size_t frameCount) {
+  SvgSeries series{methodStyle(cell.method), {}, {}, {}, {}};
   const std::size_t step = (frameCount + kMostPoints - 1) / kMostPoints;
   for (std::size_t frame = 0; frame < frameCount; frame += step) {
     const auto errors = errorsAt(cell, frame, frame + step);
@@ -75,11 +75,11 @@ std::size_t frameTotal(const SuiteCell& cell) {
   return std::max<std::size_t>(1, total);
 }
 
-PlotSeries distribution(const SuiteCell& cell, std::size_t frameCount) {
-  PlotSeries series{methodStyle(cell.method), {}, {}, {}, {}};
+SvgSeries distribution(const SuiteCell& cell, std::size_t frameCount) {
+  SvgSeries series{methodStyle(cell.method), {}, {}, {}, {}};
   const auto errors = errorsAt(cell, 0, frameCount);
   const auto total = static_cast<double>(frameTotal(cell));
-  const PlotAxis axis = errorAxis();
+  const SvgAxis axis = errorAxis();
   for (std::size_t k = 0; k <= kMostPoints; ++k) {
     const double part = static_cast<double>(k) / static_cast<double>(kMostPoints);
     const double error = axis.low * std::pow(axis.high / axis.low, part);
@@ -89,8 +89,8 @@ PlotSeries distribution(const SuiteCell& cell, std::size_t frameCount) {
   return series;
 }
 
-PlotSeries reliabilityOf(const SuiteCell& cell) {
-  PlotSeries series{methodStyle(cell.method), {}, {}, {}, {}};
+SvgSeries reliabilityOf(const SuiteCell& cell) {
+  SvgSeries series{methodStyle(cell.method), {}, {}, {}, {}};
   const Reliability table = pooledReliability(cell.runs);
   for (const ReliabilityBin& bin : table.bins) {
     if (bin.count > 0) {

@@ -18,7 +18,7 @@ constexpr double kBottom = 40.0;
 constexpr double kMarkCount = 5.0;
 
 /// 0 at the low end of the axis, 1 at the high end.
-double share(const PlotAxis& axis, double value) {
+double share(const SvgAxis& axis, double value) {
   const double part = axis.logarithmic ? std::log(std::max(value, axis.low) / axis.low) /
                                              std::log(axis.high / axis.low)
                                        : (value - axis.low) / (axis.high - axis.low);
@@ -64,7 +64,7 @@ std::string labelsOf(const Plot& plot) {
 }
 
 /// The pieces of the line between its interruptions, [begin, end).
-std::vector<std::pair<std::size_t, std::size_t>> piecesOf(const std::vector<PlotPoint>& line) {
+std::vector<std::pair<std::size_t, std::size_t>> piecesOf(const std::vector<SvgPoint>& line) {
   std::vector<std::pair<std::size_t, std::size_t>> pieces;
   for (std::size_t begin = 0; begin < line.size(); ++begin) {
     std::size_t end = begin;
@@ -79,7 +79,7 @@ std::vector<std::pair<std::size_t, std::size_t>> piecesOf(const std::vector<Plot
   return pieces;
 }
 
-std::string lineOf(const Plot& plot, const PlotSeries& series) {
+std::string lineOf(const Plot& plot, const SvgSeries& series) {
   std::string path;
   for (const auto& [begin, end] : piecesOf(series.line)) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -90,7 +90,7 @@ std::string lineOf(const Plot& plot, const PlotSeries& series) {
   return path.empty() ? path : fmt::format("<path class='line' d='{}'/>", path);
 }
 
-std::string bandOf(const Plot& plot, const PlotSeries& series) {
+std::string bandOf(const Plot& plot, const SvgSeries& series) {
   if (series.bandLow.empty()) {
     return {};
   }
@@ -108,7 +108,7 @@ std::string bandOf(const Plot& plot, const PlotSeries& series) {
   return fmt::format("<path class='band' d='{}'/>", path);
 }
 
-std::string disksOf(const Plot& plot, const PlotSeries& series) {
+std::string disksOf(const Plot& plot, const SvgSeries& series) {
   std::string text;
   for (std::size_t k = 0; k < series.areas.size(); ++k) {
     if (std::isnan(series.line[k].y)) {
@@ -123,7 +123,7 @@ std::string disksOf(const Plot& plot, const PlotSeries& series) {
 
 } // namespace
 
-std::vector<double> axisMarks(const PlotAxis& axis) {
+std::vector<double> axisMarks(const SvgAxis& axis) {
   std::vector<double> marks;
   if (axis.logarithmic) {
     const auto first = static_cast<int>(std::ceil(std::log10(axis.low) - 1e-9));
@@ -152,10 +152,10 @@ std::string svgOf(const Plot& plot) {
     text += fmt::format("<path class='guide' d='M{}L{}'/>", at(plot, plot.x.low, plot.y.low),
                         at(plot, plot.x.high, plot.y.high));
   }
-  for (const PlotSeries& series : plot.series) {
+  for (const SvgSeries& series : plot.series) {
     text += fmt::format("<g class='{}'>{}</g>", series.style, bandOf(plot, series));
   }
-  for (const PlotSeries& series : plot.series) {
+  for (const SvgSeries& series : plot.series) {
     text += fmt::format("<g class='{}'>{}{}</g>", series.style, lineOf(plot, series),
                         disksOf(plot, series));
   }

@@ -206,6 +206,7 @@ TEST(BoardRecordings, Charuco4) {
   const auto verdict = judgeBoard(*result, wish.board, {});
   ASSERT_TRUE(verdict) << sentence(verdict.error());
   std::printf("charuco4: %s\n", verdictSentence(*verdict).c_str());
+  EXPECT_TRUE(result->faults.empty()) << result->faults.front().sentence;
 }
 
 TEST(BoardRecordings, StereoTray) {
