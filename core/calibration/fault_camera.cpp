@@ -17,8 +17,12 @@ constexpr double kLeastGain = 30.0;
 constexpr double kLeastGainShare = 0.1;
 constexpr double kLeastGainShareUnsynchronized = 0.5;
 constexpr double kWellExplained = 3.0; ///< residuals against those of the cameras that agree
-constexpr double kLeastZoom = 0.03;    ///< lenses are rarely known better when others calibrated
-constexpr int kMostLate = 120;         ///< frames
+constexpr double kLeastMove = 3.0;     ///< standard deviations of an image point
+constexpr double kLeastMoveShared = 10.0;
+/// Mean cost of a camera that two places explain: nothing but noise costs about 1.2 (meanCost()).
+constexpr double kMovedCost = 2.0;
+constexpr double kLeastZoom = 0.03; ///< lenses are rarely known better when others calibrated
+constexpr int kMostLate = 120;      ///< frames
 constexpr int kLeastLate = 2;
 constexpr double kPlacesNoise = 1.5; ///< noise of the places adds to that of the image points
 constexpr std::array<double, 8> kResolutions{2.0, 0.5,       1.5,       2.0 / 3.0,
@@ -149,19 +153,24 @@ private:
 
   /// Another place from some time on.
   void tryMoved(const std::vector<KnownLook>& looks) {
+    // Errors that a board's corners share move the poses of both parts by more than their noise.
+    const double leastMove = question_.unsynchronized ? kLeastMoveShared : kLeastMove;
     for (int tenth = 2; tenth <= 8; ++tenth) {
       const std::size_t split = looks.size() * static_cast<std::size_t>(tenth) / 10;
       const auto middle = looks.begin() + static_cast<std::ptrdiff_t>(split);
       const auto before = fitCamera(rough_, {looks.begin(), middle}, wide(), false);
       const auto after = fitCamera(rough_, {middle, looks.end()}, wide(), false);
-      if (!before || !after || movedBy(before->camera, after->camera, looks) < 3.0 * sigma_) {
+      if (!before || !after || movedBy(before->camera, after->camera, looks) < leastMove * sigma_) {
         continue;
       }
       std::vector<double> squares = before->squares;
       squares.insert(squares.end(), after->squares.begin(), after->squares.end());
+      const double cost = meanCost(squares, sigma_);
+      if (cost > kMovedCost) {
+        continue; // two places explain it a little better, as two of anything would
+      }
       weigh(CalibrationFault::CameraMoved, looks[split].time,
-            Explained{meanCost(squares, sigma_), std::sqrt(middleValue(squares))},
-            3.5 * std::log(numbers_));
+            Explained{cost, std::sqrt(middleValue(squares))}, 3.5 * std::log(numbers_));
     }
   }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dewpoint {
 namespace {
@@ -53,7 +54,15 @@ Status toMetres(const CalibrationFormat& format, const CalibrationHints& hints,
   if (!calibration.hasPoses) {
     return {};
   }
-  const auto unit = hints.unit ? hints.unit : calibration.unit ? calibration.unit : format.unit;
+  const auto known = calibration.unit ? calibration.unit : format.unit;
+  if (known && hints.unit && std::abs(*hints.unit / *known - 1.0) > 1e-9) {
+    return failure(
+        ErrorCode::BadValue, file, "unit",
+        fmt::format("{} is asked for, but this file's lengths are in units of {} m; leave "
+                    "the unit out",
+                    *hints.unit, *known));
+  }
+  const auto unit = known ? known : hints.unit;
   const double spread = cameraSpread(calibration.rig);
   if (!unit) {
     return failure(

@@ -15,6 +15,7 @@ constexpr double kEvery = 1.0;   // seconds
 constexpr double kSettled = 1.0; // seconds after a bump that count for nothing
 constexpr double kWindow = 2.0;  // seconds of residuals that are compared
 constexpr std::size_t kFewest = 10;
+constexpr std::int64_t kSameBump = 60; // frames: where a run that begins anew may notice it
 constexpr double kSightingSigma = 1.0; // pixels: blob, and the other cameras' calibration
 
 } // namespace
@@ -33,7 +34,13 @@ Result<ResolvedCamera> resolveBump(const Camera& camera, const CameraTurn& turn,
   return resolveCamera(camera, prior, points);
 }
 
-BumpWatch::BumpWatch(const CameraRig& rig) : rig_(rig), sentinel_(rig), sightings_(rig) {}
+BumpWatch::BumpWatch(const CameraRig& rig)
+    : rig_(rig), sentinel_(rig), sightings_(rig), solvedAt_(rig.size()) {}
+
+bool BumpWatch::isSolved(const BumpEvent& event) const {
+  const auto& at = solvedAt_[event.camera];
+  return at && std::abs(event.frame - *at) <= kSameBump;
+}
 
 void BumpWatch::restart() {
   sentinel_.restart();
@@ -47,6 +54,9 @@ void BumpWatch::restart() {
 void BumpWatch::setCameras(const CameraRig& rig) {
   for (std::size_t k = 0; k < std::min(rig.size(), rig_.size()); ++k) {
     if (rig[k] != rig_[k]) {
+      const auto report = std::ranges::find_if(
+          reports_, [&](const BumpReport& one) { return one.event.camera == k; });
+      solvedAt_[k] = report != reports_.end() ? std::optional(report->event.frame) : std::nullopt;
       sentinel_.accept(k, rig[k]);
       std::erase_if(reports_, [&](const BumpReport& report) { return report.event.camera == k; });
     }
@@ -65,7 +75,12 @@ void BumpWatch::watch(const FrameSet& frames, const std::vector<Target>& targets
   sentinel_.watch(frames);
   sightings_.add(frames, targets, estimates);
   for (; eventsSeen_ < sentinel_.events().size(); ++eventsSeen_) {
-    reports_.emplace_back().event = sentinel_.events()[eventsSeen_];
+    const auto event = sentinel_.events()[eventsSeen_];
+    if (isSolved(event)) {
+      sentinel_.accept(event.camera, rig_[event.camera]);
+    } else {
+      reports_.emplace_back().event = event;
+    }
   }
   if (time < due_) {
     return;

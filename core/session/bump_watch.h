@@ -6,6 +6,7 @@
 #include "core/tracking/bump_sentinel.h"
 #include "core/tracking/target_sightings.h"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -38,15 +39,19 @@ public:
   /// Other calibrations of the same cameras: those that changed stand as they are said to stand
   /// from now on, and are not reported any more.
   void setCameras(const CameraRig& rig);
-  /// The cameras stand as they are calibrated; what was known is forgotten.
+  /// The cameras stand as they are calibrated; what was known is forgotten, but for the bumps that
+  /// a new calibration has taken in: a recording that is played again shows the same.
   void restart();
 
 private:
   void update(BumpReport& report, double time);
+  /// Whether the calibration is that after this very bump.
+  bool isSolved(const BumpEvent& event) const;
 
   CameraRig rig_;
   BumpSentinel sentinel_;
   TargetSightings sightings_;
+  std::vector<std::optional<std::int64_t>> solvedAt_; ///< per camera, frame of a bump taken in
   std::size_t eventsSeen_ = 0;
   std::vector<BumpReport> reports_;
   double due_ = 0.0; ///< seconds; of what is not done in each frame

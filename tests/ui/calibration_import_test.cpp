@@ -81,7 +81,7 @@ void CalibrationImportTest::goldenFilesAreTaken_data() {
                            << "" << 3;
   QTest::newRow("anipose fisheye") << "anipose_fisheye_mm.toml"
                                    << "mm"
-                                   << "" << 3;
+                                   << "" << 2;
   QTest::newRow("pose2sim") << "pose2sim.toml"
                             << ""
                             << "" << 3;

@@ -143,8 +143,8 @@ void BoardDesk::adopt(const std::shared_ptr<Result<BoardOutcome>>& result, bool 
     return;
   }
   outcome_ = std::make_shared<const BoardOutcome>(std::move(**result));
-  if (applyIt) {
-    apply();
+  if (applyIt && !(outcome_->places && !outcome_->places->faults.empty())) {
+    apply(); // with a fault that has a name a person decides
   }
 }
 

@@ -126,6 +126,8 @@ void BoardPage::refresh() {
   progress_->setVisible(computing);
   cancel_->setVisible(computing);
   apply_->setVisible(outcome != nullptr && !desk_.isApplied());
+  const bool doubted = outcome != nullptr && outcome->places && !outcome->places->faults.empty();
+  apply_->setText(doubted ? tr("Use it anyway") : tr("Apply"));
   report_->setVisible(outcome != nullptr);
   QString words = outcome ? outcomeWords(desk_, *outcome) : QString();
   if (!desk_.failure().isEmpty()) {

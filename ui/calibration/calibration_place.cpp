@@ -7,9 +7,11 @@
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QEvent>
+#include <QProgressBar>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTabWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace dewpoint {
@@ -32,6 +34,11 @@ void CalibrationPlace::addPage(QWidget* page, const std::function<QString()>& ti
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidget(page);
   tabs_->addTab(scroll, QString());
+  for (QWidget* part : page->findChildren<QWidget*>()) {
+    if (qobject_cast<QProgressBar*>(part) != nullptr || part->property(kRevealed).toBool()) {
+      part->installEventFilter(this);
+    }
+  }
   for (QComboBox* choice : page->findChildren<QComboBox*>()) {
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     choice->setMinimumContentsLength(8); // long words are seen in the list
@@ -49,6 +56,17 @@ void CalibrationPlace::addPage(QWidget* page, const std::function<QString()>& ti
 }
 
 bool CalibrationPlace::eventFilter(QObject* watched, QEvent* event) {
+  if (auto* part = qobject_cast<QWidget*>(watched);
+      part != nullptr && event->type() == QEvent::Show &&
+      (qobject_cast<QProgressBar*>(part) != nullptr || part->property(kRevealed).toBool())) {
+    // What has just begun or ended is brought into view, once it has its place.
+    QTimer::singleShot(0, part, [this, part] {
+      if (auto* scroll = qobject_cast<QScrollArea*>(tabs_->currentWidget());
+          scroll != nullptr && scroll->isAncestorOf(part) && part->isVisible()) {
+        scroll->ensureWidgetVisible(part);
+      }
+    });
+  }
   const auto* field = qobject_cast<QWidget*>(watched);
   const bool isBar = qobject_cast<QScrollBar*>(watched) != nullptr;
   if (event->type() == QEvent::Wheel && field != nullptr && !field->hasFocus() && !isBar) {

@@ -10,6 +10,9 @@ class QTabWidget;
 
 namespace dewpoint {
 
+/// Property of parts of pages that are scrolled to when they appear.
+inline constexpr auto kRevealed = "revealed";
+
 /// Where cameras are calibrated: a panel beside the views, which stay live, with one page for each
 /// way to do it.
 class CalibrationPlace : public QWidget {

@@ -2,6 +2,7 @@
 #include "ui/calibration/wand_outcome.h"
 
 #include "ui/bridge/error_sentence.h"
+#include "ui/calibration/calibration_place.h"
 #include "ui/calibration/calibration_words.h"
 #include "ui/calibration/wand_desk.h"
 #include "ui/settings/retranslation.h"
@@ -65,6 +66,7 @@ void WandOutcome::build() {
   QFont bold = verdict_->font();
   bold.setBold(true);
   verdict_->setFont(bold);
+  verdict_->setProperty(kRevealed, true);
   notes_ = makeText("wandNotes", this);
   table_ = new QTableWidget(0, ColumnCount, this);
   table_->setObjectName(QStringLiteral("wandCameras"));

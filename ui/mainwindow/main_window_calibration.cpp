@@ -44,6 +44,11 @@ void MainWindow::makeCalibration() {
       QStringLiteral("calibrationDock"), [] { return tr("Calibration"); }, calibration_);
   calibrationDock_->setProperty("closedByChoice", true);
   calibrationDock_->setMinimumWidth(400); // room for the names of all tabs, and three numbers
+  connect(action("actionCalibrateByHand"), &QAction::triggered, this, [this](bool checked) {
+    if (!checked && calibration_->shownPage() != QStringLiteral("handPage")) {
+      action("actionCalibrateByHand")->setChecked(true); // another page was in front
+    }
+  });
   connect(action("actionCalibrateByHand"), &QAction::toggled, this, [this](bool shown) {
     showCalibration(shown);
     if (shown) {
