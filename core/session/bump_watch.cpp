@@ -54,9 +54,9 @@ void BumpWatch::restart() {
 void BumpWatch::setCameras(const CameraRig& rig) {
   for (std::size_t k = 0; k < std::min(rig.size(), rig_.size()); ++k) {
     if (rig[k] != rig_[k]) {
-      const auto report = std::ranges::find_if(
+      const auto bumped = std::ranges::find_if(
           reports_, [&](const BumpReport& one) { return one.event.camera == k; });
-      solvedAt_[k] = report != reports_.end() ? std::optional(report->event.frame) : std::nullopt;
+      solvedAt_[k] = bumped != reports_.end() ? std::optional(bumped->event.frame) : std::nullopt;
       sentinel_.accept(k, rig[k]);
       std::erase_if(reports_, [&](const BumpReport& report) { return report.event.camera == k; });
     }
