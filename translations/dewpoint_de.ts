@@ -2039,6 +2039,10 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <source>Page (*.html)</source>
         <translation>Seite (*.html)</translation>
     </message>
+    <message>
+        <source>Use it anyway</source>
+        <translation>Trotzdem verwenden</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BumpMessages</name>

@@ -2039,6 +2039,10 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <source>Page (*.html)</source>
         <translation>Página (*.html)</translation>
     </message>
+    <message>
+        <source>Use it anyway</source>
+        <translation>Usarla de todos modos</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BumpMessages</name>

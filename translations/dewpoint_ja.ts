@@ -2039,6 +2039,10 @@ From %2 to %3%4; default %5%4.</source>
         <source>Page (*.html)</source>
         <translation>ページ (*.html)</translation>
     </message>
+    <message>
+        <source>Use it anyway</source>
+        <translation>それでも使う</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BumpMessages</name>
