@@ -5268,6 +5268,10 @@ bei %4, %5, %6 m</translation>
         <source>What was found of each camera; point at a heading to see what it means</source>
         <translation>Was über jede Kamera gefunden wurde; zeige auf eine Überschrift, um zu sehen, was sie bedeutet</translation>
     </message>
+    <message>
+        <source>The cameras were changed since; this is about how they were refined.</source>
+        <translation>Die Kameras wurden seither geändert; dies gilt für den Stand nach dem Verfeinern.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::WandPage</name>

@@ -5268,6 +5268,10 @@ en %4, %5, %6 m</translation>
         <source>What was found of each camera; point at a heading to see what it means</source>
         <translation>Lo que se halló de cada cámara; señala un encabezado para ver qué significa</translation>
     </message>
+    <message>
+        <source>The cameras were changed since; this is about how they were refined.</source>
+        <translation>Las cámaras se han cambiado desde entonces; esto se refiere a como quedaron al refinarlas.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::WandPage</name>

@@ -5264,6 +5264,10 @@ at %4, %5, %6 m</source>
         <source>What was found of each camera; point at a heading to see what it means</source>
         <translation>各カメラについて分かったこと。見出しを指すと意味が表示されます</translation>
     </message>
+    <message>
+        <source>The cameras were changed since; this is about how they were refined.</source>
+        <translation>カメラはその後変更されています。これは調整直後の状態についてのものです。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::WandPage</name>

@@ -47,10 +47,21 @@ WandDesk::WandDesk(Surroundings around, QObject* parent)
   connect(&around_.document, &Document::replaced, this, &WandDesk::forget);
   connect(&around_.document, &Document::targetsChanged, this, &WandDesk::changed);
   connect(&around_.selection, &Selection::spanChanged, this, &WandDesk::changed);
+  connect(&around_.document, &Document::calibrationChanged, this, [this] {
+    if (refinement_ && applied_) {
+      Q_EMIT changed();
+    }
+  });
 }
 
 WandDesk::~WandDesk() {
   stopWaving();
+}
+
+bool WandDesk::isStale() const {
+  return refinement_ && applied_ &&
+         !std::ranges::equal(project().cameras, refinement_->result.cameras, {},
+                             &ProjectCamera::camera);
 }
 
 const Project& WandDesk::project() const {

@@ -71,6 +71,8 @@ public:
   const QString& failure() const { return failure_; }
   /// Whether the cameras of the last refinement were taken into the project.
   bool isApplied() const { return applied_; }
+  /// Whether the cameras are others since than those that were found and applied.
+  bool isStale() const;
   void apply();
   void setFlipped(bool flipped);
   /// Writes the HTML report in a thread; saved() or failed() follow.

@@ -177,6 +177,9 @@ void WandOutcome::showOutcome() {
   if (found) {
     verdict = found->verdict ? verdictWords(*found->verdict)
                              : QStringLiteral("⚠ ") + errorSentence(found->verdict.error());
+    if (desk_.isStale()) {
+      notes << tr("The cameras were changed since; this is about how they were refined.");
+    }
     for (const NamedFault& fault : found->result.faults) {
       notes << QStringLiteral("⚠ ") + faultWords(fault, cameraNames(found->before));
     }
