@@ -25,7 +25,9 @@ int print(const PrintOptions& options) {
   }
   const auto printed = printBoard(*board, *paper, options.out);
   if (!printed) {
-    return report(printed.error());
+    Error error = printed.error();
+    error.field = error.field == "paper" ? "--paper" : error.field;
+    return report(error);
   }
   fmt::print("{}\nPrint it at 100 % and check the scale bar with a ruler.\n", options.out);
   return kExitDone;

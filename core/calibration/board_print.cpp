@@ -65,7 +65,7 @@ Result<Layout> layoutOf(const BoardDescription& board, const Paper& paper) {
     }
   }
   return failure(
-      ErrorCode::BadValue, "", "--paper",
+      ErrorCode::BadValue, "", "paper",
       fmt::format("the board of {:.0f} x {:.0f} mm does not fit {}; squares of {} m would",
                   size * squares[0], size * squares[1], paper.name, std::floor(largest) / 1e3));
 }

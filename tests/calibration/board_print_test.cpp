@@ -25,7 +25,7 @@ TEST(BoardPrint, WritesAPdfOfOnePage) {
 TEST(BoardPrint, ABoardTooLargeForThePaperIsRefused) {
   const auto printed = printBoard(boardOf("chessboard:9x6:0.05"), *paperNamed("A4"), "none.pdf");
   ASSERT_FALSE(printed);
-  EXPECT_EQ(printed.error().field, "--paper");
+  EXPECT_EQ(printed.error().field, "paper");
   // 10 x 7 squares within 281 x 178 mm: 25.4 mm by the height
   EXPECT_NE(printed.error().detail.find("0.025 m"), std::string::npos) << printed.error().detail;
   EXPECT_FALSE(paperNamed("B5"));

@@ -100,6 +100,7 @@ void BoardFields::build() {
   markerLabel_ = new QLabel(this);
   marker_ = makeNumberField(QStringLiteral("boardMarkerSize"), kUnits[0].range, this);
   dictionary_ = combo("boardDictionary");
+  dictionary_->setMinimumContentsLength(15); // DICT_4X4_1000 must not look like DICT_4X4_100
   for (const std::string& name : markerDictionaries()) {
     dictionary_->addItem(QString::fromStdString(name));
   }

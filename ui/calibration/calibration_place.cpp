@@ -41,7 +41,9 @@ void CalibrationPlace::addPage(QWidget* page, const std::function<QString()>& ti
   }
   for (QComboBox* choice : page->findChildren<QComboBox*>()) {
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    choice->setMinimumContentsLength(8); // long words are seen in the list
+    if (choice->minimumContentsLength() == 0) {
+      choice->setMinimumContentsLength(8); // long words are seen in the list
+    }
   }
   for (QWidget* field : page->findChildren<QWidget*>()) {
     if (qobject_cast<QComboBox*>(field) != nullptr ||
