@@ -126,6 +126,24 @@ TEST(BumpWatch, ACameraThatIsCalibratedAgainIsNotReportedAnyMore) {
   EXPECT_TRUE(watch.reports().empty());
 }
 
+TEST(BumpWatch, WhatWasSolvedIsNotReportedWhenTheRecordingPlaysAgain) {
+  const Camera bumped = turnedCamera(threeCameras()[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
+  BumpWatch watch(threeCameras());
+  run(watch, bumped);
+  ASSERT_EQ(watch.reports().size(), 1U);
+  CameraRig solved = threeCameras();
+  solved[1] = bumped;
+  watch.setCameras(solved);
+  watch.restart();
+  run(watch, bumped);
+  EXPECT_TRUE(watch.reports().empty());
+  // Taken back, it is news again.
+  watch.setCameras(threeCameras());
+  watch.restart();
+  run(watch, bumped);
+  EXPECT_EQ(watch.reports().size(), 1U);
+}
+
 TEST(BumpWatch, ForgetsWhenTheRunBeginsAnew) {
   BumpWatch watch(threeCameras());
   run(watch, turnedCamera(threeCameras()[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree));
