@@ -2,9 +2,11 @@
 #include "core/tracking/parameters.h"
 
 #include "core/tracking/barrera_parameters.h"
+#include "core/tracking/box_tracker.h"
 #include "core/tracking/dewpoint_parameters.h"
 #include "core/tracking/dynamics_parameters.h"
 #include "core/tracking/histogram_parameters.h"
+#include "core/tracking/people_tracker.h"
 #include "core/tracking/sugandi_parameters.h"
 
 #include <fmt/format.h>
@@ -13,6 +15,7 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 namespace dewpoint {
 namespace {
@@ -87,6 +90,21 @@ std::vector<std::string> methodNames() {
   return {"dewpoint", "barrera", "dynamics"};
 }
 
+std::vector<std::string> projectMethodNames() {
+  std::vector<std::string> names = methodNames();
+  std::ranges::move(boxMethodNames(), std::back_inserter(names));
+  std::ranges::move(peopleMethodNames(), std::back_inserter(names));
+  return names;
+}
+
+MethodFamily methodFamily(std::string_view method) {
+  if (std::ranges::count(boxMethodNames(), method) > 0) {
+    return MethodFamily::Boxes;
+  }
+  return std::ranges::count(peopleMethodNames(), method) > 0 ? MethodFamily::People
+                                                             : MethodFamily::Targets;
+}
+
 std::string_view methodSentence(std::string_view method) {
   if (method == "dewpoint") {
     return "The surest and most accurate: for all that moves, any number of cameras and targets.";
@@ -108,7 +126,7 @@ std::string_view methodSentence(std::string_view method) {
     return "The color histogram filter of Sugandi et al. (2009), for a box in one camera's images: "
            "for teaching and comparison.";
   }
-  return "";
+  return peopleMethodSentence(method);
 }
 
 std::span<const ParameterDeclaration> methodParameters(std::string_view method) {
@@ -127,7 +145,7 @@ std::span<const ParameterDeclaration> methodParameters(std::string_view method) 
   if (method == "sugandi") {
     return sugandiParameters();
   }
-  return {};
+  return peopleMethodParameters(method);
 }
 
 ParameterValues carriedOver(const ParameterValues& previous, std::string_view method) {

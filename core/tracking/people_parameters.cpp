@@ -67,9 +67,9 @@ Declarations mohedano(bool color) {
       {"particles", kInteger, "Particles", "", 10.0, 100000.0, 10.0, 500.0,
        "How many particles each person has.", true},
       {"position_sigma", kReal, "Position noise", "m", 0.0, 1.0, 0.005, 0.03,
-       "Standard deviation of the noise on each coordinate, per frame.", true},
+       "Standard deviation of the noise on each coordinate, per frame.", false},
       {"velocity_sigma", kReal, "Velocity noise", "m/s", 0.0, 10.0, 0.01, 0.25,
-       "Standard deviation of the noise on each component of the velocity, per frame.", true},
+       "Standard deviation of the noise on each component of the velocity, per frame.", false},
       {"mask_sigma", kReal, "Mask smoothing", "px", 0.0, 50.0, 0.5, 4.0,
        "Sigma of the Gaussian that smooths the motion masks (the paper: 4 px).", false},
       {"motion_floor", kReal, "Motion floor", "", 0.001, 1.0, 0.01, 0.2,
@@ -85,7 +85,7 @@ Declarations mohedano(bool color) {
               {"saturation_floor", kReal, "Saturation floor", "", 0.001, 1.0, 0.01, 0.3,
                "Least likelihood of a saturation (the paper's s_B).", false},
               {"color_noise", kReal, "Color noise", "", 0.0, 0.5, 0.001, 0.005,
-               "Standard deviation of the noise on hue and saturation, per frame.", true}});
+               "Standard deviation of the noise on hue and saturation, per frame.", false}});
   }
   add(all, background({1.0, 0.0}));
   add(all, place());

@@ -15,7 +15,7 @@ std::vector<std::string> peopleMethodNames() {
   return {"people", "mohedano-msc", "mohedano-ms"};
 }
 
-std::string peopleMethodSentence(const std::string& method) {
+std::string_view peopleMethodSentence(std::string_view method) {
   if (method == "people") {
     return "Several people who walk, meet and wear similar clothes: places on the floor, told "
            "apart "
@@ -25,8 +25,11 @@ std::string peopleMethodSentence(const std::string& method) {
     return "Several people by motion and color, each by a filter of its own (Mohedano et al. 2009, "
            "MS+C): keeps them apart when their clothes differ.";
   }
-  return "Several people by motion only (Mohedano et al. 2009, MS): covers whole bodies, but "
-         "confuses people who come close.";
+  if (method == "mohedano-ms") {
+    return "Several people by motion only (Mohedano et al. 2009, MS): covers whole bodies, but "
+           "confuses people who come close.";
+  }
+  return "";
 }
 
 std::span<const ParameterDeclaration> peopleMethodParameters(std::string_view method) {

@@ -15,6 +15,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dewpoint {
@@ -86,8 +87,8 @@ public:
 /// Names of the methods that track people, the default first: "people", "mohedano-msc",
 /// "mohedano-ms".
 std::vector<std::string> peopleMethodNames();
-/// One sentence: what the method is for.
-std::string peopleMethodSentence(const std::string& method);
+/// One sentence: what the method is for; empty for an unknown method.
+std::string_view peopleMethodSentence(std::string_view method);
 /// Declarations of one method's parameters; empty for an unknown method. Lives for ever.
 std::span<const ParameterDeclaration> peopleMethodParameters(std::string_view method);
 

@@ -27,8 +27,9 @@ TEST(Parameters, DefaultsAreThePapers) {
 }
 
 TEST(Parameters, EveryDeclarationIsSound) {
-  for (const auto& name : methodNames()) {
-    ASSERT_FALSE(methodParameters(name).empty());
+  for (const auto& name : projectMethodNames()) {
+    ASSERT_FALSE(methodParameters(name).empty()) << name;
+    EXPECT_FALSE(methodSentence(name).empty()) << name;
     for (const auto& declaration : methodParameters(name)) {
       EXPECT_LT(declaration.minimum, declaration.maximum) << declaration.key;
       EXPECT_GT(declaration.step, 0.0) << declaration.key;
@@ -41,6 +42,14 @@ TEST(Parameters, EveryDeclarationIsSound) {
     }
   }
   EXPECT_TRUE(methodParameters("nothing").empty());
+}
+
+TEST(Parameters, EveryMethodBelongsToAFamily) {
+  EXPECT_EQ(methodFamily("dewpoint"), MethodFamily::Targets);
+  EXPECT_EQ(methodFamily("sugandi"), MethodFamily::Boxes);
+  EXPECT_EQ(methodFamily("mohedano-ms"), MethodFamily::People);
+  EXPECT_EQ(projectMethodNames().front(), methodNames().front());
+  EXPECT_TRUE(methodSentence("nothing").empty());
 }
 
 TEST(Parameters, BadValuesAreRefusedWithTheirRangeAndChangeNothing) {
