@@ -3,6 +3,7 @@
 #include "core/base/text_file.h"
 #include "core/calibration/camera_calibration.h"
 #include "core/project/project.h"
+#include "core/project/project_comments.h"
 #include "core/project/project_format.h"
 #include "core/project/project_room.h"
 
@@ -126,7 +127,10 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
 }
 
 Status saveProject(const Project& project, const std::filesystem::path& file) {
-  return writeTextFile(file, projectText(project, std::filesystem::absolute(file).parent_path()));
+  const std::string text = projectText(project, std::filesystem::absolute(file).parent_path());
+  // Comments a person wrote into the file that the project comes from go along.
+  const auto former = readTextFile(project.file);
+  return writeTextFile(file, former ? withComments(text, *former) : text);
 }
 
 } // namespace dewpoint
