@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/box_commands.h"
 #include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/usage_sentence.h"
 #include "app/wiring/quiet_libraries.h"
 
 #include <CLI/CLI.hpp>
@@ -50,6 +51,10 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    app.failure_message([&app](const CLI::App*, const CLI::Error& failed) {
+      const auto* parsing = dynamic_cast<const CLI::ParseError*>(&failed);
+      return parsing != nullptr ? usageSentence(app, *parsing) : std::string(failed.what());
+    });
     return app.exit(error) == 0 ? kExitDone : kExitUsage;
   }
   return exitCode;

@@ -56,8 +56,16 @@ int makeNew(NewOptions& options) {
     return report(
         {ErrorCode::FileUnwritable, options.file, "", "it exists already; --force replaces it"});
   }
-  for (const std::string& camera : options.cameras) {
-    options.project.cameras.push_back(cameraFrom(camera));
+  for (const std::string& text : options.cameras) {
+    NewCamera camera = cameraFrom(text);
+    const auto& others = options.project.cameras;
+    if (!camera.name.empty() &&
+        std::ranges::find(others, camera.name, &NewCamera::name) != others.end()) {
+      report({ErrorCode::BadValue, "", "--camera",
+              fmt::format("two cameras are called '{}'", camera.name)});
+      return kExitUsage;
+    }
+    options.project.cameras.push_back(std::move(camera));
   }
   if (!options.calibration.empty()) {
     options.project.calibration = options.calibration;
