@@ -80,7 +80,7 @@ int makeNew(NewOptions& options) {
   if (const auto saved = saveProject(made->project, options.file); !saved) {
     return report(saved.error());
   }
-  if (!made->calibrated) {
+  if (!made->calibrated && methodFamily(made->project.method) != MethodFamily::Boxes) {
     fmt::print(stderr, "dewpoint-cli: note: without --calibration the camera positions are a "
                        "guess.\n");
   }

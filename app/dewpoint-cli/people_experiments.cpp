@@ -2,8 +2,7 @@
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/interruption.h"
 #include "app/dewpoint-cli/progress.h"
-#include "core/base/text_file.h"
-#include "core/experiment/people_summary.h"
+#include "core/experiment/study_experiments.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -42,19 +41,6 @@ Result<PeopleStudySetup> setupOf(const StudyOptions& options) {
   return setup;
 }
 
-Status writeStudy(const StudyOptions& options, const std::vector<PeopleTrial>& trials) {
-  const std::filesystem::path folder(options.folder);
-  std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
-  if (problem) {
-    return failure(ErrorCode::FileUnwritable, folder.string(), "--out", problem.message());
-  }
-  if (const auto written = writeTextFile(folder / "runs.csv", peopleTrialsCsv(trials)); !written) {
-    return written;
-  }
-  return writeTextFile(folder / "report.html", peopleReportHtml(options.scenario, trials));
-}
-
 int recordScenario(const StudyOptions& options) {
   const auto clothes = options.clothes == clothesName(PeopleClothes::Similar)
                            ? PeopleClothes::Similar
@@ -76,31 +62,25 @@ int studyScenario(const StudyOptions& options) {
       clothes.push_back(kind);
     }
   }
-  simulation::ViewCache views;
-  std::vector<PeopleTrial> trials;
+  setup->seed = options.first;
   Progress progress("people-" + options.scenario,
                     options.seeds * static_cast<std::int64_t>(clothes.size()));
-  std::int64_t done = 0;
-  for (const PeopleClothes kind : clothes) {
-    setup->clothes = kind;
-    for (int k = 0; k < options.seeds && !interruptionAsked(); ++k) {
-      setup->seed = options.first + static_cast<std::uint64_t>(k);
-      const auto more = studyPeople(*setup, views);
-      if (!more) {
-        progress.finish();
-        return report(more.error());
-      }
-      trials.insert(trials.end(), more->begin(), more->end());
-      progress.show(++done);
-    }
-  }
+  const auto trials =
+      studyManyPeople(*setup, clothes, options.seeds, [&](std::int64_t done, std::int64_t) {
+        progress.show(done);
+        return !interruptionAsked();
+      });
   progress.finish();
+  if (!trials) {
+    return report(trials.error());
+  }
   fmt::print("{}\n", peopleTableHead());
-  for (const PeopleSummary& summary : summarize(trials)) {
+  for (const PeopleSummary& summary : summarize(*trials)) {
     fmt::print("{}\n", peopleTableRow(summary));
   }
   if (!options.folder.empty()) {
-    if (const auto written = writeStudy(options, trials); !written) {
+    if (const auto written = writePeopleStudy(options.scenario, *trials, options.folder);
+        !written) {
       return report(written.error());
     }
   }

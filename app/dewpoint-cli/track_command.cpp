@@ -6,7 +6,9 @@
 #include "app/wiring/open_project.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -22,6 +24,14 @@ struct TrackOptions {
   std::string frames;
   std::vector<std::string> settings;
 };
+
+/// Of all methods those that follow targets.
+std::vector<std::string> trackableMethods() {
+  std::vector<std::string> names = projectMethodNames();
+  std::erase_if(names,
+                [](const std::string& name) { return methodFamily(name) == MethodFamily::People; });
+  return names;
+}
 
 Status applyOptions(const TrackOptions& options, Project& project) {
   if (options.method && *options.method != project.method) {
@@ -55,6 +65,13 @@ int track(TrackOptions options) {
     report(applied.error());
     return kExitUsage;
   }
+  const bool boxes = methodFamily(project->method) == MethodFamily::Boxes;
+  const auto hasBox = [](const Target& target) { return target.box.has_value(); };
+  if (boxes && std::ranges::none_of(project->targets, hasBox)) {
+    return report(
+        {ErrorCode::MissingKey, options.project, "target",
+         fmt::format("method {} needs at least one [[target]] with a box", project->method)});
+  }
   if (project->targets.empty()) {
     return report({ErrorCode::MissingKey, options.project, "target",
                    "at least one [[target]] is needed; learn-color makes one"});
@@ -76,7 +93,7 @@ void addTrackCommand(CLI::App& app, int& exitCode) {
       ->required();
   command->add_option("--out", options->job.folder, "Folder to write")->required();
   command->add_option("--method", options->method, "Tracking method")
-      ->check(CLI::IsMember(methodNames()));
+      ->check(CLI::IsMember(trackableMethods()));
   command->add_option("--seed", options->seed, "Seed of the run (the project's unless given)");
   command
       ->add_option("--threads", options->job.threads,

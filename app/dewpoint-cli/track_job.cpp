@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
+#include <optional>
 
 namespace dewpoint {
 namespace {
@@ -42,10 +44,30 @@ void sayBumps(const BumpWatch& bumps, std::size_t& said, RunFigures& figures) {
   }
 }
 
+/// Where the results of a run go: a file that grows with it, or boxes that are written at its end.
+struct TrackOutput {
+  std::optional<TrajectoryWriter> writer; ///< not with methods of family Boxes
+  Trajectory kept;
+  BoxTrack boxes;
+
+  Status take(const TrackingRun& run) {
+    std::ranges::move(run.boxSamples(), std::back_inserter(boxes.samples));
+    for (const auto& sample : run.samples()) {
+      if (const auto written = writer->write(sample); !written) {
+        return written;
+      }
+      kept.samples.push_back(sample);
+    }
+    return {};
+  }
+  Status finish(const std::filesystem::path& folder) {
+    return writer ? writer->finish() : writeBoxTrack(boxes, folder);
+  }
+};
+
 /// The loop itself; what stopped it, if it was not the end.
 Status trackFrames(const TrackJob& job, FrameSetSource& source, TrackingRun& run,
-                   const CameraRig& rig, TrajectoryWriter& writer, Trajectory& kept,
-                   RunFigures& figures) {
+                   const CameraRig& rig, TrackOutput& output, RunFigures& figures) {
   BumpWatch bumps(rig);
   std::size_t bumpsSaid = 0;
   if (job.firstFrame > 0) {
@@ -79,19 +101,18 @@ Status trackFrames(const TrackJob& job, FrameSetSource& source, TrackingRun& run
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - arrived;
     figures.latency.add(took.count());
-    bumps.watch(**frames, run.targets(), run.estimates());
-    sayBumps(bumps, bumpsSaid, figures);
-    for (const auto& sample : run.samples()) {
-      if (const auto written = writer.write(sample); !written) {
-        progress.finish();
-        return written;
-      }
-      kept.samples.push_back(sample);
+    if (run.family() != MethodFamily::Boxes) { // they follow in moving cameras, too
+      bumps.watch(**frames, run.targets(), run.estimates());
+      sayBumps(bumps, bumpsSaid, figures);
+    }
+    if (const auto taken = output.take(run); !taken) {
+      progress.finish();
+      return taken;
     }
     progress.show(++figures.frames);
   }
   progress.finish();
-  return writer.finish();
+  return {};
 }
 
 void printSummary(const Trajectory& estimate, const Trajectory& truth, int iterationsPerFrame,
@@ -134,9 +155,13 @@ int TrackJob::run(SessionInputs inputs) const {
     return report(run.error());
   }
   const TrajectoryHeader header = trajectoryHeader(inputs.project);
-  auto writer = TrajectoryWriter::create(folder / "trajectory.csv", header);
-  if (!writer) {
-    return report(writer.error());
+  TrackOutput output{std::nullopt, {header, {}}, {boxTrackHeader(inputs.project), {}}};
+  if (run->family() != MethodFamily::Boxes) {
+    auto writer = TrajectoryWriter::create(folder / "trajectory.csv", header);
+    if (!writer) {
+      return report(writer.error());
+    }
+    output.writer.emplace(std::move(*writer));
   }
   heedInterruption();
 
@@ -153,10 +178,11 @@ int TrackJob::run(SessionInputs inputs) const {
   if (!began) {
     return report(began.error());
   }
-  Trajectory kept{header, {}};
   const auto begin = std::chrono::steady_clock::now();
-  const auto tracked =
-      trackFrames(*this, *inputs.source, *run, rigOf(inputs.project), *writer, kept, figures);
+  auto tracked = trackFrames(*this, *inputs.source, *run, rigOf(inputs.project), output, figures);
+  if (const auto finished = output.finish(folder); !finished && tracked) {
+    tracked = finished;
+  }
   figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   figures.finished = tracked.has_value() && !interruptionAsked();
   if (!tracked) {
@@ -164,7 +190,7 @@ int TrackJob::run(SessionInputs inputs) const {
   }
   figures.droppedFrames = inputs.source->droppedFrames();
   const auto ended = writeTextFile(folder / "run.json", runReport(inputs.project, figures));
-  printSummary(kept, inputs.truth, run->iterationsPerFrame(), figures);
+  printSummary(output.kept, inputs.truth, run->iterationsPerFrame(), figures);
   if (!tracked) {
     // Frames were tracked before the input broke: that is "ended early", whatever broke it.
     const int code = report(tracked.error());

@@ -4,6 +4,7 @@
 #include "core/capture/live_cameras.h"
 #include "core/capture/recording.h"
 #include "core/session/empty_rooms.h"
+#include "core/session/new_project.h"
 #include "core/session/tracking_run.h"
 #include "core/simulation/scene_renderer.h"
 #include "core/trajectory/trajectory_reader.h"
@@ -150,6 +151,9 @@ Result<Project> resolveProject(const std::string& nameOrFile) {
 
 Result<SessionInputs> openInputs(Project project) {
   SessionInputs inputs;
+  if (const auto guessed = guessMissing(project); !guessed) {
+    return tl::make_unexpected(guessed.error());
+  }
   if (!project.scene.empty()) {
     const auto scene = sceneNamed(project.scene);
     if (!scene) {

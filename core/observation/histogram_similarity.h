@@ -36,6 +36,11 @@ public:
   /// rho at a center (x, y), pixels from the image's corner; 0 where no pixel is in the image.
   /// May be called from several threads.
   double at(double x, double y) const;
+  /// About how many bytes a copy takes.
+  std::size_t memoryBytes() const {
+    return sizeof(std::uint16_t) * (slotOfBin_.capacity() + before_.capacity()) +
+           sizeof(float) * rootOfSlot_.capacity() + sizeof(std::uint32_t) * pixels_.capacity();
+  }
 
 private:
   void fit(const cv::Mat& image);

@@ -36,6 +36,11 @@ public:
   /// q² / (q² + b²) of the histograms of part and surroundings.
   BinShares shares(int part) const;
 
+  /// About how many bytes a copy takes.
+  std::size_t memoryBytes() const {
+    return sizeof(double) * surroundings_.capacity() * (2 * kParts + 1); // all of one size
+  }
+
   /// A part of a box.
   static ImageBox partOf(const ImageBox& box, int part);
 

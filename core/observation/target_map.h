@@ -22,6 +22,10 @@ public:
   /// their area (bilinear in the integral image).
   double sum(const ImageBox& box) const;
   const cv::Rect& region() const { return region_; }
+  /// About how many bytes a copy takes.
+  std::size_t memoryBytes() const {
+    return sizeof(std::uint32_t) * integrals_.front().capacity() * integrals_.size();
+  }
 
 private:
   using Integral = std::vector<std::uint32_t>;

@@ -26,6 +26,8 @@ ProjectChanges changesBetween(const Project& before, const Project& after) {
   changes.seed = before.seed != after.seed;
   changes.parameters = !changes.method && !(before.parameters == after.parameters);
   changes.targets = before.targets != after.targets;
+  changes.boxes =
+      !std::ranges::equal(before.targets, after.targets, {}, &Target::box, &Target::box);
   changes.sources = !std::ranges::equal(before.cameras, after.cameras, sameSource) ||
                     before.framesPerSecond != after.framesPerSecond ||
                     before.truth != after.truth || before.scene != after.scene;

@@ -11,6 +11,7 @@ namespace dewpoint {
 namespace {
 
 constexpr double kLargestRadius = 1000.0; ///< metres
+constexpr double kSmallestBox = 2.0;      ///< pixels
 
 tl::unexpected<Error> wrong(ErrorCode code, std::string field, std::string detail) {
   return tl::make_unexpected(Error{code, "", std::move(field), std::move(detail)});
@@ -25,6 +26,34 @@ Status checkName(std::set<std::string>& seen, const char* key, std::size_t index
   }
   if (!seen.insert(name).second) {
     return wrong(ErrorCode::BadValue, key, "the name '" + name + "' is used twice");
+  }
+  return {};
+}
+
+/// As far as it can be told before the images are seen.
+Status checkBox(const Project& project, std::size_t index, const TargetBox& target) {
+  const std::string field = fmt::format("target {}.box", index + 1);
+  const auto camera = static_cast<std::size_t>(target.camera);
+  if (target.camera < 0 || (!project.cameras.empty() && camera >= project.cameras.size())) {
+    return wrong(ErrorCode::BadValue, field + ".camera",
+                 fmt::format("there are {} cameras", project.cameras.size()));
+  }
+  const ImageBox& box = target.box;
+  if (target.frame < 0 || !(box.width >= kSmallestBox && box.height >= kSmallestBox) ||
+      !std::isfinite(box.x + box.y + box.width + box.height)) {
+    return wrong(ErrorCode::BadValue, field, "at least 2 x 2 pixels are expected");
+  }
+  const Eigen::Vector2d center = box.center();
+  if (!project.cameras.empty()) {
+    const Intrinsics& image = project.cameras[camera].camera.intrinsics;
+    const bool inside = center.x() >= 0.0 && center.x() < image.width && center.y() >= 0.0 &&
+                        center.y() < image.height && box.width <= image.width &&
+                        box.height <= image.height;
+    if (image.width > 0 && !inside) {
+      return wrong(
+          ErrorCode::BadValue, field,
+          fmt::format("it does not lie in the image of {} x {} pixels", image.width, image.height));
+    }
   }
   return {};
 }
@@ -44,8 +73,19 @@ Status checkTargets(const Project& project) {
       return wrong(good.error().code, fmt::format("target {}.{}", i + 1, good.error().field),
                    good.error().detail);
     }
+    if (target.box) {
+      if (auto good = checkBox(project, i, *target.box); !good) {
+        return good;
+      }
+    }
   }
   return {};
+}
+
+/// Of a camera whose images will say what size they are: methods of family Boxes need no more.
+bool isBare(const Project& project, const Intrinsics& intrinsics) {
+  return methodFamily(project.method) == MethodFamily::Boxes && intrinsics.width == 0 &&
+         intrinsics.height == 0;
 }
 
 Status checkCameras(const Project& project) {
@@ -56,6 +96,9 @@ Status checkCameras(const Project& project) {
       return good;
     }
     const Intrinsics& intrinsics = camera.intrinsics;
+    if (isBare(project, intrinsics)) {
+      continue;
+    }
     if (intrinsics.width <= 0 || intrinsics.height <= 0 || !(intrinsics.focalX > 0.0) ||
         !(intrinsics.focalY > 0.0) || !camera.cameraFromWorld.matrix().allFinite()) {
       return wrong(ErrorCode::BadValue, fmt::format("camera {}.calibration", i + 1),

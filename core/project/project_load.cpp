@@ -18,6 +18,8 @@ namespace {
 
 using std::filesystem::path;
 
+constexpr double kLargestSide = 1e5; ///< of an image, pixels
+
 /// `${NAME}` replaced by the environment variable of that name.
 std::string expanded(TableReader& reader, const char* key, std::string text) {
   for (auto begin = text.find("${"); begin != std::string::npos; begin = text.find("${", begin)) {
@@ -82,7 +84,6 @@ ColorSample readSample(const toml::table& table, const std::string& file, std::s
                        std::optional<Error>& error) {
   TableReader reader(table, file, std::move(prefix));
   ColorSample sample;
-  constexpr double kLargest = 1e5; ///< pixels of an image's side
   reader.require("camera");
   int camera = 1;
   reader.integer("camera", camera, 1, 1000);
@@ -90,10 +91,10 @@ ColorSample readSample(const toml::table& table, const std::string& file, std::s
   reader.integer("frame", sample.frame, 0, std::numeric_limits<std::int64_t>::max());
   double place[4] = {0.0, 0.0, 0.0, 0.0};
   if (reader.has("box")) {
-    reader.numbers("box", place, 4, 0.0, kLargest);
+    reader.numbers("box", place, 4, 0.0, kLargestSide);
   } else {
     reader.require("pixel");
-    reader.numbers("pixel", place, 2, 0.0, kLargest);
+    reader.numbers("pixel", place, 2, 0.0, kLargestSide);
   }
   sample.x = place[0];
   sample.y = place[1];
@@ -106,6 +107,32 @@ ColorSample readSample(const toml::table& table, const std::string& file, std::s
   return sample;
 }
 
+std::optional<TargetBox> readBox(TableReader& target, const std::string& file,
+                                 const std::string& prefix) {
+  const toml::table* table = target.table("box");
+  if (table == nullptr) {
+    return std::nullopt;
+  }
+  TableReader reader(*table, file, prefix + "box.");
+  TargetBox box;
+  reader.require("camera");
+  int camera = 1;
+  reader.integer("camera", camera, 1, 1000);
+  box.camera = camera - 1;
+  reader.integer("frame", box.frame, 0, std::numeric_limits<std::int64_t>::max());
+  for (const auto& [key, value] : {std::pair("x", &box.box.x), std::pair("y", &box.box.y)}) {
+    reader.require(key);
+    reader.number(key, *value, -kLargestSide, kLargestSide);
+  }
+  for (const auto& [key, value] :
+       {std::pair("width", &box.box.width), std::pair("height", &box.box.height)}) {
+    reader.require(key);
+    reader.number(key, *value, 1.0, kLargestSide);
+  }
+  target.adopt(reader.finish());
+  return box;
+}
+
 Target readTarget(const toml::table& table, const std::string& file, std::size_t index,
                   std::optional<Error>& error) {
   const std::string prefix = fmt::format("target {}.", index + 1);
@@ -114,7 +141,10 @@ Target readTarget(const toml::table& table, const std::string& file, std::size_t
   reader.require("name");
   reader.text("name", target.name);
   reader.number("radius", target.radius, 0.0, 1000.0);
-  reader.require("hue");
+  target.box = readBox(reader, file, prefix);
+  if (!target.box) {
+    reader.require("hue");
+  }
   readRange(reader, "hue", target.color.hueMin, target.color.hueMax);
   readRange(reader, "saturation", target.color.saturationMin, target.color.saturationMax);
   readRange(reader, "intensity", target.color.intensityMin, target.color.intensityMax);
@@ -166,7 +196,7 @@ bool hasSource(const toml::table& camera) {
 
 ProjectCamera readCamera(const toml::table& table, const std::string& file, const path& folder,
                          std::size_t index, bool ofScene, const CameraRig& calibrated,
-                         std::optional<Error>& error) {
+                         bool withoutCalibration, std::optional<Error>& error) {
   const std::string prefix = fmt::format("camera {}.", index + 1);
   TableReader reader(table, file, prefix);
   ProjectCamera camera;
@@ -188,7 +218,9 @@ ProjectCamera readCamera(const toml::table& table, const std::string& file, cons
     }
   } else {
     const auto found = std::ranges::find(calibrated, name, &Camera::name);
-    if (found == calibrated.end()) {
+    if (found == calibrated.end() && withoutCalibration) {
+      camera.camera.intrinsics = {}; // its images say what size they are
+    } else if (found == calibrated.end()) {
       reader.fail(ErrorCode::MissingKey, "calibration",
                   "neither here nor in a calibration file is there one for '" + name + "'");
     } else {
@@ -229,7 +261,7 @@ void readHead(TableReader& reader, const path& folder, Project& project) {
   }
   reader.text("name", project.name);
   reader.text("method", project.method);
-  const auto methods = methodNames();
+  const auto methods = projectMethodNames();
   if (std::ranges::find(methods, project.method) == methods.end()) {
     reader.fail(ErrorCode::BadValue, "method",
                 fmt::format("known methods: {}", fmt::join(methods, ", ")));
@@ -273,9 +305,9 @@ void readParts(TableReader& reader, const std::string& file, Project& project) {
     reader.adopt(error);
   }
   for (const toml::table* table : reader.tables("camera")) {
-    project.cameras.push_back(readCamera(*table, file, folder, project.cameras.size(),
-                                         !project.scene.empty() && !hasSource(*table), calibrated,
-                                         error));
+    project.cameras.push_back(readCamera(
+        *table, file, folder, project.cameras.size(), !project.scene.empty() && !hasSource(*table),
+        calibrated, methodFamily(project.method) == MethodFamily::Boxes, error));
     reader.adopt(error);
   }
 }

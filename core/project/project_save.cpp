@@ -37,6 +37,13 @@ std::string sampleText(const ColorSample& sample) {
   return text + "\"\n";
 }
 
+std::string boxText(const TargetBox& box) {
+  return fmt::format("box = {{camera = {}, frame = {}, x = {}, y = {}, width = {}, height = {}}}"
+                     "   # px\n",
+                     box.camera + 1, box.frame, box.box.x, box.box.y, box.box.width,
+                     box.box.height);
+}
+
 std::string targetText(const Target& target) {
   const auto& color = target.color;
   std::string text =
@@ -48,6 +55,9 @@ std::string targetText(const Target& target) {
                   "intensity = [{}, {}]\n",
                   quoted(target.name), target.radius, color.hueMin, color.hueMax,
                   color.saturationMin, color.saturationMax, color.intensityMin, color.intensityMax);
+  if (target.box) {
+    text += boxText(*target.box);
+  }
   for (const ColorSample& sample : target.samples) {
     text += sampleText(sample);
   }

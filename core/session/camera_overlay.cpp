@@ -41,12 +41,29 @@ std::optional<ImageEllipse> projectedEllipse(const Projector& projector,
   return ImageEllipse{*center, radius(1), radius(0), std::atan2(axis.y(), axis.x())};
 }
 
+/// Centers of pixels lie at whole numbers, as in all of an overlay but its box.
+void addBox(const BoxBelief& belief, CameraOverlay& overlay) {
+  const float largest = belief.weights.size() > 0 ? belief.weights.maxCoeff() : 0.0F;
+  for (Eigen::Index i = 0; i < belief.centers.rows(); ++i) {
+    overlay.particles.emplace_back(belief.centers(i, 0) - 0.5F, belief.centers(i, 1) - 0.5F);
+    overlay.weights.push_back(largest > 0.0F ? belief.weights(i) / largest : 0.0F);
+  }
+  overlay.box = belief.estimate.box;
+  overlay.boxHidden = !belief.estimate.visible || belief.estimate.similarity <= 0.0;
+}
+
 } // namespace
 
 CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
                             const TargetSnapshot& target) {
   CameraOverlay overlay;
   if (!snapshot.rig || camera < 0 || camera >= static_cast<int>(snapshot.rig->size())) {
+    return overlay;
+  }
+  if (target.box) {
+    if (target.box->camera == camera) {
+      addBox(*target.box, overlay);
+    }
     return overlay;
   }
   const Projector projector((*snapshot.rig)[static_cast<std::size_t>(camera)]);

@@ -25,6 +25,8 @@ struct CameraOverlay {
   std::optional<Eigen::Vector2d> estimate;
   std::optional<ImageEllipse> ellipse; ///< 95 % of the projected Gaussian (chi² 5.991, 2 d.o.f.)
   std::optional<Eigen::Vector2d> truth;
+  std::optional<ImageBox> box; ///< of methods of family Boxes, then without estimate and ellipse
+  bool boxHidden = false;      ///< it is where the target is thought to be
 };
 
 /// A place that was considered for a target, as a circle in an image.

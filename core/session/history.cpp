@@ -11,8 +11,9 @@ namespace {
 constexpr std::int64_t kFirstSpacing = 15; ///< frames between copies, as long as there is room
 
 bool hasParticles(const Moment& moment) {
-  return std::ranges::any_of(moment.targets,
-                             [](const auto& target) { return target.particles.size() > 0; });
+  return std::ranges::any_of(moment.targets, [](const auto& target) {
+    return target.particles.size() > 0 || (target.box && target.box->centers.size() > 0);
+  });
 }
 
 } // namespace
@@ -114,6 +115,10 @@ void History::forgetParticles(Moment& moment) {
     target.particles.resize(0, 3);
     target.weights.resize(0);
     target.proposals = {};
+    if (target.box) {
+      target.box->centers.resize(0, 2);
+      target.box->weights.resize(0);
+    }
   }
   momentBytes_ += moment.bytes();
 }
@@ -177,7 +182,7 @@ std::vector<Eigen::Vector3d> History::tail(std::size_t target, std::int64_t fram
                                               static_cast<std::ptrdiff_t>(most));
   std::vector<Eigen::Vector3d> tail;
   for (auto moment = end - count; moment != end; ++moment) {
-    if (target < moment->targets.size()) {
+    if (target < moment->targets.size() && !moment->targets[target].box) {
       tail.push_back(moment->targets[target].estimate.mean);
     }
   }

@@ -11,6 +11,10 @@ std::size_t Moment::bytes() const {
   for (const TargetMoment& target : targets) {
     sum +=
         sizeof(float) * static_cast<std::size_t>(target.particles.size() + target.weights.size());
+    if (target.box) {
+      sum += sizeof(float) *
+             static_cast<std::size_t>(target.box->centers.size() + target.box->weights.size());
+    }
     sum += target.proposals.capacity() * sizeof(ProposedPlace);
     sum += target.reasons.capacity() * sizeof(CameraReport);
     sum += target.estimate.cameras.capacity() * sizeof(CameraEvidence);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/capture/frame.h"
+#include "core/tracking/box_tracker.h"
 #include "core/tracking/camera_report.h"
 #include "core/tracking/insight.h"
 #include "core/tracking/tracker.h"
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace dewpoint {
@@ -33,6 +35,7 @@ struct TargetMoment {
   std::vector<ProposedPlace> proposals;
   std::vector<CameraReport> reasons; ///< per camera, why it does not confirm the target
   TargetStatus status = TargetStatus::Searching;
+  std::optional<BoxBelief> box; ///< with methods of family Boxes, from the target's box on
   double lastHeld = -std::numeric_limits<double>::infinity(); ///< seconds; this frame's if held now
 };
 

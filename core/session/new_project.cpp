@@ -3,6 +3,7 @@
 
 #include "core/calibration/calibration_file.h"
 #include "core/capture/recording.h"
+#include "core/tracking/box_tracker.h"
 
 #include <fmt/format.h>
 
@@ -87,6 +88,8 @@ Result<cv::Size> sizeOf(const ProjectCamera& camera) {
   recorded.kind = camera.source == SourceKind::Video ? RecordedCamera::Kind::Video
                                                      : RecordedCamera::Kind::Images;
   recorded.path = camera.location;
+  recorded.rotateDegrees = camera.rotateDegrees;
+  recorded.mirrored = camera.mirrored;
   auto source = openRecording({recorded}, 0.0);
   if (!source) {
     return tl::make_unexpected(source.error());
@@ -102,27 +105,34 @@ Result<cv::Size> sizeOf(const ProjectCamera& camera) {
   return (*frames)->frames.front()->image.size();
 }
 
-Status guess(std::vector<ProjectCamera>& cameras) {
+/// 53 degrees wide, at `index` of a ring of `count` around a box of 1 m.
+Camera guessedCamera(std::size_t index, std::size_t count, const cv::Size& size) {
   constexpr double kDistance = 2.0; // metres
   constexpr double kHeight = 1.2;
-  for (std::size_t i = 0; i < cameras.size(); ++i) {
-    cv::Size size(kGuessedWidth, kGuessedHeight);
-    if (isRecording(cameras[i].source)) {
-      const auto real = sizeOf(cameras[i]);
-      if (!real) {
-        return tl::make_unexpected(real.error());
-      }
-      size = *real;
+  const double angle = 2.0 * std::numbers::pi * static_cast<double>(index) /
+                       static_cast<double>(std::max<std::size_t>(4, count));
+  Camera camera;
+  const double focal = size.width;
+  camera.intrinsics = {
+      size.width, size.height, focal, focal, 0.5 * (size.width - 1), 0.5 * (size.height - 1)};
+  camera.cameraFromWorld =
+      lookAt({kDistance * std::cos(angle), kDistance * std::sin(angle), kHeight}, {0.0, 0.0, 0.25});
+  return camera;
+}
+
+Status guess(std::vector<ProjectCamera>& cameras, std::size_t index) {
+  ProjectCamera& camera = cameras[index];
+  cv::Size size(kGuessedWidth, kGuessedHeight);
+  if (isRecording(camera.source)) {
+    const auto real = sizeOf(camera);
+    if (!real) {
+      return tl::make_unexpected(real.error());
     }
-    const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) /
-                         static_cast<double>(std::max<std::size_t>(4, cameras.size()));
-    Camera& camera = cameras[i].camera;
-    const double focal = size.width;
-    camera.intrinsics = {
-        size.width, size.height, focal, focal, 0.5 * (size.width - 1), 0.5 * (size.height - 1)};
-    camera.cameraFromWorld = lookAt(
-        {kDistance * std::cos(angle), kDistance * std::sin(angle), kHeight}, {0.0, 0.0, 0.25});
+    size = *real;
   }
+  const std::string name = camera.camera.name;
+  camera.camera = guessedCamera(index, cameras.size(), size);
+  camera.camera.name = name;
   return {};
 }
 
@@ -144,6 +154,9 @@ SourceKind guessedSource(const std::string& location) {
 Result<MadeProject> makeProject(const NewProject& wanted) {
   MadeProject made;
   Project& project = made.project;
+  if (wanted.cameras.size() == 1 && !wanted.calibration) {
+    project.method = boxMethodNames().front(); // nothing else is of use
+  }
   project.parameters = ParameterValues(methodParameters(project.method));
   project.framesPerSecond = wanted.framesPerSecond;
   for (std::size_t i = 0; i < wanted.cameras.size(); ++i) {
@@ -170,12 +183,41 @@ Result<MadeProject> makeProject(const NewProject& wanted) {
                      : first.camera.name;
   if (!wanted.calibration) {
     made.calibrated = false;
-    if (auto guessed = guess(project.cameras); !guessed) {
-      return tl::make_unexpected(guessed.error());
+    for (std::size_t i = 0; i < project.cameras.size(); ++i) {
+      if (auto guessed = guess(project.cameras, i); !guessed) {
+        return tl::make_unexpected(guessed.error());
+      }
     }
     return made;
   }
   return withCalibration(std::move(project), *wanted.calibration);
+}
+
+Status guessMissing(Project& project) {
+  bool any = false;
+  for (std::size_t i = 0; i < project.cameras.size(); ++i) {
+    if (project.cameras[i].camera.intrinsics.width == 0) {
+      if (auto guessed = guess(project.cameras, i); !guessed) {
+        return guessed;
+      }
+      any = true;
+    }
+  }
+  return any ? checkProject(project) : Status(); // boxes may lie beyond the images
+}
+
+bool isGuessed(const Project& project) {
+  constexpr double kRounding = 1e-6; // of a file
+  for (std::size_t i = 0; i < project.cameras.size(); ++i) {
+    const Camera& camera = project.cameras[i].camera;
+    const Camera guessed = guessedCamera(i, project.cameras.size(),
+                                         {camera.intrinsics.width, camera.intrinsics.height});
+    if (camera.cameraFromWorld.isApprox(guessed.cameraFromWorld, kRounding) &&
+        std::abs(camera.intrinsics.focalX - guessed.intrinsics.focalX) < kRounding) {
+      return true;
+    }
+  }
+  return false;
 }
 
 Result<MadeProject> withCalibration(Project project, const std::filesystem::path& file) {

@@ -33,7 +33,8 @@ struct MadeProject {
 
 /// Makes a project of videos, image folders, devices or streams. Calibrations are matched by name,
 /// else by order when there is one for each camera. Without a file, cameras are guessed: 53 degrees
-/// wide, in a ring around a box of 1 m. FileMissing, Mismatch, BadValue and what the calibration
+/// wide, in a ring around a box of 1 m; a single one without a file is for a method of family
+/// Boxes, which needs none. FileMissing, Mismatch, BadValue and what the calibration
 /// file says.
 Result<MadeProject> makeProject(const NewProject& wanted);
 
@@ -42,6 +43,13 @@ Result<MadeProject> withCalibration(Project project, const std::filesystem::path
 
 /// The same from cameras that were read from this file.
 Result<MadeProject> withCalibration(Project project, const CameraRig& rig, const std::string& file);
+
+/// Gives every camera whose image size is not known yet (it came without a calibration, see
+/// loadProject()) the size of its images and a guessed place. As makeProject() where it fails.
+Status guessMissing(Project& project);
+
+/// Whether some camera stands where makeProject() guessed it: positions in space mean nothing.
+bool isGuessed(const Project& project);
 
 /// How a file given without more is meant: a folder is one of images, a number or /dev/... a
 /// device, text with "://" or "gst:" a stream, all else a video.

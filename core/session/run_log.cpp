@@ -22,6 +22,26 @@ bool beginsAnew(std::uint64_t own, std::uint64_t& generation, std::size_t& posit
   return true;
 }
 
+/// Appends samples of one frame in place of those of the same frame.
+template <class Sample>
+void appendFrame(std::vector<Sample>& all, const std::vector<Sample>& samples) {
+  while (!samples.empty() && !all.empty() && all.back().frame == samples.front().frame) {
+    all.pop_back();
+  }
+  all.insert(all.end(), samples.begin(), samples.end());
+}
+
+/// What `all` gained since `position`, which moves to where the last frame begins.
+template <class Piece, class Sample>
+void takeSince(const std::vector<Sample>& all, std::size_t& position, Piece& piece) {
+  piece.first = std::min(position, all.size());
+  piece.samples.assign(all.begin() + static_cast<std::ptrdiff_t>(piece.first), all.end());
+  position = all.size();
+  while (position > 0 && all[position - 1].frame == all.back().frame) {
+    --position;
+  }
+}
+
 } // namespace
 
 RunLog::RunLog()
@@ -34,6 +54,7 @@ void RunLog::restart(const Project& project) {
   records_.clear();
   frames_.clear();
   trajectory_ = Trajectory{trajectoryHeader(project), {}};
+  boxes_.clear();
   project_ = project;
   figures_ = RunFigures{};
 }
@@ -95,15 +116,19 @@ void RunLog::goBack(std::int64_t frame) {
   while (!trajectory_.samples.empty() && isLater(trajectory_.samples.back())) {
     trajectory_.samples.pop_back();
   }
+  while (!boxes_.empty() && isLater(boxes_.back())) {
+    boxes_.pop_back();
+  }
 }
 
 void RunLog::append(const std::vector<TrajectorySample>& samples) {
   const std::lock_guard lock(mutex_);
-  auto& all = trajectory_.samples;
-  while (!samples.empty() && !all.empty() && all.back().frame == samples.front().frame) {
-    all.pop_back();
-  }
-  all.insert(all.end(), samples.begin(), samples.end());
+  appendFrame(trajectory_.samples, samples);
+}
+
+void RunLog::append(const std::vector<BoxSample>& samples) {
+  const std::lock_guard lock(mutex_);
+  appendFrame(boxes_, samples);
 }
 
 RunLog::Piece RunLog::since(std::uint64_t& generation, std::size_t& position) const {
@@ -126,14 +151,27 @@ RunLog::SamplesPiece RunLog::samplesSince(std::uint64_t& generation, std::size_t
   const std::lock_guard lock(mutex_);
   SamplesPiece piece;
   piece.restarted = beginsAnew(generation_, generation, position);
-  const auto& all = trajectory_.samples;
-  piece.first = std::min(position, all.size());
-  piece.samples.assign(all.begin() + static_cast<std::ptrdiff_t>(piece.first), all.end());
-  position = all.size();
-  while (position > 0 && all[position - 1].frame == all.back().frame) {
-    --position;
-  }
+  takeSince(trajectory_.samples, position, piece);
   return piece;
+}
+
+RunLog::BoxesPiece RunLog::boxesSince(std::uint64_t& generation, std::size_t& position) const {
+  const std::lock_guard lock(mutex_);
+  BoxesPiece piece;
+  piece.restarted = beginsAnew(generation_, generation, position);
+  takeSince(boxes_, position, piece);
+  return piece;
+}
+
+BoxTrack RunLog::boxTrack() const {
+  const std::lock_guard lock(mutex_);
+  BoxTrack track{boxTrackHeader(project_), boxes_};
+  for (const auto& entry : trajectory_.header.entries) {
+    if (entry.first.starts_with(kChangedAt)) {
+      track.header.push_back(entry);
+    }
+  }
+  return track;
 }
 
 Trajectory RunLog::trajectory() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/box_track_file.h"
 #include "core/session/run_report.h"
 #include "core/session/snapshot.h"
 #include "core/session/thinned_log.h"
@@ -31,6 +32,8 @@ public:
   void append(const std::vector<IterationRecord>& records);
   /// Samples of one frame; they replace those of the same frame, if it was the last one.
   void append(const std::vector<TrajectorySample>& samples);
+  /// As samples, of boxes.
+  void append(const std::vector<BoxSample>& samples);
   /// One more filter iteration, in seconds per target.
   void countIteration(double seconds);
   /// One more frame is done: seconds since it arrived, and since the run's first one did.
@@ -62,6 +65,15 @@ public:
     bool restarted = false; ///< all that is known comes again
   };
   SamplesPiece samplesSince(std::uint64_t& generation, std::size_t& position) const;
+  /// The boxes so far, with methods of family Boxes.
+  BoxTrack boxTrack() const;
+  /// As samplesSince(), of the boxes.
+  struct BoxesPiece {
+    std::size_t first = 0;
+    std::vector<BoxSample> samples;
+    bool restarted = false;
+  };
+  BoxesPiece boxesSince(std::uint64_t& generation, std::size_t& position) const;
   Latency latency() const;
   /// What run.json tells of this run.
   std::pair<Project, RunFigures> run() const;
@@ -72,6 +84,7 @@ private:
   ThinnedLog<IterationRecord> records_;
   ThinnedLog<FrameRecord> frames_;
   Trajectory trajectory_;
+  std::vector<BoxSample> boxes_;
   Project project_;
   RunFigures figures_;
 };

@@ -38,6 +38,13 @@ Session::SamplesPiece Session::samplesSince(std::uint64_t& generation,
   auto piece = impl_->loop.log().samplesSince(generation, position);
   return {piece.first, std::move(piece.samples), piece.restarted};
 }
+Session::BoxesPiece Session::boxesSince(std::uint64_t& generation, std::size_t& position) const {
+  auto piece = impl_->loop.log().boxesSince(generation, position);
+  return {piece.first, std::move(piece.samples), piece.restarted};
+}
+BoxTrack Session::boxTrack() const {
+  return impl_->loop.log().boxTrack();
+}
 Trajectory Session::trajectory() const {
   return impl_->loop.log().trajectory();
 }
@@ -58,8 +65,11 @@ Status Session::saveRun(const std::filesystem::path& folder) const {
   for (const Error& notice : last->notices) {
     figures.notices.push_back(sentence(notice));
   }
-  if (const auto saved = saveTrajectory(folder / "trajectory.csv"); !saved) {
-    return tl::make_unexpected(saved.error());
+  const Status saved = methodFamily(project.method) == MethodFamily::Boxes
+                           ? writeBoxTrack(boxTrack(), folder)
+                           : writeTrajectory(trajectory(), folder / "trajectory.csv");
+  if (!saved) {
+    return saved;
   }
   return writeTextFile(folder / "run.json", runReport(project, figures));
 }

@@ -3,6 +3,7 @@
 
 #include "core/capture/frame_source.h"
 #include "core/project/project.h"
+#include "core/session/box_track_file.h"
 #include "core/session/frame_tap.h"
 #include "core/session/snapshot.h"
 #include "core/trajectory/trajectory.h"
@@ -77,11 +78,21 @@ public:
     bool restarted = false;
   };
   SamplesPiece samplesSince(std::uint64_t& generation, std::size_t& position) const;
+  /// As samplesSince(), of the boxes that methods of family Boxes follow.
+  struct BoxesPiece {
+    std::size_t first = 0;
+    std::vector<BoxSample> samples;
+    bool restarted = false;
+  };
+  BoxesPiece boxesSince(std::uint64_t& generation, std::size_t& position) const;
+  /// The boxes so far.
+  BoxTrack boxTrack() const;
   /// The trajectory so far.
   Trajectory trajectory() const;
   /// Writes it as CSV; how many samples it held.
   Result<std::size_t> saveTrajectory(const std::filesystem::path& file) const;
-  /// Writes trajectory.csv and run.json into a folder, which is made when it does not exist.
+  /// Writes trajectory.csv and run.json into a folder, which is made when it does not exist; with
+  /// methods of family Boxes boxes.csv and boxes_mot.txt in place of the trajectory.
   Status saveRun(const std::filesystem::path& folder) const;
 
   void play();

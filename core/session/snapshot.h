@@ -25,6 +25,7 @@ struct TargetSnapshot {
   std::vector<Eigen::Vector3d> tail; ///< estimates of the last frames, oldest first
   std::optional<Eigen::Vector3d> truth;
   TargetStatus status = TargetStatus::Searching;
+  std::optional<BoxBelief> box; ///< with methods of family Boxes, from the target's box on
   /// Per camera, why it does not confirm the target (reasonSentence); may be empty.
   std::vector<CameraReport> reasons;
   std::vector<ProposedPlace> proposals; ///< places considered in this frame; may be empty
@@ -66,6 +67,7 @@ struct BudgetFigures {
 /// Everything a view may show of one moment. Immutable once published.
 struct TrackSnapshot {
   std::shared_ptr<const CameraRig> rig;
+  MethodFamily family = MethodFamily::Targets;
   FrameSetPtr frames;              ///< null before the first frame
   std::vector<cv::Mat> emptyRooms; ///< per camera without targets; empty when that is not known
   std::vector<cv::Mat> masks;      ///< per camera CV_8UC1, 255 = target color; empty unless wanted
@@ -111,6 +113,8 @@ struct IterationRecord {
   /// Likelihood, existence and visible share per camera, in the order of the rig; empty when the
   /// method cannot tell.
   std::vector<CameraEvidence> cameras = {};
+  /// Of a box (BoxEstimate::similarity); then the spread is in pixels.
+  std::optional<double> similarity = std::nullopt;
 };
 
 } // namespace dewpoint

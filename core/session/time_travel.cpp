@@ -20,6 +20,7 @@ TargetSnapshot snapshotOf(const TargetMoment& moment, const Target& target) {
   shown.proposals = moment.proposals;
   shown.reasons = moment.reasons;
   shown.status = moment.status;
+  shown.box = moment.box;
   return shown;
 }
 

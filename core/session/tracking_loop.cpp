@@ -133,8 +133,10 @@ void TrackingLoop::iterateFrame() {
     for (int k = 0; k < run_->iterationsPerFrame(); ++k) {
       iterateOnce();
     }
-    frameFresh_ = false; // also without any target
-    bumps_.watch(*run_->frames(), run_->targets(), run_->estimates());
+    frameFresh_ = false;                         // also without any target
+    if (run_->family() != MethodFamily::Boxes) { // they follow in moving cameras, too
+      bumps_.watch(*run_->frames(), run_->targets(), run_->estimates());
+    }
     const auto now = Clock::now();
     using Seconds = std::chrono::duration<double>;
     log_.countFrame(Seconds(now - arrival_).count(), Seconds(now - *firstArrival_).count());
@@ -181,7 +183,11 @@ std::vector<IterationRecord> TrackingLoop::iterationRecords() const {
     record.existence = estimate.existence;
     record.held = estimate.valid;
     record.cameras = estimate.cameras;
-    if (const auto truth = truth_.at(run_->targets()[k].name, record.frame)) {
+    if (const auto belief = run_->box(k, 0)) {
+      record.similarity = belief->estimate.similarity;
+      record.spread = belief->estimate.spread;
+      record.particleCount = belief->estimate.particleCount;
+    } else if (const auto truth = truth_.at(run_->targets()[k].name, record.frame)) {
       record.error = (estimate.mean - *truth).norm();
     }
     records.push_back(std::move(record));
@@ -205,8 +211,9 @@ void TrackingLoop::recordFrame() {
   const bool again = recordedFrame_ == run_->frames()->index;
   recordedFrame_ = run_->frames()->index;
   log_.append(run_->samples());
+  log_.append(run_->boxSamples());
   log_.append(frameRecord(travel_->record(*run_), *run_->frames()));
-  for (std::size_t k = 0; k < tails_.size(); ++k) {
+  for (std::size_t k = 0; run_->family() != MethodFamily::Boxes && k < tails_.size(); ++k) {
     if (again && !tails_[k].empty()) {
       tails_[k].pop_back();
     }

@@ -36,6 +36,7 @@ private:
   void obeyTravel(const Command& command);
   void changeMethod(const command::SetMethod& wish);
   void changeTargets(const std::vector<Target>& targets);
+  void changeBoxes(const std::vector<Target>& targets);
   void changeCameras(const CameraRig& rig);
   void changeEmptyRooms(const command::SetEmptyRooms& wish);
   /// False if there is nothing to track.

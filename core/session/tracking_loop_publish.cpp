@@ -77,6 +77,7 @@ void TrackingLoop::addFigures(TrackSnapshot& snapshot) const {
 void TrackingLoop::publish(bool quickly) {
   auto snapshot = std::make_shared<TrackSnapshot>();
   snapshot->rig = rig_;
+  snapshot->family = methodFamily(project_.method);
   snapshot->emptyRooms = emptyRooms_;
   snapshot->seed = project_.seed;
   snapshot->state = state_;
@@ -121,7 +122,8 @@ void TrackingLoop::publish(bool quickly) {
     for (auto& target : snapshot->targets) {
       target.truth = truth_.at(target.target.name, snapshot->frame);
     }
-    if (masksWanted_ && !snapshot->preview) {
+    // A target without a color has no mask.
+    if (masksWanted_ && !snapshot->preview && snapshot->family == MethodFamily::Targets) {
       snapshot->masks = masks(*snapshot);
     }
   }

@@ -43,6 +43,24 @@ TrajectoryHeader trajectoryHeader(const Project& project) {
   return header;
 }
 
+std::vector<std::pair<std::string, std::string>> boxTrackHeader(const Project& project) {
+  auto entries = trajectoryHeader(project).entries;
+  for (std::size_t k = 0; k < project.targets.size(); ++k) {
+    const Target& target = project.targets[k];
+    std::string text = target.name;
+    if (target.box) {
+      const ImageBox& box = target.box->box;
+      const auto camera = static_cast<std::size_t>(target.box->camera);
+      text +=
+          fmt::format(", box {} {} {} {} px at frame {} of camera {}", box.x, box.y, box.width,
+                      box.height, target.box->frame,
+                      camera < project.cameras.size() ? project.cameras[camera].camera.name : "");
+    }
+    entries.emplace_back(fmt::format("target {}", k + 1), std::move(text));
+  }
+  return entries;
+}
+
 Result<TrackingRun> TrackingRun::create(const Project& project, int threadCount,
                                         const std::vector<cv::Mat>& emptyRooms) {
   auto tracker =
@@ -53,6 +71,7 @@ Result<TrackingRun> TrackingRun::create(const Project& project, int threadCount,
   TrackingRun run;
   run.tracker_ = std::move(*tracker);
   run.tracker_->setEmptyRooms(emptyRooms);
+  run.family_ = methodFamily(project.method);
   run.targets_ = project.targets;
   run.parameters_ = project.parameters;
   run.rig_ = rigOf(project);
@@ -74,7 +93,7 @@ void TrackingRun::configure(const ParameterValues& parameters) {
 }
 
 void TrackingRun::setTargets(const std::vector<Target>& targets) {
-  if (targets.size() != targets_.size()) {
+  if (targets.size() != targets_.size() && !tracker_->takesAnyNumber()) {
     return;
   }
   targets_ = targets;
@@ -148,6 +167,9 @@ double TrackingRun::iterate() {
 
 std::vector<TrajectorySample> TrackingRun::samples() const {
   std::vector<TrajectorySample> samples;
+  if (family_ == MethodFamily::Boxes) {
+    return samples; // nothing is known in space
+  }
   for (std::size_t k = 0; frames_ && k < targets_.size(); ++k) {
     const auto& estimate = estimates()[k];
     samples.push_back({seconds(frames_->time), frames_->index, targets_[k].name, estimate.mean,
@@ -160,12 +182,24 @@ std::vector<TrajectorySample> TrackingRun::samples() const {
   return samples;
 }
 
+std::vector<BoxSample> TrackingRun::boxSamples() const {
+  std::vector<BoxSample> samples;
+  for (std::size_t k = 0; frames_ && k < targets_.size(); ++k) {
+    if (const auto belief = box(k, 0)) {
+      samples.push_back(
+          {seconds(frames_->time), frames_->index, static_cast<int>(k) + 1, belief->estimate});
+    }
+  }
+  return samples;
+}
+
 std::vector<TargetSnapshot> TrackingRun::snapshots(int particleLimit) const {
   std::vector<TargetSnapshot> all(targets_.size());
   for (std::size_t k = 0; k < targets_.size(); ++k) {
     all[k].target = targets_[k];
     all[k].estimate = estimates()[k];
     tracker_->particles(k, particleLimit, all[k].particles, all[k].weights);
+    all[k].box = box(k, particleLimit);
   }
   return all;
 }
@@ -190,6 +224,7 @@ Moment TrackingRun::moment(int particleLimit, const Moment* previous) const {
     tracker_->particles(k, particleLimit, particles, weights);
     target.particles = particles.cast<float>();
     target.weights = weights.cast<float>();
+    target.box = box(k, particleLimit);
     target.proposals = tracker_->proposals(k);
     target.reasons = tracker_->explain(k);
     if (previous != nullptr && k < previous->targets.size()) {

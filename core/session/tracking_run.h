@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/project.h"
+#include "core/session/box_track_file.h"
 #include "core/session/moment.h"
 #include "core/session/snapshot.h"
 #include "core/tracking/multi_tracker.h"
@@ -21,6 +22,9 @@ CameraRig rigOf(const Project& project);
 
 /// Header of a trajectory of this project: method, seed, parameters, version, cameras.
 TrajectoryHeader trajectoryHeader(const Project& project);
+
+/// Header of the boxes that were tracked: method, seed, parameters, and what each target is.
+std::vector<std::pair<std::string, std::string>> boxTrackHeader(const Project& project);
 
 /// Whether cameras of both rigs have the same number and image sizes.
 bool haveSameImages(const CameraRig& a, const CameraRig& b);
@@ -45,7 +49,8 @@ public:
   /// Forgets all beliefs.
   void restart(std::uint64_t seed);
   void configure(const ParameterValues& parameters);
-  /// New colors for the same targets; a different number of targets is ignored (reopen instead).
+  /// New colors for the same targets; a different number of targets is ignored (reopen instead),
+  /// but by methods of family Boxes.
   void setTargets(const std::vector<Target>& targets);
 
   /// Another calibration of the same cameras; one for other images is ignored (reopen instead).
@@ -74,6 +79,7 @@ public:
   /// One filter iteration for every target; microseconds it took, averaged over the targets.
   double iterate();
 
+  MethodFamily family() const { return family_; }
   std::int64_t iterations() const { return iterations_; }
   const std::vector<Target>& targets() const { return targets_; }
   const CameraRig& rig() const { return rig_; }
@@ -82,6 +88,12 @@ public:
   const FrameSetPtr& frames() const { return frames_; }
   /// The estimates as trajectory samples of the current frame.
   std::vector<TrajectorySample> samples() const;
+  /// The boxes of the current frame, with methods of family Boxes.
+  std::vector<BoxSample> boxSamples() const;
+  /// What is believed of a target's box; nothing before there is one.
+  std::optional<BoxBelief> box(std::size_t target, int particleLimit) const {
+    return tracker_->box(target, particleLimit);
+  }
   /// What views show, without tail and truth.
   std::vector<TargetSnapshot> snapshots(int particleLimit) const;
   /// What is kept of the current frame; `previous` is the moment before it, null at the beginning.
@@ -94,6 +106,7 @@ public:
   int frameIterations() const { return frameIterations_; }
 
 private:
+  MethodFamily family_ = MethodFamily::Targets;
   std::vector<Target> targets_;
   std::unique_ptr<MultiTracker> tracker_;
   FrameSetPtr frames_;

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -27,11 +28,21 @@ struct BoxEstimate {
   bool degenerate = false; ///< no particle had a usable weight; all were kept as equal
 };
 
+/// What is believed of a box in the images of one camera.
+struct BoxBelief {
+  int camera = 0; ///< in the order of the rig
+  BoxEstimate estimate;
+  Eigen::ArrayXXf centers; ///< of some particles: rows x y, pixels from the upper left corner
+  Eigen::ArrayXf weights;  ///< one per row, linear
+};
+
 /// One method that follows a box through the images of one camera, which needs no calibration. Not
 /// thread safe; the same seed gives the same bits for any size of the ThreadTeam.
 class BoxTracker {
 public:
   virtual ~BoxTracker() = default;
+  /// Other parameters of the same method, from the next image on.
+  virtual void configure(const ParameterValues& parameters) = 0;
   /// Takes the target in the box of an image (CV_8UC3) as what is to be followed, and forgets
   /// everything else. BadValue names "image" or "box".
   virtual Status start(const cv::Mat& bgr, const ImageBox& box, std::uint64_t seed) = 0;
@@ -42,6 +53,8 @@ public:
   virtual void particles(int limit, Eigen::ArrayXXd& centers, Eigen::ArrayXd& weights) const = 0;
   /// A copy that goes on from here with the same bits.
   virtual std::unique_ptr<BoxTracker> clone() const = 0;
+  /// About how many bytes a copy takes.
+  virtual std::size_t memoryBytes() const = 0;
 };
 
 /// Names of the methods that follow boxes, the default first: "histogram", "sugandi". Their

@@ -52,12 +52,21 @@ struct HistogramTracker::Moved {
   std::array<double, 3> uniform;
 };
 
-HistogramTracker::HistogramTracker(const ParameterValues& parameters)
-    : positionSigma_(parameters.at("position_sigma")), scaleSigma_(parameters.at("scale_sigma")),
-      aspectSigma_(parameters.at("aspect_sigma")), jumpShare_(parameters.at("jump_share")),
-      jumpReach_(parameters.at("jump_reach")), sharpness_(parameters.at("sharpness")),
-      adaptation_(parameters.at("adaptation")), hiddenBelow_(parameters.at("hidden_below")),
-      particleCount_(static_cast<Eigen::Index>(parameters.at("particles"))) {}
+HistogramTracker::HistogramTracker(const ParameterValues& parameters) {
+  configure(parameters);
+}
+
+void HistogramTracker::configure(const ParameterValues& parameters) {
+  positionSigma_ = parameters.at("position_sigma");
+  scaleSigma_ = parameters.at("scale_sigma");
+  aspectSigma_ = parameters.at("aspect_sigma");
+  jumpShare_ = parameters.at("jump_share");
+  jumpReach_ = parameters.at("jump_reach");
+  sharpness_ = parameters.at("sharpness");
+  adaptation_ = parameters.at("adaptation");
+  hiddenBelow_ = parameters.at("hidden_below");
+  particleCount_ = static_cast<Eigen::Index>(parameters.at("particles"));
+}
 
 cv::Mat HistogramTracker::shrunk(const cv::Mat& bgr) const {
   if (shrink_ == 1.0) {
@@ -234,14 +243,14 @@ void HistogramTracker::adapt(const cv::Mat& bgr, double share) {
 
 void HistogramTracker::resample() {
   Ancestors ancestors;
-  SystematicResampling().ancestors(weights_, states_.rows(),
+  SystematicResampling().ancestors(weights_, particleCount_,
                                    {seed_, frame_, 0, RandomPurpose::Resampling}, ancestors);
   weighted_ = states_(ancestors, Eigen::all);
   weighted_.swap(states_);
 }
 
 BoxEstimate HistogramTracker::step(const cv::Mat& bgr, ThreadTeam& team) {
-  assert(particleCount_ == states_.rows() && bgr.type() == CV_8UC3);
+  assert(states_.rows() > 0 && bgr.type() == CV_8UC3);
   ++frame_;
   const cv::Mat image = shrunk(bgr);
   map_.build(image, searchRegion(), colors_);
@@ -273,6 +282,13 @@ void HistogramTracker::particles(int limit, Eigen::ArrayXXd& centers,
 
 std::unique_ptr<BoxTracker> HistogramTracker::clone() const {
   return std::make_unique<HistogramTracker>(*this);
+}
+
+std::size_t HistogramTracker::memoryBytes() const {
+  const auto numbers =
+      static_cast<std::size_t>(states_.size() + weighted_.size() + weights_.size());
+  return sizeof(HistogramTracker) + sizeof(double) * numbers + colors_.memoryBytes() +
+         map_.memoryBytes();
 }
 
 } // namespace dewpoint

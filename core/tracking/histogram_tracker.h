@@ -22,10 +22,12 @@ public:
   /// Of the method's parameters (asserted).
   explicit HistogramTracker(const ParameterValues& parameters);
 
+  void configure(const ParameterValues& parameters) override;
   Status start(const cv::Mat& bgr, const ImageBox& box, std::uint64_t seed) override;
   BoxEstimate step(const cv::Mat& bgr, ThreadTeam& team) override;
   void particles(int limit, Eigen::ArrayXXd& centers, Eigen::ArrayXd& weights) const override;
   std::unique_ptr<BoxTracker> clone() const override;
+  std::size_t memoryBytes() const override;
 
 private:
   struct Moved;
@@ -47,9 +49,15 @@ private:
   void adapt(const cv::Mat& bgr, double share);
   void resample();
 
-  double positionSigma_, scaleSigma_, aspectSigma_, jumpShare_, jumpReach_, sharpness_, adaptation_,
-      hiddenBelow_;
-  Eigen::Index particleCount_;
+  double positionSigma_ = 0.0;
+  double scaleSigma_ = 0.0;
+  double aspectSigma_ = 0.0;
+  double jumpShare_ = 0.0;
+  double jumpReach_ = 0.0;
+  double sharpness_ = 0.0;
+  double adaptation_ = 0.0;
+  double hiddenBelow_ = 0.0;
+  Eigen::Index particleCount_ = 0; ///< of the next image; states_ has those of this one
   std::uint64_t seed_ = 0;
   std::uint32_t frame_ = 0;
   double shrink_ = 1.0; ///< the images are worked on at this share of their size

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/multi_tracker.h"
 
+#include "core/tracking/box_targets.h"
 #include "core/tracking/dewpoint_tracker.h"
 #include "core/tracking/independent_trackers.h"
 
@@ -17,6 +18,12 @@ Result<std::unique_ptr<MultiTracker>> makeMultiTracker(const std::string& method
       return tl::make_unexpected(checked.error());
     }
     return std::make_unique<DewpointTracker>(parameters, rig, targets);
+  }
+  if (methodFamily(method) == MethodFamily::Boxes) {
+    if (const auto checked = checkParameters(method, parameters); !checked) {
+      return tl::make_unexpected(checked.error());
+    }
+    return std::make_unique<BoxTargets>(method, parameters, targets);
   }
   std::vector<std::unique_ptr<Tracker>> trackers;
   for (const Target& target : targets) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/tracking/box_tracker.h"
 #include "core/tracking/tracker.h"
 
 #include <opencv2/core/mat.hpp>
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace dewpoint {
@@ -20,6 +22,8 @@ public:
   virtual void configure(const ParameterValues& parameters) = 0;
   /// New colors and sizes for the same targets, in the same order and number.
   virtual void setTargets(const std::vector<Target>& targets) = 0;
+  /// Whether setTargets() takes another number of targets, too.
+  virtual bool takesAnyNumber() const { return false; }
   /// Another calibration of the same cameras, from the next iteration on; beliefs stay.
   virtual void setCameras(const CameraRig& rig) = 0;
   /// What the cameras show when no target is there, in the order of the rig (CV_8UC3; empty where
@@ -35,6 +39,11 @@ public:
   /// As Tracker::particles, of one target.
   virtual void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
                          Eigen::ArrayXd& weights) const = 0;
+  /// What a method of family Boxes believes of a target, with at most `particleLimit` particles;
+  /// nothing before the target's box, and with other methods.
+  virtual std::optional<BoxBelief> box(std::size_t /*target*/, int /*particleLimit*/) const {
+    return std::nullopt;
+  }
   /// A copy that goes on from here with the same bits, and shares nothing that either writes; null
   /// when the method cannot be copied.
   virtual std::unique_ptr<MultiTracker> clone() const { return nullptr; }

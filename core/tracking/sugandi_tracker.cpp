@@ -23,10 +23,15 @@ int wholePixels(double length) {
 
 } // namespace
 
-SugandiTracker::SugandiTracker(const ParameterValues& parameters)
-    : positionSigma_(parameters.at("position_sigma")),
-      likelihoodSigma_(parameters.at("likelihood_sigma")),
-      particleCount_(static_cast<Eigen::Index>(parameters.at("particles"))) {}
+SugandiTracker::SugandiTracker(const ParameterValues& parameters) {
+  configure(parameters);
+}
+
+void SugandiTracker::configure(const ParameterValues& parameters) {
+  positionSigma_ = parameters.at("position_sigma");
+  likelihoodSigma_ = parameters.at("likelihood_sigma");
+  particleCount_ = static_cast<Eigen::Index>(parameters.at("particles"));
+}
 
 Status SugandiTracker::start(const cv::Mat& bgr, const ImageBox& box, std::uint64_t seed) {
   if (const auto checked = checkBox(bgr, box); !checked) {
@@ -110,7 +115,7 @@ BoxEstimate SugandiTracker::estimateBox() const {
 
 void SugandiTracker::resample() {
   Ancestors ancestors;
-  MultinomialResampling().ancestors(weights_, states_.rows(),
+  MultinomialResampling().ancestors(weights_, particleCount_,
                                     {seed_, frame_, 0, RandomPurpose::Resampling}, ancestors);
   weighted_ = states_(ancestors, Eigen::all);
   weighted_.swap(states_);
@@ -133,6 +138,13 @@ void SugandiTracker::particles(int limit, Eigen::ArrayXXd& centers, Eigen::Array
 
 std::unique_ptr<BoxTracker> SugandiTracker::clone() const {
   return std::make_unique<SugandiTracker>(*this);
+}
+
+std::size_t SugandiTracker::memoryBytes() const {
+  const auto numbers =
+      static_cast<std::size_t>(states_.size() + weighted_.size() + weights_.size());
+  return sizeof(SugandiTracker) + sizeof(double) * numbers +
+         (similarity_ ? similarity_->memoryBytes() : 0);
 }
 
 } // namespace dewpoint

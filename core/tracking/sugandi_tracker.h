@@ -17,10 +17,12 @@ public:
   /// Of the method's parameters (asserted).
   explicit SugandiTracker(const ParameterValues& parameters);
 
+  void configure(const ParameterValues& parameters) override;
   Status start(const cv::Mat& bgr, const ImageBox& box, std::uint64_t seed) override;
   BoxEstimate step(const cv::Mat& bgr, ThreadTeam& team) override;
   void particles(int limit, Eigen::ArrayXXd& centers, Eigen::ArrayXd& weights) const override;
   std::unique_ptr<BoxTracker> clone() const override;
+  std::size_t memoryBytes() const override;
 
 private:
   void propagate(ThreadTeam& team);
@@ -29,9 +31,9 @@ private:
   BoxEstimate estimateBox() const;
   void resample();
 
-  double positionSigma_;
-  double likelihoodSigma_;
-  Eigen::Index particleCount_;
+  double positionSigma_ = 0.0;
+  double likelihoodSigma_ = 0.0;
+  Eigen::Index particleCount_ = 0; ///< of the next image; states_ has those of this one
   std::uint64_t seed_ = 0;
   std::uint32_t frame_ = 0;
   ImageBox box_; ///< as given

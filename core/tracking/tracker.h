@@ -12,6 +12,7 @@
 #include "core/tracking/camera_report.h"
 #include "core/tracking/insight.h"
 #include "core/tracking/parameters.h"
+#include "core/tracking/target_box.h"
 
 #include <Eigen/Core>
 
@@ -30,6 +31,8 @@ struct Target {
   ColorRange color;
   /// What the color was learned from, if it was; the trackers go by `color` alone.
   std::vector<ColorSample> samples{};
+  /// What the methods of family Boxes follow, in place of a color.
+  std::optional<TargetBox> box{};
 
   bool operator==(const Target&) const = default;
 };

@@ -156,6 +156,60 @@ TEST(ProjectFile, KeepsWhatAColorWasLearnedFrom) {
   EXPECT_TRUE(changesBetween(*project, without).targets);
 }
 
+constexpr const char* kBox =
+    "intensity = [0.1, 0.9]\nbox = {camera = 1, frame = 12, x = 10.5, y = -3, width = 40, "
+    "height = 50}\n";
+
+TEST(ProjectFile, KeepsTheBoxOfATarget) {
+  const auto project = load(kGood, "intensity = [0.1, 0.9]\n", kBox);
+  ASSERT_TRUE(project) << sentence(project.error());
+  const TargetBox expected{0, 12, {10.5, -3.0, 40.0, 50.0}};
+  EXPECT_EQ(project->targets.front().box, expected);
+  const auto file = fileNamed("saved.toml");
+  ASSERT_TRUE(saveProject(*project, file));
+  EXPECT_EQ(loadProject(file)->targets, project->targets);
+
+  Project other = *project;
+  other.targets.front().box->box.x += 1.0;
+  EXPECT_TRUE(changesBetween(*project, other).targets);
+  EXPECT_TRUE(changesBetween(*project, other).boxes);
+  other = *project;
+  other.targets.front().radius += 1.0;
+  EXPECT_FALSE(changesBetween(*project, other).boxes);
+}
+
+TEST(ProjectFile, NamesWhatIsWrongWithABox) {
+  const auto fieldOf = [](std::string from, std::string to) {
+    std::string text = kBox;
+    text.replace(text.find(from), from.size(), to);
+    return errorOf("intensity = [0.1, 0.9]\n", text).field;
+  };
+  EXPECT_EQ(fieldOf("camera = 1", "camera = 9"), "target 1.box.camera"); // there is one
+  EXPECT_EQ(fieldOf("width = 40", "width = 0"), "target 1.box.width");
+  EXPECT_EQ(fieldOf("width = 40, ", ""), "target 1.box.width");
+  EXPECT_EQ(fieldOf("frame = 12", "frame = -1"), "target 1.box.frame");
+  EXPECT_EQ(fieldOf("x = 10.5", "x = 700"), "target 1.box"); // beside the image of 640 x 480
+  EXPECT_EQ(fieldOf("height = 50", "depth = 50"), "target 1.box.depth"); // no such key
+}
+
+// A camera needs no calibration, a target no color.
+TEST(ProjectFile, MethodsForBoxesNeedNoCalibration) {
+  const auto textFor = [](const char* method) {
+    return std::string("format = 2\nname = \"one camera\"\nmethod = \"") + method +
+           "\"\n[[target]]\nname = \"thing\"\nbox = {camera = 1, frame = 0, x = 1, y = 2, "
+           "width = 30, height = 40}\n[[camera]]\nname = \"only\"\nvideo = \"only.mp4\"\n";
+  };
+  for (const char* method : {"histogram", "sugandi"}) {
+    const auto project = load(textFor(method));
+    ASSERT_TRUE(project) << sentence(project.error());
+    EXPECT_EQ(project->cameras.front().camera.intrinsics.width, 0); // its images will say
+    EXPECT_TRUE(checkProject(*project));
+  }
+  const auto refused = load(textFor("dewpoint"));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().field, "camera 1.calibration");
+}
+
 TEST(ProjectFile, NamesTheSampleThatIsWrong) {
   const auto fieldOf = [](std::string from, std::string to) {
     std::string text = kSamples;

@@ -69,6 +69,33 @@ TEST_F(NewProjectTest, WithoutACalibrationSizesAreReadAndPosesDiffer) {
   EXPECT_GT((cameras[0].camera.center() - cameras[1].camera.center()).norm(), 1.0);
 }
 
+// A project of one camera in a file: no more than the size of its images is needed.
+TEST_F(NewProjectTest, MissingCalibrationsAreGuessedFromTheImages) {
+  auto made = makeProject(two());
+  ASSERT_TRUE(made);
+  Project project = made->project;
+  EXPECT_TRUE(isGuessed(project));
+  const Camera whole = project.cameras[1].camera;
+  project.cameras[1].camera.intrinsics = {};
+  project.cameras[1].camera.cameraFromWorld = Eigen::Isometry3d::Identity();
+  ASSERT_TRUE(guessMissing(project));
+  EXPECT_EQ(project.cameras[1].camera, whole);
+  for (ProjectCamera& camera : project.cameras) {
+    camera.camera.cameraFromWorld.translation().z() += 0.5;
+  }
+  EXPECT_FALSE(isGuessed(project));
+}
+
+TEST_F(NewProjectTest, OneCameraWithoutACalibrationFollowsBoxes) {
+  NewProject one = two();
+  one.cameras.resize(1);
+  const auto made = makeProject(one);
+  ASSERT_TRUE(made);
+  EXPECT_EQ(methodFamily(made->project.method), MethodFamily::Boxes);
+  EXPECT_TRUE(checkParameters(made->project.method, made->project.parameters));
+  EXPECT_EQ(makeProject(two())->project.method, "dewpoint");
+}
+
 TEST_F(NewProjectTest, CalibrationsGoByName) {
   auto wanted = two();
   wanted.calibration = calibration({"right", "other", "left"});

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/experiment/figure_experiments.h"
+#include "core/experiment/people_summary.h"
+
+#include <cstdint>
+
+namespace dewpoint {
+
+/// The studies of boxes and of people, as experiments with defaults that take minutes: sugandi-rmse
+/// and people-<scenario>. The command line has all their options.
+std::span<const FigureExperiment> studyExperiments();
+
+/// Many seeds from setup.seed on, of each kind of clothes in turn. `progress` is told how many of
+/// how many scenes are done; when it returns false what there is comes back.
+Result<std::vector<PeopleTrial>>
+studyManyPeople(PeopleStudySetup setup, const std::vector<PeopleClothes>& clothes, int seeds,
+                const std::function<bool(std::int64_t done, std::int64_t all)>& progress);
+/// Writes runs.csv and report.html into a folder, which is made. FileUnwritable.
+Status writePeopleStudy(const std::string& scenario, const std::vector<PeopleTrial>& trials,
+                        const std::filesystem::path& folder);
+
+} // namespace dewpoint
