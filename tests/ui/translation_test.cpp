@@ -3,18 +3,21 @@
 // texts of the window never pass through a translation, and whether the catalogs know the rest.
 #include "app/wiring/open_project.h"
 #include "core/base/error.h"
+#include "core/project/project.h"
 #include "core/session/snapshot.h"
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/bridge/error_sentence.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/settings/language.h"
+#include "ui/trajectory/gap_list.h"
 
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QRegularExpression>
@@ -87,6 +90,8 @@ private Q_SLOTS:
   void everyTextOfTheWindowIsTranslated();
   void everyTextFollowsAChangeOfLanguage();
   void theLanguageIsUsed();
+  void numbersFollowTheLanguage();
+  void titlesOfTheGapsAreWhole();
   void anErrorIsTranslatedButNotItsFileAndField();
 };
 
@@ -168,6 +173,55 @@ void TranslationTest::theLanguageIsUsed() {
   // The German catalog's word for "Restart", and a decimal comma.
   QCOMPARE(window.findChild<QAction*>("actionRestart")->text(), QStringLiteral("Neu beginnen"));
   QCOMPARE(QLocale().toString(0.5, 'f', 1), QStringLiteral("0,5"));
+}
+
+void TranslationTest::numbersFollowTheLanguage() {
+  useLanguage(QStringLiteral("en"));
+  MainWindow window(&openProject);
+  openDemo(window);
+  auto* box = window.findChild<QDoubleSpinBox*>(QStringLiteral("box_kld_error"));
+  QVERIFY(box != nullptr);
+  QVERIFY(window.document().setParameter("kld_error", 0.15));
+  QCOMPARE(box->text(), QStringLiteral("0.15"));
+  window.setLanguage(QStringLiteral("de"));
+  QTRY_COMPARE_WITH_TIMEOUT(box->text(), QStringLiteral("0,15"), kPatienceMs);
+  // Both signs are understood, and shown as the language's own.
+  const auto type = [&](const char* text) {
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, QLatin1String(text));
+    const QString typed = box->text();
+    QTest::keyClick(box, Qt::Key_Return);
+    return typed;
+  };
+  QCOMPARE(type("0.25"), QStringLiteral("0,25"));
+  QCOMPARE(window.document().project().parameters.at("kld_error"), 0.25);
+  QCOMPARE(type("0,35"), QStringLiteral("0,35"));
+  QCOMPARE(window.document().project().parameters.at("kld_error"), 0.35);
+  // Files stay with points.
+  QVERIFY(projectText(window.document().project(), "/").find("kld_error = 0.35\n") !=
+          std::string::npos);
+  window.setLanguage(QStringLiteral("en"));
+  QTRY_COMPARE_WITH_TIMEOUT(box->text(), QStringLiteral("0.35"), kPatienceMs);
+  QCOMPARE(type("0,45"), QStringLiteral("0.45"));
+  QCOMPARE(window.document().project().parameters.at("kld_error"), 0.45);
+}
+
+void TranslationTest::titlesOfTheGapsAreWhole() {
+  useLanguage(QStringLiteral("en"));
+  MainWindow window(&openProject);
+  openDemo(window);
+  auto* gaps = window.findChild<GapList*>();
+  for (const QString& language : languages()) {
+    window.setLanguage(language);
+    const auto fits = [&](int column) {
+      return gaps->columnWidth(column) >= gaps->horizontalHeader()->sectionSizeHint(column);
+    };
+    for (int column = 0; column < gaps->columnCount(); ++column) {
+      QTRY_VERIFY_WITH_TIMEOUT(fits(column), kPatienceMs);
+    }
+  }
+  window.setLanguage(QStringLiteral("en"));
 }
 
 void TranslationTest::anErrorIsTranslatedButNotItsFileAndField() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/number_field.h"
 
+#include "ui/settings/decimal_field.h"
+
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QSignalBlocker>
@@ -8,7 +10,7 @@
 namespace dewpoint {
 
 QDoubleSpinBox* makeNumberField(const QString& name, const NumberRange& range, QWidget* parent) {
-  auto* field = new QDoubleSpinBox(parent);
+  auto* field = new DecimalField(parent);
   field->setObjectName(name);
   field->setKeyboardTracking(false);
   field->setAlignment(Qt::AlignRight);

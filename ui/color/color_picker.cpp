@@ -4,6 +4,7 @@
 #include "core/color/color_histogram.h"
 #include "ui/color/hue_ring.h"
 #include "ui/color/range_bar.h"
+#include "ui/settings/decimal_field.h"
 #include "ui/settings/retranslation.h"
 
 #include <QDoubleSpinBox>
@@ -90,7 +91,7 @@ ColorPicker::ColorPicker(QWidget* parent)
 
 QDoubleSpinBox* ColorPicker::addBox(const char* name, double maximum, double step, int decimals,
                                     const QString& suffix) {
-  auto* box = new QDoubleSpinBox(this);
+  auto* box = new DecimalField(this);
   box->setObjectName(QLatin1String(name));
   box->setRange(0.0, maximum);
   box->setSingleStep(step);

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "ui/document/document.h"
+#include "ui/settings/decimal_field.h"
 #include "ui/settings/retranslation.h"
 #include "ui/settings/theme.h"
 
@@ -35,7 +36,7 @@ QIcon chip(int target) {
 TargetPanel::TargetPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), list_(new QListWidget(this)),
       nameLabel_(new QLabel(this)), name_(new QLineEdit(this)), radiusLabel_(new QLabel(this)),
-      radius_(new QDoubleSpinBox(this)), hint_(new QLabel(this)) {
+      radius_(new DecimalField(this)), hint_(new QLabel(this)) {
   setObjectName(QStringLiteral("targetPanel"));
   list_->setObjectName(QStringLiteral("targetList"));
   name_->setObjectName(QStringLiteral("targetName"));

@@ -320,7 +320,8 @@ QStringList PlotStack::visiblePlots() const {
 
 void PlotStack::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange ||
+      event->type() == QEvent::LocaleChange) {
     applyPalette();
     // The plot gets its palette after this widget.
     QMetaObject::invokeMethod(this, &PlotStack::draw, Qt::QueuedConnection);

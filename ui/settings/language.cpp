@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/settings/language.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QDir>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QTranslator>
+#include <QWidget>
 
 #include <memory>
 #include <utility>
@@ -57,6 +58,10 @@ void useLanguage(const QString& language) {
     delete translator; // takes itself out
   }
   QLocale::setDefault(locale);
+  // Windows that are there already keep the numbers of the language they were made in.
+  for (QWidget* window : QApplication::topLevelWidgets()) {
+    window->setLocale(locale);
+  }
   // Qt's own first: what is installed last is asked first.
   install(locale, QStringLiteral("qtbase_"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
   if (!install(locale, kPrefix, kFolder)) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/settings/parameter_row.h"
 
+#include "ui/settings/decimal_field.h"
+
 #include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
@@ -39,7 +41,7 @@ QString unitSuffix(const ParameterDeclaration& declaration) {
 
 ParameterRow::ParameterRow(const ParameterDeclaration& declaration, QWidget* parent)
     : QWidget(parent), declaration_(declaration), slider_(new QSlider(Qt::Horizontal, this)),
-      box_(new QDoubleSpinBox(this)) {
+      box_(new DecimalField(this)) {
   const QString name = QString::fromStdString(declaration.key);
   setObjectName(QStringLiteral("parameter_") + name);
   slider_->setObjectName(QStringLiteral("slider_") + name);

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/settings/decimal_field.h"
+
+#include <QLocale>
+
+namespace dewpoint {
+
+QString DecimalField::localized(const QString& text) const {
+  const QString point = locale().decimalPoint();
+  QString number = text;
+  const bool hasUnit = !suffix().isEmpty() && number.endsWith(suffix());
+  if (hasUnit) {
+    number.chop(suffix().size());
+  }
+  if (text == specialValueText() || number.contains(point)) {
+    return text; // words, or clear already
+  }
+  const QChar other = point == QStringLiteral(",") ? QLatin1Char('.') : QLatin1Char(',');
+  if (const auto place = number.indexOf(other, prefix().size()); place >= 0) {
+    number.replace(place, 1, point);
+  }
+  return hasUnit ? number + suffix() : number;
+}
+
+QValidator::State DecimalField::validate(QString& text, int& position) const {
+  text = localized(text);
+  return QDoubleSpinBox::validate(text, position);
+}
+
+double DecimalField::valueFromText(const QString& text) const {
+  return QDoubleSpinBox::valueFromText(localized(text));
+}
+
+} // namespace dewpoint
