@@ -12,6 +12,7 @@
 #include "ui/color/range_bar.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/selection/selection.h"
 #include "ui/start/recent_projects.h"
 
 #include <QAction>
@@ -26,7 +27,6 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -52,8 +52,6 @@ private Q_SLOTS:
   void init();
   void cleanup();
   void theStartPageOpensTheDemoAndClosingReturnsToIt();
-  void twoVideosAndACalibrationMakeAProject();
-  void whatCannotBeMadeIsSaidAndNothingIsLost();
   void droppedFilesAreOpened();
   void aSavedProjectIsRecent();
   void everyActionHasAShortcutOfItsOwn();
@@ -61,6 +59,7 @@ private Q_SLOTS:
   void aShortcutCanBeChangedTakenAndReset();
   void theLayoutBelongsToTheProject();
   void namesAndSizesAreUndoable();
+  void theStatusIsThatOfTheChosenTarget();
   void workLeftBehindIsOffered();
   void oneClickLearnsAColorAndTracksIt();
   void thePickerIsDraggedByHandAndByKeys();
@@ -129,35 +128,6 @@ void DeskTest::theStartPageOpensTheDemoAndClosingReturnsToIt() {
   QVERIFY(!window_->shown());
   QVERIFY(!find<QDockWidget>("birdsEyeDock")->isVisible());
   openDemo(); // and again
-}
-
-void DeskTest::twoVideosAndACalibrationMakeAProject() {
-  QVERIFY(recordDemo(folder_.path().toStdString()));
-  drop({file("left.mkv"), file("right.mkv"), file("calibration.toml")});
-  QCOMPARE(find<QTableWidget>("newCameras")->rowCount(), 2);
-  QCOMPARE(find<QLabel>("newCalibrationFile")->text(), QStringLiteral("calibration.toml"));
-  QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
-  QVERIFY(isOpen(2));
-  const Project& project = window_->document().project();
-  QCOMPARE(project.cameras[0].camera.name, std::string("left"));
-  QCOMPARE(project.cameras[1].camera.intrinsics.height, 320); // the demo's second camera, by order
-  QVERIFY(window_->document().isUnsaved());
-  QVERIFY(window_->isWindowModified());
-  QVERIFY(find<QLabel>("messageText")->text().contains(QStringLiteral("order")));
-}
-
-void DeskTest::whatCannotBeMadeIsSaidAndNothingIsLost() {
-  action("actionNew")->trigger();
-  QVERIFY(!find<QPushButton>("newCreate")->isEnabled());
-  drop({file("left.mkv"), file("nowhere.mkv")});
-  QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
-  QVERIFY(waitFor([this] {
-    return find<QLabel>("messageText")->text().contains(QStringLiteral("nowhere.mkv"));
-  }));
-  QCOMPARE(find<QTableWidget>("newCameras")->rowCount(), 2);
-  QVERIFY(find<QPushButton>("newCreate")->isEnabled());
-  QTest::mouseClick(find<QPushButton>("newCancel"), Qt::LeftButton);
-  QVERIFY(find<QWidget>("startPage")->isVisible());
 }
 
 void DeskTest::droppedFilesAreOpened() {
@@ -276,6 +246,24 @@ void DeskTest::namesAndSizesAreUndoable() {
   QVERIFY(waitFor([this] { return window_->shown()->targets.size() == 1; }));
 }
 
+void DeskTest::theStatusIsThatOfTheChosenTarget() {
+  window_->setPlayOnOpen(false); // a run that rests: nothing new comes by itself
+  openDemo();
+  QVERIFY(window_->document().edit(QStringLiteral("Add target"), [](Project& project) {
+    Target other = project.targets.front();
+    other.name = "other";
+    other.color.hueMin = 100.0; // nothing in the demo is green
+    other.color.hueMax = 110.0;
+    project.targets.push_back(other);
+  }));
+  QVERIFY(waitFor([this] { return window_->shown()->targets.size() == 2; }));
+  auto* held = find<QLabel>("statusHeld");
+  window_->selection().selectTarget(1);
+  QVERIFY2(held->text().startsWith(QStringLiteral("other")), qPrintable(held->text()));
+  window_->selection().selectTarget(0);
+  QVERIFY2(held->text().startsWith(QStringLiteral("pink ball")), qPrintable(held->text()));
+}
+
 void DeskTest::workLeftBehindIsOffered() {
   // What an earlier window left: a copy, and where the project was loaded from.
   const auto recovery = std::filesystem::path(folder_.path().toStdString()) / "recovery";
@@ -322,6 +310,14 @@ void DeskTest::oneClickLearnsAColorAndTracksIt() {
 
   // One more sample by Shift-click; taken away again, and all of it undone.
   QTest::mouseClick(layer, Qt::LeftButton, Qt::ShiftModifier, place.toPoint() + QPoint(3, 3));
+  QVERIFY(waitFor([this] { return find<QListWidget>("colorSamples")->count() == 2; }));
+  // The same with Ctrl excludes, where a desktop keeps Alt for itself. The place: a red-free one.
+  QTest::mouseClick(layer, Qt::LeftButton, Qt::ShiftModifier | Qt::ControlModifier,
+                    view->placement().corner.toPoint() + QPoint(5, 5));
+  QVERIFY(waitFor([this] { return find<QListWidget>("colorSamples")->count() == 3; }));
+  const auto samples = [this] { return window_->document().project().targets[0].samples; };
+  QVERIFY(samples()[2].excluded && !samples()[1].excluded);
+  action("actionUndo")->trigger();
   QVERIFY(waitFor([this] { return find<QListWidget>("colorSamples")->count() == 2; }));
   find<QListWidget>("colorSamples")->setCurrentRow(1);
   QTest::mouseClick(find<QPushButton>("colorRemoveSample"), Qt::LeftButton);

@@ -49,12 +49,13 @@ Recovery::Recovery(Document& document, std::filesystem::path folder, QObject* pa
       QString::fromStdString((folder_ / (id_ + kLock).toStdString()).string()));
   lock_->setStaleLockTime(0); // stale only when its process is gone
   lock_->tryLock(0);
+  sweep();
   timer_.setSingleShot(true);
   timer_.setInterval(kDelayMs);
   connect(&timer_, &QTimer::timeout, this, &Recovery::write);
   connect(&document_, &Document::changed, this, &Recovery::schedule);
   connect(&document_, &Document::replaced, this, [this] {
-    forget();
+    removeOwn();
     if (document_.isUnsaved()) {
       schedule();
     }
@@ -63,6 +64,27 @@ Recovery::Recovery(Document& document, std::filesystem::path folder, QObject* pa
 }
 
 Recovery::~Recovery() = default; // the document may be gone already
+
+/// Windows that are gone may have left a lock without any work, or half a copy.
+void Recovery::sweep() {
+  const QDir folder(QString::fromStdString(folder_.string()));
+  const QStringList ours{QStringLiteral("*") + kLock, QStringLiteral("*") + kOrigin,
+                         QStringLiteral("*.part")};
+  for (const QFileInfo& file : folder.entryInfoList(ours, QDir::Files)) {
+    const QString id = file.fileName().section(QLatin1Char('.'), 0, 0);
+    if (id == id_ || folder.exists(id + kProject)) {
+      continue;
+    }
+    QLockFile lock(folder.filePath(id + kLock));
+    lock.setStaleLockTime(0);
+    if (lock.tryLock(0)) {
+      if (!file.fileName().endsWith(kLock)) {
+        removeFile(file.filePath().toStdString());
+      }
+      lock.unlock(); // takes the file away
+    }
+  }
+}
 
 std::filesystem::path Recovery::copyOf(const QString& id) const {
   return folder_ / (id + kProject).toStdString();
@@ -77,7 +99,7 @@ void Recovery::schedule() {
 
 void Recovery::write() {
   if (!document_.isUnsaved()) {
-    forget(); // undone to what is in the file
+    removeOwn(); // undone to what is in the file
     return;
   }
   Q_EMIT writing();
@@ -99,9 +121,7 @@ void Recovery::write() {
               }
               lastFailure_ = failure;
               if (failure.isEmpty()) {
-                for (const RecoverableWork& work : std::exchange(taken_, {})) {
-                  discard(work);
-                }
+                removeTaken();
                 Q_EMIT kept();
               }
             },
@@ -109,7 +129,18 @@ void Recovery::write() {
       });
 }
 
+void Recovery::removeTaken() {
+  for (const RecoverableWork& work : std::exchange(taken_, {})) {
+    discard(work);
+  }
+}
+
 void Recovery::forget() {
+  removeOwn();
+  removeTaken();
+}
+
+void Recovery::removeOwn() {
   timer_.stop();
   if (writer_.joinable()) {
     writer_.join();
@@ -142,7 +173,6 @@ Result<Project> Recovery::recover(const RecoverableWork& work) {
   auto project = loadProject(work.file);
   if (project) {
     project->file = readTextFile(originOf(work.file)).value_or(std::string());
-    taken_.push_back(work);
   }
   return project;
 }

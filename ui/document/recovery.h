@@ -38,11 +38,13 @@ public:
 
   /// What windows that are gone left in the folder, the newest first.
   std::vector<RecoverableWork> leftBehind() const;
-  /// Takes such a copy over: its project, with the file it was loaded from. The copy stays until
-  /// this window has written its own.
+  /// The project of such a copy, with the file it was loaded from.
   Result<Project> recover(const RecoverableWork& work);
+  /// The document is that work now: its copy goes as soon as this window has written its own, or
+  /// the work is saved or given up.
+  void take(const RecoverableWork& work) { taken_.push_back(work); }
   void discard(const RecoverableWork& work);
-  /// Forgets the copy of this window: its work is saved or given up.
+  /// Forgets the copy of this window, and what it took over: the work is saved or given up.
   void forget();
 
   static std::filesystem::path standardFolder();
@@ -56,7 +58,10 @@ Q_SIGNALS:
   void failed(const QString& sentence);
 
 private:
+  void sweep();
   void schedule();
+  void removeOwn();
+  void removeTaken();
   void write();
   std::filesystem::path copyOf(const QString& id) const;
 

@@ -82,6 +82,7 @@ void MainWindow::connectRun() {
       loader_, &ProjectLoader::opened, this,
       [this](const std::shared_ptr<SessionInputs>& inputs) { adoptInputs(std::move(*inputs)); });
   connect(loader_, &ProjectLoader::failed, this, [this](const QString& sentence) {
+    opening_ = {};
     messages_->showError(sentence);
     Q_EMIT openFailed(sentence);
   });
@@ -118,13 +119,15 @@ void MainWindow::connectRun() {
 }
 
 void MainWindow::openProject(const std::filesystem::path& file) {
-  keepHistory_ = false;
+  opening_ = {};
   loader_->open(file);
 }
 
 void MainWindow::reopen() {
-  if (bridge_ != nullptr) {
-    keepHistory_ = true;
+  // A project that is being opened takes the place of this one anyway.
+  if (bridge_ != nullptr && (!loader_->isOpening() || opening_.keepHistory)) {
+    opening_ = {};
+    opening_.keepHistory = true;
     loader_->open(document_->project());
   }
 }
@@ -135,17 +138,22 @@ void MainWindow::adoptInputs(SessionInputs inputs) {
     delete std::exchange(bridge_, nullptr);
   }
   clearViews();
-  const bool isNew = !std::exchange(keepHistory_, false);
-  const bool unsaved = std::exchange(openUnsaved_, false);
-  if (isNew) {
-    document_->replace(inputs.project, unsaved);
+  const Opening opening = std::exchange(opening_, {});
+  if (!opening.keepHistory) {
+    document_->replace(inputs.project, opening.unsaved);
     rememberOpened(inputs.project);
+  }
+  if (opening.recovered) {
+    recovery_->take(*opening.recovered);
   }
   // The panels have just been filled; the views come with the next turn of the event loop, so that
   // neither holds it for long.
   QTimer::singleShot(0, this,
-                     [this, unsaved, shared = std::make_shared<SessionInputs>(std::move(inputs))] {
-                       startSession(std::move(*shared), unsaved);
+                     [this, opening, shared = std::make_shared<SessionInputs>(std::move(inputs))] {
+                       startSession(std::move(*shared), opening.unsaved);
+                       if (!opening.note.isEmpty()) {
+                         messages_->showNotice(opening.note);
+                       }
                      });
 }
 
@@ -163,9 +171,6 @@ void MainWindow::startSession(SessionInputs inputs, bool unsaved) {
   bridge_->session().setLikelihoodMapsWanted(action("actionShowEvidence")->isChecked());
   updateEnabled();
   showSnapshot(bridge_->session().newest());
-  if (const QString note = std::exchange(unsavedNote_, {}); !note.isEmpty()) {
-    messages_->showNotice(note);
-  }
   if (playOnOpen_ && !waits) {
     bridge_->session().play();
   } else {
@@ -203,7 +208,6 @@ void MainWindow::showSnapshot(const TrackSnapshotPtr& snapshot) {
   birdsEye_->show(snapshot);
   color_->setSnapshot(snapshot);
   cameras_->setSnapshot(snapshot);
-  figures_->show(*snapshot, selection_->target());
   plot_->show(*snapshot);
   trajectory_->show(*snapshot);
   snapshot->state == PlayState::Playing

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/actions/command_palette.h"
+#include "ui/document/recovery.h"
 #include "ui/mainwindow/project_loader.h"
 #include "ui/settings/theme.h"
 
@@ -38,7 +39,6 @@ class ParameterPanel;
 class PlanDesk;
 class PlotPanel;
 class PointDesk;
-class Recovery;
 class Selection;
 class StartPage;
 struct Project;
@@ -99,7 +99,9 @@ private:
   void showStart(bool shown);
   void showViews(bool shown);
   void beginNewProject(const QStringList& files);
-  void openUnsaved(const Project& project, const QString& note);
+  void openUnsaved(const Project& project, const QString& note,
+                   const std::optional<RecoverableWork>& recovered = {});
+  void recover(const RecoverableWork& work);
   void closeProject();
   void fillRecentMenu(QMenu* menu);
   void fillViewMenu(QMenu* view);
@@ -217,10 +219,15 @@ private:
   std::size_t noticesShown_ = 0;
   Theme theme_ = Theme::System;
   bool playOnOpen_ = true;
-  bool openUnsaved_ = false; ///< what is being opened is in no file as it is
-  QString unsavedNote_;      ///< said once it is open
-  bool offered_ = false;     ///< unsaved work of an earlier window
-  bool keepHistory_ = false; ///< of the document, when the inputs come that are being opened
+  /// What is being opened, and what becomes of the document then.
+  struct Opening {
+    bool keepHistory = false; ///< the same project, with other inputs
+    bool unsaved = false;     ///< it is in no file as it is
+    QString note;             ///< said once it is open
+    std::optional<RecoverableWork> recovered;
+  };
+  Opening opening_;
+  bool offered_ = false; ///< unsaved work of an earlier window
 };
 
 } // namespace dewpoint

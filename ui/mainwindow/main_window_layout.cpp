@@ -196,9 +196,11 @@ void MainWindow::makeCameraDocks() {
 }
 
 void MainWindow::keepLayout() {
-  if (maximized_ == nullptr) {
-    document_->setLayout(saveState().toBase64().toStdString());
-  }
+  // What the views were before one filled the window, or a page took their place.
+  const QByteArray layout = maximized_ != nullptr          ? layoutBeforeMaximized_
+                            : layoutBehindPages_.isEmpty() ? saveState()
+                                                           : layoutBehindPages_;
+  document_->setLayout(layout.toBase64().toStdString());
 }
 
 void MainWindow::resetLayout() {

@@ -96,7 +96,9 @@ void MainWindow::showViews(bool shown) {
   if (!shown && bridge_ != nullptr && !start_->isVisible()) {
     layoutBehindPages_ = saveState();
   }
-  start_->setVisible(!shown);
+  if (shown) {
+    start_->hide(); // whichever goes goes first: there is no room for both
+  }
   figures_->setVisible(shown); // there is nothing to measure yet
   for (QDockWidget* dock : findChildren<QDockWidget*>()) {
     if (!shown) {
@@ -105,6 +107,7 @@ void MainWindow::showViews(bool shown) {
       dock->show();
     }
   }
+  start_->setVisible(!shown);
   if (shown && !layoutBehindPages_.isEmpty()) {
     restoreState(std::exchange(layoutBehindPages_, {}));
   }
@@ -117,10 +120,9 @@ void MainWindow::beginNewProject(const QStringList& files) {
   showViews(false);
 }
 
-void MainWindow::openUnsaved(const Project& project, const QString& note) {
-  keepHistory_ = false;
-  unsavedNote_ = note;
-  openUnsaved_ = true;
+void MainWindow::openUnsaved(const Project& project, const QString& note,
+                             const std::optional<RecoverableWork>& recovered) {
+  opening_ = {false, true, note, recovered};
   loader_->open(project);
 }
 
@@ -225,21 +227,27 @@ void MainWindow::offerRecovery() {
   }
   offered_ = true;
   const RecoverableWork work = left.front();
-  messages_->ask(tr("Dewpoint did not end properly. Unsaved work on “%1” is from %2.")
-                     .arg(work.name, work.time),
-                 {{tr("Recover it"),
-                   [this, work] {
-                     const auto project = recovery_->recover(work);
-                     if (project) {
-                       openUnsaved(*project, tr("Recovered. Save the project to keep it."));
-                     } else {
-                       messages_->showError(errorSentence(project.error()));
-                     }
-                   }},
-                  {tr("Throw it away"), [this, work] {
-                     recovery_->discard(work);
-                     offerRecovery();
-                   }}});
+  // Meanwhile a project may be opened, and much be said: the question comes back after that.
+  messages_->askUntilAnswered(
+      tr("Dewpoint did not end properly. Unsaved work on “%1” is from %2.")
+          .arg(work.name, work.time),
+      {{tr("Recover it"), [this, work] { recover(work); }}, {tr("Throw it away"), [this, work] {
+                                                               recovery_->discard(work);
+                                                               offerRecovery();
+                                                             }}});
+}
+
+void MainWindow::recover(const RecoverableWork& work) {
+  if (!mayDiscard()) { // the question came late, and there is other work by now
+    offerRecovery();
+    return;
+  }
+  const auto project = recovery_->recover(work);
+  if (project) {
+    openUnsaved(*project, tr("Recovered. Save the project to keep it."), work);
+  } else {
+    messages_->showError(errorSentence(project.error()));
+  }
 }
 
 } // namespace dewpoint

@@ -10,6 +10,7 @@
 #include "ui/mainwindow/dock_title.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/message_bar.h"
+#include "ui/mainwindow/status_figures.h"
 #include "ui/selection/selection.h"
 #include "ui/timeline/timeline.h"
 
@@ -68,6 +69,11 @@ void MainWindow::connectTravel() {
               .arg(action("actionRerun")->text()));
     }
   });
+  connect(selection_, &Selection::targetSelected, this, [this] {
+    if (shown_ && bridge_ != nullptr) { // a run that rests shows nothing new by itself
+      showMoment(*shown_);
+    }
+  });
   connect(action("actionShowEvidence"), &QAction::toggled, this, [this](bool shown) {
     if (bridge_ != nullptr) {
       bridge_->session().setLikelihoodMapsWanted(shown);
@@ -86,6 +92,7 @@ void MainWindow::showMoment(const TrackSnapshot& snapshot) {
   const double time = timeline_->model().secondsOf(snapshot.frame);
   selection_->setMoment(snapshot.frame, time, snapshot.past);
   action("actionNow")->setEnabled(snapshot.past);
+  figures_->show(snapshot, selection_->target());
   const TargetSnapshot* target = targetToExplain(snapshot, selection_->target());
   for (std::size_t k = 0; k < cameraDocks_.size(); ++k) {
     const bool known = target != nullptr && k < target->reasons.size();

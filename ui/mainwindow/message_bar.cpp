@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <utility>
 
 namespace dewpoint {
 
@@ -67,6 +68,17 @@ void MessageBar::close() {
   text_->clear();
   clearAnswers();
   hide();
+  if (std::exchange(showsPending_, false)) {
+    pending_.reset();
+  } else if (const auto question = pending_) {
+    askUntilAnswered(question->text, question->answers);
+  }
+}
+
+void MessageBar::askUntilAnswered(const QString& question, const std::vector<Answer>& answers) {
+  pending_ = Question{question, answers};
+  ask(question, answers);
+  showsPending_ = true;
 }
 
 void MessageBar::clearAnswers() {
@@ -96,6 +108,7 @@ void MessageBar::ask(const QString& question, const std::vector<Answer>& answers
 
 void MessageBar::say(const QString& text, bool isError) {
   clearAnswers();
+  showsPending_ = false;
   isError_ = isError;
   mark_->setText(isError ? QStringLiteral("▲") : QStringLiteral("●"));
   text_->setText(text);

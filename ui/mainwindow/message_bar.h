@@ -4,6 +4,7 @@
 #include <QFrame>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 class QLabel;
@@ -28,6 +29,9 @@ public:
   using Answer = std::pair<QString, std::function<void()>>;
   /// Asks; closing the bar answers nothing.
   void ask(const QString& question, const std::vector<Answer>& answers);
+  /// Asks, and asks again whenever another message that took its place has gone, until it was
+  /// answered or closed.
+  void askUntilAnswered(const QString& question, const std::vector<Answer>& answers);
   QString text() const;
   /// Takes away what it says.
   void close();
@@ -54,6 +58,12 @@ private:
   QTimer* leave_;
   std::vector<QPushButton*> answers_;
   bool isError_ = false;
+  struct Question {
+    QString text;
+    std::vector<Answer> answers;
+  };
+  std::optional<Question> pending_; ///< to be answered
+  bool showsPending_ = false;
 };
 
 } // namespace dewpoint

@@ -124,7 +124,7 @@ void StatusFigures::say() {
   explain(spread_, tr("spread %1").arg("0000 mm"),
           tr("Root mean square distance of the particles to their mean"));
   explain(position_, QStringLiteral("x −00.000  y −00.000  z −00.000 m"),
-          tr("Estimated position of the first target in the room"));
+          tr("Estimated position of the target in the room"));
   explain(held_, holdText(HoldState::Searching),
           tr("Held: the cameras confirm the estimate. Lost: not so for a second."));
   applyPalette();

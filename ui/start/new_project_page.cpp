@@ -2,6 +2,7 @@
 #include "ui/start/new_project_page.h"
 
 #include "ui/bridge/error_sentence.h"
+#include "ui/settings/decimal_field.h"
 #include "ui/settings/retranslation.h"
 
 #include <QCollator>
@@ -13,6 +14,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -27,7 +29,7 @@ namespace {
 /// By name, "camera 2" before "camera 10": which one was clicked first means nothing, but cameras
 /// of a calibration may be taken in their order.
 QStringList inOrder(QStringList files) {
-  QCollator names;
+  QCollator names{QLocale(QLocale::English)}; // the C locale does not know numbers in names
   names.setNumericMode(true);
   std::ranges::sort(files, [&](const QString& one, const QString& other) {
     return names.compare(QFileInfo(one).fileName(), QFileInfo(other).fileName()) < 0;
@@ -50,7 +52,7 @@ NewProjectPage::NewProjectPage(QWidget* parent)
     : QWidget(parent), title_(new QLabel(this)), lead_(new QLabel(this)),
       name_(new QLineEdit(this)), nameLabel_(new QLabel(this)), cameras_(new QTableWidget(this)),
       calibrationLabel_(new QLabel(this)), calibration_(new QLabel(this)),
-      rateLabel_(new QLabel(this)), rate_(new QDoubleSpinBox(this)) {
+      rateLabel_(new QLabel(this)), rate_(new DecimalField(this)) {
   setObjectName(QStringLiteral("newProjectPage"));
   QFont big = title_->font();
   big.setPointSizeF(big.pointSizeF() * 1.6);
@@ -177,8 +179,17 @@ void NewProjectPage::begin(const QStringList& files) {
 
 void NewProjectPage::addFiles(const QStringList& files) {
   for (const QString& file : inOrder(files)) {
-    file.endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive) ? setCalibration(file) : add(file);
+    if (file.endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive)) {
+      setCalibration(file);
+    } else if (!isListed(file)) { // dropped twice it is still one camera
+      add(file);
+    }
   }
+}
+
+bool NewProjectPage::isListed(const QString& location) const {
+  const auto found = cameras_->findItems(location, Qt::MatchFixedString | Qt::MatchCaseSensitive);
+  return std::ranges::any_of(found, [](auto* item) { return item->column() == kSource; });
 }
 
 void NewProjectPage::add(const QString& location) {

@@ -42,6 +42,7 @@ private:
   void makeTable();
   void makeRows();
   void say();
+  bool isListed(const QString& location) const;
   void add(const QString& location);
   void removeRow();
   void chooseFolder();

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page of a new project: what is dropped onto it, what it makes, and how one gets away again.
+#include "app/wiring/open_project.h"
+#include "core/session/snapshot.h"
+#include "tests/ui/recorded_demo.h"
+#include "ui/birdseye/birds_eye_view.h"
+#include "ui/document/document.h"
+#include "ui/mainwindow/main_window.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <QUrl>
+
+#include <memory>
+
+namespace dewpoint {
+
+namespace {
+constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
+} // namespace
+
+class NewPageTest : public QObject {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void init();
+  void cleanup() { window_.reset(); }
+  void twoVideosAndACalibrationMakeAProject();
+  void whatCannotBeMadeIsSaidAndNothingIsLost();
+  void furtherDropsAddToTheNewProject();
+  void cancelOfANewProjectChangesNothing();
+
+private:
+  template <class T> T* find(const char* name) {
+    T* found = window_->findChild<T*>(QLatin1String(name));
+    if (found == nullptr) {
+      qFatal("no child named %s", name);
+    }
+    return found;
+  }
+  QAction* action(const char* name) { return find<QAction>(name); }
+  QString file(const char* name) const { return folder_.filePath(QLatin1String(name)); }
+  bool waitFor(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatienceMs); }
+  bool isOpen(std::size_t cameras) {
+    return waitFor([&] {
+      return window_->shown() && window_->shown()->frame >= 0 &&
+             window_->shown()->rig->size() == cameras && find<QWidget>("start")->isHidden();
+    });
+  }
+  void openDemo() {
+    QTest::mouseClick(find<QToolButton>("startDemo"), Qt::LeftButton);
+    QVERIFY(isOpen(2));
+  }
+  void drop(const QStringList& files);
+
+  QTemporaryDir folder_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+void NewPageTest::init() {
+  QSettings().clear();
+  window_ = std::make_unique<MainWindow>(&openProject);
+  window_->show();
+  window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+}
+
+void NewPageTest::drop(const QStringList& files) {
+  QMimeData data;
+  QList<QUrl> urls;
+  for (const QString& one : files) {
+    urls.append(QUrl::fromLocalFile(one));
+  }
+  data.setUrls(urls);
+  QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &enter);
+  QVERIFY(enter.isAccepted());
+  QDropEvent event({100.0, 100.0}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &event);
+}
+
+void NewPageTest::twoVideosAndACalibrationMakeAProject() {
+  QVERIFY(recordDemo(folder_.path().toStdString()));
+  drop({file("left.mkv"), file("right.mkv"), file("calibration.toml")});
+  QCOMPARE(find<QTableWidget>("newCameras")->rowCount(), 2);
+  QCOMPARE(find<QLabel>("newCalibrationFile")->text(), QStringLiteral("calibration.toml"));
+  QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
+  QVERIFY(isOpen(2));
+  const Project& project = window_->document().project();
+  QCOMPARE(project.cameras[0].camera.name, std::string("left"));
+  QCOMPARE(project.cameras[1].camera.intrinsics.height, 320); // the demo's second camera, by order
+  QVERIFY(window_->document().isUnsaved());
+  QVERIFY(window_->isWindowModified());
+  QVERIFY(find<QLabel>("messageText")->text().contains(QStringLiteral("order")));
+}
+
+void NewPageTest::whatCannotBeMadeIsSaidAndNothingIsLost() {
+  action("actionNew")->trigger();
+  QVERIFY(!find<QPushButton>("newCreate")->isEnabled());
+  drop({file("left.mkv"), file("nowhere.mkv")});
+  QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
+  QVERIFY(waitFor([this] {
+    return find<QLabel>("messageText")->text().contains(QStringLiteral("nowhere.mkv"));
+  }));
+  QCOMPARE(find<QTableWidget>("newCameras")->rowCount(), 2);
+  QVERIFY(find<QPushButton>("newCreate")->isEnabled());
+  QTest::mouseClick(find<QPushButton>("newCancel"), Qt::LeftButton);
+  QVERIFY(find<QWidget>("startPage")->isVisible());
+}
+
+void NewPageTest::furtherDropsAddToTheNewProject() {
+  QVERIFY(recordDemo(folder_.path().toStdString()));
+  for (const char* name : {"cam 10.mkv", "cam 2.mkv", "cam 1.mkv"}) {
+    QFile::copy(file("left.mkv"), file(name));
+  }
+  drop({file("cam 10.mkv"), file("cam 2.mkv")});
+  drop({file("cam 1.mkv")});
+  drop({file("cam 1.mkv"), file("calibration.toml")}); // twice the same is one camera
+  auto* table = find<QTableWidget>("newCameras");
+  QCOMPARE(table->rowCount(), 3);
+  QCOMPARE(table->item(0, 0)->text(), QStringLiteral("cam 2")); // numbers as numbers
+  QCOMPARE(table->item(1, 0)->text(), QStringLiteral("cam 10"));
+  QCOMPARE(table->item(2, 0)->text(), QStringLiteral("cam 1"));
+  QCOMPARE(find<QLabel>("newCalibrationFile")->text(), QStringLiteral("calibration.toml"));
+}
+
+void NewPageTest::cancelOfANewProjectChangesNothing() {
+  openDemo();
+  auto* birdsEye = find<QDockWidget>("birdsEyeDock");
+  auto* plots = find<QDockWidget>("plotDock");
+  birdsEye->setFloating(true);
+  plots->toggleViewAction()->trigger();
+  QVERIFY(!plots->isVisible());
+  const QSize size = window_->size();
+  const Project before = window_->document().project();
+  action("actionNew")->trigger();
+  QVERIFY(find<QWidget>("newProjectPage")->isVisible());
+  QVERIFY(!birdsEye->isVisible());
+  QTest::qWait(100);
+  QCOMPARE(window_->size(), size);
+  QTest::mouseClick(find<QPushButton>("newCancel"), Qt::LeftButton);
+  QVERIFY(waitFor([&] { return birdsEye->isVisible() && birdsEye->isFloating(); }));
+  QVERIFY(!plots->isVisible());
+  QVERIFY(find<QWidget>("start")->isHidden());
+  QTest::qWait(100);
+  QCOMPARE(window_->size(), size);
+  QVERIFY(window_->document().project() == before);
+}
+
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
+  QApplication::setApplicationName(QStringLiteral("new-page"));
+  dewpoint::NewPageTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "new_page_test.moc"

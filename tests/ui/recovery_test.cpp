@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Work that a killed window left behind: offered, with its layout; asked for again; thrown away.
+#include "app/wiring/open_project.h"
+#include "core/base/text_file.h"
+#include "core/session/snapshot.h"
+#include "ui/birdseye/birds_eye_view.h"
+#include "ui/document/document.h"
+#include "ui/document/recovery.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/message_bar.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLockFile>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QSysInfo>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+namespace dewpoint {
+
+namespace {
+constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
+} // namespace
+
+class RecoveryTest : public QObject {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void init();
+  void cleanup() { window_.reset(); }
+  void comesBackWithItsLayout();
+  void behindAPageTheLayoutIsThatOfTheViews();
+  void theQuestionComesBackAfterOtherMessages();
+  void theLateQuestionTakesNoOtherWorkAway();
+  void thrownAwayItIsGone();
+  void whatCannotBeOpenedStays();
+  void locksOfTheDeadGo();
+
+private:
+  template <class T> T* find(const char* name) {
+    T* found = window_->findChild<T*>(QLatin1String(name));
+    if (found == nullptr) {
+      qFatal("no child named %s", name);
+    }
+    return found;
+  }
+  std::filesystem::path place(const char* name) const {
+    return folder_->filePath(QLatin1String(name)).toStdString();
+  }
+  bool waitFor(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatienceMs); }
+  bool isOpen(const std::string& name) {
+    return waitFor([&] {
+      return window_->shown() && window_->document().project().name == name &&
+             find<QWidget>("start")->isHidden();
+    });
+  }
+  QString message() { return find<QLabel>("messageText")->text(); }
+  void answer(const char* button) {
+    QTest::mouseClick(find<QPushButton>(button), Qt::LeftButton);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the former answers
+  }
+  void makeWindow();
+  /// A project file of the demo, called so.
+  std::filesystem::path demoFile(const char* name);
+  /// A copy as a killed window leaves it.
+  void leaveBehind(const char* id, const std::filesystem::path& project);
+
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+void RecoveryTest::makeWindow() {
+  window_ = std::make_unique<MainWindow>(&openProject);
+  window_->setPlayOnOpen(false);
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+}
+
+void RecoveryTest::init() {
+  QSettings().clear();
+  folder_ = std::make_unique<QTemporaryDir>();
+  std::filesystem::create_directories(place("left"));
+  makeWindow();
+}
+
+std::filesystem::path RecoveryTest::demoFile(const char* name) {
+  auto project = *resolveProject("demo");
+  project.name = name;
+  const auto file = place((std::string(name) + ".toml").c_str());
+  if (!saveProject(project, file)) {
+    qFatal("cannot write");
+  }
+  return file;
+}
+
+void RecoveryTest::leaveBehind(const char* id, const std::filesystem::path& project) {
+  std::filesystem::copy_file(project, place("left") / (std::string(id) + ".toml"));
+}
+
+void RecoveryTest::comesBackWithItsLayout() {
+  const auto file = demoFile("half done");
+  window_->useRecovery(place("living"));
+  window_->openProject(file);
+  QVERIFY(isOpen("half done"));
+  find<QDockWidget>("birdsEyeDock")->setFloating(true);
+  QVERIFY(window_->document().setParameter("particles", 777));
+  const QDir living(QString::fromStdString(place("living").string()));
+  QVERIFY(waitFor([&] { return !living.entryList({"*.toml"}).isEmpty(); }));
+  // Killed now: what lies on the disk is all there is.
+  const QStringList kept = living.entryList({"*.toml", "*.origin"}, QDir::Files);
+  QCOMPARE(kept.size(), 2);
+  for (const QString& name : kept) {
+    QVERIFY(QFile::copy(living.filePath(name),
+                        QString::fromStdString((place("left") / name.toStdString()).string())));
+  }
+  makeWindow();
+  window_->useRecovery(place("left"));
+  QVERIFY(message().contains(QStringLiteral("half done")));
+  answer("messageAnswer0");
+  QVERIFY(isOpen("half done"));
+  QVERIFY(find<QDockWidget>("birdsEyeDock")->isFloating());
+  QCOMPARE(window_->document().project().parameters.at("particles"), 777.0);
+  QCOMPARE(window_->document().project().file, file); // Save goes where it came from
+  QVERIFY(window_->document().isUnsaved());
+  // Saved at once, it is not offered again.
+  find<QAction>("actionSave")->trigger();
+  QVERIFY(!window_->document().isUnsaved());
+  QVERIFY(QDir(QString::fromStdString(place("left").string())).entryList({"*.toml"}).isEmpty());
+}
+
+void RecoveryTest::behindAPageTheLayoutIsThatOfTheViews() {
+  const auto file = demoFile("behind");
+  window_->openProject(file);
+  QVERIFY(isOpen("behind"));
+  find<QAction>("actionNew")->trigger();
+  QVERIFY(find<QWidget>("newProjectPage")->isVisible());
+  find<QAction>("actionSave")->trigger();
+  makeWindow();
+  window_->openProject(file);
+  QVERIFY(isOpen("behind"));
+  QVERIFY(waitFor([this] { return find<QDockWidget>("birdsEyeDock")->isVisible(); }));
+}
+
+void RecoveryTest::theQuestionComesBackAfterOtherMessages() {
+  leaveBehind("0123", demoFile("half done"));
+  window_->useRecovery(place("left"));
+  window_->openProject(demoFile("other"));
+  QVERIFY(isOpen("other"));
+  find<QAction>("actionSave")->trigger(); // says so
+  QVERIFY(!message().contains(QStringLiteral("half done")));
+  QVERIFY(message().contains(QStringLiteral("other.toml")));
+  window_->findChild<MessageBar*>()->close();
+  QVERIFY(message().contains(QStringLiteral("half done")));
+  window_->findChild<MessageBar*>()->close(); // that is an answer: not now
+  QVERIFY(message().isEmpty());
+  QVERIFY(std::filesystem::exists(place("left") / "0123.toml"));
+}
+
+/// The killed window takes its time to be gone: the question comes 8 s after the start.
+void RecoveryTest::theLateQuestionTakesNoOtherWorkAway() {
+  leaveBehind("0123", demoFile("half done"));
+  QLockFile living(QString::fromStdString((place("left") / "0123.lock").string()));
+  QVERIFY(living.tryLock(0));
+  window_->useRecovery(place("left"));
+  QVERIFY(message().isEmpty());
+  window_->openProject(demoFile("other"));
+  QVERIFY(isOpen("other"));
+  QVERIFY(window_->document().setParameter("particles", 777));
+  living.unlock();
+  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("half done")); }));
+  const auto press = [](QMessageBox::StandardButton button) {
+    QTimer::singleShot(200, qApp, [button] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      QTest::mouseClick(box->button(button), Qt::LeftButton);
+    });
+  };
+  press(QMessageBox::Cancel);
+  answer("messageAnswer0");
+  QCOMPARE(window_->document().project().name, std::string("other"));
+  QVERIFY(message().contains(QStringLiteral("half done"))); // still on offer
+  press(QMessageBox::Discard);
+  answer("messageAnswer0");
+  QVERIFY(isOpen("half done"));
+}
+
+void RecoveryTest::thrownAwayItIsGone() {
+  leaveBehind("0123", demoFile("one"));
+  leaveBehind("4567", demoFile("two"));
+  window_->useRecovery(place("left"));
+  answer("messageAnswer1");
+  QVERIFY(!message().isEmpty()); // there is one more
+  answer("messageAnswer1");
+  QVERIFY(message().isEmpty());
+  QVERIFY(QDir(QString::fromStdString(place("left").string())).entryList({"*.toml"}).isEmpty());
+  QVERIFY(find<QWidget>("startPage")->isVisible());
+}
+
+void RecoveryTest::whatCannotBeOpenedStays() {
+  const auto broken = place("broken.toml");
+  QVERIFY(writeTextFile(broken, "format = 2\n[[camera]]\nname = \"a\"\nvideo = \"gone.mkv\"\n"
+                                "[camera.calibration]\nsize = [640, 480]\n"
+                                "matrix = [[500, 0, 319.5], [0, 500, 239.5], [0, 0, 1]]\n"
+                                "rotation = [0, 0, 0]\ntranslation = [0, 0, 0]\n"));
+  leaveBehind("0123", broken);
+  window_->useRecovery(place("left"));
+  answer("messageAnswer0");
+  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("gone.mkv")); }));
+  // What is opened next is not taken for it: neither unsaved, nor is the copy thrown away for its.
+  window_->openProject(demoFile("other"));
+  QVERIFY(isOpen("other"));
+  QVERIFY(!window_->document().isUnsaved());
+  QVERIFY(window_->document().setParameter("particles", 777));
+  const QDir left(QString::fromStdString(place("left").string()));
+  QVERIFY(waitFor([&] { return left.entryList({"*.toml"}).size() == 2; }));
+  QTest::qWait(100);
+  QVERIFY(left.exists(QStringLiteral("0123.toml")));
+}
+
+void RecoveryTest::locksOfTheDeadGo() {
+  const auto left = place("left");
+  // As QLockFile writes them: process, program and host; no process has this number (2^22 is the
+  // highest there can be).
+  const std::string lock = "4194400\ngone\n" + QSysInfo::machineHostName().toStdString() + "\n";
+  QVERIFY(writeTextFile(left / "0123.lock", lock));
+  QVERIFY(writeTextFile(left / "0123.origin", "/home/somewhere.toml"));
+  QVERIFY(writeTextFile(left / "4567.toml.part", "form"));
+  leaveBehind("89ab", demoFile("half done"));
+  QVERIFY(writeTextFile(left / "89ab.lock", lock));
+  window_->useRecovery(left);
+  const QStringList all = QDir(QString::fromStdString(left.string())).entryList(QDir::Files);
+  QVERIFY(all.contains(QStringLiteral("89ab.toml")));
+  QCOMPARE(all.filter(QStringLiteral("0123")), QStringList());
+  QCOMPARE(all.filter(QStringLiteral("4567")), QStringList());
+  QCOMPARE(all.filter(QStringLiteral(".lock")).size(), 1); // this window's
+  QVERIFY(message().contains(QStringLiteral("half done")));
+}
+
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
+  QApplication::setApplicationName(QStringLiteral("recovery"));
+  dewpoint::RecoveryTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "recovery_test.moc"
