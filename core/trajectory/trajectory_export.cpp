@@ -158,6 +158,9 @@ Result<ExportPreview> previewExport(const Trajectory& trajectory, const ExportOp
   preview.rows = encoded->table.rowCount();
   preview.gaps = encoded->table.gapCount();
   preview.rate = encoded->table.rate;
+  for (const ExportFile& part : encoded->files) {
+    preview.nameEnds.push_back(part.nameEnd);
+  }
   const std::string& bytes = encoded->files.back().bytes;
   preview.text = (*format)->binary ? described(**format, encoded->table, bytes.size(), lineCount)
                                    : firstLines(encoded->files.size() > 1 && (*format)->id == "tum"

@@ -36,6 +36,8 @@ struct ExportPreview {
   std::size_t rows = 0;
   std::size_t gaps = 0;
   double rate = 0.0; ///< rows per second
+  /// What the names of the files end in after the name's stem; empty: the name itself.
+  std::vector<std::string> nameEnds;
 };
 
 /// Writes the trajectory as `options.format` to `file` (formats of several files put the others

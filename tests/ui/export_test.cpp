@@ -10,6 +10,7 @@
 #include "ui/export/view_picture.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/message_bar.h"
+#include "ui/selection/selection.h"
 
 #include <QAction>
 #include <QApplication>
@@ -36,6 +37,10 @@ private Q_SLOTS:
   void previewFollowsTheChoices();
   void writesInTheBackground();
   void saysWhatFailed();
+  void asksBeforeAFileIsReplaced();
+  void theSpanIsTheSelectedOne();
+  void itsKeyWorksWhileAFieldHasTheFocus();
+  void aLongPreviewCanBeStopped();
   void drawsAFigure();
   void takesPicturesOfEveryView();
 
@@ -144,6 +149,92 @@ void ExportTest::saysWhatFailed() {
   QTest::mouseClick(start, Qt::LeftButton);
   QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), DEWPOINT_PATIENCE_MS);
   QVERIFY(window_->findChild<MessageBar*>()->text().contains(QStringLiteral("no/folder/a.csv")));
+}
+
+void ExportTest::asksBeforeAFileIsReplaced() {
+  const QString file = folder_.filePath(QStringLiteral("precious.csv"));
+  QVERIFY(writeTextFile(file.toStdString(), "precious"));
+  chooseFormat("csv");
+  field<QLineEdit>("exportFile")->setText(file);
+  auto* start = field<QPushButton>("exportStart");
+  QTest::mouseClick(start, Qt::LeftButton);
+  QVERIFY(start->isEnabled()); // nothing was begun
+  QVERIFY(field<QLabel>("exportSize")->text().contains(QStringLiteral("precious.csv")));
+  QCOMPARE(*readTextFile(file.toStdString()), std::string("precious"));
+  QTest::mouseClick(start, Qt::LeftButton);
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), DEWPOINT_PATIENCE_MS);
+  QVERIFY(QFileInfo(file).size() > 100);
+}
+
+void ExportTest::theSpanIsTheSelectedOne() {
+  auto* from = field<QDoubleSpinBox>("exportFrom");
+  auto* to = field<QDoubleSpinBox>("exportTo");
+  const auto open = [this] {
+    window_->findChild<QAction*>(QStringLiteral("actionExportTrajectory"))->trigger();
+  };
+  // Frames 2 to 4 at 30 frames a second: 0.0666.. to 0.1333.. s, outwards to the milliseconds
+  // shown.
+  window_->selection().selectSpan(FrameSpan{2, 4});
+  open();
+  QCOMPARE(from->value(), 0.066);
+  QCOMPARE(to->value(), 0.134);
+  QTRY_VERIFY_WITH_TIMEOUT(field<QLabel>("exportSize")->text().contains(QStringLiteral("rows: 3")),
+                           DEWPOINT_PATIENCE_MS);
+  window_->selection().selectSpan(std::nullopt);
+  open();
+  QCOMPARE(from->value(), from->minimum()); // the beginning
+  QCOMPARE(to->value(), to->minimum());     // the end
+  from->setValue(0.1);
+  open();
+  QCOMPARE(from->value(), 0.1); // typed by hand: it stays
+  from->setValue(from->minimum());
+}
+
+void ExportTest::itsKeyWorksWhileAFieldHasTheFocus() {
+  dialog_->close();
+  window_->activateWindow();
+  for (const char* name : {"targetName", "box_particles"}) {
+    auto* edit = window_->findChild<QWidget*>(QLatin1String(name));
+    QVERIFY(edit != nullptr);
+    for (QWidget* one = edit; one != nullptr; one = one->parentWidget()) {
+      if (auto* dock = qobject_cast<QDockWidget*>(one)) {
+        dock->raise();
+      }
+    }
+    edit->setFocus();
+    QTRY_VERIFY_WITH_TIMEOUT(edit->hasFocus(), DEWPOINT_PATIENCE_MS);
+    QTest::keyClick(edit, Qt::Key_E, Qt::ControlModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog_->isVisible(), DEWPOINT_PATIENCE_MS);
+    dialog_->close();
+    window_->activateWindow();
+  }
+  dialog_->show();
+}
+
+void ExportTest::aLongPreviewCanBeStopped() {
+  // 40,000 frames: smoothing them takes seconds.
+  Trajectory run;
+  for (std::int64_t k = 0; k < 40'000; ++k) {
+    TrajectorySample sample = smallRun().samples[static_cast<std::size_t>(k % 10)];
+    sample.frame = k;
+    sample.time = static_cast<double>(k) / 30.0;
+    run.samples.push_back(sample);
+  }
+  ExportDialog dialog([&run] { return run; });
+  dialog.findChild<QComboBox*>(QStringLiteral("exportEstimates"))->setCurrentIndex(1);
+  dialog.show();
+  auto* cancel = dialog.findChild<QPushButton*>(QStringLiteral("exportCancel"));
+  auto* size = dialog.findChild<QLabel*>(QStringLiteral("exportSize"));
+  QTRY_VERIFY_WITH_TIMEOUT(cancel->isVisible(), DEWPOINT_PATIENCE_MS);
+  QVERIFY(size->text().contains(QLatin1Char('%')));
+  QTest::mouseClick(cancel, Qt::LeftButton);
+  QVERIFY(!cancel->isVisible());
+  QVERIFY(size->text().contains(QStringLiteral("stopped")));
+  QTest::qWait(300);
+  QVERIFY(size->text().contains(QStringLiteral("stopped"))); // and it stays so
+  // What is chosen next is shown; a stopped one is in nobody's way.
+  dialog.findChild<QComboBox*>(QStringLiteral("exportEstimates"))->setCurrentIndex(0);
+  QTRY_VERIFY_WITH_TIMEOUT(size->text().contains(QStringLiteral("rows: 40")), DEWPOINT_PATIENCE_MS);
 }
 
 void ExportTest::drawsAFigure() {

@@ -22,12 +22,14 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dewpoint {
 
 namespace {
 
 constexpr int kPreviewDelayMs = 150;
+constexpr int kSoonDoneMs = 500; ///< less needs no button to stop it
 
 /// What a figure is of: the project and the method.
 QString titleOf(const Trajectory& trajectory) {
@@ -58,8 +60,11 @@ ExportDialog::ExportDialog(std::function<Trajectory()> trajectory, QWidget* pare
 }
 
 void ExportDialog::connectFields() {
-  connect(soon_, &QTimer::timeout, this,
-          [this] { worker_->preview(trajectory_, options(), file()); });
+  connect(soon_, &QTimer::timeout, this, [this] {
+    previewing_ = true;
+    sincePreview_.start();
+    worker_->preview(trajectory_, options(), file());
+  });
   connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::formatChanged);
   for (QComboBox* box : {estimates_, gaps_, axes_, unit_}) {
     connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::changed);
@@ -72,12 +77,17 @@ void ExportDialog::connectFields() {
   connect(browse_, &QPushButton::clicked, this, &ExportDialog::askFile);
   connect(export_, &QPushButton::clicked, this, &ExportDialog::start);
   connect(figure_, &QPushButton::clicked, this, &ExportDialog::startFigure);
-  connect(cancel_, &QPushButton::clicked, worker_, [this] { worker_->cancel(); });
+  connect(cancel_, &QPushButton::clicked, this, &ExportDialog::stop);
   connect(close_, &QPushButton::clicked, this, &QDialog::close);
-  connect(worker_, &ExportWorker::previewing, this,
-          [this](int percent) { size_->setText(tr("Working on the preview: %1 %").arg(percent)); });
+  connect(worker_, &ExportWorker::previewing, this, [this](int percent) {
+    if (previewing_) {
+      size_->setText(tr("Working on the preview: %1 %").arg(percent));
+      cancel_->setVisible(running_ || sincePreview_.elapsed() > kSoonDoneMs);
+    }
+  });
   connect(worker_, &ExportWorker::previewReady, this, &ExportDialog::showPreview);
   connect(worker_, &ExportWorker::previewFailed, this, [this](const QString& sentence) {
+    endPreview();
     units_->clear();
     size_->setText(sentence);
     preview_->clear();
@@ -125,6 +135,30 @@ void ExportDialog::showEvent(QShowEvent* event) {
   refresh();
 }
 
+void ExportDialog::hideEvent(QHideEvent* event) {
+  QDialog::hideEvent(event);
+  soon_->stop(); // nobody looks at it; an export goes on
+  worker_->stopPreview();
+  endPreview();
+}
+
+void ExportDialog::endPreview() {
+  previewing_ = false;
+  cancel_->setVisible(running_);
+}
+
+void ExportDialog::stop() {
+  if (running_) {
+    worker_->cancel();
+    return;
+  }
+  worker_->stopPreview();
+  endPreview();
+  units_->clear();
+  preview_->clear();
+  size_->setText(tr("The preview was stopped. The next change begins it anew."));
+}
+
 void ExportDialog::changed() {
   longestGap_->setEnabled(gaps_->currentIndex() == 1 || estimates_->currentIndex() == 1);
   if (trajectory_ != nullptr) {
@@ -145,6 +179,7 @@ void ExportDialog::formatChanged() {
     }
   }
   file_->setText(name + suffix);
+  nameEnds_ = {std::string()}; // until the preview knows better
   changed();
 }
 
@@ -192,30 +227,51 @@ void ExportDialog::askFile() {
   const QString chosen = QFileDialog::getSaveFileName(this, tr("Export trajectory"), file_->text());
   if (!chosen.isEmpty()) {
     file_->setText(chosen);
+    replaced_ = chosen; // the question was asked there
   }
 }
 
 void ExportDialog::setRunning(bool running) {
+  running_ = running;
   progress_->setVisible(running);
   cancel_->setVisible(running);
+  if (!running && previewing_) {
+    soon_->start(); // the export had stopped it
+  }
   progress_->setValue(0);
   export_->setEnabled(!running);
   figure_->setEnabled(!running);
 }
 
-void ExportDialog::setSpan(double from, double to) {
-  from_->setValue(from);
-  to_->setValue(to);
+void ExportDialog::setSpan(std::optional<std::pair<double, double>> seconds) {
+  const std::pair<double, double> all(from_->minimum(), to_->minimum());
+  if (!seconds && std::pair(from_->value(), to_->value()) != given_) {
+    return; // typed by hand since
+  }
+  // Outwards to what the fields can show, or rounding would lose the last frame.
+  const double steps = std::pow(10.0, from_->decimals());
+  from_->setValue(seconds ? std::floor(seconds->first * steps) / steps : all.first);
+  to_->setValue(seconds ? std::ceil(seconds->second * steps) / steps : all.second);
+  given_ = seconds ? std::pair(from_->value(), to_->value()) : all;
 }
 
 bool ExportDialog::mayReplace() {
   const QString name = file_->text();
-  if (name == written_ || name == replaced_ || !QFileInfo::exists(name)) {
+  if (name == written_ || name == replaced_) {
     return true;
   }
-  replaced_ = name;
-  size_->setText(tr("%1 exists already: press Export again to replace it.").arg(name));
-  return false;
+  const QFileInfo whole(name);
+  for (const std::string& end : nameEnds_) {
+    const QString part =
+        end.empty() ? name
+                    : whole.dir().filePath(whole.completeBaseName() + QString::fromStdString(end));
+    if (QFileInfo::exists(part)) {
+      replaced_ = name;
+      size_->setText(tr("%1 exists already: press Export again to replace it.").arg(part));
+      return false;
+    }
+  }
+  return true;
 }
 
 void ExportDialog::start() {
@@ -252,6 +308,8 @@ void ExportDialog::startFigure() {
 }
 
 void ExportDialog::showPreview(const ExportPreview& preview) {
+  endPreview();
+  nameEnds_ = preview.nameEnds;
   units_->setText(exportUnitsText(preview));
   size_->setText(exportSizeText(preview));
   preview_->setPlainText(QString::fromStdString(preview.text));

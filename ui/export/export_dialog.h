@@ -4,8 +4,13 @@
 #include "ui/export/export_worker.h"
 
 #include <QDialog>
+#include <QElapsedTimer>
 
 #include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 class QCheckBox;
 class QComboBox;
@@ -31,9 +36,9 @@ public:
 
   /// Takes the run as it is now and shows it.
   void refresh();
+  /// Proposes to export these seconds only; nothing: takes that proposal back.
+  void setSpan(std::optional<std::pair<double, double>> seconds);
   /// Proposes a file in this folder.
-  /// Proposes to export these seconds only.
-  void setSpan(double from, double to);
   void proposeIn(const QString& folder);
   ExportOptions options() const;
 
@@ -43,6 +48,7 @@ Q_SIGNALS:
 
 protected:
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
 private:
   void makeFields();
@@ -59,6 +65,8 @@ private:
   bool mayReplace();
   void startFigure();
   void setRunning(bool running);
+  void stop();
+  void endPreview();
   void showPreview(const ExportPreview& preview);
   void showFinished(const ExportSummary& summary);
   std::filesystem::path file() const;
@@ -89,8 +97,13 @@ private:
   QPushButton* figure_;
   QPushButton* export_;
   QPushButton* close_;
-  QString written_;  ///< the file that was exported last
-  QString replaced_; ///< the file that may be replaced
+  bool running_ = false;
+  bool previewing_ = false;
+  QElapsedTimer sincePreview_;
+  std::pair<double, double> given_;                  ///< the span that was proposed
+  std::vector<std::string> nameEnds_{std::string()}; ///< of the files that will be written
+  QString written_;                                  ///< the file that was exported last
+  QString replaced_;                                 ///< the file that may be replaced
 };
 
 } // namespace dewpoint

@@ -2,6 +2,7 @@
 // The fields of the export dialog: which there are, where they stand, what they say.
 #include "ui/export/export_dialog.h"
 #include "ui/export/export_words.h"
+#include "ui/settings/decimal_field.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -33,7 +34,7 @@ template <class Widget> Widget* named(Widget* widget, const char* name) {
 }
 
 QDoubleSpinBox* makeSpin(QWidget* parent, const char* name, double low, double high, int decimals) {
-  auto* spin = named(new QDoubleSpinBox(parent), name);
+  auto* spin = named(new DecimalField(parent), name);
   spin->setRange(low, high);
   spin->setDecimals(decimals);
   spin->setKeyboardTracking(false);
@@ -171,7 +172,7 @@ void ExportDialog::retranslate() {
   browse_->setToolTip(tr("Choose the file to write"));
   progress_->setAccessibleName(tr("Progress"));
   cancel_->setText(tr("Cancel"));
-  cancel_->setToolTip(tr("Stop the export; what is there already stays as it was"));
+  cancel_->setToolTip(tr("Stop the work under way; what is there already stays as it was"));
   figure_->setText(tr("Figure…"));
   figure_->setToolTip(tr("Write a figure of it as SVG or PDF: x, y, z over time and from above"));
   export_->setText(tr("Export"));

@@ -10,6 +10,7 @@ ExportWorker::ExportWorker(QObject* parent)
 
 ExportWorker::~ExportWorker() {
   cancelled_ = true;
+  stopPreview();
   thread_.request_stop();
   thread_.join();
 }
@@ -53,10 +54,14 @@ void ExportWorker::preview(TrajectoryPtr trajectory, const ExportOptions& option
         shown = percent;
         post([this, percent] { Q_EMIT previewing(percent); });
       }
-      return number == wish_ && !cancelled_;
+      return number == wish_;
     });
     if (preview) {
-      post([this, found = *preview] { Q_EMIT previewReady(found); });
+      post([this, number, found = *preview] {
+        if (number == wish_) {
+          Q_EMIT previewReady(found);
+        }
+      });
     } else if (preview.error().code != ErrorCode::Cancelled) {
       post([this, error = preview.error()] { Q_EMIT previewFailed(errorSentence(error)); });
     }
@@ -66,7 +71,7 @@ void ExportWorker::preview(TrajectoryPtr trajectory, const ExportOptions& option
 void ExportWorker::run(TrajectoryPtr trajectory, const ExportOptions& options,
                        const std::filesystem::path& file) {
   cancelled_ = false;
-  ++wish_; // a preview under way makes room
+  stopPreview(); // it makes room
   add(nextExport_, [this, trajectory = std::move(trajectory), options, file] {
     int shown = -1;
     const auto progress = [&](double done) {

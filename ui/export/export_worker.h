@@ -33,6 +33,8 @@ public:
   /// Something else that takes long, such as drawing a figure; said as finished or failed.
   void run(std::function<Status()> task, const std::filesystem::path& file);
   void cancel() { cancelled_ = true; }
+  /// A preview that is asked for or under way is not wanted any more.
+  void stopPreview() { ++wish_; }
 
 Q_SIGNALS:
   /// How far a preview is that takes long.

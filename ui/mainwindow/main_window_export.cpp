@@ -37,10 +37,11 @@ void MainWindow::exportTrajectory() {
       dialog->proposeIn(QString::fromStdString(project.parent_path().string()));
     }
   }
-  if (const auto span = selection_->span()) {
-    dialog->setSpan(timeline_->model().secondsOf(span->first),
-                    timeline_->model().secondsOf(span->last));
-  }
+  const auto& span = selection_->span();
+  const TimelineModel& time = timeline_->model();
+  dialog->setSpan(
+      span ? std::optional(std::pair(time.secondsOf(span->first), time.secondsOf(span->last)))
+           : std::nullopt);
   dialog->show();
   dialog->raise();
   dialog->activateWindow();
