@@ -8,6 +8,7 @@
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/selection/selection.h"
+#include "ui/timeline/timeline.h"
 #include "ui/trajectory/trajectory_panel.h"
 
 #include <QAction>
@@ -155,8 +156,28 @@ void PlotsTest::pointerShowsOneMomentInAllViews() {
   // Left and right: one frame each.
   QTest::keyClick(canvas(), Qt::Key_Right);
   QVERIFY(plots().placeInWords().contains(QStringLiteral("frame %1,").arg(frame + 2)));
+  // The timeline shows it as well, and the other way round.
+  auto* timeline = window_->findChild<Timeline*>(QStringLiteral("timeline"));
+  const QImage with = timeline->grab().toImage();
+  const QPoint there = timeline->positionOf(frame + 1);
+  timeline->setHovered(-1);
+  const QImage without = timeline->grab().toImage();
+  int changed = 0;
+  for (int x = 0; x < with.width(); ++x) {
+    const bool same = with.pixelColor(x, there.y()) == without.pixelColor(x, there.y());
+    changed += same ? 0 : 1;
+    QVERIFY(same || std::abs(x - there.x()) <= 3);
+  }
+  QVERIFY(changed > 0);
   openTrajectory();
   QVERIFY(trajectory().plots().placeInWords().contains(QStringLiteral("frame %1,").arg(frame + 2)));
+  QMouseEvent over(QEvent::MouseMove, timeline->positionOf(7), timeline->positionOf(7),
+                   Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+  QApplication::sendEvent(timeline, &over);
+  QVERIFY(trajectory().plots().placeInWords().contains(QStringLiteral("frame 8,")));
+  QEvent leaving(QEvent::Leave);
+  QApplication::sendEvent(timeline, &leaving);
+  QVERIFY(!trajectory().plots().placeInWords().contains(QStringLiteral("frame 8,")));
   window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
 }
 

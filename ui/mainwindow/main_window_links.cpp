@@ -5,6 +5,7 @@
 #include "ui/mainwindow/message_bar.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
+#include "ui/timeline/timeline.h"
 #include "ui/trajectory/trajectory_panel.h"
 
 namespace dewpoint {
@@ -16,6 +17,12 @@ void MainWindow::linkViews() {
   connect(trajectory_, &TrajectoryPanel::highlightChanged, birdsEye_, &BirdsEyeView::highlight);
   connect(birdsEye_, &BirdsEyeView::tailClicked, trajectory_, &TrajectoryPanel::choosePlace);
   plot_->stack().shareCursor(trajectory_->plots());
+  for (PlotStack* stack : {&plot_->stack(), &trajectory_->plots()}) {
+    connect(stack, &PlotStack::hovered, timeline_, &Timeline::setHovered);
+    connect(timeline_, &Timeline::hovered, stack, [stack](qint64 frame) {
+      stack->setHovered(frame < 0 ? std::nullopt : std::optional<std::int64_t>(frame));
+    });
+  }
 }
 
 } // namespace dewpoint

@@ -62,6 +62,7 @@ void Timeline::clear() {
   model_ = TimelineModel{};
   model_.marks = marks;
   scale_ = TimelineScale{};
+  hovered_ = -1;
   wanted_.reset();
   place();
   update();
@@ -160,7 +161,7 @@ void Timeline::paintEvent(QPaintEvent*) {
                      tr("Nothing tracked yet: play (Space), then drag here through time."));
     return;
   }
-  paintTimeline(painter, model_, scale_, rows(), selection_, palette());
+  paintTimeline(painter, model_, scale_, rows(), selection_, hovered_, palette());
   if (hasFocus()) {
     painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0));
     painter.setBrush(Qt::NoBrush);
@@ -192,8 +193,30 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
   }
 }
 
+void Timeline::setHovered(qint64 frame) {
+  if (frame != hovered_) {
+    hovered_ = frame;
+    update();
+  }
+}
+
+void Timeline::hover(const QPointF& place) {
+  const bool inside = model_.history.last >= 0 && place.x() >= gutter_;
+  const qint64 frame = inside ? scale_.frameAt(place.x()) : -1;
+  if (frame != hovered_) {
+    setHovered(frame);
+    Q_EMIT hovered(frame);
+  }
+}
+
+void Timeline::leaveEvent(QEvent* event) {
+  QWidget::leaveEvent(event);
+  hover({-1.0, 0.0});
+}
+
 void Timeline::mouseMoveEvent(QMouseEvent* event) {
   const qint64 frame = scale_.frameAt(event->position().x());
+  hover(event->position());
   if (drag_ == Drag::Moment) {
     want(frame);
   } else if (drag_ == Drag::Span) {

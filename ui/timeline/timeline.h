@@ -37,6 +37,8 @@ public:
   void addMark();
   /// Takes away the mark at the moment shown; false when there is none.
   bool removeMark();
+  /// Where the pointer is in another view; negative: nowhere.
+  void setHovered(qint64 frame);
   void zoomToSpan();
   void zoomOut();
 
@@ -48,6 +50,8 @@ public:
   QSize minimumSizeHint() const override { return {240, 84}; }
 
 Q_SIGNALS:
+  /// The pointer is on this frame; negative: it has left.
+  void hovered(qint64 frame);
   /// A menu is wanted at this place of the screen, for the moment shown.
   void menuWanted(const QPoint& place);
 
@@ -58,6 +62,7 @@ protected:
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
@@ -75,6 +80,7 @@ private:
   void editName(std::size_t mark);
   void rename(qint64 frame, const QString& from, const QString& name);
   void sayMoment();
+  void hover(const QPointF& place);
 
   Selection& selection_;
   Document& document_;
@@ -82,6 +88,7 @@ private:
   TimelineScale scale_;
   enum class Drag { None, Moment, Span };
   Drag drag_ = Drag::None;
+  qint64 hovered_ = -1;
   qint64 anchor_ = -1;           ///< where the span began
   std::optional<qint64> wanted_; ///< asked for, but not shown yet
   QElapsedTimer sinceWanted_;

@@ -16,7 +16,7 @@ Timeline::Timeline(Selection& selection, Document& document, QWidget* parent)
     : QWidget(parent), selection_(selection), document_(document), editor_(new QLineEdit(this)) {
   setObjectName(QStringLiteral("timeline"));
   setFocusPolicy(Qt::StrongFocus);
-  setMouseTracking(false);
+  setMouseTracking(true);
   editor_->setObjectName(QStringLiteral("markName"));
   editor_->hide();
   inEveryLanguage(this, [this] {

@@ -214,6 +214,20 @@ void paintHead(QPainter& painter, const TimelineModel& model, const TimelineScal
       QPolygonF({QPointF(x - 6.0, y - 8.0), QPointF(x + 6.0, y - 8.0), QPointF(x, y + 1.0)}));
 }
 
+void paintHovered(QPainter& painter, const TimelineScale& scale, const TimelineRows& rows,
+                  qint64 frame, const QPalette& palette) {
+  const double x = scale.x(static_cast<double>(frame) + 0.5);
+  if (frame < 0 || x < rows.axis.left() || x > rows.axis.right()) {
+    return;
+  }
+  // Dark on a bright rim: seen on the ribbons as well as beside them.
+  const QLineF line(x, rows.axis.top(), x, rows.cameras.bottom());
+  painter.setPen(QPen(palette.color(QPalette::Base), 3.0));
+  painter.drawLine(line);
+  painter.setPen(QPen(palette.color(QPalette::WindowText), 1.0));
+  painter.drawLine(line);
+}
+
 void paintSpan(QPainter& painter, const TimelineScale& scale, const TimelineRows& rows,
                const Selection& selection, const QPalette& palette) {
   if (!selection.span()) {
@@ -316,7 +330,8 @@ QRectF markFlag(const ProjectMark& mark, const TimelineScale& scale, const Timel
 }
 
 void paintTimeline(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
-                   const TimelineRows& rows, const Selection& selection, const QPalette& palette) {
+                   const TimelineRows& rows, const Selection& selection, qint64 hovered,
+                   const QPalette& palette) {
   paintNames(painter, model, rows, palette);
   paintFooter(painter, model, rows, palette);
   painter.save();
@@ -344,6 +359,7 @@ void paintTimeline(QPainter& painter, const TimelineModel& model, const Timeline
   paintSpan(painter, scale, rows, selection, palette);
   paintMarks(painter, model, scale, rows, palette);
   paintHead(painter, model, scale, rows, selection, palette);
+  paintHovered(painter, scale, rows, hovered, palette);
   painter.restore();
 }
 

@@ -29,9 +29,10 @@ struct TimelineRows {
 };
 
 /// Draws a timeline: ribbons (held: full; searching: hatched; lost: crossed), drop-outs, marks, the
-/// span, and the play head.
+/// span, the play head, and a thin line where the pointer is (`hovered`, a frame; negative: none).
 void paintTimeline(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
-                   const TimelineRows& rows, const Selection& selection, const QPalette& palette);
+                   const TimelineRows& rows, const Selection& selection, qint64 hovered,
+                   const QPalette& palette);
 
 /// The part of the widget that a mark's flag takes.
 QRectF markFlag(const ProjectMark& mark, const TimelineScale& scale, const TimelineRows& rows,

@@ -31,6 +31,7 @@ GapList::GapList(QWidget* parent) : QTableWidget(0, 4, parent) {
     }
   });
   fill();
+  resizeColumnsToContents();
 }
 
 void GapList::setGaps(std::vector<TrajectoryGap> gaps) {
@@ -79,8 +80,17 @@ void GapList::fill() {
                           "after it"));
     }
   }
-  if (horizontalHeader()->sectionSize(2) < 60 || rowCount() == 1) {
-    resizeColumnsToContents();
+  widen();
+}
+
+/// Every title and every number is there whole; what was once wide stays so, or a growing list
+/// would tremble.
+void GapList::widen() {
+  for (int column = 0; column < columnCount(); ++column) {
+    const int wanted =
+        std::max(horizontalHeader()->sectionSizeHint(column), sizeHintForColumn(column));
+    const bool isLast = column == columnCount() - 1; // it has all the room that is left
+    setColumnWidth(column, isLast ? wanted : std::max(columnWidth(column), wanted));
   }
 }
 
@@ -88,6 +98,9 @@ void GapList::changeEvent(QEvent* event) {
   QTableWidget::changeEvent(event);
   if (event->type() == QEvent::LanguageChange) {
     fill();
+    resizeColumnsToContents(); // the words are others
+  } else if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
+    widen();
   }
 }
 

@@ -30,6 +30,7 @@ protected:
 
 private:
   void fill();
+  void widen();
 
   std::vector<TrajectoryGap> gaps_;
 };

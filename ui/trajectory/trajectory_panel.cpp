@@ -99,6 +99,10 @@ void TrajectoryPanel::makeTable() {
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   table_->horizontalHeader()->setHighlightSections(false);
+  // Who scrolls away from the end wants to look there. More rows and less room scroll nothing.
+  QScrollBar* bar = table_->verticalScrollBar();
+  connect(bar, &QScrollBar::valueChanged, this,
+          [this, bar](int value) { following_ = value == bar->maximum(); });
   inEveryLanguage(table_, [this] {
     table_->setAccessibleName(tr("Trajectory"));
     const QFontMetrics metrics = table_->fontMetrics();
@@ -192,8 +196,6 @@ void TrajectoryPanel::fetch() {
   QElapsedTimer took;
   took.start();
   const Session::SamplesPiece piece = source_(generation_, position_);
-  const QScrollBar* bar = table_->verticalScrollBar();
-  const bool atEnd = bar->value() == bar->maximum();
   const bool choosing = std::exchange(choosing_, true); // rows that go take their selection along
   if (piece.restarted && model_->rowCount() > 0 && piece.samples.empty()) {
     model_->clear();
@@ -208,7 +210,7 @@ void TrajectoryPanel::fetch() {
   choosing_ = choosing;
   gaps_->setGaps(model_->log().gaps());
   placeMoment();
-  if (atEnd && !selection_.span()) {
+  if (following_ && !selection_.span()) {
     table_->scrollToBottom();
   }
   say();

@@ -93,6 +93,7 @@ private:
   Source source_;
   std::uint64_t generation_ = 0;
   std::size_t position_ = 0;
+  bool following_ = true; ///< the table shows the newest rows
   bool choosing_ = false; ///< rows are being selected, but not by the user
   QTimer timer_;
   QElapsedTimer sinceRefresh_;
