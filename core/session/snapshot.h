@@ -70,7 +70,8 @@ struct TrackSnapshot {
   MethodFamily family = MethodFamily::Targets;
   FrameSetPtr frames;              ///< null before the first frame
   std::vector<cv::Mat> emptyRooms; ///< per camera without targets; empty when that is not known
-  std::vector<cv::Mat> masks;      ///< per camera CV_8UC1, 255 = target color; empty unless wanted
+  std::vector<cv::Mat>
+      masks; ///< per camera CV_8UC1, 255 - k: color of target k; empty unless wanted
   std::vector<TargetSnapshot> targets;
   std::int64_t frame = -1; ///< the one shown
   bool past = false;       ///< an other frame is shown than the run stands at

@@ -12,6 +12,8 @@ namespace {
 constexpr int kParticlesShown = 10000;
 constexpr std::chrono::milliseconds kBetweenSnapshots(30);
 
+constexpr std::size_t kMostInMask = 255; ///< targets that one byte tells apart
+
 double median(std::deque<double> values) {
   if (values.empty()) {
     return 0.0;
@@ -29,12 +31,17 @@ std::vector<cv::Mat> TrackingLoop::masks(const TrackSnapshot& snapshot) {
   for (std::size_t camera = 0; camera < frames.size(); ++camera) {
     const FramePtr& frame = frames[camera];
     cv::Mat mask;
-    for (const auto& target : snapshot.targets) {
+    for (std::size_t k = 0; k < std::min(snapshot.targets.size(), kMostInMask); ++k) {
+      const auto& target = snapshot.targets[k];
       const auto& followed = target.estimate.colors; // empty: the range is as it was learned
       const ColorRange& range = camera < followed.size() ? followed[camera] : target.target.color;
       if (frame) {
         const cv::Mat matched = matchImage(frame->image, ColorClassifier(range));
-        mask = mask.empty() ? matched : cv::Mat(mask | matched);
+        if (mask.empty()) {
+          mask = matched;
+        } else { // what matches several targets is the first one's
+          mask.setTo(255 - static_cast<int>(k), matched & (mask == 0));
+        }
       }
     }
     masks.push_back(mask);

@@ -211,6 +211,23 @@ TEST(Session, MasksOnlyWhenWanted) {
   EXPECT_TRUE(eventually([&] { return session.newest()->masks.empty(); }));
 }
 
+TEST(Session, MasksTellTheTargetsApart) {
+  SessionInputs two = inputs();
+  Target all = two.project.targets.front(); // every color, and so the disc's as well
+  all.name = "all";
+  all.color = {0.0, 360.0, 0.0, 1.0, 0.0, 1.0};
+  two.project.targets.push_back(all);
+  Session session(std::move(two));
+  ASSERT_TRUE(showsFrame(session));
+  session.setMasksWanted(true);
+  ASSERT_TRUE(eventually([&] { return session.newest()->masks.size() == 2; }));
+  const auto shown = session.newest();
+  cv::Mat disc;
+  cv::inRange(shown->frames->frames[0]->image, test::kDiscColor, test::kDiscColor, disc);
+  EXPECT_EQ(cv::norm(disc, shown->masks[0] == 255, cv::NORM_INF), 0.0); // the first one's
+  EXPECT_GT(cv::countNonZero(shown->masks[0] == 254), 200);             // the second one's
+}
+
 TEST(Session, ABrokenRecordingEndsWithANoticeAndKeepsWhatWasTracked) {
   auto options = frames(12);
   options.failsAt = 5;

@@ -34,11 +34,23 @@ cv::Mat maskOf(const TrackSnapshotPtr& snapshot, int camera) {
   return snapshot && index < snapshot->masks.size() ? snapshot->masks[index] : cv::Mat();
 }
 
-/// Everything that has not the target's color steps back, and what has it is tinted.
-cv::Mat tinted(const cv::Mat& image, const cv::Mat& mask, const QColor& tint) {
+/// Everything that has no target's color steps back, and what has one is tinted as that target is
+/// drawn.
+cv::Mat tinted(const cv::Mat& image, const cv::Mat& mask) {
+  static const cv::Mat kTints = [] {
+    cv::Mat tints(1, 256, CV_8UC3);
+    for (int value = 0; value < 256; ++value) {
+      const QColor tint = targetColor(255 - value);
+      tints.at<cv::Vec3b>(value) =
+          cv::Vec3b(static_cast<uchar>(tint.blue()), static_cast<uchar>(tint.green()),
+                    static_cast<uchar>(tint.red()));
+    }
+    return tints;
+  }();
   cv::Mat result = image * 0.35;
-  const cv::Mat color(image.size(), image.type(),
-                      cv::Scalar(tint.blue(), tint.green(), tint.red()));
+  cv::Mat color;
+  cv::cvtColor(mask, color, cv::COLOR_GRAY2BGR);
+  cv::LUT(color, kTints, color);
   cv::Mat bright;
   cv::addWeighted(image, 0.35, color, 0.65, 0.0, bright);
   bright.copyTo(result, mask);
@@ -89,7 +101,7 @@ const QImage& CameraView::scaledImage(const QSize& devicePixels) {
   }
   cv::Mat image = frame->image;
   if (mask.size() == image.size() && !mask.empty()) {
-    image = tinted(image, mask, targetColor(0));
+    image = tinted(image, mask);
   }
   const bool smaller = devicePixels.width() < image.cols;
   cv::Mat fitted;
