@@ -3201,8 +3201,8 @@ bei %4, %5, %6 m</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stop the export; what is there already stays as it was</source>
-        <translation>Den Export anhalten; was schon da ist, bleibt, wie es war</translation>
+        <source>Stop the work under way; what is there already stays as it was</source>
+        <translation>Die laufende Arbeit anhalten; was schon da ist, bleibt, wie es war</translation>
     </message>
     <message>
         <source>Figure…</source>
@@ -3267,6 +3267,10 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Working on the preview: %1 %</source>
         <translation>Vorschau in Arbeit: %1 %</translation>
+    </message>
+    <message>
+        <source>The preview was stopped. The next change begins it anew.</source>
+        <translation>Die Vorschau wurde angehalten. Die nächste Änderung beginnt sie neu.</translation>
     </message>
     <message>
         <source>%1 exists already: press Export again to replace it.</source>
@@ -4676,8 +4680,8 @@ bei %4, %5, %6 m</translation>
         <translation>Mittlerer quadratischer Abstand (RMS) der Partikel von ihrem Mittel</translation>
     </message>
     <message>
-        <source>Estimated position of the first target in the room</source>
-        <translation>Geschätzte Position des ersten Ziels im Raum</translation>
+        <source>Estimated position of the target in the room</source>
+        <translation>Geschätzte Position des Ziels im Raum</translation>
     </message>
     <message>
         <source>frame %1 / %2</source>

@@ -3201,8 +3201,8 @@ en %4, %5, %6 m</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Stop the export; what is there already stays as it was</source>
-        <translation>Detener la exportación; lo que ya hay queda como estaba</translation>
+        <source>Stop the work under way; what is there already stays as it was</source>
+        <translation>Detener lo que está en marcha; lo que ya hay queda como estaba</translation>
     </message>
     <message>
         <source>Figure…</source>
@@ -3267,6 +3267,10 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Working on the preview: %1 %</source>
         <translation>Preparando la vista previa: %1 %</translation>
+    </message>
+    <message>
+        <source>The preview was stopped. The next change begins it anew.</source>
+        <translation>La vista previa se detuvo. El próximo cambio la empieza de nuevo.</translation>
     </message>
     <message>
         <source>%1 exists already: press Export again to replace it.</source>
@@ -4676,8 +4680,8 @@ en %4, %5, %6 m</translation>
         <translation>Distancia cuadrática media de las partículas a su media</translation>
     </message>
     <message>
-        <source>Estimated position of the first target in the room</source>
-        <translation>Posición estimada del primer objetivo en la sala</translation>
+        <source>Estimated position of the target in the room</source>
+        <translation>Posición estimada del objetivo en la sala</translation>
     </message>
     <message>
         <source>frame %1 / %2</source>

@@ -3201,8 +3201,8 @@ at %4, %5, %6 m</source>
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Stop the export; what is there already stays as it was</source>
-        <translation>書き出しを中止します。すでにあるものはそのままです</translation>
+        <source>Stop the work under way; what is there already stays as it was</source>
+        <translation>進行中の作業を止めます。既にあるものはそのまま残ります</translation>
     </message>
     <message>
         <source>Figure…</source>
@@ -3267,6 +3267,10 @@ at %4, %5, %6 m</source>
     <message>
         <source>Working on the preview: %1 %</source>
         <translation>プレビューを作成中:%1 %</translation>
+    </message>
+    <message>
+        <source>The preview was stopped. The next change begins it anew.</source>
+        <translation>プレビューを止めました。次に何かを変えると、また始まります。</translation>
     </message>
     <message>
         <source>%1 exists already: press Export again to replace it.</source>
@@ -4675,8 +4679,8 @@ at %4, %5, %6 m</source>
         <translation>粒子とその平均との距離の二乗平均平方根</translation>
     </message>
     <message>
-        <source>Estimated position of the first target in the room</source>
-        <translation>部屋の中での最初の目標の推定位置</translation>
+        <source>Estimated position of the target in the room</source>
+        <translation>部屋の中での目標の推定位置</translation>
     </message>
     <message>
         <source>frame %1 / %2</source>
