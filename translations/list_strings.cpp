@@ -2,7 +2,7 @@
 // Prints what core declares for people's eyes as source text for lupdate: core knows no Qt, so
 // nothing there is marked for translation. script/translate runs it; see docs/translations.md.
 #include "core/base/error.h"
-#include "core/experiment/figure_experiments.h"
+#include "core/experiment/study_experiments.h"
 #include "core/tracking/parameters.h"
 
 #include <cstdio>
@@ -42,7 +42,10 @@ void addErrors(Marked& marked) {
 }
 
 void addMethods(Marked& marked) {
-  for (const auto& method : dewpoint::methodNames()) {
+  for (const auto& method : dewpoint::projectMethodNames()) {
+    if (dewpoint::methodFamily(method) == dewpoint::MethodFamily::People) {
+      continue; // only on the command line
+    }
     marked.emplace("Method", method);
     marked.emplace("Method", dewpoint::methodSentence(method));
     for (const auto& declaration : dewpoint::methodParameters(method)) {
@@ -56,9 +59,11 @@ void addMethods(Marked& marked) {
 }
 
 void addExperiments(Marked& marked) {
-  for (const auto& experiment : dewpoint::figureExperiments()) {
-    marked.emplace("Experiment", experiment.title);
-    marked.emplace("Experiment", experiment.sentence);
+  for (const auto& all : {dewpoint::figureExperiments(), dewpoint::studyExperiments()}) {
+    for (const auto& experiment : all) {
+      marked.emplace("Experiment", experiment.title);
+      marked.emplace("Experiment", experiment.sentence);
+    }
   }
 }
 

@@ -52,12 +52,15 @@ private:
 /// One random edit of any kind a person can make; some are refused, some change nothing.
 void editAnything(Document& document, Choices& choices) {
   const Project& now = document.project();
-  const int kind = choices.below(12);
+  const int kind = choices.below(14);
   const double value = choices.unit();
   const int which = choices.below(5);
   switch (kind) {
   case 0:
-    document.setMethod(which < 2 ? "barrera" : "dewpoint");
+    document.setMethod(which < 1   ? "histogram"
+                       : which < 2 ? "sugandi"
+                       : which < 3 ? "barrera"
+                                   : "dewpoint");
     return;
   case 1:
   case 2:
@@ -105,6 +108,17 @@ void editAnything(Document& document, Choices& choices) {
           break;
         case 10:
           project.cameras[static_cast<std::size_t>(which % 2)].rotateDegrees = 90 * (which % 4);
+          break;
+        case 11: // a click of a method that follows boxes
+          if (!targets.empty()) {
+            targets[target].box = TargetBox{
+                which % 2, choices.below(1000), {600.0 * value, 400.0 * value, 20.0, 30.0}};
+          }
+          break;
+        case 12:
+          if (!targets.empty()) {
+            targets[target].box.reset();
+          }
           break;
         default:
           project.name = "name " + std::to_string(which);

@@ -22,6 +22,13 @@ HoldState holdState(TargetStatus status) {
                                         : HoldState::Searching;
 }
 
+HoldState holdState(const TargetSnapshot& target, MethodFamily family) {
+  if (family != MethodFamily::Boxes || target.status != TargetStatus::Searching) {
+    return holdState(target.status);
+  }
+  return target.box ? HoldState::Hidden : HoldState::NoBox;
+}
+
 HoldState holdState(const TrackSnapshot& snapshot) {
   if (!snapshot.frames) {
     return HoldState::NoImages;
@@ -32,13 +39,15 @@ HoldState holdState(const TrackSnapshot& snapshot) {
   if (snapshot.past && !snapshot.tracked) {
     return HoldState::NotTracked;
   }
-  const auto any = [&](TargetStatus status) {
-    return std::ranges::any_of(snapshot.targets,
-                               [&](const auto& target) { return target.status == status; });
-  };
-  return holdState(any(TargetStatus::Lost)        ? TargetStatus::Lost
-                   : any(TargetStatus::Searching) ? TargetStatus::Searching
-                                                  : TargetStatus::Held);
+  for (const HoldState worst :
+       {HoldState::Lost, HoldState::Searching, HoldState::Hidden, HoldState::NoBox}) {
+    if (std::ranges::any_of(snapshot.targets, [&](const TargetSnapshot& target) {
+          return holdState(target, snapshot.family) == worst;
+        })) {
+      return worst;
+    }
+  }
+  return HoldState::Held;
 }
 
 QString troubleText(const CameraReport& report) {

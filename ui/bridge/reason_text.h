@@ -11,6 +11,8 @@ namespace dewpoint {
 
 /// The state a view shows for a target's status.
 HoldState holdState(TargetStatus status);
+/// The same, and for methods of family Boxes whether it is hidden or has no box yet.
+HoldState holdState(const TargetSnapshot& target, MethodFamily family);
 /// The worst of all targets: lost, searching, held; nothing to say without targets or images.
 HoldState holdState(const TrackSnapshot& snapshot);
 /// Why one camera does not confirm a target, in a few words ("hidden"); empty when it does.

@@ -71,6 +71,19 @@ void withHalo(QPainter& painter, const QColor& color, double width, const Draw& 
   draw();
 }
 
+/// Dashed where the target is only thought to be.
+void paintBox(QPainter& painter, const ImageBox& box, bool hidden, const ImagePlacement& placement,
+              const QColor& color) {
+  const QRectF place(placement.corner + QPointF(box.x, box.y) * placement.scale,
+                     QSizeF(box.width, box.height) * placement.scale);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(kHalo, 4.4, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.drawRect(place);
+  painter.setPen(
+      QPen(color, 2.2, hidden ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+  painter.drawRect(place);
+}
+
 } // namespace
 
 void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePlacement& placement,
@@ -78,6 +91,9 @@ void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePl
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   paintParticles(painter, overlay, placement, color);
+  if (overlay.box) {
+    paintBox(painter, *overlay.box, overlay.boxHidden, placement, color);
+  }
   if (overlay.ellipse) {
     const ImageEllipse& ellipse = *overlay.ellipse;
     painter.save();

@@ -5,6 +5,7 @@
 #include "core/project/project.h"
 #include "ui/camera/camera_view.h"
 #include "ui/camera/pick_layer.h"
+#include "ui/color/box_teacher.h"
 #include "ui/color/color_picker.h"
 #include "ui/color/color_teacher.h"
 #include "ui/color/verdict_text.h"
@@ -37,8 +38,9 @@ constexpr std::int64_t kOutlinedFrames = 10; ///< an outline stays so long over 
 
 ColorPanel::ColorPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), teacher_(new ColorTeacher(document, this)),
-      name_(new QLabel(this)), learn_(new QToolButton(this)), picker_(new ColorPicker(this)),
-      verdict_(new QLabel(this)), samplesTitle_(new QLabel(this)), samples_(new QListWidget(this)),
+      boxes_(new BoxTeacher(document, this)), name_(new QLabel(this)),
+      learn_(new QToolButton(this)), picker_(new ColorPicker(this)), verdict_(new QLabel(this)),
+      samplesTitle_(new QLabel(this)), samples_(new QListWidget(this)),
       remove_(new QPushButton(this)), judgeSoon_(new QTimer(this)) {
   setObjectName(QStringLiteral("colorPanel"));
   learn_->setObjectName(QStringLiteral("colorLearn"));
@@ -84,17 +86,21 @@ ColorPanel::ColorPanel(Document& document, QWidget* parent)
   connect(del, &QShortcut::activated, this, &ColorPanel::removeSample);
   connect(&document_, &Document::replaced, this, [this] { setTarget(0); });
   connect(&document_, &Document::targetsChanged, this, &ColorPanel::refresh);
+  connect(&document_, &Document::methodChanged, this, &ColorPanel::say);
   connectTeacher();
   inEveryLanguage(this, [this] { say(); });
 }
 
 void ColorPanel::connectTeacher() {
-  connect(teacher_, &ColorTeacher::learned, this, [this](int target, bool isNew) {
+  const auto adopt = [this](int target, bool isNew) {
     target_ = target;
     setPicking(false);
     refresh();
     Q_EMIT learned(target, isNew);
-  });
+  };
+  connect(teacher_, &ColorTeacher::learned, this, adopt);
+  connect(boxes_, &BoxTeacher::learned, this, adopt);
+  connect(boxes_, &BoxTeacher::failed, this, &ColorPanel::failed);
   connect(teacher_, &ColorTeacher::judged, this, &ColorPanel::showVerdict);
   judgeSoon_->setSingleShot(true);
   judgeSoon_->setInterval(kJudgeMs);
@@ -107,11 +113,25 @@ void ColorPanel::connectTeacher() {
   });
 }
 
+bool ColorPanel::takesBoxes() const {
+  return methodFamily(document_.project().method) == MethodFamily::Boxes;
+}
+
+bool ColorPanel::mustPoint() const {
+  const auto& targets = document_.project().targets;
+  const auto hasBox = [](const Target& target) { return target.box.has_value(); };
+  return takesBoxes() ? std::ranges::none_of(targets, hasBox) : targets.empty();
+}
+
 void ColorPanel::say() {
-  learn_->setText(tr("Learn"));
-  learn_->setToolTip(tr("Then click the target in any camera image, or drag a box on it. "
-                        "Shift-click adds a sample, Alt-click or Ctrl+Shift-click excludes what is "
-                        "not the target."));
+  learn_->setText(takesBoxes() ? tr("Box") : tr("Learn"));
+  learn_->setToolTip(
+      takesBoxes()
+          ? tr("Then click the thing in any camera image, or drag a box around it. Shift does the "
+               "same without this button.")
+          : tr("Then click the target in any camera image, or drag a box on it. "
+               "Shift-click adds a sample, Alt-click or Ctrl+Shift-click excludes what is "
+               "not the target."));
   samplesTitle_->setText(tr("Learned from"));
   samples_->setAccessibleName(tr("Samples the color was learned from"));
   samples_->setToolTip(
@@ -141,6 +161,11 @@ void ColorPanel::attach(int camera, CameraView* view) {
 }
 
 void ColorPanel::pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers) {
+  if (takesBoxes()) {
+    boxes_->setTarget(target_);
+    boxes_->point(snapshot_, camera, region);
+    return;
+  }
   teacher_->setSnapshot(snapshot_);
   teacher_->setTarget(target_);
   // Many desktops keep Alt with the mouse for themselves: Ctrl+Shift does the same.
@@ -160,10 +185,13 @@ void ColorPanel::setPicking(bool picking) {
   }
   const QSignalBlocker quiet(learn_);
   learn_->setChecked(picking);
-  const bool noTarget = document_.project().targets.empty();
+  const bool must = mustPoint();
+  const QString hint = takesBoxes() ? tr("Click the thing or drag a box around it")
+                       : must       ? tr("Click the thing to follow")
+                                    : tr("Click the target");
   for (const auto& [camera, layer] : layers_) {
-    layer->setPicking(picking || noTarget);
-    layer->setHint(noTarget ? tr("Click the thing to follow") : tr("Click the target"));
+    layer->setPicking(picking || must);
+    layer->setHint(hint);
   }
   if (picking && !layers_.empty()) {
     layers_.front().second->setFocus(Qt::ShortcutFocusReason); // the keys move its cross
@@ -182,6 +210,11 @@ void ColorPanel::refresh() {
   name_->setText(any               ? QString::fromStdString(targets[std::size_t(target_)].name)
                  : targets.empty() ? tr("No target yet")
                                    : tr("A new target"));
+  picker_->setVisible(!takesBoxes());
+  if (takesBoxes()) {
+    showBox();
+    return;
+  }
   picker_->setEnabled(any);
   if (any) {
     const Target& target = targets[static_cast<std::size_t>(target_)];
@@ -204,6 +237,36 @@ void ColorPanel::refresh() {
   setPicking(picking_);
 }
 
+/// Methods for boxes learn all they need from one.
+void ColorPanel::showBox() {
+  const Project& project = document_.project();
+  const auto index = static_cast<std::size_t>(std::max(0, target_));
+  const bool has = target_ >= 0 && index < project.targets.size() && project.targets[index].box;
+  judged_ = false;
+  picker_->setEnabled(false);
+  for (QWidget* of : {static_cast<QWidget*>(samplesTitle_), static_cast<QWidget*>(samples_),
+                      static_cast<QWidget*>(remove_)}) {
+    of->hide();
+  }
+  clearRegions();
+  if (has) {
+    const TargetBox& box = *project.targets[index].box;
+    const auto camera = static_cast<std::size_t>(box.camera);
+    verdict_->setText(
+        tr("Followed from its box in %1, frame %2: %3 × %4 px. This method needs no color; press "
+           "Box and click the thing for another box.")
+            .arg(camera < project.cameras.size()
+                     ? QString::fromStdString(project.cameras[camera].camera.name)
+                     : QString::number(box.camera + 1))
+            .arg(box.frame + 1)
+            .arg(qRound(box.box.width))
+            .arg(qRound(box.box.height)));
+  } else {
+    verdict_->setText(tr("Click the thing or drag a box around it in any camera view."));
+  }
+  setPicking(picking_);
+}
+
 void ColorPanel::clearRegions() {
   outlined_ = false;
   for (const auto& [camera, layer] : layers_) {
@@ -212,7 +275,7 @@ void ColorPanel::clearRegions() {
 }
 
 void ColorPanel::judgeNow() {
-  if (inFront_ && snapshot_ && snapshot_->frames && !teacher_->isBusy()) {
+  if (inFront_ && snapshot_ && snapshot_->frames && !teacher_->isBusy() && !takesBoxes()) {
     teacher_->setTarget(target_);
     teacher_->judge();
   }
@@ -221,7 +284,7 @@ void ColorPanel::judgeNow() {
 /// A verdict is about one moment: its outlines go when another one is shown, and it is made anew
 /// where a person stays.
 void ColorPanel::keepVerdictCurrent() {
-  if (!snapshot_->frames || teacher_->isBusy()) {
+  if (!snapshot_->frames || teacher_->isBusy() || takesBoxes()) {
     return;
   }
   const bool moved = std::abs(snapshot_->frame - judgedFrame_) > kOutlinedFrames;

@@ -19,6 +19,7 @@ class QToolButton;
 
 namespace dewpoint {
 
+class BoxTeacher;
 class CameraView;
 class ColorPicker;
 class ColorTeacher;
@@ -55,6 +56,11 @@ private:
   void refresh();
   void refreshSamples();
   void connectTeacher();
+  /// Whether the method follows boxes: then a box is pointed at in place of a color.
+  bool takesBoxes() const;
+  /// Whether a plain click is expected although nobody asked for it: there is nothing to follow.
+  bool mustPoint() const;
+  void showBox();
   void pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
   void editRange(const ColorRange& range);
   void sayVerdict();
@@ -67,6 +73,7 @@ private:
 
   Document& document_;
   ColorTeacher* teacher_;
+  BoxTeacher* boxes_;
   QLabel* name_;
   QToolButton* learn_;
   ColorPicker* picker_;

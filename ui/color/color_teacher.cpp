@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "ui/bridge/error_sentence.h"
+#include "ui/color/fresh_target.h"
 #include "ui/document/document.h"
 
 #include <QMetaObject>
@@ -11,21 +12,6 @@
 #include <utility>
 
 namespace dewpoint {
-
-namespace {
-
-/// A name that no target has yet: "target 1", "target 2", ...
-std::string freshName(const Project& project) {
-  for (std::size_t number = project.targets.size() + 1;; ++number) {
-    const std::string name = ColorTeacher::tr("target %1").arg(number).toStdString();
-    const auto taken = [&](const Target& target) { return target.name == name; };
-    if (std::ranges::none_of(project.targets, taken)) {
-      return name;
-    }
-  }
-}
-
-} // namespace
 
 ColorTeacher::ColorTeacher(Document& document, QObject* parent)
     : QObject(parent), document_(document) {}
@@ -147,7 +133,7 @@ void ColorTeacher::adopt(int target, const std::vector<ColorSample>& samples,
   const auto edited = document_.edit(step, [&](Project& project) {
     if (target < 0 || target >= static_cast<int>(project.targets.size())) {
       Target added;
-      added.name = freshName(project);
+      added.name = freshTargetName(project);
       project.targets.push_back(added);
       taught = static_cast<int>(project.targets.size()) - 1;
     }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/experiments/experiment_dialog.h"
 
-#include "core/experiment/figure_experiments.h"
+#include "core/experiment/study_experiments.h"
 #include "ui/bridge/error_sentence.h"
 #include "ui/bridge/long_job.h"
 #include "ui/settings/retranslation.h"
 
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QDesktopServices>
 #include <QDir>
@@ -35,17 +36,26 @@ QString words(std::string_view text) {
 ExperimentDialog::ExperimentDialog(QWidget* parent)
     : QDialog(parent), job_(new LongJob(this)), list_(new QListWidget(this)),
       sentence_(new QLabel(this)), runsLabel_(new QLabel(this)), runs_(new QSpinBox(this)),
-      folderLabel_(new QLabel(this)), folder_(new QLineEdit(this)), browse_(new QPushButton(this)),
+      clothesLabel_(new QLabel(this)), clothes_(new QComboBox(this)),
+      recordingsLabel_(new QLabel(this)), recordings_(new QLineEdit(this)),
+      browseRecordings_(new QPushButton(this)), folderLabel_(new QLabel(this)),
+      folder_(new QLineEdit(this)), browse_(new QPushButton(this)),
       progress_(new QProgressBar(this)), state_(new QLabel(this)), run_(new QPushButton(this)),
       cancel_(new QPushButton(this)), open_(new QPushButton(this)), close_(new QPushButton(this)) {
   setObjectName(QStringLiteral("experimentDialog"));
   makeFields();
-  for (const FigureExperiment& experiment : figureExperiments()) {
-    auto* item = new QListWidgetItem(list_);
-    item->setData(Qt::UserRole, QString::fromUtf8(experiment.name.data()));
+  for (const auto& some : {figureExperiments(), studyExperiments()}) {
+    for (const FigureExperiment& experiment : some) {
+      all_.push_back(&experiment);
+      auto* item = new QListWidgetItem(list_);
+      item->setData(Qt::UserRole, QString::fromUtf8(experiment.name.data()));
+    }
   }
   connect(list_, &QListWidget::currentRowChanged, this, &ExperimentDialog::showChosen);
-  connect(browse_, &QPushButton::clicked, this, &ExperimentDialog::chooseFolder);
+  connect(browse_, &QPushButton::clicked, this,
+          [this] { chooseFolder(folder_, tr("Folder of the report")); });
+  connect(browseRecordings_, &QPushButton::clicked, this,
+          [this] { chooseFolder(recordings_, tr("Folder of the recordings")); });
   connect(run_, &QPushButton::clicked, this, &ExperimentDialog::run);
   connect(cancel_, &QPushButton::clicked, job_, &LongJob::cancel);
   connect(open_, &QPushButton::clicked, this, &ExperimentDialog::openReport);
@@ -69,11 +79,19 @@ ExperimentDialog::ExperimentDialog(QWidget* parent)
 
 void ExperimentDialog::makeFields() {
   const std::initializer_list<std::pair<QWidget*, const char*>> names{
-      {list_, "experimentList"},         {runs_, "experimentRuns"},
-      {folder_, "experimentFolder"},     {browse_, "experimentBrowse"},
-      {progress_, "experimentProgress"}, {state_, "experimentState"},
-      {run_, "experimentRun"},           {cancel_, "experimentCancel"},
-      {open_, "experimentOpen"},         {close_, "experimentClose"}};
+      {list_, "experimentList"},
+      {runs_, "experimentRuns"},
+      {clothes_, "experimentClothes"},
+      {recordings_, "experimentRecordings"},
+      {browseRecordings_, "experimentBrowseRecordings"},
+      {folder_, "experimentFolder"},
+      {browse_, "experimentBrowse"},
+      {progress_, "experimentProgress"},
+      {state_, "experimentState"},
+      {run_, "experimentRun"},
+      {cancel_, "experimentCancel"},
+      {open_, "experimentOpen"},
+      {close_, "experimentClose"}};
   for (const auto& [widget, name] : names) {
     widget->setObjectName(QLatin1String(name));
   }
@@ -86,13 +104,24 @@ void ExperimentDialog::makeFields() {
   open_->setEnabled(false);
   run_->setDefault(true);
   runsLabel_->setBuddy(runs_);
+  clothesLabel_->setBuddy(clothes_);
+  recordingsLabel_->setBuddy(recordings_);
   folderLabel_->setBuddy(folder_);
+  recordings_->setText(qEnvironmentVariable("DEWPOINT_DATA"));
+  for (int row = 0; row < 3; ++row) {
+    clothes_->addItem({}); // in the order of StudyClothes
+  }
   auto* folderRow = new QHBoxLayout;
   folderRow->addWidget(folder_, 1);
   folderRow->addWidget(browse_);
   auto* form = new QFormLayout;
   form->setSpacing(8);
   form->addRow(runsLabel_, runs_);
+  form->addRow(clothesLabel_, clothes_);
+  auto* recordingsRow = new QHBoxLayout;
+  recordingsRow->addWidget(recordings_, 1);
+  recordingsRow->addWidget(browseRecordings_);
+  form->addRow(recordingsLabel_, recordingsRow);
   form->addRow(folderLabel_, folderRow);
   auto* progressRow = new QHBoxLayout;
   progressRow->addWidget(progress_, 1);
@@ -118,6 +147,17 @@ void ExperimentDialog::say() {
   list_->setAccessibleName(tr("Experiments of the papers"));
   runsLabel_->setText(tr("Runs per case"));
   runs_->setToolTip(tr("How many seeds, 1, 2, 3 and so on: more take longer and are surer"));
+  clothesLabel_->setText(tr("Clothes"));
+  clothes_->setToolTip(tr("Whether the clothes of the simulated people tell them apart"));
+  clothes_->setItemText(0, tr("both kinds"));
+  clothes_->setItemText(1, tr("different"));
+  clothes_->setItemText(2, tr("similar"));
+  recordingsLabel_->setText(tr("Recordings"));
+  recordings_->setPlaceholderText(tr("none: a rendered clip only"));
+  recordings_->setToolTip(
+      tr("Folder with the recordings juggle1 and otb; without one, a rendered clip only"));
+  browseRecordings_->setText(tr("Choose…"));
+  browseRecordings_->setToolTip(tr("Choose the folder of the recordings"));
   folderLabel_->setText(tr("Folder"));
   folder_->setToolTip(tr("The report, its pictures and its numbers go there"));
   browse_->setText(tr("Choose…"));
@@ -130,30 +170,34 @@ void ExperimentDialog::say() {
   open_->setText(tr("Open the report"));
   open_->setToolTip(tr("Show the last report in the web browser"));
   close_->setText(tr("Close"));
-  const auto experiments = figureExperiments();
   for (int row = 0; row < list_->count(); ++row) {
-    list_->item(row)->setText(words(experiments[static_cast<std::size_t>(row)].title));
+    list_->item(row)->setText(words(all_[static_cast<std::size_t>(row)]->title));
   }
   showChosen();
 }
 
 const FigureExperiment& ExperimentDialog::chosen() const {
-  return figureExperiments()[static_cast<std::size_t>(std::max(0, list_->currentRow()))];
+  return *all_[static_cast<std::size_t>(std::max(0, list_->currentRow()))];
 }
 
 void ExperimentDialog::showChosen() {
   sentence_->setText(words(chosen().sentence));
   runs_->setValue(chosen().runs);
+  clothesLabel_->setVisible(chosen().takesClothes);
+  clothes_->setVisible(chosen().takesClothes);
+  for (QWidget* part :
+       std::initializer_list<QWidget*>{recordingsLabel_, recordings_, browseRecordings_}) {
+    part->setVisible(chosen().takesRecordings);
+  }
   const QString home = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
   folder_->setText(
       QDir(home).filePath(QStringLiteral("dewpoint-") + QString::fromUtf8(chosen().name.data())));
 }
 
-void ExperimentDialog::chooseFolder() {
-  const QString folder =
-      QFileDialog::getExistingDirectory(this, tr("Folder of the report"), folder_->text());
+void ExperimentDialog::chooseFolder(QLineEdit* into, const QString& title) {
+  const QString folder = QFileDialog::getExistingDirectory(this, title, into->text());
   if (!folder.isEmpty()) {
-    folder_->setText(folder);
+    into->setText(folder);
   }
 }
 
@@ -161,6 +205,10 @@ void ExperimentDialog::run() {
   ExperimentOptions options;
   options.folder = folder_->text().trimmed().toStdString();
   options.runs = runs_->value();
+  options.clothes = static_cast<StudyClothes>(clothes_->currentIndex());
+  if (chosen().takesRecordings) {
+    options.recordings = recordings_->text().trimmed().toStdString();
+  }
   if (options.folder.empty()) {
     state_->setText(tr("Name the folder of the report first."));
     return;
@@ -170,9 +218,9 @@ void ExperimentDialog::run() {
     ExperimentOptions watched = options;
     watched.progress = progress;
     const Status made = experiment.run(watched);
-    return std::function<void()>([this, options, made] {
+    return std::function<void()>([this, options, made, &experiment] {
       if (made) {
-        finish(QString::fromStdString((options.folder / "report.html").string()));
+        finish(QString::fromStdString((options.folder / experiment.report).string()));
       } else {
         state_->setText(errorSentence(made.error()));
         Q_EMIT failed(errorSentence(made.error()));
@@ -193,6 +241,9 @@ void ExperimentDialog::finish(const QString& report) {
   report_ = report;
   open_->setEnabled(true);
   state_->setText(tr("The report is in %1.").arg(report));
+  if (isVisible()) {
+    openReport();
+  }
 }
 
 void ExperimentDialog::openReport() {

@@ -4,6 +4,10 @@
 #include <QDialog>
 #include <QString>
 
+#include <vector>
+
+class QComboBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -31,16 +35,22 @@ private:
   void say();
   const FigureExperiment& chosen() const;
   void showChosen();
-  void chooseFolder();
+  void chooseFolder(QLineEdit* into, const QString& title);
   void run();
   void finish(const QString& report);
   void openReport();
 
+  std::vector<const FigureExperiment*> all_; ///< in the order of the list
   LongJob* job_;
   QListWidget* list_;
   QLabel* sentence_;
   QLabel* runsLabel_;
   QSpinBox* runs_;
+  QLabel* clothesLabel_;
+  QComboBox* clothes_; ///< of simulated people
+  QLabel* recordingsLabel_;
+  QLineEdit* recordings_;
+  QPushButton* browseRecordings_;
   QLabel* folderLabel_;
   QLineEdit* folder_;
   QPushButton* browse_;

@@ -266,6 +266,12 @@ QString CameraPanel::targetSeenBy(int camera) const {
   const Camera& its = (*snapshot_->rig)[index];
   const Projector projector(its);
   for (const TargetSnapshot& target : snapshot_->targets) {
+    if (target.box) {
+      if (target.box->camera == camera && target.status == TargetStatus::Held) {
+        return QString::fromStdString(target.target.name);
+      }
+      continue;
+    }
     const auto pixel = target.status == TargetStatus::Held ? projector.project(target.estimate.mean)
                                                            : std::optional<Eigen::Vector2d>();
     if (pixel && QRectF(0.0, 0.0, its.intrinsics.width, its.intrinsics.height)

@@ -2,6 +2,8 @@
 #include "ui/inspector/target_panel.h"
 
 #include "core/project/project.h"
+#include "core/session/snapshot.h"
+#include "ui/bridge/reason_text.h"
 #include "ui/document/document.h"
 #include "ui/settings/decimal_field.h"
 #include "ui/settings/retranslation.h"
@@ -12,6 +14,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QLocale>
 #include <QPixmap>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -36,7 +39,7 @@ QIcon chip(int target) {
 TargetPanel::TargetPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), list_(new QListWidget(this)),
       nameLabel_(new QLabel(this)), name_(new QLineEdit(this)), radiusLabel_(new QLabel(this)),
-      radius_(new DecimalField(this)), hint_(new QLabel(this)) {
+      radius_(new DecimalField(this)), box_(new QLabel(this)), hint_(new QLabel(this)) {
   setObjectName(QStringLiteral("targetPanel"));
   list_->setObjectName(QStringLiteral("targetList"));
   name_->setObjectName(QStringLiteral("targetName"));
@@ -47,6 +50,9 @@ TargetPanel::TargetPanel(Document& document, QWidget* parent)
   radius_->setKeyboardTracking(false);
   nameLabel_->setBuddy(name_);
   radiusLabel_->setBuddy(radius_);
+  box_->setObjectName(QStringLiteral("targetBox"));
+  box_->setWordWrap(true);
+  box_->hide();
   hint_->setWordWrap(true);
   hint_->setForegroundRole(QPalette::PlaceholderText);
   auto* form = new QFormLayout;
@@ -58,6 +64,7 @@ TargetPanel::TargetPanel(Document& document, QWidget* parent)
   column->setSpacing(8);
   column->addWidget(list_, 1);
   column->addLayout(form);
+  column->addWidget(box_);
   column->addWidget(hint_);
   inEveryLanguage(this, [this] {
     list_->setAccessibleName(tr("Targets"));
@@ -71,6 +78,7 @@ TargetPanel::TargetPanel(Document& document, QWidget* parent)
   });
   connect(&document_, &Document::replaced, this, &TargetPanel::refresh);
   connect(&document_, &Document::targetsChanged, this, &TargetPanel::refresh);
+  connect(&document_, &Document::methodChanged, this, &TargetPanel::refresh);
   connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
     showChosen();
     Q_EMIT targetChosen(row);
@@ -100,7 +108,13 @@ void TargetPanel::refresh() {
     }
     list_->setCurrentRow(std::min(before, list_->count() - 1));
   }
-  hint_->setText(targets.empty()
+  const bool boxes = methodFamily(document_.project().method) == MethodFamily::Boxes;
+  radiusLabel_->setVisible(!boxes);
+  radius_->setVisible(!boxes);
+  box_->setVisible(boxes);
+  hint_->setText(boxes ? tr("Click the thing or drag a box around it in any camera view: it is "
+                            "followed from there on.")
+                 : targets.empty()
                      ? tr("No target yet: click the thing to follow in any camera image.")
                      : tr("The color of a target is learned by clicking it in a camera image."));
   showChosen();
@@ -115,6 +129,33 @@ void TargetPanel::showChosen() {
       row < 0 ? Target() : document_.project().targets[static_cast<std::size_t>(row)];
   name_->setText(QString::fromStdString(target.name));
   radius_->setValue(target.radius * kMillimetres);
+}
+
+void TargetPanel::show(const TrackSnapshot& snapshot) {
+  const auto index = static_cast<std::size_t>(std::max(0, chosen()));
+  if (snapshot.family != MethodFamily::Boxes || index >= snapshot.targets.size()) {
+    box_->clear();
+    return;
+  }
+  const TargetSnapshot& target = snapshot.targets[index];
+  if (!target.box) {
+    box_->setText(tr("No box at this moment."));
+    return;
+  }
+  const BoxEstimate& estimate = target.box->estimate;
+  const auto number = [](double value, int decimals) {
+    return QLocale().toString(value, 'f', decimals);
+  };
+  const Eigen::Vector2d center = estimate.box.center();
+  box_->setText(
+      tr("%1, in %2\nCenter %3, %4 px, size %5 × %6 px\nSimilarity %7\nEffective sample size %8 of "
+         "%9")
+          .arg(holdText(holdState(target, snapshot.family)),
+               cameraNames(snapshot).value(target.box->camera), number(center.x(), 1),
+               number(center.y(), 1), number(estimate.box.width, 1), number(estimate.box.height, 1),
+               number(estimate.similarity, 2), number(estimate.effectiveSampleSize, 0),
+               QString::number(estimate.particleCount)) +
+      QLatin1Char('\n') + tr("Spread %1 px").arg(number(estimate.spread, 1)));
 }
 
 void TargetPanel::editChosen(const QString& step,

@@ -12,6 +12,7 @@ namespace dewpoint {
 
 class Document;
 struct Project;
+struct TrackSnapshot;
 
 /// What is followed: the targets by name, and the name and size of the chosen one.
 class TargetPanel : public QWidget {
@@ -22,6 +23,9 @@ public:
   /// Index of the chosen target; -1 without targets.
   int chosen() const;
   void choose(int target);
+  /// What is believed of the chosen target's box at the moment shown, if its method follows boxes.
+  void show(const TrackSnapshot& snapshot);
+  using QWidget::show;
   /// Takes the chosen target out, as an undoable step.
   void removeChosen();
 
@@ -41,6 +45,7 @@ private:
   QLineEdit* name_;
   QLabel* radiusLabel_;
   QDoubleSpinBox* radius_;
+  QLabel* box_; ///< figures of the box
   QLabel* hint_;
 };
 

@@ -22,6 +22,7 @@
 #include "ui/settings/parameter_panel.h"
 #include "ui/start/recent_projects.h"
 #include "ui/timeline/timeline.h"
+#include "ui/trajectory/box_panel.h"
 #include "ui/trajectory/trajectory_panel.h"
 
 #include <QAction>
@@ -101,6 +102,10 @@ void MainWindow::connectRun() {
                            : bridge_->session().setMethod(project.method, project.parameters);
     }
   });
+  connect(document_, &Document::methodChanged, this, [this] {
+    showFamily();
+    sayWhatMethodNeeds();
+  });
   connect(document_, &Document::targetsChanged, this, [this] {
     if (bridge_ != nullptr) {
       bridge_->session().setTargets(document_->project().targets);
@@ -166,10 +171,14 @@ void MainWindow::startSession(SessionInputs inputs, bool unsaved) {
     return session->samplesSince(generation, position);
   });
   showStart(false);
+  trajectory_->boxes().follow([session = &bridge_->session()](auto& generation, auto& position) {
+    return session->boxesSince(generation, position);
+  });
   makeCameraDocks();
   bridge_->session().setMasksWanted(action("actionShowMask")->isChecked());
   bridge_->session().setLikelihoodMapsWanted(action("actionShowEvidence")->isChecked());
   updateEnabled();
+  showFamily();
   showSnapshot(bridge_->session().newest());
   if (playOnOpen_ && !waits) {
     bridge_->session().play();
@@ -193,6 +202,7 @@ void MainWindow::clearViews() {
   framePosition_ = 0;
   plot_->clear();
   trajectory_->follow({});
+  trajectory_->boxes().follow({});
   timeline_->clear();
   birdsEye_->show(TrackSnapshotPtr());
 }
@@ -208,6 +218,7 @@ void MainWindow::showSnapshot(const TrackSnapshotPtr& snapshot) {
   birdsEye_->show(snapshot);
   color_->setSnapshot(snapshot);
   cameras_->setSnapshot(snapshot);
+  targets_->show(*snapshot);
   plot_->show(*snapshot);
   trajectory_->show(*snapshot);
   snapshot->state == PlayState::Playing
@@ -240,6 +251,16 @@ void MainWindow::showNotices(const TrackSnapshot& snapshot) {
 
 void MainWindow::trackLearned(int target, bool isNew) {
   targets_->choose(target);
+  if (followsBoxes()) {
+    targetDock_->raise();
+    // From a frame that was tracked already it is tracked again by itself, up to where the run
+    // stands; at the end there is nothing to play.
+    const bool again = shown_ && shown_->past && shown_->frame <= shown_->history.head;
+    if (bridge_ != nullptr && shown_ && shown_->state == PlayState::Paused && isNew && !again) {
+      bridge_->session().play();
+    }
+    return;
+  }
   colorDock_->raise();
   action("actionShowMask")->setChecked(true);
   // The first click starts tracking; a sample more or less takes no run away.

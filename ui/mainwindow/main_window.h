@@ -155,6 +155,10 @@ private:
   void updateEnabled();
 
   void trackLearned(int target, bool isNew);
+  bool followsBoxes() const;
+  void showFamily();
+  void sayWhatMethodNeeds();
+  void exportBoxes();
   void togglePlay();
   void restart(bool newSeed);
   void askOpen();

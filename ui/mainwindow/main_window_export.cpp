@@ -6,6 +6,7 @@
 #include "ui/bridge/session_bridge.h"
 #include "ui/document/document.h"
 #include "ui/experiments/experiment_dialog.h"
+#include "ui/export/box_export_dialog.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/view_picture.h"
 #include "ui/mainwindow/main_window.h"
@@ -23,7 +24,27 @@
 
 namespace dewpoint {
 
+void MainWindow::exportBoxes() {
+  auto* dialog = findChild<BoxExportDialog*>();
+  if (dialog == nullptr) {
+    dialog = new BoxExportDialog(
+        [this] { return bridge_ == nullptr ? BoxTrack() : bridge_->session().boxTrack(); }, this);
+    connect(dialog, &BoxExportDialog::done, messages_, &MessageBar::showNotice);
+    connect(dialog, &BoxExportDialog::failed, messages_, &MessageBar::showError);
+    if (const auto project = document_->project().file; !project.empty()) {
+      dialog->proposeIn(QString::fromStdString(project.parent_path().string()));
+    }
+  }
+  dialog->show();
+  dialog->raise();
+  dialog->activateWindow();
+}
+
 void MainWindow::exportTrajectory() {
+  if (followsBoxes()) {
+    exportBoxes();
+    return;
+  }
   auto* dialog = findChild<ExportDialog*>();
   if (dialog == nullptr) {
     const auto run = [this] {

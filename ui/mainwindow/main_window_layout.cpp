@@ -206,6 +206,7 @@ void MainWindow::keepLayout() {
 void MainWindow::resetLayout() {
   document_->setLayout({});
   makeCameraDocks();
+  showFamily();
   showSnapshot(shown_);
 }
 

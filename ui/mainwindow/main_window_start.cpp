@@ -77,9 +77,12 @@ void MainWindow::makeStart() {
           [this](const QString& sentence) { messages_->showError(sentence); });
   connect(newProject_, &NewProjectPage::made, this,
           [this](const Project& project, const QString& note) {
-            openUnsaved(project, note.isEmpty() ? tr("Click the thing to follow in any image: its "
-                                                     "color is learned and tracking starts.")
-                                                : note);
+            const bool boxes = methodFamily(project.method) == MethodFamily::Boxes;
+            openUnsaved(project,
+                        boxes ? tr("Click the thing or drag a box around it in any camera view.")
+                        : note.isEmpty() ? tr("Click the thing to follow in any image: its color "
+                                              "is learned and tracking starts.")
+                                         : note);
           });
   setAcceptDrops(true);
 }

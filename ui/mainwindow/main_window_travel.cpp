@@ -63,7 +63,8 @@ void MainWindow::connectTravel() {
   on("actionNextMark", [this] { timeline_->stepMark(1); });
   on("actionZoomToSpan", [this] { timeline_->zoomToSpan(); });
   connect(document_, &Document::changed, this, [this](const ProjectChanges& changes) {
-    if (selection_->isPast() && (changes.parameters || changes.targets)) {
+    const bool again = changes.boxes && followsBoxes(); // that is tracked again by itself
+    if (selection_->isPast() && (changes.parameters || changes.targets) && !again) {
       messages_->showNotice(
           tr("The change holds from now on. “%1” shows what it makes of this moment.")
               .arg(action("actionRerun")->text()));

@@ -159,7 +159,9 @@ void StatusFigures::show(const TrackSnapshot& snapshot, int chosen) {
                               : tr("%1 ms").arg(number(microseconds / 1000.0, 1))));
   time_->setToolTip(timeHint(snapshot.latency));
   const TargetSnapshot* target = targetToExplain(snapshot, chosen);
-  if (target != nullptr && target->estimate.particleCount > 0) {
+  if (target != nullptr && target->box) {
+    showBox(target->box->estimate);
+  } else if (target != nullptr && target->estimate.particleCount > 0) {
     const TargetEstimate& estimate = target->estimate;
     sampleSize_->setToolTip(sampleHint(snapshot.budget));
     sampleSize_->setText(
@@ -174,13 +176,29 @@ void StatusFigures::show(const TrackSnapshot& snapshot, int chosen) {
     }
   }
   const bool several = snapshot.targets.size() > 1;
-  state_ = target != nullptr && several && snapshot.tracked ? holdState(target->status)
+  state_ = target != nullptr && several && snapshot.tracked ? holdState(*target, snapshot.family)
                                                             : holdState(snapshot);
   name_ = several ? QString::fromStdString(target->target.name) : QString();
   const bool mustSay = target != nullptr && target->status != TargetStatus::Held;
-  const QString reason = mustSay ? reasonText(target->reasons, cameraNames(snapshot)) : QString();
+  QString reason = mustSay ? reasonText(target->reasons, cameraNames(snapshot)) : QString();
+  if (mustSay && target->box) {
+    reason = tr("held where it is thought to be");
+  } else if (mustSay && snapshot.family == MethodFamily::Boxes && !target->target.box) {
+    reason = tr("click it or drag a box around it");
+  }
   reason_->setFullText(reason);
   applyPalette();
+}
+
+void StatusFigures::showBox(const BoxEstimate& estimate) {
+  sampleSize_->setToolTip(tr("Effective sample size, of all particles"));
+  sampleSize_->setText(
+      tr("ESS %1 / %2").arg(number(estimate.effectiveSampleSize, 0)).arg(estimate.particleCount));
+  spread_->setText(tr("spread %1").arg(tr("%1 px").arg(number(estimate.spread, 1))));
+  const Eigen::Vector2d center = estimate.box.center();
+  position_->setText(tr("x %1  y %2  %3 × %4 px")
+                         .arg(number(center.x(), 1), number(center.y(), 1),
+                              number(estimate.box.width, 0), number(estimate.box.height, 0)));
 }
 
 void StatusFigures::changeEvent(QEvent* event) {

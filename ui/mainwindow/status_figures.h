@@ -12,6 +12,7 @@ namespace dewpoint {
 
 class ElidedLabel;
 
+struct BoxEstimate;
 struct TrackSnapshot;
 
 /// The line of numbers at the bottom: frame, rate, time per iteration, effective sample size,
@@ -34,6 +35,7 @@ protected:
 private:
   QLabel* figure(const char* name);
   void say();
+  void showBox(const BoxEstimate& estimate);
   void applyPalette();
 
   QLabel* playing_;

@@ -48,6 +48,8 @@ QString quantityText(PlotQuantity quantity, double value) {
     return value < 10000.0
                ? say(QT_TRANSLATE_NOOP("PlotQuantity", "%1 µs")).arg(number(value, 0))
                : say(QT_TRANSLATE_NOOP("PlotQuantity", "%1 ms")).arg(number(value / 1000.0, 1));
+  case PlotQuantity::Pixels:
+    return say(QT_TRANSLATE_NOOP("PlotQuantity", "%1 px")).arg(number(value, 1));
   case PlotQuantity::LogLikelihood:
     return number(value, 1);
   case PlotQuantity::Probability:
@@ -68,6 +70,8 @@ QString axisUnit(PlotQuantity quantity) {
     return QStringLiteral("m/s");
   case PlotQuantity::Duration:
     return QStringLiteral("µs");
+  case PlotQuantity::Pixels:
+    return QStringLiteral("px");
   case PlotQuantity::LogLikelihood:
   case PlotQuantity::Probability:
   case PlotQuantity::Count:

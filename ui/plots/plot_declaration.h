@@ -18,6 +18,7 @@ enum class PlotQuantity {
   Duration,      ///< microseconds, from 0
   LogLikelihood, ///< natural logarithm
   Probability,   ///< 0 to 1
+  Pixels,        ///< of an image, from 0
 };
 
 struct CurveDeclaration {

@@ -194,7 +194,7 @@ void PlotPanel::clear() {
 }
 
 void PlotPanel::useCameras() {
-  stack_->setPlots(runPlots(cameras_));
+  stack_->setPlots(boxes_ ? boxRunPlots() : runPlots(cameras_));
 }
 
 void PlotPanel::show(const TrackSnapshot& snapshot) {
@@ -203,8 +203,10 @@ void PlotPanel::show(const TrackSnapshot& snapshot) {
     const QString name = QString::fromStdString((*snapshot.rig)[camera].name);
     cameras << (name.isEmpty() ? tr("Camera %1").arg(camera + 1) : name);
   }
-  if (cameras != cameras_ || !camerasKnown_) {
+  const bool boxes = snapshot.family == MethodFamily::Boxes;
+  if (cameras != cameras_ || !camerasKnown_ || boxes != boxes_) {
     camerasKnown_ = true;
+    boxes_ = boxes;
     cameras_ = cameras;
     for (const auto& series : series_) {
       series->reset(runPlotColumns(static_cast<int>(cameras_.size())));

@@ -66,6 +66,7 @@ private:
   PlotStack* stack_;
   QStringList cameras_;
   bool camerasKnown_ = false;
+  bool boxes_ = false;                              ///< the run follows boxes in images
   std::vector<std::unique_ptr<PlotSeries>> series_; ///< per target
   int target_ = 0;
 };

@@ -200,6 +200,7 @@ void PlotRow::fit(double least, double most) {
     yAxis()->setRange(-0.05, 1.05);
     break;
   case PlotQuantity::Count:
+  case PlotQuantity::Pixels:
   case PlotQuantity::Duration:
   case PlotQuantity::Speed: {
     const double top = roundedUp(std::max(most, 1e-9));

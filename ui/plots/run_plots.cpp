@@ -38,6 +38,24 @@ QString plainName(const QString& name) {
   return plain;
 }
 
+PlotDeclaration sampleSizePlot() {
+  return {QStringLiteral("sampleSize"),
+          say(QT_TRANSLATE_NOOP("RunPlots", "Effective sample size")),
+          PlotQuantity::Count,
+          {{say(QT_TRANSLATE_NOOP("RunPlots", "effective")),
+            QStringLiteral("effective_sample_size"), kSampleSize, 0},
+           {say(QT_TRANSLATE_NOOP("RunPlots", "particles")), QStringLiteral("particles"),
+            kParticles, -1}}};
+}
+
+PlotDeclaration durationPlot() {
+  return {QStringLiteral("duration"),
+          say(QT_TRANSLATE_NOOP("RunPlots", "Time per step")),
+          PlotQuantity::Duration,
+          {{say(QT_TRANSLATE_NOOP("RunPlots", "one iteration")), QStringLiteral("iteration_us"),
+            kDuration, 3}}};
+}
+
 std::vector<CurveDeclaration> cameraCurves(const QStringList& cameras, const QString& what,
                                            std::size_t offset) {
   std::vector<CurveDeclaration> curves;
@@ -64,13 +82,7 @@ std::vector<PlotDeclaration> runPlots(const QStringList& cameras) {
        {{QStringLiteral("x"), QStringLiteral("spread_x_mm"), kSpreadX, 0},
         {QStringLiteral("y"), QStringLiteral("spread_y_mm"), kSpreadY, 1},
         {QStringLiteral("z"), QStringLiteral("spread_z_mm"), kSpreadZ, 2}}},
-      {QStringLiteral("sampleSize"),
-       say(QT_TRANSLATE_NOOP("RunPlots", "Effective sample size")),
-       PlotQuantity::Count,
-       {{say(QT_TRANSLATE_NOOP("RunPlots", "effective")), QStringLiteral("effective_sample_size"),
-         kSampleSize, 0},
-        {say(QT_TRANSLATE_NOOP("RunPlots", "particles")), QStringLiteral("particles"), kParticles,
-         -1}}},
+      sampleSizePlot(),
       {QStringLiteral("likelihood"), say(QT_TRANSLATE_NOOP("RunPlots", "Log likelihood")),
        PlotQuantity::LogLikelihood, cameraCurves(cameras, QStringLiteral("log_likelihood"), 0)},
       {QStringLiteral("existence"), say(QT_TRANSLATE_NOOP("RunPlots", "Existence")),
@@ -79,11 +91,24 @@ std::vector<PlotDeclaration> runPlots(const QStringList& cameras) {
        say(QT_TRANSLATE_NOOP("RunPlots", "Error against truth")),
        PlotQuantity::Length,
        {{say(QT_TRANSLATE_NOOP("RunPlots", "distance")), QStringLiteral("error_mm"), kError, 1}}},
-      {QStringLiteral("duration"),
-       say(QT_TRANSLATE_NOOP("RunPlots", "Time per step")),
-       PlotQuantity::Duration,
-       {{say(QT_TRANSLATE_NOOP("RunPlots", "one iteration")), QStringLiteral("iteration_us"),
-         kDuration, 3}}},
+      durationPlot(),
+  };
+}
+
+std::vector<PlotDeclaration> boxRunPlots() {
+  return {
+      {QStringLiteral("spread"),
+       say(QT_TRANSLATE_NOOP("RunPlots", "Spread")),
+       PlotQuantity::Pixels,
+       {{say(QT_TRANSLATE_NOOP("RunPlots", "particles")), QStringLiteral("spread_px"), kSpreadX,
+         0}}},
+      sampleSizePlot(),
+      {QStringLiteral("likelihood"),
+       say(QT_TRANSLATE_NOOP("RunPlots", "Similarity")),
+       PlotQuantity::Probability,
+       {{say(QT_TRANSLATE_NOOP("RunPlots", "to the reference")), QStringLiteral("similarity"),
+         kExistence, 1}}},
+      durationPlot(),
   };
 }
 
@@ -96,7 +121,7 @@ void appendTo(PlotSeries& series, const IterationRecord& record) {
   const auto put = [&values](std::size_t column, double value) {
     values[column] = static_cast<float>(value);
   };
-  put(kSpreadX, record.spreadPerAxis.x());
+  put(kSpreadX, record.similarity ? record.spread : record.spreadPerAxis.x());
   put(kSpreadY, record.spreadPerAxis.y());
   put(kSpreadZ, record.spreadPerAxis.z());
   put(kSampleSize, record.effectiveSampleSize);
@@ -105,7 +130,7 @@ void appendTo(PlotSeries& series, const IterationRecord& record) {
     put(kError, record.error);
   }
   put(kDuration, record.microseconds);
-  put(kExistence, record.existence);
+  put(kExistence, record.similarity.value_or(record.existence));
   for (std::size_t camera = 0; camera < record.cameras.size(); ++camera) {
     const CameraEvidence& evidence = record.cameras[camera];
     const std::size_t column = kFirstCamera + kPerCamera * camera;

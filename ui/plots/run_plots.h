@@ -15,6 +15,9 @@ struct IterationRecord;
 /// The plots of a run, in the person's language: spread, sampleSize, likelihood, existence, error,
 /// duration. Likelihood and existence have one curve per camera.
 std::vector<PlotDeclaration> runPlots(const QStringList& cameras);
+/// The same ids of a run that follows boxes in images: spread in pixels, the similarity in place of
+/// the likelihood; there is neither existence nor error.
+std::vector<PlotDeclaration> boxRunPlots();
 /// Values per row of the series that these plots are drawn from.
 std::size_t runPlotColumns(int cameraCount);
 /// Adds one iteration to the series of its target.

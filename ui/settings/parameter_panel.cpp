@@ -63,7 +63,10 @@ void ParameterPanel::addMethodChoice() {
   label->setBuddy(choice);
   choice->setToolTip(
       tr("How the targets are tracked. Another method begins anew; the rest stays."));
-  for (const std::string& name : methodNames()) {
+  for (const std::string& name : projectMethodNames()) {
+    if (methodFamily(name) == MethodFamily::People) {
+      continue; // only on the command line
+    }
     choice->addItem(QCoreApplication::translate("Method", name.c_str()),
                     QString::fromStdString(name));
   }

@@ -81,6 +81,8 @@ QString holdText(HoldState state) {
   switch (state) {
   case HoldState::Held:
     return QCoreApplication::translate("HoldState", "● held");
+  case HoldState::Hidden:
+    return QCoreApplication::translate("HoldState", "◌ hidden");
   case HoldState::Searching:
     return QCoreApplication::translate("HoldState", "○ searching");
   case HoldState::Lost:
@@ -89,6 +91,8 @@ QString holdText(HoldState state) {
     return QCoreApplication::translate("HoldState", "✕ missing");
   case HoldState::NotTracked:
     return QCoreApplication::translate("HoldState", "– not tracked");
+  case HoldState::NoBox:
+    return QCoreApplication::translate("HoldState", "– no box yet");
   case HoldState::NoTarget:
     return QCoreApplication::translate("HoldState", "No target yet");
   case HoldState::NoImages:
@@ -102,12 +106,14 @@ QColor holdColor(HoldState state, const QPalette& palette) {
   switch (state) {
   case HoldState::Held:
     return QColor(dark ? "#2fc79a" : "#00734f");
+  case HoldState::Hidden:
   case HoldState::Searching:
     return QColor(dark ? "#e6a100" : "#8f5f00");
   case HoldState::Lost:
   case HoldState::Missing:
     return QColor(dark ? "#ff7f3f" : "#b34a00");
   case HoldState::NotTracked:
+  case HoldState::NoBox:
   case HoldState::NoTarget:
   case HoldState::NoImages:
     break;

@@ -11,7 +11,17 @@ enum class Theme { System, Light, Dark };
 
 /// The states a view can be in: each has a word, a color and a shape (desk rules: never color
 /// alone).
-enum class HoldState { NoImages, NoTarget, NotTracked, Held, Searching, Lost, Missing };
+enum class HoldState {
+  NoImages,
+  NoTarget,
+  NotTracked,
+  NoBox,
+  Held,
+  Hidden,
+  Searching,
+  Lost,
+  Missing
+};
 
 /// The one palette of the window, in two tunings, on Qt's Fusion style.
 QPalette themePalette(bool dark);

@@ -306,7 +306,7 @@ void NewProjectPage::finish(const Result<MadeProject>& result) {
     return;
   }
   QString note;
-  if (!result->calibrated) {
+  if (!result->calibrated && methodFamily(result->project.method) != MethodFamily::Boxes) {
     note = tr("Without a calibration the camera positions are a guess: images can be tracked, but "
               "positions in space mean nothing yet.");
   } else if (result->matchedByOrder) {

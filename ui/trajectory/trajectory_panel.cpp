@@ -5,6 +5,7 @@
 #include "ui/actions/action_registry.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/settings/retranslation.h"
+#include "ui/trajectory/box_panel.h"
 #include "ui/trajectory/gap_list.h"
 #include "ui/trajectory/trajectory_model.h"
 
@@ -17,6 +18,7 @@
 #include <QPointer>
 #include <QScrollBar>
 #include <QSplitter>
+#include <QStackedLayout>
 #include <QTableView>
 #include <QThreadPool>
 #include <QVBoxLayout>
@@ -42,14 +44,14 @@ constexpr std::size_t kColumns = 2;
 TrajectoryPanel::TrajectoryPanel(ActionRegistry& actions, Selection& selection, QWidget* parent)
     : QWidget(parent), actions_(actions), selection_(selection), model_(new TrajectoryModel(this)),
       table_(new QTableView(this)), gaps_(new GapList(this)), summary_(new QLabel(this)),
-      plots_(new PlotStack(this)) {
+      plots_(new PlotStack(this)), boxes_(new BoxPanel(selection, this)),
+      pages_(new QStackedLayout(this)) {
   setObjectName(QStringLiteral("trajectoryPanel"));
   auto* split = new QSplitter(Qt::Horizontal, this);
   split->setObjectName(QStringLiteral("trajectorySplit"));
   split->setChildrenCollapsible(false);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(split);
+  pages_->addWidget(split);
+  pages_->addWidget(boxes_);
   auto* right = new QSplitter(Qt::Horizontal, split);
   right->setObjectName(QStringLiteral("motionSplit"));
   makeTable();
@@ -164,6 +166,7 @@ void TrajectoryPanel::connectViews() {
   connect(table_, &QWidget::customContextMenuRequested, this,
           [this, menuAt](const QPoint& place) { menuAt(table_->viewport()->mapToGlobal(place)); });
   connect(plots_, &PlotStack::contextMenuWanted, this, menuAt);
+  connect(boxes_, &BoxPanel::contextMenuWanted, this, menuAt);
 }
 
 void TrajectoryPanel::follow(Source source) {
@@ -181,6 +184,7 @@ void TrajectoryPanel::follow(Source source) {
 }
 
 void TrajectoryPanel::refresh() {
+  boxes_->refresh();
   if (timer_.isActive() || !isVisible()) {
     return;
   }
@@ -259,6 +263,8 @@ void TrajectoryPanel::breakLineBefore(const TrajectorySample& sample) {
 }
 
 void TrajectoryPanel::show(const TrackSnapshot& snapshot) {
+  boxes_->show(snapshot);
+  pages_->setCurrentIndex(snapshot.family == MethodFamily::Boxes ? 1 : 0);
   names_.clear();
   for (const TargetSnapshot& target : snapshot.targets) {
     names_.push_back(target.target.name);
@@ -275,6 +281,11 @@ void TrajectoryPanel::setTarget(const std::string& name) {
 }
 
 void TrajectoryPanel::copyCsv() {
+  if (pages_->currentWidget() == boxes_) {
+    QGuiApplication::clipboard()->setText(QString::fromUtf8(boxes_->csv()));
+    Q_EMIT notice(tr("The boxes are on the clipboard as CSV."));
+    return;
+  }
   fetch();
   const auto& rows = model_->log().rows();
   auto [first, last] = std::pair(0, static_cast<int>(rows.size()));

@@ -16,18 +16,20 @@
 #include <vector>
 
 class QLabel;
+class QStackedLayout;
 class QTableView;
 
 namespace dewpoint {
 
 class ActionRegistry;
+class BoxPanel;
 class GapList;
 class PlotStack;
 class TrajectoryModel;
 struct TrackSnapshot;
 
 /// The trajectory of the run: a table that follows it, speed and height over time, and the gaps. A
-/// span chosen in any of them is chosen in all.
+/// span chosen in any of them is chosen in all. Of a run that follows boxes in images: its boxes.
 class TrajectoryPanel : public QWidget {
   Q_OBJECT
 public:
@@ -49,6 +51,8 @@ public:
   /// The user points at a place of a target's trajectory: that moment is wanted, or, to `extend`,
   /// the span from the moment shown to it is selected.
   void choosePlace(int target, const Eigen::Vector3d& place, bool extend);
+  /// The boxes of a run whose method follows those.
+  BoxPanel& boxes() { return *boxes_; }
   PlotStack& plots() { return *plots_; }
   /// The rows selected, or all: onto the clipboard, prepared in a thread.
   void copyCsv();
@@ -87,6 +91,8 @@ private:
   GapList* gaps_;
   QLabel* summary_;
   PlotStack* plots_;
+  BoxPanel* boxes_;
+  QStackedLayout* pages_;
   PlotSeries series_;              ///< speed and height of one target
   std::string target_;             ///< whose
   std::vector<std::string> names_; ///< of all targets

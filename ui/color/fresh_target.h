@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace dewpoint {
+
+struct Project;
+
+/// A name that no target has yet, in the person's language: "target 1", "target 2", ...
+std::string freshTargetName(const Project& project);
+
+} // namespace dewpoint

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/box_export_dialog.h"
+
+#include "ui/bridge/error_sentence.h"
+#include "ui/bridge/long_job.h"
+#include "ui/settings/retranslation.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr std::size_t kPreviewRows = 200;
+
+} // namespace
+
+BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* parent)
+    : QDialog(parent), boxes_(std::move(boxes)), job_(new LongJob(this)),
+      sentence_(new QLabel(this)), preview_(new QPlainTextEdit(this)),
+      folderLabel_(new QLabel(this)), folder_(new QLineEdit(this)), browse_(new QPushButton(this)),
+      close_(new QPushButton(this)), export_(new QPushButton(this)) {
+  setObjectName(QStringLiteral("boxExportDialog"));
+  preview_->setObjectName(QStringLiteral("boxExportPreview"));
+  folder_->setObjectName(QStringLiteral("boxExportFolder"));
+  browse_->setObjectName(QStringLiteral("boxExportBrowse"));
+  close_->setObjectName(QStringLiteral("boxExportClose"));
+  export_->setObjectName(QStringLiteral("boxExportExport"));
+  sentence_->setWordWrap(true);
+  preview_->setReadOnly(true);
+  preview_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  preview_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  preview_->setTabChangesFocus(true);
+  folder_->setText(QDir::homePath());
+  folderLabel_->setBuddy(folder_);
+  export_->setDefault(true);
+  auto* row = new QHBoxLayout;
+  row->addWidget(folderLabel_);
+  row->addWidget(folder_, 1);
+  row->addWidget(browse_);
+  auto* buttons = new QHBoxLayout;
+  buttons->addStretch();
+  buttons->addWidget(close_);
+  buttons->addWidget(export_);
+  auto* column = new QVBoxLayout(this);
+  column->setSpacing(10);
+  column->addWidget(sentence_);
+  column->addWidget(preview_, 1);
+  column->addLayout(row);
+  column->addLayout(buttons);
+  resize(720, 460);
+  connect(browse_, &QPushButton::clicked, this, &BoxExportDialog::chooseFolder);
+  connect(close_, &QPushButton::clicked, this, &QDialog::close);
+  connect(export_, &QPushButton::clicked, this, &BoxExportDialog::start);
+  connect(job_, &LongJob::ended, this, [this] { export_->setEnabled(true); });
+  inEveryLanguage(this, [this] { say(); });
+}
+
+void BoxExportDialog::say() {
+  setWindowTitle(tr("Export boxes"));
+  sentence_->setText(
+      tr("Two files are written: boxes.csv (a row per target and frame: box, center, similarity, "
+         "seen or hidden) and boxes_mot.txt (the format of the MOT challenge). All in pixels."));
+  preview_->setAccessibleName(tr("How boxes.csv begins"));
+  folderLabel_->setText(tr("Folder"));
+  folder_->setToolTip(tr("Both files go there; it is made if need be"));
+  browse_->setText(tr("Choose…"));
+  browse_->setToolTip(tr("Choose the folder of the files"));
+  close_->setText(tr("Close"));
+  export_->setText(tr("Export"));
+  export_->setToolTip(tr("Write both files (Enter)"));
+}
+
+void BoxExportDialog::proposeIn(const QString& folder) {
+  folder_->setText(QDir::toNativeSeparators(folder));
+}
+
+void BoxExportDialog::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  BoxTrack track = boxes_();
+  track.samples.resize(std::min(track.samples.size(), kPreviewRows));
+  preview_->setPlainText(QString::fromStdString(boxCsv(track)));
+}
+
+void BoxExportDialog::chooseFolder() {
+  const QString folder =
+      QFileDialog::getExistingDirectory(this, tr("Folder of the boxes"), folder_->text());
+  if (!folder.isEmpty()) {
+    folder_->setText(folder);
+  }
+}
+
+void BoxExportDialog::start() {
+  const std::filesystem::path folder(folder_->text().trimmed().toStdString());
+  auto track = std::make_shared<const BoxTrack>(boxes_());
+  const bool begun = job_->start([this, folder, track](const LongJob::Progress&) {
+    std::error_code problem;
+    std::filesystem::create_directories(folder, problem);
+    const Status written =
+        problem ? failure(ErrorCode::FileUnwritable, folder.string(), "", problem.message())
+                : writeBoxTrack(*track, folder);
+    return std::function<void()>([this, folder, written] {
+      const QString place = QString::fromStdString(folder.string());
+      if (written) {
+        Q_EMIT done(tr("boxes.csv and boxes_mot.txt are in %1.").arg(place));
+      } else {
+        Q_EMIT failed(errorSentence(written.error()));
+      }
+    });
+  });
+  export_->setEnabled(!begun && export_->isEnabled());
+}
+
+} // namespace dewpoint

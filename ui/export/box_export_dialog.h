@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/box_track_file.h"
+
+#include <QDialog>
+
+#include <functional>
+
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace dewpoint {
+
+class LongJob;
+
+/// Takes the boxes of a run home: boxes.csv and boxes_mot.txt into a folder. Not modal; files are
+/// written in the background.
+class BoxExportDialog : public QDialog {
+  Q_OBJECT
+public:
+  /// `boxes` gives the run so far; called in the window's thread.
+  explicit BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* parent = nullptr);
+
+  /// Proposes this folder.
+  void proposeIn(const QString& folder);
+
+Q_SIGNALS:
+  void done(const QString& sentence);
+  void failed(const QString& sentence);
+
+protected:
+  void showEvent(QShowEvent* event) override;
+
+private:
+  void say();
+  void chooseFolder();
+  void start();
+
+  std::function<BoxTrack()> boxes_;
+  LongJob* job_;
+  QLabel* sentence_;
+  QPlainTextEdit* preview_;
+  QLabel* folderLabel_;
+  QLineEdit* folder_;
+  QPushButton* browse_;
+  QPushButton* close_;
+  QPushButton* export_;
+};
+
+} // namespace dewpoint

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/trajectory/box_panel.h"
+
+#include "core/session/snapshot.h"
+#include "ui/selection/selection.h"
+#include "ui/settings/retranslation.h"
+#include "ui/trajectory/box_model.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QScrollBar>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint {
+
+namespace {
+constexpr int kIntervalMs = 150;
+}
+
+BoxPanel::BoxPanel(Selection& selection, QWidget* parent)
+    : QWidget(parent), model_(new BoxModel(this)), table_(new QTableView(this)),
+      summary_(new QLabel(this)) {
+  setObjectName(QStringLiteral("boxPanel"));
+  summary_->setObjectName(QStringLiteral("boxSummary"));
+  summary_->setContentsMargins(8, 4, 8, 4);
+  summary_->setWordWrap(true);
+  table_->setObjectName(QStringLiteral("boxTable"));
+  table_->setModel(model_);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::ContiguousSelection);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setTabKeyNavigation(false);
+  table_->setShowGrid(false);
+  table_->setAlternatingRowColors(true);
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->setWordWrap(false);
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+  table_->horizontalHeader()->setHighlightSections(false);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(summary_);
+  column->addWidget(table_, 1);
+  timer_.setSingleShot(true);
+  connect(&timer_, &QTimer::timeout, this, &BoxPanel::fetch);
+  connect(table_, &QTableView::activated, this, [this, &selection](const QModelIndex& index) {
+    selection.wantMoment(model_->samples()[static_cast<std::size_t>(index.row())].frame);
+  });
+  connect(table_, &QWidget::customContextMenuRequested, this, [this](const QPoint& place) {
+    Q_EMIT contextMenuWanted(table_->viewport()->mapToGlobal(place));
+  });
+  inEveryLanguage(this, [this] {
+    table_->setAccessibleName(tr("Boxes of the targets"));
+    const QFontMetrics metrics = table_->fontMetrics();
+    for (int part = 0; part < BoxModel::ColumnCount; ++part) {
+      const QString title = model_->headerData(part, Qt::Horizontal).toString();
+      const QString widest = part == BoxModel::Target ? QStringLiteral("pink ball 1")
+                             : part == BoxModel::Seen ? BoxModel::tr("◌ hidden")
+                                                      : QStringLiteral("0000.00");
+      table_->setColumnWidth(
+          part, 16 + std::max(metrics.horizontalAdvance(title), metrics.horizontalAdvance(widest)));
+    }
+    say();
+  });
+}
+
+void BoxPanel::follow(Source source) {
+  source_ = std::move(source);
+  generation_ = 0;
+  position_ = 0;
+  model_->clear();
+  say();
+  refresh();
+}
+
+void BoxPanel::refresh() {
+  if (isVisible() && !timer_.isActive()) {
+    timer_.start(kIntervalMs);
+  }
+}
+
+void BoxPanel::fetch() {
+  if (!source_) {
+    return;
+  }
+  const Session::BoxesPiece piece = source_(generation_, position_);
+  const QScrollBar* bar = table_->verticalScrollBar();
+  const bool atEnd = bar->value() == bar->maximum();
+  if (piece.restarted || !piece.samples.empty()) {
+    model_->replaceFrom(piece.first, piece.samples);
+  }
+  if (atEnd) {
+    table_->scrollToBottom();
+  }
+  say();
+}
+
+void BoxPanel::show(const TrackSnapshot& snapshot) {
+  QStringList names;
+  for (const TargetSnapshot& target : snapshot.targets) {
+    names.append(QString::fromStdString(target.target.name));
+  }
+  model_->setNames(names);
+}
+
+QByteArray BoxPanel::csv() {
+  fetch();
+  BoxTrack track;
+  track.samples = model_->samples();
+  if (const auto rows = table_->selectionModel()->selection(); !rows.isEmpty()) {
+    const auto first = track.samples.begin();
+    track.samples = {first + rows.first().top(), first + rows.first().bottom() + 1};
+  }
+  return QByteArray::fromStdString(boxCsv(track));
+}
+
+void BoxPanel::say() {
+  const int rows = model_->rowCount();
+  summary_->setText(
+      rows == 0 ? tr("This method follows boxes in images: click the thing or drag a box around "
+                     "it in any camera view. Its box in every frame appears here, in pixels.")
+                : tr("%n boxes, in pixels of the image", nullptr, rows));
+}
+
+void BoxPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  refresh();
+}
+
+} // namespace dewpoint
