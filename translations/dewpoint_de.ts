@@ -519,6 +519,10 @@
         <source>Make the figures of the papers anew, with a report</source>
         <translation>Die Abbildungen der Artikel neu erzeugen, mit einem Bericht</translation>
     </message>
+    <message>
+        <source>Take a box</source>
+        <translation>Rahmen nehmen</translation>
+    </message>
 </context>
 <context>
     <name>BoardWords</name>
@@ -925,6 +929,46 @@
         <source>Where the cloud may start</source>
         <translation>Wo die Wolke beginnen darf</translation>
     </message>
+    <message>
+        <source>Boxes: error, success and precision</source>
+        <translation>Rahmen: Fehler, Erfolg und Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: people come and go; how long nobody is taken for somebody, or somebody for nobody.</source>
+        <translation>Mohedano u. a. 2009: Personen kommen und gehen; wie lange niemand für jemanden gehalten wird oder jemand für niemanden.</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: two people meet and walk on; by motion alone they are mixed up, with color they are not.</source>
+        <translation>Mohedano u. a. 2009: Zwei Personen begegnen sich und gehen weiter; nach der Bewegung allein werden sie verwechselt, mit der Farbe nicht.</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: two people meet, stay and go back where they came from.</source>
+        <translation>Mohedano u. a. 2009: Zwei Personen treffen sich, bleiben stehen und gehen zurück, woher sie kamen.</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: two people walk close to each other.</source>
+        <translation>Mohedano u. a. 2009: Zwei Personen gehen dicht nebeneinander.</translation>
+    </message>
+    <message>
+        <source>People side by side</source>
+        <translation>Personen nebeneinander</translation>
+    </message>
+    <message>
+        <source>People who cross</source>
+        <translation>Personen, die sich kreuzen</translation>
+    </message>
+    <message>
+        <source>People who enter and leave</source>
+        <translation>Personen, die kommen und gehen</translation>
+    </message>
+    <message>
+        <source>People who meet and turn</source>
+        <translation>Personen, die sich treffen und umkehren</translation>
+    </message>
+    <message>
+        <source>Sugandi et al. 2009, section 4: 100 and 300 particles, method histogram and four trackers of OpenCV on the same clips.</source>
+        <translation>Sugandi u. a. 2009, Abschnitt 4: 100 und 300 Partikel, das Verfahren Histogramm und vier Verfolger von OpenCV auf denselben Filmen.</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -1034,6 +1078,14 @@
         <source>– not tracked</source>
         <translation>– nicht verfolgt</translation>
     </message>
+    <message>
+        <source>◌ hidden</source>
+        <translation>◌ verdeckt</translation>
+    </message>
+    <message>
+        <source>– no box yet</source>
+        <translation>– noch kein Rahmen</translation>
+    </message>
 </context>
 <context>
     <name>MapLegend</name>
@@ -1083,6 +1135,22 @@
     <message>
         <source>dynamics</source>
         <translation>dynamics</translation>
+    </message>
+    <message>
+        <source>Follows a box in one camera&apos;s images by the colors of its parts: finds it again after it was hidden, and follows its size.</source>
+        <translation>Folgt einem Rahmen in den Bildern einer Kamera nach den Farben seiner Teile: findet ihn wieder, wenn er verdeckt war, und folgt seiner Größe.</translation>
+    </message>
+    <message>
+        <source>The color histogram filter of Sugandi et al. (2009), for a box in one camera&apos;s images: for teaching and comparison.</source>
+        <translation>Der Farbhistogramm-Filter von Sugandi u. a. (2009) für einen Rahmen in den Bildern einer Kamera: zum Lehren und Vergleichen.</translation>
+    </message>
+    <message>
+        <source>histogram</source>
+        <translation>Histogramm</translation>
+    </message>
+    <message>
+        <source>sugandi</source>
+        <translation>Sugandi u. a.</translation>
     </message>
 </context>
 <context>
@@ -1227,6 +1295,82 @@
         <source>Observation sigma</source>
         <translation>Beobachtungs-Sigma</translation>
     </message>
+    <message>
+        <source>Adaptation</source>
+        <translation>Anpassung</translation>
+    </message>
+    <message>
+        <source>Aspect sigma</source>
+        <translation>Seitenverhältnis-Sigma</translation>
+    </message>
+    <message>
+        <source>Hidden below</source>
+        <translation>Verdeckt unterhalb</translation>
+    </message>
+    <message>
+        <source>How different from the reference the colors may be (Bhattacharyya distance): smaller trusts the best particles more.</source>
+        <translation>Wie verschieden von der Vorlage die Farben sein dürfen (Bhattacharyya-Abstand): Kleinere Werte trauen den besten Partikeln mehr.</translation>
+    </message>
+    <message>
+        <source>How far particles move at random along each axis from image to image, beside going on as before, in sizes of the target.</source>
+        <translation>Wie weit sich Partikel von Bild zu Bild entlang jeder Achse zufällig bewegen, außer dass sie weitergehen wie zuvor, in Größen des Ziels.</translation>
+    </message>
+    <message>
+        <source>How far particles move at random along each axis from image to image, beside going on as before: larger follows sudden motion and spreads wider.</source>
+        <translation>Wie weit sich Partikel von Bild zu Bild entlang jeder Achse zufällig bewegen, außer dass sie weitergehen wie zuvor: Größere Werte folgen plötzlichen Bewegungen und streuen weiter.</translation>
+    </message>
+    <message>
+        <source>How far the target may be from where it was expected, in sizes of the target, before that counts strongly against a place.</source>
+        <translation>Wie weit das Ziel vom erwarteten Ort entfernt sein darf, in Größen des Ziels, bevor das stark gegen einen Ort spricht.</translation>
+    </message>
+    <message>
+        <source>How much better a place with more of the target&apos;s colors is held to be.</source>
+        <translation>Wie viel besser ein Ort mit mehr von den Farben des Ziels gilt.</translation>
+    </message>
+    <message>
+        <source>How much the proportion of width to height may change from image to image (logarithm); 0 keeps it as it was given.</source>
+        <translation>Wie sehr sich das Verhältnis von Breite zu Höhe von Bild zu Bild ändern darf (Logarithmus); 0 lässt es, wie es gegeben wurde.</translation>
+    </message>
+    <message>
+        <source>How much the size of the box may change from image to image (logarithm); 0 keeps it as it was given.</source>
+        <translation>Wie sehr sich die Größe des Rahmens von Bild zu Bild ändern darf (Logarithmus); 0 lässt sie, wie sie gegeben wurde.</translation>
+    </message>
+    <message>
+        <source>Jump reach</source>
+        <translation>Reichweite der Sprünge</translation>
+    </message>
+    <message>
+        <source>Jump share</source>
+        <translation>Anteil der Sprünge</translation>
+    </message>
+    <message>
+        <source>Likelihood sigma</source>
+        <translation>Likelihood-Sigma</translation>
+    </message>
+    <message>
+        <source>Position sigma</source>
+        <translation>Orts-Sigma</translation>
+    </message>
+    <message>
+        <source>Scale sigma</source>
+        <translation>Größen-Sigma</translation>
+    </message>
+    <message>
+        <source>Share by which the reference colors follow those of the box from image to image; 0 keeps those of the first image.</source>
+        <translation>Anteil, um den die Vorlagefarben von Bild zu Bild denen des Rahmens folgen; 0 behält die des ersten Bildes.</translation>
+    </message>
+    <message>
+        <source>Share of the particles that are tried at other places with the target&apos;s colors.</source>
+        <translation>Anteil der Partikel, die an anderen Orten mit den Farben des Ziels versucht werden.</translation>
+    </message>
+    <message>
+        <source>Sharpness</source>
+        <translation>Schärfe</translation>
+    </message>
+    <message>
+        <source>The target counts as hidden, and is held, where less than this share of its usual colors is found.</source>
+        <translation>Das Ziel gilt als verdeckt und wird gehalten, wo weniger als dieser Anteil seiner üblichen Farben gefunden wird.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterRow</name>
@@ -1258,6 +1402,10 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
     </message>
 </context>
 <context>
@@ -1357,6 +1505,14 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <source>one iteration</source>
         <translation>eine Iteration</translation>
     </message>
+    <message>
+        <source>Similarity</source>
+        <translation>Ähnlichkeit</translation>
+    </message>
+    <message>
+        <source>to the reference</source>
+        <translation>zur Vorlage</translation>
+    </message>
 </context>
 <context>
     <name>Timeline</name>
@@ -1406,6 +1562,14 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>s</source>
         <translation>s</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>sizes</source>
+        <translation>Größen</translation>
     </message>
 </context>
 <context>
@@ -2042,6 +2206,177 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>Use it anyway</source>
         <translation>Trotzdem verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoxExportDialog</name>
+    <message>
+        <source>Export boxes</source>
+        <translation>Rahmen exportieren</translation>
+    </message>
+    <message>
+        <source>Two files are written: boxes.csv (a row per target and frame: box, center, similarity, seen or hidden) and boxes_mot.txt (the format of the MOT challenge). All in pixels.</source>
+        <translation>Zwei Dateien werden geschrieben: boxes.csv (eine Zeile je Ziel und Bild: Rahmen, Mitte, Ähnlichkeit, gesehen oder verdeckt) und boxes_mot.txt (das Format der MOT Challenge). Alles in Pixeln.</translation>
+    </message>
+    <message>
+        <source>How boxes.csv begins</source>
+        <translation>Wie boxes.csv beginnt</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Both files go there; it is made if need be</source>
+        <translation>Beide Dateien kommen dorthin; er wird bei Bedarf angelegt</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose the folder of the files</source>
+        <translation>Den Ordner der Dateien wählen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Write both files (Enter)</source>
+        <translation>Beide Dateien schreiben (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>Folder of the boxes</source>
+        <translation>Ordner der Rahmen</translation>
+    </message>
+    <message>
+        <source>boxes.csv and boxes_mot.txt are in %1.</source>
+        <translation>boxes.csv und boxes_mot.txt liegen in %1.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoxModel</name>
+    <message>
+        <source>● held</source>
+        <translation>● gehalten</translation>
+    </message>
+    <message>
+        <source>◌ hidden</source>
+        <translation>◌ verdeckt</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>Seconds, of the frame</source>
+        <translation>Sekunden, des Bildes</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Frame, counted from 1</source>
+        <translation>Bild, ab 1 gezählt</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Name of the target</source>
+        <translation>Name des Ziels</translation>
+    </message>
+    <message>
+        <source>x, px</source>
+        <translation>x, px</translation>
+    </message>
+    <message>
+        <source>Center of the box, pixels from the left edge of the image</source>
+        <translation>Mitte des Rahmens, Pixel vom linken Bildrand</translation>
+    </message>
+    <message>
+        <source>y, px</source>
+        <translation>y, px</translation>
+    </message>
+    <message>
+        <source>Center of the box, pixels from the upper edge of the image</source>
+        <translation>Mitte des Rahmens, Pixel vom oberen Bildrand</translation>
+    </message>
+    <message>
+        <source>width, px</source>
+        <translation>Breite, px</translation>
+    </message>
+    <message>
+        <source>Width of the box, pixels</source>
+        <translation>Breite des Rahmens, Pixel</translation>
+    </message>
+    <message>
+        <source>height, px</source>
+        <translation>Höhe, px</translation>
+    </message>
+    <message>
+        <source>Height of the box, pixels</source>
+        <translation>Höhe des Rahmens, Pixel</translation>
+    </message>
+    <message>
+        <source>similarity</source>
+        <translation>Ähnlichkeit</translation>
+    </message>
+    <message>
+        <source>How alike the colors in the box are to those it was given with, 0 to 1</source>
+        <translation>Wie ähnlich die Farben im Rahmen denen sind, mit denen er gegeben wurde, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>spread, px</source>
+        <translation>Streuung, px</translation>
+    </message>
+    <message>
+        <source>Root mean square distance of the particles to their mean</source>
+        <translation>Mittlerer quadratischer Abstand (RMS) der Partikel von ihrem Mittel</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Hidden: it is held where it is thought to be</source>
+        <translation>Verdeckt: Es wird gehalten, wo es vermutet wird</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoxPanel</name>
+    <message>
+        <source>Boxes of the targets</source>
+        <translation>Rahmen der Ziele</translation>
+    </message>
+    <message>
+        <source>This method follows boxes in images: click the thing or drag a box around it in any camera view. Its box in every frame appears here, in pixels.</source>
+        <translation>Dieses Verfahren folgt Rahmen in Bildern: Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen. Hier erscheint sein Rahmen in jedem Bild, in Pixeln.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boxes, in pixels of the image</source>
+        <translation>
+            <numerusform>%n Rahmen, in Pixeln des Bildes</numerusform>
+            <numerusform>%n Rahmen, in Pixeln des Bildes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoxTeacher</name>
+    <message>
+        <source>This camera shows no image to take a box from.</source>
+        <translation>Diese Kamera zeigt kein Bild, aus dem ein Rahmen genommen werden könnte.</translation>
+    </message>
+    <message>
+        <source>Box of %1</source>
+        <translation>Rahmen von %1</translation>
     </message>
 </context>
 <context>
@@ -2765,6 +3100,26 @@ bei %4, %5, %6 m</translation>
         <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one</source>
         <translation>Umschalt-Klick in einem Bild fügt eine hinzu, Alt-Klick oder Strg+Umschalt-Klick schließt eine aus</translation>
     </message>
+    <message>
+        <source>Box</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>Then click the thing in any camera image, or drag a box around it. Shift does the same without this button.</source>
+        <translation>Dann das Ding in einem Kamerabild anklicken oder einen Rahmen darum ziehen. Mit Umschalt geht dasselbe ohne diese Schaltfläche.</translation>
+    </message>
+    <message>
+        <source>Click the thing or drag a box around it</source>
+        <translation>Das Ding anklicken oder einen Rahmen darum ziehen</translation>
+    </message>
+    <message>
+        <source>Followed from its box in %1, frame %2: %3 × %4 px. This method needs no color; press Box and click the thing for another box.</source>
+        <translation>Verfolgt von seinem Rahmen in %1 an, Bild %2: %3 × %4 px. Dieses Verfahren braucht keine Farbe; für einen anderen Rahmen auf Rahmen drücken und das Ding anklicken.</translation>
+    </message>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view.</source>
+        <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ColorPicker</name>
@@ -3016,6 +3371,46 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Run it</source>
         <translation>Ausführen</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>Ordner der Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Clothes</source>
+        <translation>Kleidung</translation>
+    </message>
+    <message>
+        <source>Whether the clothes of the simulated people tell them apart</source>
+        <translation>Ob die Kleidung der simulierten Personen sie unterscheidet</translation>
+    </message>
+    <message>
+        <source>both kinds</source>
+        <translation>beide Arten</translation>
+    </message>
+    <message>
+        <source>different</source>
+        <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>similar</source>
+        <translation>ähnlich</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>none: a rendered clip only</source>
+        <translation>keine: nur ein berechneter Film</translation>
+    </message>
+    <message>
+        <source>Folder with the recordings juggle1 and otb; without one, a rendered clip only</source>
+        <translation>Ordner mit den Aufnahmen juggle1 und otb; ohne ihn nur ein berechneter Film</translation>
+    </message>
+    <message>
+        <source>Choose the folder of the recordings</source>
+        <translation>Den Ordner der Aufnahmen wählen</translation>
     </message>
 </context>
 <context>
@@ -3796,6 +4191,14 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Plan</source>
         <translation>Planen</translation>
+    </message>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view.</source>
+        <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen.</translation>
+    </message>
+    <message>
+        <source>This method works in the room: calibrate the cameras first (menu Calibration), their positions are only a guess.</source>
+        <translation>Dieses Verfahren arbeitet im Raum: Zuerst die Kameras kalibrieren (Menü Kalibrierung), ihre Orte sind nur geraten.</translation>
     </message>
 </context>
 <context>
@@ -4735,6 +5138,26 @@ bei %4, %5, %6 m</translation>
         <source>Held: the cameras confirm the estimate. Lost: not so for a second.</source>
         <translation>Gehalten: Die Kameras bestätigen die Schätzung. Verloren: seit einer Sekunde nicht.</translation>
     </message>
+    <message>
+        <source>held where it is thought to be</source>
+        <translation>gehalten, wo es vermutet wird</translation>
+    </message>
+    <message>
+        <source>click it or drag a box around it</source>
+        <translation>anklicken oder einen Rahmen darum ziehen</translation>
+    </message>
+    <message>
+        <source>Effective sample size, of all particles</source>
+        <translation>Effektive Stichprobengröße, von allen Partikeln</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>x %1  y %2  %3 × %4 px</source>
+        <translation>x %1  y %2  %3 × %4 px</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::TargetPanel</name>
@@ -4785,6 +5208,28 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Remove target</source>
         <translation>Ziel entfernen</translation>
+    </message>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view: it is followed from there on.</source>
+        <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen: Von da an wird ihm gefolgt.</translation>
+    </message>
+    <message>
+        <source>No box at this moment.</source>
+        <translation>Zu diesem Zeitpunkt kein Rahmen.</translation>
+    </message>
+    <message>
+        <source>%1, in %2
+Center %3, %4 px, size %5 × %6 px
+Similarity %7
+Effective sample size %8 of %9</source>
+        <translation>%1, in %2
+Mitte %3, %4 px, Größe %5 × %6 px
+Ähnlichkeit %7
+Effektive Stichprobengröße %8 von %9</translation>
+    </message>
+    <message>
+        <source>Spread %1 px</source>
+        <translation>Streuung %1 px</translation>
     </message>
 </context>
 <context>
@@ -4951,6 +5396,10 @@ bei %4, %5, %6 m</translation>
             <numerusform>%n Messpunkt, keine Lücken</numerusform>
             <numerusform>%n Messpunkte, keine Lücken</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The boxes are on the clipboard as CSV.</source>
+        <translation>Die Rahmen sind als CSV in der Zwischenablage.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en">
 <context>
+    <name>dewpoint::BoxPanel</name>
+    <message numerus="yes">
+        <source>%n boxes, in pixels of the image</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::GapList</name>
     <message numerus="yes">
         <source>%n frames</source>

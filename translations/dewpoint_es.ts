@@ -519,6 +519,10 @@
         <source>Make the figures of the papers anew, with a report</source>
         <translation>Rehacer las figuras de los artículos, con un informe</translation>
     </message>
+    <message>
+        <source>Take a box</source>
+        <translation>Tomar un recuadro</translation>
+    </message>
 </context>
 <context>
     <name>BoardWords</name>
@@ -925,6 +929,46 @@
         <source>Where the cloud may start</source>
         <translation>Dónde puede empezar la nube</translation>
     </message>
+    <message>
+        <source>Boxes: error, success and precision</source>
+        <translation>Recuadros: error, éxito y precisión</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: people come and go; how long nobody is taken for somebody, or somebody for nobody.</source>
+        <translation>Mohedano et al. 2009: la gente entra y sale; cuánto tiempo se toma a nadie por alguien, o a alguien por nadie.</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: two people meet and walk on; by motion alone they are mixed up, with color they are not.</source>
+        <translation>Mohedano et al. 2009: dos personas se encuentran y siguen; solo por el movimiento se confunden, con el color no.</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: two people meet, stay and go back where they came from.</source>
+        <translation>Mohedano et al. 2009: dos personas se encuentran, se paran y vuelven por donde vinieron.</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: two people walk close to each other.</source>
+        <translation>Mohedano et al. 2009: dos personas caminan muy juntas.</translation>
+    </message>
+    <message>
+        <source>People side by side</source>
+        <translation>Personas una al lado de otra</translation>
+    </message>
+    <message>
+        <source>People who cross</source>
+        <translation>Personas que se cruzan</translation>
+    </message>
+    <message>
+        <source>People who enter and leave</source>
+        <translation>Personas que entran y salen</translation>
+    </message>
+    <message>
+        <source>People who meet and turn</source>
+        <translation>Personas que se encuentran y dan la vuelta</translation>
+    </message>
+    <message>
+        <source>Sugandi et al. 2009, section 4: 100 and 300 particles, method histogram and four trackers of OpenCV on the same clips.</source>
+        <translation>Sugandi et al. 2009, sección 4: 100 y 300 partículas, el método histograma y cuatro seguidores de OpenCV en los mismos vídeos.</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -1034,6 +1078,14 @@
         <source>– not tracked</source>
         <translation>– sin seguir</translation>
     </message>
+    <message>
+        <source>◌ hidden</source>
+        <translation>◌ oculto</translation>
+    </message>
+    <message>
+        <source>– no box yet</source>
+        <translation>– aún sin recuadro</translation>
+    </message>
 </context>
 <context>
     <name>MapLegend</name>
@@ -1083,6 +1135,22 @@
     <message>
         <source>dynamics</source>
         <translation>dynamics</translation>
+    </message>
+    <message>
+        <source>Follows a box in one camera&apos;s images by the colors of its parts: finds it again after it was hidden, and follows its size.</source>
+        <translation>Sigue un recuadro en las imágenes de una cámara por los colores de sus partes: lo reencuentra tras una ocultación y sigue su tamaño.</translation>
+    </message>
+    <message>
+        <source>The color histogram filter of Sugandi et al. (2009), for a box in one camera&apos;s images: for teaching and comparison.</source>
+        <translation>El filtro de histogramas de color de Sugandi et al. (2009), para un recuadro en las imágenes de una cámara: para enseñar y comparar.</translation>
+    </message>
+    <message>
+        <source>histogram</source>
+        <translation>Histograma</translation>
+    </message>
+    <message>
+        <source>sugandi</source>
+        <translation>Sugandi et al.</translation>
     </message>
 </context>
 <context>
@@ -1227,6 +1295,82 @@
         <source>Observation sigma</source>
         <translation>Sigma de observación</translation>
     </message>
+    <message>
+        <source>Adaptation</source>
+        <translation>Adaptación</translation>
+    </message>
+    <message>
+        <source>Aspect sigma</source>
+        <translation>Sigma de la proporción</translation>
+    </message>
+    <message>
+        <source>Hidden below</source>
+        <translation>Oculto por debajo de</translation>
+    </message>
+    <message>
+        <source>How different from the reference the colors may be (Bhattacharyya distance): smaller trusts the best particles more.</source>
+        <translation>Cuánto pueden diferir los colores de la referencia (distancia de Bhattacharyya): un valor menor confía más en las mejores partículas.</translation>
+    </message>
+    <message>
+        <source>How far particles move at random along each axis from image to image, beside going on as before, in sizes of the target.</source>
+        <translation>Cuánto se mueven al azar las partículas a lo largo de cada eje de una imagen a otra, además de seguir como antes, en tamaños del objetivo.</translation>
+    </message>
+    <message>
+        <source>How far particles move at random along each axis from image to image, beside going on as before: larger follows sudden motion and spreads wider.</source>
+        <translation>Cuánto se mueven al azar las partículas a lo largo de cada eje de una imagen a otra, además de seguir como antes: un valor mayor sigue movimientos repentinos y dispersa más.</translation>
+    </message>
+    <message>
+        <source>How far the target may be from where it was expected, in sizes of the target, before that counts strongly against a place.</source>
+        <translation>Cuánto puede alejarse el objetivo de donde se esperaba, en tamaños del objetivo, antes de que eso cuente mucho en contra de un lugar.</translation>
+    </message>
+    <message>
+        <source>How much better a place with more of the target&apos;s colors is held to be.</source>
+        <translation>Cuánto mejor se considera un lugar con más colores del objetivo.</translation>
+    </message>
+    <message>
+        <source>How much the proportion of width to height may change from image to image (logarithm); 0 keeps it as it was given.</source>
+        <translation>Cuánto puede cambiar la proporción entre anchura y altura de una imagen a otra (logaritmo); 0 la deja como se dio.</translation>
+    </message>
+    <message>
+        <source>How much the size of the box may change from image to image (logarithm); 0 keeps it as it was given.</source>
+        <translation>Cuánto puede cambiar el tamaño del recuadro de una imagen a otra (logaritmo); 0 lo deja como se dio.</translation>
+    </message>
+    <message>
+        <source>Jump reach</source>
+        <translation>Alcance de los saltos</translation>
+    </message>
+    <message>
+        <source>Jump share</source>
+        <translation>Proporción de saltos</translation>
+    </message>
+    <message>
+        <source>Likelihood sigma</source>
+        <translation>Sigma de la verosimilitud</translation>
+    </message>
+    <message>
+        <source>Position sigma</source>
+        <translation>Sigma de la posición</translation>
+    </message>
+    <message>
+        <source>Scale sigma</source>
+        <translation>Sigma de la escala</translation>
+    </message>
+    <message>
+        <source>Share by which the reference colors follow those of the box from image to image; 0 keeps those of the first image.</source>
+        <translation>Proporción en que los colores de referencia siguen a los del recuadro de una imagen a otra; 0 conserva los de la primera imagen.</translation>
+    </message>
+    <message>
+        <source>Share of the particles that are tried at other places with the target&apos;s colors.</source>
+        <translation>Proporción de partículas que se prueban en otros lugares con los colores del objetivo.</translation>
+    </message>
+    <message>
+        <source>Sharpness</source>
+        <translation>Nitidez</translation>
+    </message>
+    <message>
+        <source>The target counts as hidden, and is held, where less than this share of its usual colors is found.</source>
+        <translation>El objetivo cuenta como oculto, y se mantiene, donde se encuentra menos de esta proporción de sus colores habituales.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterRow</name>
@@ -1258,6 +1402,10 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
     </message>
 </context>
 <context>
@@ -1357,6 +1505,14 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <source>one iteration</source>
         <translation>una iteración</translation>
     </message>
+    <message>
+        <source>Similarity</source>
+        <translation>Similitud</translation>
+    </message>
+    <message>
+        <source>to the reference</source>
+        <translation>con la referencia</translation>
+    </message>
 </context>
 <context>
     <name>Timeline</name>
@@ -1406,6 +1562,14 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>s</source>
         <translation>s</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>sizes</source>
+        <translation>tamaños</translation>
     </message>
 </context>
 <context>
@@ -2042,6 +2206,177 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>Use it anyway</source>
         <translation>Usarla de todos modos</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoxExportDialog</name>
+    <message>
+        <source>Export boxes</source>
+        <translation>Exportar recuadros</translation>
+    </message>
+    <message>
+        <source>Two files are written: boxes.csv (a row per target and frame: box, center, similarity, seen or hidden) and boxes_mot.txt (the format of the MOT challenge). All in pixels.</source>
+        <translation>Se escriben dos archivos: boxes.csv (una fila por objetivo y fotograma: recuadro, centro, similitud, visto u oculto) y boxes_mot.txt (el formato del MOT Challenge). Todo en píxeles.</translation>
+    </message>
+    <message>
+        <source>How boxes.csv begins</source>
+        <translation>Cómo empieza boxes.csv</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <source>Both files go there; it is made if need be</source>
+        <translation>Ambos archivos van ahí; se crea si hace falta</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Choose the folder of the files</source>
+        <translation>Elegir la carpeta de los archivos</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Write both files (Enter)</source>
+        <translation>Escribir ambos archivos (Intro)</translation>
+    </message>
+    <message>
+        <source>Folder of the boxes</source>
+        <translation>Carpeta de los recuadros</translation>
+    </message>
+    <message>
+        <source>boxes.csv and boxes_mot.txt are in %1.</source>
+        <translation>boxes.csv y boxes_mot.txt están en %1.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoxModel</name>
+    <message>
+        <source>● held</source>
+        <translation>● seguido</translation>
+    </message>
+    <message>
+        <source>◌ hidden</source>
+        <translation>◌ oculto</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>tiempo, s</translation>
+    </message>
+    <message>
+        <source>Seconds, of the frame</source>
+        <translation>Segundos, del fotograma</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>fotograma</translation>
+    </message>
+    <message>
+        <source>Frame, counted from 1</source>
+        <translation>Fotograma, contado desde 1</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>objetivo</translation>
+    </message>
+    <message>
+        <source>Name of the target</source>
+        <translation>Nombre del objetivo</translation>
+    </message>
+    <message>
+        <source>x, px</source>
+        <translation>x, px</translation>
+    </message>
+    <message>
+        <source>Center of the box, pixels from the left edge of the image</source>
+        <translation>Centro del recuadro, píxeles desde el borde izquierdo de la imagen</translation>
+    </message>
+    <message>
+        <source>y, px</source>
+        <translation>y, px</translation>
+    </message>
+    <message>
+        <source>Center of the box, pixels from the upper edge of the image</source>
+        <translation>Centro del recuadro, píxeles desde el borde superior de la imagen</translation>
+    </message>
+    <message>
+        <source>width, px</source>
+        <translation>anchura, px</translation>
+    </message>
+    <message>
+        <source>Width of the box, pixels</source>
+        <translation>Anchura del recuadro, píxeles</translation>
+    </message>
+    <message>
+        <source>height, px</source>
+        <translation>altura, px</translation>
+    </message>
+    <message>
+        <source>Height of the box, pixels</source>
+        <translation>Altura del recuadro, píxeles</translation>
+    </message>
+    <message>
+        <source>similarity</source>
+        <translation>similitud</translation>
+    </message>
+    <message>
+        <source>How alike the colors in the box are to those it was given with, 0 to 1</source>
+        <translation>Cuánto se parecen los colores del recuadro a aquellos con los que se dio, de 0 a 1</translation>
+    </message>
+    <message>
+        <source>spread, px</source>
+        <translation>dispersión, px</translation>
+    </message>
+    <message>
+        <source>Root mean square distance of the particles to their mean</source>
+        <translation>Distancia cuadrática media de las partículas a su media</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>estado</translation>
+    </message>
+    <message>
+        <source>Hidden: it is held where it is thought to be</source>
+        <translation>Oculto: se mantiene donde se cree que está</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoxPanel</name>
+    <message>
+        <source>Boxes of the targets</source>
+        <translation>Recuadros de los objetivos</translation>
+    </message>
+    <message>
+        <source>This method follows boxes in images: click the thing or drag a box around it in any camera view. Its box in every frame appears here, in pixels.</source>
+        <translation>Este método sigue recuadros en imágenes: haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara. Aquí aparece su recuadro en cada fotograma, en píxeles.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boxes, in pixels of the image</source>
+        <translation>
+            <numerusform>%n recuadro, en píxeles de la imagen</numerusform>
+            <numerusform>%n recuadros, en píxeles de la imagen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoxTeacher</name>
+    <message>
+        <source>This camera shows no image to take a box from.</source>
+        <translation>Esta cámara no muestra ninguna imagen de la que tomar un recuadro.</translation>
+    </message>
+    <message>
+        <source>Box of %1</source>
+        <translation>Recuadro de %1</translation>
     </message>
 </context>
 <context>
@@ -2765,6 +3100,26 @@ en %4, %5, %6 m</translation>
         <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one</source>
         <translation>Mayús-clic en una imagen añade una; Alt-clic o Ctrl+Mayús-clic excluye una</translation>
     </message>
+    <message>
+        <source>Box</source>
+        <translation>Recuadro</translation>
+    </message>
+    <message>
+        <source>Then click the thing in any camera image, or drag a box around it. Shift does the same without this button.</source>
+        <translation>Después haz clic en la cosa en cualquier imagen, o arrastra un recuadro a su alrededor. Con Mayús se hace lo mismo sin este botón.</translation>
+    </message>
+    <message>
+        <source>Click the thing or drag a box around it</source>
+        <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor</translation>
+    </message>
+    <message>
+        <source>Followed from its box in %1, frame %2: %3 × %4 px. This method needs no color; press Box and click the thing for another box.</source>
+        <translation>Se sigue desde su recuadro en %1, fotograma %2: %3 × %4 px. Este método no necesita color; para otro recuadro pulsa Recuadro y haz clic en la cosa.</translation>
+    </message>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view.</source>
+        <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ColorPicker</name>
@@ -3016,6 +3371,46 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Run it</source>
         <translation>Ejecutar</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>Carpeta de las grabaciones</translation>
+    </message>
+    <message>
+        <source>Clothes</source>
+        <translation>Ropa</translation>
+    </message>
+    <message>
+        <source>Whether the clothes of the simulated people tell them apart</source>
+        <translation>Si la ropa de las personas simuladas las distingue</translation>
+    </message>
+    <message>
+        <source>both kinds</source>
+        <translation>ambas clases</translation>
+    </message>
+    <message>
+        <source>different</source>
+        <translation>distinta</translation>
+    </message>
+    <message>
+        <source>similar</source>
+        <translation>parecida</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Grabaciones</translation>
+    </message>
+    <message>
+        <source>none: a rendered clip only</source>
+        <translation>ninguna: solo un vídeo generado</translation>
+    </message>
+    <message>
+        <source>Folder with the recordings juggle1 and otb; without one, a rendered clip only</source>
+        <translation>Carpeta con las grabaciones juggle1 y otb; sin ella, solo un vídeo generado</translation>
+    </message>
+    <message>
+        <source>Choose the folder of the recordings</source>
+        <translation>Elegir la carpeta de las grabaciones</translation>
     </message>
 </context>
 <context>
@@ -3796,6 +4191,14 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Plan</source>
         <translation>Planificar</translation>
+    </message>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view.</source>
+        <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara.</translation>
+    </message>
+    <message>
+        <source>This method works in the room: calibrate the cameras first (menu Calibration), their positions are only a guess.</source>
+        <translation>Este método trabaja en el espacio: calibra primero las cámaras (menú Calibración), sus posiciones son solo una suposición.</translation>
     </message>
 </context>
 <context>
@@ -4735,6 +5138,26 @@ en %4, %5, %6 m</translation>
         <source>Held: the cameras confirm the estimate. Lost: not so for a second.</source>
         <translation>Seguido: las cámaras confirman la estimación. Perdido: no desde hace un segundo.</translation>
     </message>
+    <message>
+        <source>held where it is thought to be</source>
+        <translation>se mantiene donde se cree que está</translation>
+    </message>
+    <message>
+        <source>click it or drag a box around it</source>
+        <translation>haz clic o arrastra un recuadro a su alrededor</translation>
+    </message>
+    <message>
+        <source>Effective sample size, of all particles</source>
+        <translation>Tamaño efectivo de la muestra, del total de partículas</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>x %1  y %2  %3 × %4 px</source>
+        <translation>x %1  y %2  %3 × %4 px</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::TargetPanel</name>
@@ -4785,6 +5208,28 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Remove target</source>
         <translation>Quitar el objetivo</translation>
+    </message>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view: it is followed from there on.</source>
+        <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara: se sigue desde ahí.</translation>
+    </message>
+    <message>
+        <source>No box at this moment.</source>
+        <translation>Sin recuadro en este momento.</translation>
+    </message>
+    <message>
+        <source>%1, in %2
+Center %3, %4 px, size %5 × %6 px
+Similarity %7
+Effective sample size %8 of %9</source>
+        <translation>%1, en %2
+Centro %3, %4 px, tamaño %5 × %6 px
+Similitud %7
+Tamaño efectivo de la muestra %8 de %9</translation>
+    </message>
+    <message>
+        <source>Spread %1 px</source>
+        <translation>Dispersión %1 px</translation>
     </message>
 </context>
 <context>
@@ -4951,6 +5396,10 @@ en %4, %5, %6 m</translation>
             <numerusform>%n muestra, sin huecos</numerusform>
             <numerusform>%n muestras, sin huecos</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The boxes are on the clipboard as CSV.</source>
+        <translation>Los recuadros están en el portapapeles como CSV.</translation>
     </message>
 </context>
 <context>

@@ -519,6 +519,10 @@
         <source>Make the figures of the papers anew, with a report</source>
         <translation>論文の図を作り直し、レポートにします</translation>
     </message>
+    <message>
+        <source>Take a box</source>
+        <translation>枠を取る</translation>
+    </message>
 </context>
 <context>
     <name>BoardWords</name>
@@ -925,6 +929,46 @@
         <source>Where the cloud may start</source>
         <translation>雲の開始位置</translation>
     </message>
+    <message>
+        <source>Boxes: error, success and precision</source>
+        <translation>枠：誤差、成功率、精度</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: people come and go; how long nobody is taken for somebody, or somebody for nobody.</source>
+        <translation>Mohedano ら 2009：人が出入りします。いない人をいるとみなす時間、いる人を見落とす時間を調べます。</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: two people meet and walk on; by motion alone they are mixed up, with color they are not.</source>
+        <translation>Mohedano ら 2009：2 人が出会って通り過ぎます。動きだけでは取り違え、色を使えば取り違えません。</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: two people meet, stay and go back where they came from.</source>
+        <translation>Mohedano ら 2009：2 人が出会い、立ち止まり、来た方へ戻ります。</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: two people walk close to each other.</source>
+        <translation>Mohedano ら 2009：2 人が近くを並んで歩きます。</translation>
+    </message>
+    <message>
+        <source>People side by side</source>
+        <translation>並んで歩く人</translation>
+    </message>
+    <message>
+        <source>People who cross</source>
+        <translation>すれ違う人</translation>
+    </message>
+    <message>
+        <source>People who enter and leave</source>
+        <translation>入って出て行く人</translation>
+    </message>
+    <message>
+        <source>People who meet and turn</source>
+        <translation>出会って引き返す人</translation>
+    </message>
+    <message>
+        <source>Sugandi et al. 2009, section 4: 100 and 300 particles, method histogram and four trackers of OpenCV on the same clips.</source>
+        <translation>Sugandi ら 2009、第 4 節：粒子 100 個と 300 個、手法ヒストグラム、OpenCV の 4 つの追跡器を同じ映像で比べます。</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -1034,6 +1078,14 @@
         <source>– not tracked</source>
         <translation>– 未追跡</translation>
     </message>
+    <message>
+        <source>◌ hidden</source>
+        <translation>◌ 隠れている</translation>
+    </message>
+    <message>
+        <source>– no box yet</source>
+        <translation>– 枠がまだない</translation>
+    </message>
 </context>
 <context>
     <name>MapLegend</name>
@@ -1083,6 +1135,22 @@
     <message>
         <source>dynamics</source>
         <translation>dynamics</translation>
+    </message>
+    <message>
+        <source>Follows a box in one camera&apos;s images by the colors of its parts: finds it again after it was hidden, and follows its size.</source>
+        <translation>1 台のカメラの画像の中の枠を、その各部分の色で追います。隠れた後も見つけ直し、大きさの変化も追います。</translation>
+    </message>
+    <message>
+        <source>The color histogram filter of Sugandi et al. (2009), for a box in one camera&apos;s images: for teaching and comparison.</source>
+        <translation>1 台のカメラの画像の中の枠を追う、Sugandi ら (2009) の色ヒストグラムのフィルター。学習と比較のため。</translation>
+    </message>
+    <message>
+        <source>histogram</source>
+        <translation>ヒストグラム</translation>
+    </message>
+    <message>
+        <source>sugandi</source>
+        <translation>Sugandi ら</translation>
     </message>
 </context>
 <context>
@@ -1227,6 +1295,82 @@
         <source>Observation sigma</source>
         <translation>観測シグマ</translation>
     </message>
+    <message>
+        <source>Adaptation</source>
+        <translation>適応</translation>
+    </message>
+    <message>
+        <source>Aspect sigma</source>
+        <translation>縦横比のシグマ</translation>
+    </message>
+    <message>
+        <source>Hidden below</source>
+        <translation>これ未満で隠れたとみなす</translation>
+    </message>
+    <message>
+        <source>How different from the reference the colors may be (Bhattacharyya distance): smaller trusts the best particles more.</source>
+        <translation>色が基準からどれだけ違ってよいか（バタチャリヤ距離）。小さいほど最良の粒子を重んじます。</translation>
+    </message>
+    <message>
+        <source>How far particles move at random along each axis from image to image, beside going on as before, in sizes of the target.</source>
+        <translation>画像ごとに、それまでの動きに加えて、粒子が各軸方向にランダムに動く大きさ。目標の大きさを単位とします。</translation>
+    </message>
+    <message>
+        <source>How far particles move at random along each axis from image to image, beside going on as before: larger follows sudden motion and spreads wider.</source>
+        <translation>画像ごとに、それまでの動きに加えて、粒子が各軸方向にランダムに動く大きさ。大きいほど急な動きを追えますが、広く散らばります。</translation>
+    </message>
+    <message>
+        <source>How far the target may be from where it was expected, in sizes of the target, before that counts strongly against a place.</source>
+        <translation>目標が予想の場所からどれだけ離れてよいか（目標の大きさを単位とする）。これを超えると、その場所は強く不利になります。</translation>
+    </message>
+    <message>
+        <source>How much better a place with more of the target&apos;s colors is held to be.</source>
+        <translation>目標の色がより多い場所を、どれだけ良いとみなすか。</translation>
+    </message>
+    <message>
+        <source>How much the proportion of width to height may change from image to image (logarithm); 0 keeps it as it was given.</source>
+        <translation>画像ごとに幅と高さの比がどれだけ変わってよいか（対数）。0 では与えたままです。</translation>
+    </message>
+    <message>
+        <source>How much the size of the box may change from image to image (logarithm); 0 keeps it as it was given.</source>
+        <translation>画像ごとに枠の大きさがどれだけ変わってよいか（対数）。0 では与えたままです。</translation>
+    </message>
+    <message>
+        <source>Jump reach</source>
+        <translation>飛び先の範囲</translation>
+    </message>
+    <message>
+        <source>Jump share</source>
+        <translation>飛び先を試す割合</translation>
+    </message>
+    <message>
+        <source>Likelihood sigma</source>
+        <translation>尤度のシグマ</translation>
+    </message>
+    <message>
+        <source>Position sigma</source>
+        <translation>位置のシグマ</translation>
+    </message>
+    <message>
+        <source>Scale sigma</source>
+        <translation>大きさのシグマ</translation>
+    </message>
+    <message>
+        <source>Share by which the reference colors follow those of the box from image to image; 0 keeps those of the first image.</source>
+        <translation>画像ごとに基準の色が枠の色に近づく割合。0 では最初の画像の色のままです。</translation>
+    </message>
+    <message>
+        <source>Share of the particles that are tried at other places with the target&apos;s colors.</source>
+        <translation>目標の色がある別の場所で試される粒子の割合。</translation>
+    </message>
+    <message>
+        <source>Sharpness</source>
+        <translation>鋭さ</translation>
+    </message>
+    <message>
+        <source>The target counts as hidden, and is held, where less than this share of its usual colors is found.</source>
+        <translation>ふだんの色のこの割合未満しか見つからないとき、目標は隠れたとみなされ、その場に保たれます。</translation>
+    </message>
 </context>
 <context>
     <name>ParameterRow</name>
@@ -1258,6 +1402,10 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
     </message>
 </context>
 <context>
@@ -1357,6 +1505,14 @@ From %2 to %3%4; default %5%4.</source>
         <source>one iteration</source>
         <translation>1 反復</translation>
     </message>
+    <message>
+        <source>Similarity</source>
+        <translation>類似度</translation>
+    </message>
+    <message>
+        <source>to the reference</source>
+        <translation>基準との</translation>
+    </message>
 </context>
 <context>
     <name>Timeline</name>
@@ -1406,6 +1562,14 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>s</source>
         <translation>s</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>sizes</source>
+        <translation>倍（大きさ）</translation>
     </message>
 </context>
 <context>
@@ -2042,6 +2206,176 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>Use it anyway</source>
         <translation>それでも使う</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoxExportDialog</name>
+    <message>
+        <source>Export boxes</source>
+        <translation>枠を書き出す</translation>
+    </message>
+    <message>
+        <source>Two files are written: boxes.csv (a row per target and frame: box, center, similarity, seen or hidden) and boxes_mot.txt (the format of the MOT challenge). All in pixels.</source>
+        <translation>2 つのファイルを書き出します。boxes.csv（目標とフレームごとに 1 行：枠、中心、類似度、見えているか隠れているか）と boxes_mot.txt（MOT Challenge の形式）。単位はすべてピクセルです。</translation>
+    </message>
+    <message>
+        <source>How boxes.csv begins</source>
+        <translation>boxes.csv の冒頭</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>フォルダー</translation>
+    </message>
+    <message>
+        <source>Both files go there; it is made if need be</source>
+        <translation>両方のファイルの保存先。なければ作られます</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>Choose the folder of the files</source>
+        <translation>ファイルのフォルダーを選ぶ</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>書き出す</translation>
+    </message>
+    <message>
+        <source>Write both files (Enter)</source>
+        <translation>両方のファイルを書き出す（Enter）</translation>
+    </message>
+    <message>
+        <source>Folder of the boxes</source>
+        <translation>枠のフォルダー</translation>
+    </message>
+    <message>
+        <source>boxes.csv and boxes_mot.txt are in %1.</source>
+        <translation>boxes.csv と boxes_mot.txt は %1 にあります。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoxModel</name>
+    <message>
+        <source>● held</source>
+        <translation>● 追跡中</translation>
+    </message>
+    <message>
+        <source>◌ hidden</source>
+        <translation>◌ 隠れている</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>時間, s</translation>
+    </message>
+    <message>
+        <source>Seconds, of the frame</source>
+        <translation>フレームの時刻（秒）</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>Frame, counted from 1</source>
+        <translation>1 から数えたフレーム番号</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>対象</translation>
+    </message>
+    <message>
+        <source>Name of the target</source>
+        <translation>対象の名前</translation>
+    </message>
+    <message>
+        <source>x, px</source>
+        <translation>x, px</translation>
+    </message>
+    <message>
+        <source>Center of the box, pixels from the left edge of the image</source>
+        <translation>枠の中心、画像の左端からのピクセル数</translation>
+    </message>
+    <message>
+        <source>y, px</source>
+        <translation>y, px</translation>
+    </message>
+    <message>
+        <source>Center of the box, pixels from the upper edge of the image</source>
+        <translation>枠の中心、画像の上端からのピクセル数</translation>
+    </message>
+    <message>
+        <source>width, px</source>
+        <translation>幅, px</translation>
+    </message>
+    <message>
+        <source>Width of the box, pixels</source>
+        <translation>枠の幅、ピクセル</translation>
+    </message>
+    <message>
+        <source>height, px</source>
+        <translation>高さ, px</translation>
+    </message>
+    <message>
+        <source>Height of the box, pixels</source>
+        <translation>枠の高さ、ピクセル</translation>
+    </message>
+    <message>
+        <source>similarity</source>
+        <translation>類似度</translation>
+    </message>
+    <message>
+        <source>How alike the colors in the box are to those it was given with, 0 to 1</source>
+        <translation>枠の中の色が、与えられたときの色にどれだけ似ているか（0〜1）</translation>
+    </message>
+    <message>
+        <source>spread, px</source>
+        <translation>広がり, px</translation>
+    </message>
+    <message>
+        <source>Root mean square distance of the particles to their mean</source>
+        <translation>粒子とその平均との距離の二乗平均平方根</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>Hidden: it is held where it is thought to be</source>
+        <translation>隠れている：あると思われる場所に保たれます</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoxPanel</name>
+    <message>
+        <source>Boxes of the targets</source>
+        <translation>目標の枠</translation>
+    </message>
+    <message>
+        <source>This method follows boxes in images: click the thing or drag a box around it in any camera view. Its box in every frame appears here, in pixels.</source>
+        <translation>この手法は画像の中の枠を追います。どれかのカメラ画像で物をクリックするか、囲むようにドラッグしてください。各フレームでの枠がピクセル単位でここに表示されます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boxes, in pixels of the image</source>
+        <translation>
+            <numerusform>%n 個の枠（画像のピクセル単位）</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::BoxTeacher</name>
+    <message>
+        <source>This camera shows no image to take a box from.</source>
+        <translation>このカメラには、枠を取る画像が表示されていません。</translation>
+    </message>
+    <message>
+        <source>Box of %1</source>
+        <translation>%1 の枠</translation>
     </message>
 </context>
 <context>
@@ -2765,6 +3099,26 @@ at %4, %5, %6 m</source>
         <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one</source>
         <translation>画像上で Shift クリックすると追加、Alt クリックまたは Ctrl+Shift クリックで除外します</translation>
     </message>
+    <message>
+        <source>Box</source>
+        <translation>枠</translation>
+    </message>
+    <message>
+        <source>Then click the thing in any camera image, or drag a box around it. Shift does the same without this button.</source>
+        <translation>そのあと、どれかのカメラ画像で物をクリックするか、囲むようにドラッグします。Shift を押しながらなら、このボタンなしで同じことができます。</translation>
+    </message>
+    <message>
+        <source>Click the thing or drag a box around it</source>
+        <translation>物をクリックするか、囲むようにドラッグ</translation>
+    </message>
+    <message>
+        <source>Followed from its box in %1, frame %2: %3 × %4 px. This method needs no color; press Box and click the thing for another box.</source>
+        <translation>%1 のフレーム %2 の枠（%3 × %4 px）から追跡しています。この手法に色は要りません。別の枠にするには「枠」を押して物をクリックします。</translation>
+    </message>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view.</source>
+        <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ColorPicker</name>
@@ -3016,6 +3370,46 @@ at %4, %5, %6 m</source>
     <message>
         <source>Run it</source>
         <translation>実行</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>記録のフォルダー</translation>
+    </message>
+    <message>
+        <source>Clothes</source>
+        <translation>服</translation>
+    </message>
+    <message>
+        <source>Whether the clothes of the simulated people tell them apart</source>
+        <translation>シミュレーションの人が服で見分けられるかどうか</translation>
+    </message>
+    <message>
+        <source>both kinds</source>
+        <translation>両方</translation>
+    </message>
+    <message>
+        <source>different</source>
+        <translation>異なる</translation>
+    </message>
+    <message>
+        <source>similar</source>
+        <translation>似ている</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>none: a rendered clip only</source>
+        <translation>なし：計算で作った映像のみ</translation>
+    </message>
+    <message>
+        <source>Folder with the recordings juggle1 and otb; without one, a rendered clip only</source>
+        <translation>記録 juggle1 と otb のあるフォルダー。なければ計算で作った映像のみ</translation>
+    </message>
+    <message>
+        <source>Choose the folder of the recordings</source>
+        <translation>記録のフォルダーを選ぶ</translation>
     </message>
 </context>
 <context>
@@ -3795,6 +4189,14 @@ at %4, %5, %6 m</source>
     <message>
         <source>Plan</source>
         <translation>計画</translation>
+    </message>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view.</source>
+        <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。</translation>
+    </message>
+    <message>
+        <source>This method works in the room: calibrate the cameras first (menu Calibration), their positions are only a guess.</source>
+        <translation>この手法は部屋の中の位置を求めます。カメラの位置は仮のものなので、先に較正してください（メニュー「較正」）。</translation>
     </message>
 </context>
 <context>
@@ -4734,6 +5136,26 @@ at %4, %5, %6 m</source>
         <source>Held: the cameras confirm the estimate. Lost: not so for a second.</source>
         <translation>保持: カメラが推定を裏付けています。喪失: 1 秒以上裏付けがありません。</translation>
     </message>
+    <message>
+        <source>held where it is thought to be</source>
+        <translation>あると思われる場所に保っています</translation>
+    </message>
+    <message>
+        <source>click it or drag a box around it</source>
+        <translation>クリックするか、囲むようにドラッグ</translation>
+    </message>
+    <message>
+        <source>Effective sample size, of all particles</source>
+        <translation>全粒子に対する有効サンプル数</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>x %1  y %2  %3 × %4 px</source>
+        <translation>x %1  y %2  %3 × %4 px</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::TargetPanel</name>
@@ -4784,6 +5206,28 @@ at %4, %5, %6 m</source>
     <message>
         <source>Remove target</source>
         <translation>ターゲットを取り除く</translation>
+    </message>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view: it is followed from there on.</source>
+        <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。そこから追跡します。</translation>
+    </message>
+    <message>
+        <source>No box at this moment.</source>
+        <translation>この時点では枠がありません。</translation>
+    </message>
+    <message>
+        <source>%1, in %2
+Center %3, %4 px, size %5 × %6 px
+Similarity %7
+Effective sample size %8 of %9</source>
+        <translation>%1（%2）
+中心 %3, %4 px、大きさ %5 × %6 px
+類似度 %7
+有効サンプル数 %8 / %9</translation>
+    </message>
+    <message>
+        <source>Spread %1 px</source>
+        <translation>広がり %1 px</translation>
     </message>
 </context>
 <context>
@@ -4947,6 +5391,10 @@ at %4, %5, %6 m</source>
         <translation>
             <numerusform>%n サンプル、欠落なし</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The boxes are on the clipboard as CSV.</source>
+        <translation>枠を CSV としてクリップボードにコピーしました。</translation>
     </message>
 </context>
 <context>
