@@ -22,6 +22,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QSettings>
 #include <QTableView>
@@ -54,6 +55,7 @@ private Q_SLOTS:
   void lookingBackShowsTheBoxAsItWas();
   void boxesAreExported();
   void theMethodIsChosenInTheParameters();
+  void theMenuHasTheStudies();
 
 private:
   template <class T> T* find(const char* name) {
@@ -196,7 +198,6 @@ void BoxTest::lookingBackShowsTheBoxAsItWas() {
   openVideo();
   clickAt(MovingPatch{}.box(0).center());
   QVERIFY(isTrackedTo(20));
-  action("actionPlay")->trigger(); // pause
   window_->selection().wantMoment(0);
   QVERIFY(waitFor([this] { return window_->shown()->frame == 0 && window_->shown()->past; }));
   QVERIFY(hasBox());
@@ -242,6 +243,32 @@ void BoxTest::theMethodIsChosenInTheParameters() {
   action("actionUndo")->trigger();
   QVERIFY(waitFor([this] { return window_->shown()->family == MethodFamily::Targets; }));
   QVERIFY(!find<QDockWidget>("birdsEyeDock")->isHidden());
+}
+
+void BoxTest::theMenuHasTheStudies() {
+  action("actionExperiments")->trigger();
+  auto* list = find<QListWidget>("experimentList");
+  QVERIFY(waitFor([&] { return list->isVisible(); }));
+  const auto choose = [&](const char* name) {
+    for (int row = 0; row < list->count(); ++row) {
+      if (list->item(row)->data(Qt::UserRole).toString() == QLatin1String(name)) {
+        list->setCurrentRow(row);
+        return true;
+      }
+    }
+    return false;
+  };
+  QVERIFY(choose("sugandi-rmse"));
+  QVERIFY(find<QLineEdit>("experimentRecordings")->isVisible());
+  QVERIFY(!find<QComboBox>("experimentClothes")->isVisible());
+  for (const char* name :
+       {"people-crossing", "people-meet-and-turn", "people-side-by-side", "people-enter-leave"}) {
+    QVERIFY(choose(name));
+  }
+  QVERIFY(!find<QLineEdit>("experimentRecordings")->isVisible());
+  QVERIFY(find<QComboBox>("experimentClothes")->isVisible());
+  QVERIFY(choose("barrera-fig3"));
+  QVERIFY(!find<QComboBox>("experimentClothes")->isVisible());
 }
 
 } // namespace dewpoint
