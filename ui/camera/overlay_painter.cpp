@@ -90,7 +90,9 @@ void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePl
                   const QColor& color) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
+  painter.setOpacity(overlay.box ? 0.5 : 1.0); // what is in the box is to be seen
   paintParticles(painter, overlay, placement, color);
+  painter.setOpacity(1.0);
   if (overlay.box) {
     paintBox(painter, *overlay.box, overlay.boxHidden, placement, color);
   }

@@ -84,7 +84,10 @@ ColorPanel::ColorPanel(Document& document, QWidget* parent)
   auto* del = new QShortcut(QKeySequence::Delete, samples_);
   del->setContext(Qt::WidgetShortcut);
   connect(del, &QShortcut::activated, this, &ColorPanel::removeSample);
-  connect(&document_, &Document::replaced, this, [this] { setTarget(0); });
+  connect(&document_, &Document::replaced, this, [this] {
+    setTarget(0);
+    say(); // its method may be of another kind
+  });
   connect(&document_, &Document::targetsChanged, this, &ColorPanel::refresh);
   connect(&document_, &Document::methodChanged, this, &ColorPanel::say);
   connectTeacher();

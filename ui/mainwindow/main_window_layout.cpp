@@ -251,7 +251,9 @@ void MainWindow::shareSpace() {
   const int inner = width() - parameterDock_->minimumSizeHint().width();
   QList<QDockWidget*> row{birdsEyeDock_, parameterDock_};
   QList<int> widths{inner, parameterDock_->minimumSizeHint().width()};
-  if (!cameraDocks_.empty()) {
+  if (!cameraDocks_.empty() && birdsEyeDock_->isHidden()) {
+    row[0] = cameraDocks_.front();
+  } else if (!cameraDocks_.empty()) {
     row.prepend(cameraDocks_.front());
     widths.prepend(inner * 38 / 100);
     widths[1] = inner - widths.front();
@@ -259,7 +261,7 @@ void MainWindow::shareSpace() {
   resizeDocks(row, widths, Qt::Horizontal);
   const int plotHeight = height() * 29 / 100;
   const int timelineHeight = timelineDock_->sizeHint().height();
-  resizeDocks({birdsEyeDock_, plotDock_, timelineDock_},
+  resizeDocks({row.front(), plotDock_, timelineDock_},
               {height() - plotHeight - timelineHeight, plotHeight, timelineHeight}, Qt::Vertical);
   QList<QDockWidget*> column(cameraDocks_.begin(), cameraDocks_.end());
   resizeDocks(column, QList<int>(column.size(), height() / 3), Qt::Vertical);

@@ -49,6 +49,9 @@ void MainWindow::showFamily() {
   }
   if (bridge_ != nullptr && birdsEyeDock_->isHidden() != boxes) {
     birdsEyeDock_->setVisible(!boxes && !birdsEyeDock_->property("closedByChoice").toBool());
+    if (document_->project().layout.empty()) { // else it is as the person wanted it
+      QMetaObject::invokeMethod(this, &MainWindow::shareSpace, Qt::QueuedConnection);
+    }
   }
 }
 
