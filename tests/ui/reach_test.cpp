@@ -151,6 +151,8 @@ void ReachTest::aNoticeMovesNothingAndGoes() {
   QVERIFY(message->isVisible());
   QVERIFY(message->text().contains(QStringLiteral("kept.toml")));
   QCOMPARE(find<QDockWidget>("birdsEyeDock")->geometry(), before);
+  find<QDockWidget>("birdsEyeDock")->raise(); // what is raised does not cover it
+  QCOMPARE(window_->children().last(), static_cast<QObject*>(message->parentWidget()));
   QVERIFY(QTest::qWaitFor([&] { return !message->isVisible(); }, 10 * kPatienceMs));
 }
 

@@ -11,6 +11,7 @@
 #include "ui/export/export_dialog.h"
 #include "ui/export/view_picture.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/message_bar.h"
 #include "ui/selection/selection.h"
 
 #include <QAction>
@@ -19,6 +20,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QScrollArea>
@@ -158,10 +160,14 @@ void ScreenshotsTest::keepWaving(MainWindow& window) {
   keep(window.grab().toImage(), QStringLiteral("calibration-wave"));
   window.findChild<QAction*>("actionImportCalibration")->trigger();
   auto* import = window.findChild<CalibrationImportDialog*>();
-  import->setFile(QStringLiteral(DEWPOINT_SOURCE_DIR "/tests/calibration/golden/anipose_mm.toml"));
+  const QString here = QDir::currentPath(); // no folder of this machine in the manual
+  QVERIFY(QDir::setCurrent(QStringLiteral(DEWPOINT_SOURCE_DIR "/tests/calibration/golden")));
+  import->setFile(QStringLiteral("anipose_mm.toml"));
   QTest::qWait(kSettleMs);
+  QVERIFY(QDir::setCurrent(here));
   keep(import->grab().toImage(), QStringLiteral("calibration-import"));
   import->close();
+  window.findChild<MessageBar*>()->close();
   window.document().undoStack()->undo();
   window.document().undoStack()->undo();
 }
@@ -224,6 +230,7 @@ void ScreenshotsTest::everyView() {
   keepPlan(window);
   window.findChild<QAction*>("actionShortcuts")->trigger();
   window.findChild<QAction*>("actionExportTrajectory")->trigger();
+  window.findChild<QLineEdit*>("exportFile")->setText(QStringLiteral("trajectory.csv"));
   QTest::qWait(kSettleMs);
   for (const char* dialog : {"shortcutEditor", "exportDialog"}) {
     keep(window.findChild<QWidget*>(QLatin1String(dialog))->grab().toImage(),

@@ -129,7 +129,11 @@ void MessageBar::leaveSoon() {
 void MessageBar::keepBelow(QWidget* above) {
   above_ = above;
   parentWidget()->installEventFilter(this);
-  above_->installEventFilter(this);
+  for (QObject* sibling : parentWidget()->children()) {
+    if (sibling != this) {
+      sibling->installEventFilter(this); // one that is raised would cover it
+    }
+  }
 }
 
 void MessageBar::place() {
@@ -156,8 +160,13 @@ void MessageBar::leaveEvent(QEvent* event) {
 }
 
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
-  if (isVisible() && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) {
+  const bool moved = event->type() == QEvent::Resize || event->type() == QEvent::Move;
+  if (isVisible() && moved && (watched == parent() || watched == above_)) {
     place();
+  } else if (event->type() == QEvent::ChildAdded && watched == parent()) {
+    static_cast<QChildEvent*>(event)->child()->installEventFilter(this);
+  } else if (event->type() == QEvent::ZOrderChange && watched != this) {
+    raise();
   }
   return QFrame::eventFilter(watched, event);
 }

@@ -3,8 +3,9 @@
 
 #include <QApplication>
 #include <QCoreApplication>
-#include <QStyle>
-#include <QStyleFactory>
+#include <QPainter>
+#include <QProxyStyle>
+#include <QStyleOption>
 
 #include <array>
 
@@ -15,6 +16,37 @@ namespace {
 bool isDarkPalette(const QPalette& palette) {
   return palette.color(QPalette::Window).lightness() < 128;
 }
+
+} // namespace
+
+namespace {
+
+/// Fusion, with an edge around boxes and circles to be marked and around buttons that are on: its
+/// own ones are darker than the ground, which in dark colors is no edge at all.
+class QuietStyle : public QProxyStyle {
+public:
+  QuietStyle() : QProxyStyle(QStringLiteral("fusion")) {}
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    const bool isRound = element == PE_IndicatorRadioButton;
+    const bool isMarked =
+        isRound || element == PE_IndicatorCheckBox || element == PE_IndicatorItemViewItemCheck;
+    const bool isOn = option->state.testFlag(State_On) &&
+                      (element == PE_PanelButtonCommand || element == PE_PanelButtonTool);
+    if ((!isMarked && !isOn) || !isDarkPalette(option->palette)) {
+      return;
+    }
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing, isRound);
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(option->palette.color(isOn ? QPalette::Highlight : QPalette::PlaceholderText));
+    const QRectF edge = QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5);
+    isRound ? painter->drawEllipse(edge) : painter->drawRect(edge);
+    painter->restore();
+  }
+};
 
 } // namespace
 
@@ -59,8 +91,8 @@ bool isDark(Theme theme) {
 
 void applyTheme(Theme theme) {
   const bool dark = isDark(theme);
-  if (QApplication::style()->name() != QLatin1String("fusion")) {
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  if (dynamic_cast<QuietStyle*>(QApplication::style()) == nullptr) {
+    QApplication::setStyle(new QuietStyle); // the application owns it
   }
   QApplication::setPalette(themePalette(dark));
 }

@@ -105,6 +105,11 @@ void TrajectoryPanel::makeTable() {
   QScrollBar* bar = table_->verticalScrollBar();
   connect(bar, &QScrollBar::valueChanged, this,
           [this, bar](int value) { following_ = value == bar->maximum(); });
+  connect(bar, &QScrollBar::rangeChanged, this, [this, bar](int, int end) {
+    if (following_ && !selection_.span()) {
+      bar->setValue(end);
+    }
+  });
   inEveryLanguage(table_, [this] {
     table_->setAccessibleName(tr("Trajectory"));
     const QFontMetrics metrics = table_->fontMetrics();
