@@ -1083,8 +1083,8 @@
         <translation>◌ verdeckt</translation>
     </message>
     <message>
-        <source>– no box yet</source>
-        <translation>– noch kein Rahmen</translation>
+        <source>– no box</source>
+        <translation>– kein Rahmen</translation>
     </message>
 </context>
 <context>

@@ -1083,8 +1083,8 @@
         <translation>◌ oculto</translation>
     </message>
     <message>
-        <source>– no box yet</source>
-        <translation>– aún sin recuadro</translation>
+        <source>– no box</source>
+        <translation>– sin recuadro</translation>
     </message>
 </context>
 <context>

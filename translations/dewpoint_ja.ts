@@ -1083,8 +1083,8 @@
         <translation>◌ 隠れている</translation>
     </message>
     <message>
-        <source>– no box yet</source>
-        <translation>– 枠がまだない</translation>
+        <source>– no box</source>
+        <translation>– 枠なし</translation>
     </message>
 </context>
 <context>

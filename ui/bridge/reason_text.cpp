@@ -29,7 +29,10 @@ HoldState holdState(const TargetSnapshot& target, MethodFamily family) {
   return target.box ? HoldState::Hidden : HoldState::NoBox;
 }
 
-HoldState holdState(const TrackSnapshot& snapshot) {
+namespace {
+
+/// Of the targets that count; without any of them there is no box.
+template <class Counts> HoldState worstState(const TrackSnapshot& snapshot, const Counts& counts) {
   if (!snapshot.frames) {
     return HoldState::NoImages;
   }
@@ -39,15 +42,31 @@ HoldState holdState(const TrackSnapshot& snapshot) {
   if (snapshot.past && !snapshot.tracked) {
     return HoldState::NotTracked;
   }
-  for (const HoldState worst :
-       {HoldState::Lost, HoldState::Searching, HoldState::Hidden, HoldState::NoBox}) {
+  for (const HoldState state : {HoldState::Lost, HoldState::Searching, HoldState::Hidden,
+                                HoldState::NoBox, HoldState::Held}) {
     if (std::ranges::any_of(snapshot.targets, [&](const TargetSnapshot& target) {
-          return holdState(target, snapshot.family) == worst;
+          return counts(target) && holdState(target, snapshot.family) == state;
         })) {
-      return worst;
+      return state;
     }
   }
-  return HoldState::Held;
+  return HoldState::NoBox;
+}
+
+} // namespace
+
+HoldState holdState(const TrackSnapshot& snapshot) {
+  return worstState(snapshot, [](const TargetSnapshot&) { return true; });
+}
+
+HoldState holdState(const TrackSnapshot& snapshot, int camera) {
+  if (snapshot.family != MethodFamily::Boxes) {
+    return holdState(snapshot);
+  }
+  return worstState(snapshot, [camera](const TargetSnapshot& target) {
+    return target.box ? target.box->camera == camera
+                      : target.target.box && target.target.box->camera == camera;
+  });
 }
 
 QString troubleText(const CameraReport& report) {

@@ -15,6 +15,8 @@ HoldState holdState(TargetStatus status);
 HoldState holdState(const TargetSnapshot& target, MethodFamily family);
 /// The worst of all targets: lost, searching, held; nothing to say without targets or images.
 HoldState holdState(const TrackSnapshot& snapshot);
+/// The same of one camera: methods of family Boxes follow a target in the camera of its box only.
+HoldState holdState(const TrackSnapshot& snapshot, int camera);
 /// Why one camera does not confirm a target, in a few words ("hidden"); empty when it does.
 QString troubleText(const CameraReport& report);
 /// All cameras in one sentence: "left: hidden · right: 3 px beside a look-alike"; empty when none

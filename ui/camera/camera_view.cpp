@@ -90,7 +90,7 @@ HoldState CameraView::stateNow() const {
   if (!frameOf(snapshot_, camera_)) {
     return HoldState::Missing;
   }
-  return holdState(*snapshot_);
+  return holdState(*snapshot_, camera_);
 }
 
 const QImage& CameraView::scaledImage(const QSize& devicePixels) {

@@ -96,7 +96,9 @@ void MainWindow::showMoment(const TrackSnapshot& snapshot) {
   figures_->show(snapshot, selection_->target());
   const TargetSnapshot* target = targetToExplain(snapshot, selection_->target());
   for (std::size_t k = 0; k < cameraDocks_.size(); ++k) {
-    const bool known = target != nullptr && k < target->reasons.size();
+    // That a box is hidden is its state already.
+    const bool known = target != nullptr && k < target->reasons.size() &&
+                       (!target->box || target->reasons[k].trouble != CameraTrouble::Hidden);
     auto* title = static_cast<DockTitle*>(cameraDocks_[k]->titleBarWidget());
     const QString bump = bumpText(bumpOf(snapshot, static_cast<int>(k)));
     title->setReason(!bump.isEmpty() ? bump : known ? troubleText(target->reasons[k]) : QString());

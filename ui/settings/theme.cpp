@@ -124,7 +124,7 @@ QString holdText(HoldState state) {
   case HoldState::NotTracked:
     return QCoreApplication::translate("HoldState", "– not tracked");
   case HoldState::NoBox:
-    return QCoreApplication::translate("HoldState", "– no box yet");
+    return QCoreApplication::translate("HoldState", "– no box");
   case HoldState::NoTarget:
     return QCoreApplication::translate("HoldState", "No target yet");
   case HoldState::NoImages:
