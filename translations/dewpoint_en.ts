@@ -5,9 +5,9 @@
     <name>dewpoint::BoxPanel</name>
     <message numerus="yes">
         <source>%n boxes, in pixels of the image</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n box, in pixels of the image</numerusform>
+            <numerusform>%n boxes, in pixels of the image</numerusform>
         </translation>
     </message>
 </context>
