@@ -2,6 +2,7 @@
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/frame_range.h"
 #include "app/dewpoint-cli/interruption.h"
+#include "app/dewpoint-cli/parameter_settings.h"
 #include "app/dewpoint-cli/progress.h"
 #include "app/wiring/open_project.h"
 #include "core/session/people_overlay.h"
@@ -22,7 +23,7 @@ namespace {
 struct PeopleOptions {
   std::string project;
   std::string folder;
-  std::string method = peopleMethodNames().front();
+  std::string method; ///< empty: the project's, if it is for people, else the default
   std::string frames;
   std::optional<std::uint64_t> seed;
   int threads = 1;
@@ -55,19 +56,17 @@ void listMethods() {
   }
 }
 
-Result<ParameterValues> parametersOf(const PeopleOptions& options) {
-  ParameterValues parameters(peopleMethodParameters(options.method));
-  for (const std::string& setting : options.settings) {
-    const auto equals = setting.find('=');
-    if (equals == std::string::npos) {
-      return failure(ErrorCode::BadValue, "", "--set", setting + " is not key=value");
-    }
-    const auto set = parameters.setText(setting.substr(0, equals), setting.substr(equals + 1));
-    if (!set) {
-      return tl::make_unexpected(set.error());
-    }
+/// Chooses the method and its parameters: the project's, where they are for people.
+Status applyOptions(const PeopleOptions& options, Project& project) {
+  const bool isOfPeople = methodFamily(project.method) == MethodFamily::People;
+  const std::string usual = isOfPeople ? project.method : peopleMethodNames().front();
+  const std::string method = options.method.empty() ? usual : options.method;
+  if (method != project.method) {
+    project.method = method;
+    project.parameters = ParameterValues(methodParameters(method));
   }
-  return parameters;
+  project.seed = options.seed.value_or(project.seed);
+  return applySettings(options.settings, project.parameters);
 }
 
 Status addPersons(const std::vector<std::string>& texts, PeopleTracker& tracker) {
@@ -131,14 +130,11 @@ int runPeople(const PeopleOptions& options) {
     return report(project.error());
   }
   const auto frames = parseFrames(options.frames);
-  const auto parameters = parametersOf(options);
-  if (!frames || !parameters) {
-    report(frames ? parameters.error() : frames.error());
+  const auto applied = applyOptions(options, *project);
+  if (!frames || !applied) {
+    report(frames ? applied.error() : frames.error());
     return kExitUsage;
   }
-  project->method = options.method;
-  project->parameters = *parameters;
-  project->seed = options.seed.value_or(project->seed);
   auto inputs = openInputs(std::move(*project));
   if (!inputs) {
     return report(inputs.error());
@@ -147,7 +143,8 @@ int runPeople(const PeopleOptions& options) {
   job.range = *frames;
   job.inputs = std::move(*inputs);
   job.rig = rigOf(job.inputs.project);
-  auto tracker = makePeopleTracker(options.method, *parameters, job.rig);
+  auto tracker =
+      makePeopleTracker(job.inputs.project.method, job.inputs.project.parameters, job.rig);
   if (!tracker) {
     return report(tracker.error());
   }
@@ -196,9 +193,10 @@ void addPeopleCommand(CLI::App& app, int& exitCode) {
   command->add_flag("--list", options->list, "Only say which methods and parameters there are");
   command->add_option("PROJECT", options->project, "Project file (TOML)");
   command->add_option("--out", options->folder, "Folder to write");
-  command->add_option("--method", options->method, "Method")
-      ->check(CLI::IsMember(peopleMethodNames()))
-      ->capture_default_str();
+  command
+      ->add_option("--method", options->method,
+                   "Method (the project's, if it is for people, else people)")
+      ->check(CLI::IsMember(peopleMethodNames()));
   command->add_option("--seed", options->seed, "Seed of the run (the project's unless given)");
   command->add_option("--threads", options->threads, "Threads; never changes the result")
       ->check(CLI::Range(1, 256))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/progress.h"
+#include "app/wiring/open_office.h"
 #include "core/calibration/calibration_file.h"
 #include "core/capture/frame_writer.h"
 #include "core/session/tracking_run.h"
@@ -11,26 +12,6 @@
 
 namespace dewpoint {
 namespace {
-
-Trajectory truthOf(const OfficeRenderer& renderer) {
-  Trajectory truth;
-  const OfficeScene& scene = renderer.scene();
-  for (const Camera& camera : scene.cameras) {
-    truth.header.cameras.push_back({camera.name, camera.center(), camera.opticalAxis()});
-  }
-  for (std::int64_t frame = 0; frame < scene.frameCount; ++frame) {
-    for (std::size_t k = 0; k < scene.people.size(); ++k) {
-      TrajectorySample sample;
-      sample.frame = frame;
-      sample.time = scene.timeOf(frame);
-      sample.target = scene.people[k].name;
-      sample.position = renderer.middle(k, sample.time);
-      sample.valid = renderer.inside(k, sample.time);
-      truth.samples.push_back(std::move(sample));
-    }
-  }
-  return truth;
-}
 
 Status writeVideo(const OfficeRenderer& renderer, std::size_t camera, const std::string& file,
                   Progress& progress) {
@@ -93,7 +74,7 @@ int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder) 
     project.cameras.push_back(std::move(camera));
   }
   progress.finish();
-  for (const auto& written : {writeTrajectory(truthOf(renderer), folder / "truth.csv"),
+  for (const auto& written : {writeTrajectory(truthOfOffice(renderer), folder / "truth.csv"),
                               saveCalibration(rigOf(project), folder / "calibration.toml"),
                               saveProject(project, folder / "project.toml")}) {
     if (!written) {

@@ -72,6 +72,10 @@ int track(TrackOptions options) {
         {ErrorCode::MissingKey, options.project, "target",
          fmt::format("method {} needs at least one [[target]] with a box", project->method)});
   }
+  if (methodFamily(project->method) == MethodFamily::People) {
+    return report({ErrorCode::BadValue, options.project, "method",
+                   project->method + " is for people, whom dewpoint-cli people tracks"});
+  }
   if (project->targets.empty()) {
     return report({ErrorCode::MissingKey, options.project, "target",
                    "at least one [[target]] is needed; learn-color makes one"});

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/wiring/open_project.h"
 
+#include "app/wiring/open_office.h"
 #include "core/capture/live_cameras.h"
 #include "core/capture/recording.h"
 #include "core/session/empty_rooms.h"
 #include "core/session/new_project.h"
 #include "core/session/tracking_run.h"
+#include "core/simulation/office_day.h"
 #include "core/simulation/scene_renderer.h"
 #include "core/trajectory/trajectory_reader.h"
 
@@ -19,10 +21,11 @@ bool isLive(const ProjectCamera& camera) {
   return camera.source == SourceKind::Device || camera.source == SourceKind::Stream;
 }
 
-void fillFromScene(Project& project, const Scene& scene) {
-  project.framesPerSecond = scene.framesPerSecond;
+/// Cameras that a scene brings, with the poses that the project gives them.
+void takeCameras(Project& project, double framesPerSecond, const CameraRig& rig) {
+  project.framesPerSecond = framesPerSecond;
   const std::vector<ProjectCamera> own = std::exchange(project.cameras, {});
-  for (const auto& camera : scene.cameras) {
+  for (const auto& camera : rig) {
     project.cameras.push_back({camera, SourceKind::Simulation, "", 0});
     const auto adjusted = std::ranges::find_if(own, [&](const ProjectCamera& candidate) {
       return candidate.adjusted && candidate.camera.name == camera.name &&
@@ -35,7 +38,16 @@ void fillFromScene(Project& project, const Scene& scene) {
   }
 }
 
+void fillFromScene(Project& project, const Scene& scene) {
+  takeCameras(project, scene.framesPerSecond, scene.cameras);
+}
+
 Status fillFromNamedScene(Project& project) {
+  if (project.scene == kOfficeScene) {
+    const OfficeScene office = officeDay();
+    takeCameras(project, office.framesPerSecond, office.cameras);
+    return {};
+  }
   return sceneNamed(project.scene).map([&](const Scene& scene) { fillFromScene(project, scene); });
 }
 
@@ -135,6 +147,9 @@ Trajectory truthOfScene(const Scene& scene) {
 
 Result<Project> resolveProject(const std::string& nameOrFile) {
   const std::string name = nameOrFile.empty() ? "demo" : nameOrFile;
+  if (name == kOfficeScene && !std::filesystem::exists(name)) {
+    return projectOfOffice();
+  }
   const auto& builtIn = sceneNames();
   if (std::find(builtIn.begin(), builtIn.end(), name) != builtIn.end() &&
       !std::filesystem::exists(name)) {
@@ -154,7 +169,13 @@ Result<SessionInputs> openInputs(Project project) {
   if (const auto guessed = guessMissing(project); !guessed) {
     return tl::make_unexpected(guessed.error());
   }
-  if (!project.scene.empty()) {
+  if (project.scene == kOfficeScene) {
+    auto office = openOffice(project);
+    if (!office) {
+      return office;
+    }
+    inputs = std::move(*office);
+  } else if (!project.scene.empty()) {
     const auto scene = sceneNamed(project.scene);
     if (!scene) {
       return tl::make_unexpected(scene.error());

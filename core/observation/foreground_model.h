@@ -3,6 +3,7 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include <cstddef>
 #include <memory>
 
 namespace dewpoint {
@@ -35,6 +36,12 @@ public:
   /// learns slowly from it: not where `keep` (CV_8UC1, or empty) is nonzero.
   virtual void subtract(const cv::Mat& image, const cv::Mat& keep, cv::Mat& mask) = 0;
   virtual std::unique_ptr<ForegroundModel> fresh() const = 0;
+  /// A copy that goes on from here with the same bits, and shares nothing that either writes; null
+  /// when the model cannot be copied (OpenCV keeps its own to itself).
+  virtual std::unique_ptr<ForegroundModel> clone() const { return nullptr; }
+  virtual bool canBeCopied() const { return false; }
+  /// About how many bytes a copy takes.
+  virtual std::size_t memoryBytes() const { return 0; }
 };
 
 std::unique_ptr<ForegroundModel> makeForegroundModel(const ForegroundSettings& settings);

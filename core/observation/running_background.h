@@ -22,6 +22,15 @@ public:
   std::unique_ptr<ForegroundModel> fresh() const override {
     return std::make_unique<RunningBackground>(settings_);
   }
+  std::unique_ptr<ForegroundModel> clone() const override {
+    auto copy = std::make_unique<RunningBackground>(*this);
+    copy->planes_ = {}; // written again with every image
+    return copy;
+  }
+  bool canBeCopied() const override { return true; }
+  std::size_t memoryBytes() const override {
+    return (3 * means_.front().size() + deviation_.size()) * sizeof(float);
+  }
 
 private:
   void start(const cv::Mat& image);

@@ -7,10 +7,12 @@
 #include "core/project/project_format.h"
 #include "core/project/project_migration.h"
 #include "core/project/project_room.h"
+#include "core/tracking/people_tracker.h"
 
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <sstream>
 
 namespace dewpoint {

@@ -56,13 +56,27 @@ struct SetEmptyRooms {
 struct ShowMasks {
   bool wanted = false;
 };
+struct ShowShapes {
+  bool wanted = false;
+};
+/// Of methods for people: somebody stands somewhere, or is not there.
+struct ChangePeople {
+  struct Seen {
+    int camera = 0;
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+  };
+  std::optional<Eigen::Vector2d> place; ///< somebody stands here; world x and y, metres
+  std::optional<Seen> seen;             ///< somebody is seen here
+  std::optional<int> gone;              ///< this identity is not there
+};
 } // namespace command
 
 using Command =
     std::variant<command::Play, command::Pause, command::StepFrame, command::StepIteration,
                  command::Restart, command::Configure, command::SetMethod, command::SetTargets,
                  command::SetCameras, command::SetEmptyRooms, command::ShowMasks,
-                 command::ShowFrame, command::BackToHead, command::Rerun, command::ShowMaps>;
+                 command::ShowFrame, command::BackToHead, command::Rerun, command::ShowMaps,
+                 command::ShowShapes, command::ChangePeople>;
 
 /// Commands on their way to the tracking thread, in order.
 class CommandQueue {

@@ -31,9 +31,13 @@ void History::clear() {
   checkpointBytes_ = 0;
   spacing_ = 0;
   changes_.clear();
+  begun_.reset();
 }
 
 void History::beforeFrame(std::int64_t frame, const TrackingRun& run) {
+  if (!begun_) {
+    begun_ = Checkpoint{frame, run.definition()};
+  }
   const bool due = checkpoints_.empty() || frame >= checkpoints_.rbegin()->first + spacing_;
   if (!due || checkpoints_.contains(frame)) {
     return;
@@ -133,6 +137,9 @@ void History::forgetFrom(std::int64_t frame) {
     place = checkpoints_.erase(place);
   }
   changes_.erase(changes_.lower_bound({frame, 0}), changes_.end());
+  if (begun_ && begun_->frame >= frame) {
+    begun_.reset();
+  }
 }
 
 void History::forgetCopies() {
@@ -140,6 +147,7 @@ void History::forgetCopies() {
   checkpointBytes_ = 0;
   spacing_ = 0;
   changes_.clear();
+  begun_.reset();
 }
 
 void History::forgetBefore(std::int64_t frame) {
@@ -182,7 +190,9 @@ std::vector<Eigen::Vector3d> History::tail(std::size_t target, std::int64_t fram
                                               static_cast<std::ptrdiff_t>(most));
   std::vector<Eigen::Vector3d> tail;
   for (auto moment = end - count; moment != end; ++moment) {
-    if (target < moment->targets.size() && !moment->targets[target].box) {
+    const bool known = target < moment->targets.size() && !moment->targets[target].box &&
+                       !moment->targets[target].estimate.gone;
+    if (known) {
       tail.push_back(moment->targets[target].estimate.mean);
     }
   }

@@ -63,6 +63,9 @@ public:
   };
   /// The last one at or before this frame; null when there is none.
   const Checkpoint* checkpointFor(std::int64_t frame) const;
+  /// Where the method began, knowing nothing, and with what; its state has no tracker. Nothing
+  /// before that.
+  const std::optional<Checkpoint>& begun() const { return begun_; }
   /// Changes made while the run was at `frame` after so many iterations, in order.
   std::vector<RunChange> changesAt(std::int64_t frame, int iterations) const;
 
@@ -81,6 +84,7 @@ private:
   std::map<std::int64_t, Checkpoint> checkpoints_;
   std::size_t checkpointBytes_ = 0;
   std::int64_t spacing_ = 0; ///< frames between checkpoints
+  std::optional<Checkpoint> begun_;
   std::map<std::pair<std::int64_t, int>, std::vector<RunChange>> changes_;
 };
 

@@ -39,7 +39,7 @@ FrameRecord frameRecord(const Moment& moment, const FrameSet& frames) {
     record.missingCameras |= frames.frames[k] ? 0 : std::uint64_t{1} << k;
   }
   for (const TargetMoment& target : moment.targets) {
-    const bool held = target.status == TargetStatus::Held;
+    const bool held = target.status == TargetStatus::Held || target.status == TargetStatus::Gone;
     record.targets.push_back({target.status, static_cast<float>(target.estimate.existence),
                               held ? std::vector<CameraReport>() : target.reasons});
   }

@@ -5,6 +5,7 @@
 #include "core/tracking/box_tracker.h"
 #include "core/tracking/camera_report.h"
 #include "core/tracking/insight.h"
+#include "core/tracking/people_tracker.h"
 #include "core/tracking/tracker.h"
 
 #include <Eigen/Core>
@@ -23,6 +24,7 @@ enum class TargetStatus {
   Searching, ///< not held, or not held yet
   Held,      ///< the cameras confirm the estimate
   Lost,      ///< was held, and has not been for kLostAfter seconds
+  Gone,      ///< has left, or is not there yet: nothing to look for
 };
 /// Seconds after which a target that is not held counts as lost.
 inline constexpr double kLostAfter = 1.0;
@@ -35,7 +37,8 @@ struct TargetMoment {
   std::vector<ProposedPlace> proposals;
   std::vector<CameraReport> reasons; ///< per camera, why it does not confirm the target
   TargetStatus status = TargetStatus::Searching;
-  std::optional<BoxBelief> box; ///< with methods of family Boxes, from the target's box on
+  std::optional<BoxBelief> box;         ///< with methods of family Boxes, from the target's box on
+  std::optional<PersonEstimate> person; ///< of the methods for people, while the person is there
   double lastHeld = -std::numeric_limits<double>::infinity(); ///< seconds; this frame's if held now
 };
 
@@ -47,6 +50,7 @@ struct Moment {
   std::int64_t totalIterations = 0;                       ///< since the (re)start
   std::shared_ptr<const std::vector<Target>> definitions; ///< the targets as they were defined
   std::vector<TargetMoment> targets;                      ///< in the same order
+  std::vector<PeopleCameraState> peopleCameras; ///< per camera; empty but for methods for people
 
   std::size_t bytes() const;
 };

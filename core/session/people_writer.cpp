@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/people_writer.h"
 
+#include "core/session/person_shape.h"
 #include "core/tracking/people_volume.h"
 
 #include <fmt/format.h>
@@ -11,8 +12,6 @@
 
 namespace dewpoint {
 namespace {
-
-constexpr std::array<double, 4> kGroundShares{0.25, 0.5, 0.75, 0.95};
 
 std::string volumeRow(const PersonEstimate& person, const ConvexHull& hull, std::int64_t frame,
                       double time) {
@@ -55,10 +54,6 @@ std::string groundRows(const PersonEstimate& person, const GroundGrid& density,
 }
 
 } // namespace
-
-std::string personName(int identity) {
-  return fmt::format("person {}", identity);
-}
 
 TrajectorySample sampleOf(const PersonEstimate& person, std::int64_t frame, double time) {
   TrajectorySample sample;

@@ -13,9 +13,6 @@
 
 namespace dewpoint {
 
-/// How a person is called in files: "person 3".
-std::string personName(int identity);
-
 /// The sample that stands for a person in a trajectory.
 TrajectorySample sampleOf(const PersonEstimate& person, std::int64_t frame, double time);
 
@@ -34,6 +31,9 @@ public:
                                      const TrajectoryHeader& header);
 
   Status write(const PeopleTracker& tracker, std::int64_t frame, double time);
+  /// One person at one frame.
+  Status writePerson(const PersonEstimate& person, const BodyCloud& body, std::int64_t frame,
+                     double time);
   Status finish();
 
 private:
@@ -48,8 +48,6 @@ private:
 
   explicit PeopleWriter(TrajectoryWriter trajectory) : trajectory_(std::move(trajectory)) {}
   static Result<Table> open(const std::filesystem::path& file, const std::string& columns);
-  Status writePerson(const PersonEstimate& person, const BodyCloud& body, std::int64_t frame,
-                     double time);
 
   TrajectoryWriter trajectory_;
   Table volumes_;

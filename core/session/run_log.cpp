@@ -46,13 +46,15 @@ void takeSince(const std::vector<Sample>& all, std::size_t& position, Piece& pie
 
 RunLog::RunLog()
     : records_(kMostRecords, [](const IterationRecord& record) { return record.iteration; }),
-      frames_(kMostFrames, [](const FrameRecord& record) { return record.frame; }) {}
+      frames_(kMostFrames, [](const FrameRecord& record) { return record.frame; }),
+      people_(kMostPeopleFrames, [](const PeopleFramePtr& people) { return people->frame; }) {}
 
 void RunLog::restart(const Project& project) {
   const std::lock_guard lock(mutex_);
   ++generation_;
   records_.clear();
   frames_.clear();
+  people_.clear();
   trajectory_ = Trajectory{trajectoryHeader(project), {}};
   boxes_.clear();
   project_ = project;
@@ -94,6 +96,18 @@ void RunLog::append(const FrameRecord& record) {
   frames_.append(record);
 }
 
+void RunLog::append(PeopleFramePtr people) {
+  const std::lock_guard lock(mutex_);
+  people_.removeBack([&](const PeopleFramePtr& last) { return last->frame == people->frame; });
+  people_.append(std::move(people));
+}
+
+std::vector<PeopleFramePtr> RunLog::people() const {
+  const std::lock_guard lock(mutex_);
+  std::size_t first = 0;
+  return people_.since(first);
+}
+
 void RunLog::note(std::int64_t frame, const std::string& change) {
   const std::lock_guard lock(mutex_);
   auto& entries = trajectory_.header.entries;
@@ -113,6 +127,7 @@ void RunLog::goBack(std::int64_t frame) {
   const auto isLater = [&](const auto& what) { return what.frame >= frame; };
   records_.removeBack(isLater);
   frames_.removeBack(isLater);
+  people_.removeBack([&](const PeopleFramePtr& people) { return isLater(*people); });
   while (!trajectory_.samples.empty() && isLater(trajectory_.samples.back())) {
     trajectory_.samples.pop_back();
   }

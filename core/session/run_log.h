@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/session/box_track_file.h"
+#include "core/session/people_frame.h"
 #include "core/session/run_report.h"
 #include "core/session/snapshot.h"
 #include "core/session/thinned_log.h"
@@ -54,6 +55,11 @@ public:
   FramePiece framesSince(std::uint64_t& generation, std::size_t& position) const;
   /// One frame; takes the place of the same frame, if it was the last one.
   void append(const FrameRecord& record);
+  /// The people of one frame, taking the place of the same frame, if it was the last one. Beyond
+  /// kMostPeopleFrames (about 100 MB with two people) older ones are there in coarser steps.
+  void append(PeopleFramePtr people);
+  static constexpr std::size_t kMostPeopleFrames = 10000;
+  std::vector<PeopleFramePtr> people() const;
   /// From this frame on the run is another one than the header says.
   void note(std::int64_t frame, const std::string& change);
   Trajectory trajectory() const;
@@ -83,6 +89,7 @@ private:
   std::uint64_t generation_ = 1;
   ThinnedLog<IterationRecord> records_;
   ThinnedLog<FrameRecord> frames_;
+  ThinnedLog<PeopleFramePtr> people_;
   Trajectory trajectory_;
   std::vector<BoxSample> boxes_;
   Project project_;

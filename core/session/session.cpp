@@ -65,13 +65,25 @@ Status Session::saveRun(const std::filesystem::path& folder) const {
   for (const Error& notice : last->notices) {
     figures.notices.push_back(sentence(notice));
   }
-  const Status saved = methodFamily(project.method) == MethodFamily::Boxes
+  const MethodFamily family = methodFamily(project.method);
+  if (family == MethodFamily::People) {
+    const auto saved = savePeople(peopleRecord(), folder, [](double) { return true; });
+    if (!saved) {
+      return tl::make_unexpected(saved.error());
+    }
+    return writeTextFile(folder / "run.json", runReport(project, figures));
+  }
+  const Status saved = family == MethodFamily::Boxes
                            ? writeBoxTrack(boxTrack(), folder)
                            : writeTrajectory(trajectory(), folder / "trajectory.csv");
   if (!saved) {
     return saved;
   }
   return writeTextFile(folder / "run.json", runReport(project, figures));
+}
+
+PeopleRecord Session::peopleRecord() const {
+  return {trajectory(), impl_->loop.log().people()};
 }
 
 void Session::setFrameTap(FrameTap tap) {
@@ -124,6 +136,19 @@ void Session::setCameras(const CameraRig& rig) {
 void Session::setEmptyRooms(const std::vector<std::string>& files,
                             const std::vector<cv::Mat>& rooms) {
   impl_->loop.commands().push(command::SetEmptyRooms{files, rooms});
+}
+void Session::setShapesWanted(bool wanted) {
+  impl_->loop.commands().push(command::ShowShapes{wanted});
+}
+void Session::addPerson(const Eigen::Vector2d& place) {
+  impl_->loop.commands().push(command::ChangePeople{place, std::nullopt, std::nullopt});
+}
+void Session::addPersonSeen(int camera, const Eigen::Vector2d& pixel) {
+  impl_->loop.commands().push(command::ChangePeople{
+      std::nullopt, command::ChangePeople::Seen{camera, pixel}, std::nullopt});
+}
+void Session::removePerson(int identity) {
+  impl_->loop.commands().push(command::ChangePeople{std::nullopt, std::nullopt, identity});
 }
 void Session::setMasksWanted(bool wanted) {
   impl_->loop.commands().push(command::ShowMasks{wanted});

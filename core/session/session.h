@@ -5,6 +5,7 @@
 #include "core/project/project.h"
 #include "core/session/box_track_file.h"
 #include "core/session/frame_tap.h"
+#include "core/session/people_frame.h"
 #include "core/session/snapshot.h"
 #include "core/trajectory/trajectory.h"
 
@@ -92,8 +93,11 @@ public:
   /// Writes it as CSV; how many samples it held.
   Result<std::size_t> saveTrajectory(const std::filesystem::path& file) const;
   /// Writes trajectory.csv and run.json into a folder, which is made when it does not exist; with
-  /// methods of family Boxes boxes.csv and boxes_mot.txt in place of the trajectory.
+  /// methods of family Boxes boxes.csv and boxes_mot.txt in place of the trajectory; of
+  /// methods for people volumes.csv, hulls.csv and ground.csv too (PeopleWriter).
   Status saveRun(const std::filesystem::path& folder) const;
+  /// All that is known of the people of the run; nothing for other methods.
+  PeopleRecord peopleRecord() const;
 
   void play();
   void pause();
@@ -125,6 +129,14 @@ public:
   /// believed stays.
   void setEmptyRooms(const std::vector<std::string>& files, const std::vector<cv::Mat>& rooms);
   void setMasksWanted(bool wanted);
+  /// Hulls and level curves of persons (TargetSnapshot::shape).
+  void setShapesWanted(bool wanted);
+  /// Of methods for people, else nothing happens: somebody stands here (world x and y,
+  /// metres), or is seen at a pixel of a camera; this identity is not there. At an earlier moment,
+  /// the run is tracked again from there with that.
+  void addPerson(const Eigen::Vector2d& place);
+  void addPersonSeen(int camera, const Eigen::Vector2d& pixel);
+  void removePerson(int identity);
   /// Gives every frame set that is taken from now on to `tap` too, in the tracking thread; an empty
   /// one ends it. Cameras that a person calibrates are seen so while they are tracked.
   void setFrameTap(FrameTap tap);

@@ -6,6 +6,7 @@
 #include "core/geometry/camera.h"
 #include "core/session/bump_watch.h"
 #include "core/session/moment.h"
+#include "core/session/person_shape.h"
 
 #include <Eigen/Core>
 
@@ -30,6 +31,8 @@ struct TargetSnapshot {
   std::vector<CameraReport> reasons;
   std::vector<ProposedPlace> proposals; ///< places considered in this frame; may be empty
   std::vector<LikelihoodMap> maps;      ///< per camera; empty unless wanted
+  std::optional<PersonEstimate> person; ///< of the methods for people, while the person is there
+  std::shared_ptr<const PersonShape> shape; ///< of that person; null unless wanted
 };
 
 enum class PlayState { Paused, Playing, Ended };
@@ -70,12 +73,14 @@ struct TrackSnapshot {
   MethodFamily family = MethodFamily::Targets;
   FrameSetPtr frames;              ///< null before the first frame
   std::vector<cv::Mat> emptyRooms; ///< per camera without targets; empty when that is not known
-  std::vector<cv::Mat>
-      masks; ///< per camera CV_8UC1, 255 - k: color of target k; empty unless wanted
+  /// Per camera CV_8UC1, 255 - k: color of target k; with methods for people 255: it moves. Empty
+  /// unless wanted.
+  std::vector<cv::Mat> masks;
   std::vector<TargetSnapshot> targets;
-  std::int64_t frame = -1; ///< the one shown
-  bool past = false;       ///< an other frame is shown than the run stands at
-  bool tracked = false;    ///< the frame shown was tracked
+  std::vector<PeopleCameraState> peopleCameras; ///< per camera; empty but for methods for people
+  std::int64_t frame = -1;                      ///< the one shown
+  bool past = false;                            ///< an other frame is shown than the run stands at
+  bool tracked = false;                         ///< the frame shown was tracked
   /// The images are small ones kept for a quick look, scaled up; the true ones follow at once
   /// unless another moment is asked for.
   bool preview = false;
@@ -93,6 +98,9 @@ struct TrackSnapshot {
   std::vector<Error> notices;
   /// Cameras that were bumped since the run began; each has its notice too: the last ones there.
   std::vector<BumpReport> bumps;
+
+  /// Whether the targets are persons, whom the method itself finds.
+  bool ofPeople() const { return family == MethodFamily::People; }
 };
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 

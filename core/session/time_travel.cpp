@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/time_travel.h"
 
+#include "core/tracking/people_targets.h"
+
+#include <opencv2/imgproc.hpp>
+
 #include <algorithm>
 
 namespace dewpoint {
@@ -21,6 +25,7 @@ TargetSnapshot snapshotOf(const TargetMoment& moment, const Target& target) {
   shown.reasons = moment.reasons;
   shown.status = moment.status;
   shown.box = moment.box;
+  shown.person = moment.person;
   return shown;
 }
 
@@ -84,6 +89,7 @@ Status TimeTravel::show(std::int64_t frame, bool quickly, TrackSnapshot& snapsho
   if (const Moment* moment = history_.at(frame)) {
     snapshot.tracked = true;
     snapshot.iterations = moment->totalIterations;
+    snapshot.peopleCameras = moment->peopleCameras;
     for (std::size_t k = 0; k < moment->targets.size(); ++k) {
       snapshot.targets.push_back(snapshotOf(moment->targets[k], (*moment->definitions)[k]));
       snapshot.targets.back().tail = history_.tail(k, frame, kTailLength);
@@ -121,18 +127,35 @@ Status TimeTravel::repeat(TrackingRun& run, const Moment& moment) {
   return {};
 }
 
+bool TimeTravel::bringNear(TrackingRun& run, std::int64_t frame, std::uint64_t seed,
+                           std::int64_t& next) const {
+  if (const History::Checkpoint* checkpoint = history_.checkpointFor(frame)) {
+    run.restore(checkpoint->state);
+    next = checkpoint->frame;
+    return true;
+  }
+  // A method that cannot be copied goes over everything again, as long as there are images.
+  const auto& begun = history_.begun();
+  const bool again =
+      begun && begun->frame < frame && begun->frame >= library_->oldest() && !run.canBeCopied();
+  next = again ? begun->frame : frame;
+  if (again) {
+    run.apply({begun->state.parameters, begun->state.targets, begun->state.rig});
+  }
+  const Moment* before = history_.before(next);
+  run.restart(seed);
+  run.countFrom(before != nullptr ? before->totalIterations : 0);
+  return again;
+}
+
 Result<std::int64_t> TimeTravel::goBack(TrackingRun& run, std::int64_t frame, std::uint64_t seed,
                                         const GoOn& goOn) {
-  const History::Checkpoint* checkpoint = history_.checkpointFor(frame);
-  if (checkpoint == nullptr) {
-    const Moment* before = history_.before(frame);
-    run.restart(seed);
-    run.countFrom(before != nullptr ? before->totalIterations : 0);
+  std::int64_t next = frame;
+  if (!bringNear(run, frame, seed, next)) {
     return frame;
   }
-  run.restore(checkpoint->state);
-  const Moment* moment = history_.at(checkpoint->frame);
-  moment = moment != nullptr ? moment : history_.after(checkpoint->frame);
+  const Moment* moment = history_.at(next);
+  moment = moment != nullptr ? moment : history_.after(next);
   for (; moment != nullptr && moment->frame < frame; moment = history_.after(moment->frame)) {
     if (!goOn()) {
       return moment->frame;
@@ -145,13 +168,16 @@ Result<std::int64_t> TimeTravel::goBack(TrackingRun& run, std::int64_t frame, st
 }
 
 void TimeTravel::addMaps(const TrackingRun& run, TrackSnapshot& snapshot) {
+  if (run.people() != nullptr) {
+    return; // their masks are what the images say
+  }
   for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
     snapshot.targets[k].maps = run.likelihoodMaps(k, kMapReach);
   }
 }
 
-void TimeTravel::addMaps(const Project& project, std::int64_t frame, TrackSnapshot& snapshot,
-                         const GoOn& goOn) {
+void TimeTravel::addMaps(const Project& project, std::int64_t frame, bool masks,
+                         TrackSnapshot& snapshot, const GoOn& goOn) {
   const Moment* moment = history_.at(frame);
   if (moment == nullptr) {
     return;
@@ -178,6 +204,24 @@ void TimeTravel::addMaps(const Project& project, std::int64_t frame, TrackSnapsh
     probeNext_ = next->frame + 1;
   }
   addMaps(*probe_, snapshot);
+  if (masks && probe_->people() != nullptr) {
+    snapshot.masks = motionMasks(*probe_);
+  }
+}
+
+std::vector<cv::Mat> motionMasks(const TrackingRun& run) {
+  std::vector<cv::Mat> masks;
+  for (std::size_t camera = 0; camera < run.rig().size(); ++camera) {
+    cv::Mat mask = run.people()->tracker().foreground(camera);
+    const Intrinsics& size = run.rig()[camera].intrinsics;
+    if (!mask.empty() && mask.size() != cv::Size(size.width, size.height)) {
+      cv::Mat larger;
+      cv::resize(mask, larger, cv::Size(size.width, size.height), 0.0, 0.0, cv::INTER_NEAREST);
+      mask = larger;
+    }
+    masks.push_back(mask);
+  }
+  return masks;
 }
 
 } // namespace dewpoint

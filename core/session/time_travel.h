@@ -57,13 +57,18 @@ public:
     probe_.reset();
   }
 
-  /// The likelihood maps of a past moment into the snapshot's targets: a run of its own is brought
-  /// there. Nothing happens when it cannot be.
-  void addMaps(const Project& project, std::int64_t frame, TrackSnapshot& snapshot,
+  /// The likelihood maps of a past moment into the snapshot's targets, and (`masks`) the motion
+  /// masks of a method for people: a run of its own is brought there. Nothing happens when it
+  /// cannot be.
+  void addMaps(const Project& project, std::int64_t frame, bool masks, TrackSnapshot& snapshot,
                const GoOn& goOn);
   static void addMaps(const TrackingRun& run, TrackSnapshot& snapshot);
 
 private:
+  /// Brings a run to a copy from before `frame`, or to the method's beginning when it cannot be
+  /// copied; `next` is the frame it begins next. False: it begins anew at `frame`.
+  bool bringNear(TrackingRun& run, std::int64_t frame, std::uint64_t seed,
+                 std::int64_t& next) const;
   /// Tracks one frame of the past again, with the changes that were made meanwhile.
   Status repeat(TrackingRun& run, const Moment& moment);
 
@@ -73,5 +78,9 @@ private:
   std::optional<TrackingRun> probe_;      ///< for maps
   std::optional<std::int64_t> probeNext_; ///< the frame it would begin next
 };
+
+/// The motion masks of a method for people after its last frame, in the sizes of the images
+/// (CV_8UC1, 0 or 255); empty where there is none.
+std::vector<cv::Mat> motionMasks(const TrackingRun& run);
 
 } // namespace dewpoint

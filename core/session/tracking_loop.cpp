@@ -38,7 +38,6 @@ TrackingLoop::TrackingLoop(SessionInputs inputs)
     const std::size_t usual = source_->isLive() ? kLiveHistory : kRecordedHistory;
     travel_.emplace(*source_, inputs.historyBytes > 0 ? inputs.historyBytes : usual);
   }
-  tails_.resize(project_.targets.size());
   log_.restart(project_);
 }
 
@@ -133,9 +132,11 @@ void TrackingLoop::iterateFrame() {
     for (int k = 0; k < run_->iterationsPerFrame(); ++k) {
       iterateOnce();
     }
-    frameFresh_ = false;                         // also without any target
-    if (run_->family() != MethodFamily::Boxes) { // they follow in moving cameras, too
+    frameFresh_ = false; // also without any target
+    if (run_->family() == MethodFamily::Targets) {
       bumps_.watch(*run_->frames(), run_->targets(), run_->estimates());
+    } else if (run_->family() == MethodFamily::People) { // no targets of a known size
+      bumps_.watch(*run_->frames(), {}, {});
     }
     const auto now = Clock::now();
     using Seconds = std::chrono::duration<double>;
@@ -159,7 +160,7 @@ bool TrackingLoop::iterateOnce() {
   iterationTimes_.push_back(run_->iterate());
   log_.countIteration(1e-6 * iterationTimes_.back());
   countAgainstBudget(1e-3 * iterationTimes_.back() *
-                     static_cast<double>(std::max<std::size_t>(1, run_->targets().size())));
+                     static_cast<double>(std::max<std::size_t>(1, run_->trackedCount())));
   keepNewest(iterationTimes_, kTimesKept);
   frameFresh_ = false;
   log_.append(iterationRecords());
@@ -170,6 +171,9 @@ std::vector<IterationRecord> TrackingLoop::iterationRecords() const {
   std::vector<IterationRecord> records;
   for (std::size_t k = 0; k < run_->estimates().size(); ++k) {
     const auto& estimate = run_->estimates()[k];
+    if (estimate.gone) {
+      continue;
+    }
     IterationRecord record;
     record.iteration = run_->iterations();
     record.frame = run_->frames()->index;
@@ -183,11 +187,13 @@ std::vector<IterationRecord> TrackingLoop::iterationRecords() const {
     record.existence = estimate.existence;
     record.held = estimate.valid;
     record.cameras = estimate.cameras;
+    const bool isPerson = run_->people() != nullptr; // which of the true ones it is, nobody knows
     if (const auto belief = run_->box(k, 0)) {
       record.similarity = belief->estimate.similarity;
       record.spread = belief->estimate.spread;
       record.particleCount = belief->estimate.particleCount;
-    } else if (const auto truth = truth_.at(run_->targets()[k].name, record.frame)) {
+    } else if (const auto truth = truth_.at(run_->targets()[k].name, record.frame);
+               truth && !isPerson) {
       record.error = (estimate.mean - *truth).norm();
     }
     records.push_back(std::move(record));
@@ -212,10 +218,19 @@ void TrackingLoop::recordFrame() {
   recordedFrame_ = run_->frames()->index;
   log_.append(run_->samples());
   log_.append(run_->boxSamples());
-  log_.append(frameRecord(travel_->record(*run_), *run_->frames()));
+  const Moment& moment = travel_->record(*run_);
+  log_.append(frameRecord(moment, *run_->frames()));
+  if (run_->people() != nullptr && !moment.targets.empty()) {
+    log_.append(peopleFrame(moment));
+  }
+  tails_.resize(run_->targets().size());
   for (std::size_t k = 0; run_->family() != MethodFamily::Boxes && k < tails_.size(); ++k) {
     if (again && !tails_[k].empty()) {
       tails_[k].pop_back();
+    }
+    if (run_->estimates()[k].gone) {
+      tails_[k].clear();
+      continue;
     }
     tails_[k].push_back(run_->estimates()[k].mean);
     keepNewest(tails_[k], kTailLength);

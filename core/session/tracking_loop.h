@@ -39,6 +39,9 @@ private:
   void changeBoxes(const std::vector<Target>& targets);
   void changeCameras(const CameraRig& rig);
   void changeEmptyRooms(const command::SetEmptyRooms& wish);
+  /// Somebody stands somewhere, or is not there after all; at an earlier moment, the run goes on
+  /// from there.
+  void changePeople(const command::ChangePeople& wish);
   /// False if there is nothing to track.
   bool restart(std::optional<std::uint64_t> seed);
 
@@ -74,6 +77,9 @@ private:
   /// Less often than a screen shows while tracking as fast as it goes.
   void publishNowAndThen();
   void showHead(TrackSnapshot& snapshot);
+  /// Targets of the run that are not in the moment shown.
+  void addOthers(TrackSnapshot& snapshot) const;
+  static void addShapes(TrackSnapshot& snapshot);
   void addFigures(TrackSnapshot& snapshot) const;
   static std::vector<cv::Mat> masks(const TrackSnapshot& snapshot);
   void addMaps(const std::stop_token& stop);
@@ -94,6 +100,7 @@ private:
   PlayState state_ = PlayState::Paused;
   bool masksWanted_ = false;
   bool mapsWanted_ = false;
+  bool shapesWanted_ = false;
   bool exactDue_ = false;            ///< a preview is shown
   bool mapsDue_ = false;             ///< the moment shown has no likelihood maps yet
   bool atEnd_ = false;               ///< the input's end was reached

@@ -64,6 +64,8 @@ void TrackingLoop::obeyChange(const Command& command) {
     changeCameras(cameras->rig);
   } else if (const auto* rooms = std::get_if<command::SetEmptyRooms>(&command)) {
     changeEmptyRooms(*rooms);
+  } else if (const auto* people = std::get_if<command::ChangePeople>(&command)) {
+    changePeople(*people);
   } else if (const auto* method = std::get_if<command::SetMethod>(&command)) {
     if (method->from) {
       rerun(*method->from, method);
@@ -78,6 +80,8 @@ void TrackingLoop::obeyTravel(const Command& command) {
     masksWanted_ = masks->wanted;
   } else if (const auto* maps = std::get_if<command::ShowMaps>(&command)) {
     mapsWanted_ = maps->wanted;
+  } else if (const auto* shapes = std::get_if<command::ShowShapes>(&command)) {
+    shapesWanted_ = shapes->wanted;
   } else if (const auto* moment = std::get_if<command::ShowFrame>(&command)) {
     show(moment->frame);
   } else if (std::holds_alternative<command::BackToHead>(command)) {
@@ -91,7 +95,7 @@ void TrackingLoop::changeMethod(const command::SetMethod& wish) {
   Project changed = project_;
   changed.method = wish.method;
   changed.parameters = wish.parameters;
-  changed.targets = run_->targets();
+  changed.targets = run_->projectTargets();
   auto run = TrackingRun::create(changed, 1, emptyRooms_);
   if (!run) {
     errors_.push_back(run.error());
@@ -99,6 +103,7 @@ void TrackingLoop::changeMethod(const command::SetMethod& wish) {
   }
   project_ = std::move(changed);
   run_.emplace(std::move(*run));
+  tails_.clear();
   restart(std::nullopt);
 }
 
@@ -158,7 +163,7 @@ void TrackingLoop::changeTargets(const std::vector<Target>& targets) {
     return;
   }
   project_.targets = targets;
-  if (targets.size() == run_->targets().size()) {
+  if (run_->people() != nullptr || targets.size() == run_->targets().size()) {
     run_->setTargets(targets);
     travel_->changed(*run_, {std::nullopt, targets, std::nullopt});
     return;
@@ -290,8 +295,8 @@ std::string TrackingLoop::differences(const Project& before) const {
       add(declaration.key, value);
     }
   }
-  for (std::size_t k = 0; k < std::min(before.targets.size(), run_->targets().size()); ++k) {
-    const Target& target = run_->targets()[k];
+  for (std::size_t k = 0; k < std::min(before.targets.size(), run_->projectTargets().size()); ++k) {
+    const Target& target = run_->projectTargets()[k];
     if (!(before.targets[k] == target)) {
       if (run_->family() == MethodFamily::Boxes) {
         add(target.name, target.box ? "another box" : "no box");
@@ -320,7 +325,7 @@ bool TrackingLoop::goBackTo(std::int64_t from, const command::SetMethod* method)
     Project changed = project_;
     changed.method = method->method;
     changed.parameters = method->parameters;
-    changed.targets = run_->targets();
+    changed.targets = run_->projectTargets();
     auto run = TrackingRun::create(changed, 1, emptyRooms_);
     if (!run) {
       errors_.push_back(run.error());
@@ -357,7 +362,7 @@ void TrackingLoop::rerun(std::int64_t from, const command::SetMethod* method) {
   const bool isPast = from <= head();
   const PlayState waiting = atEnd_ ? PlayState::Ended : PlayState::Paused;
   const Rerun again{{from, head()}, view_ || atEnd_ ? waiting : state_, atEnd_};
-  const std::vector<Target> targets = run_->targets();
+  const std::vector<Target> targets = run_->projectTargets();
   Project before = project_;
   before.targets = targets;
   if ((isPast || method != nullptr) && !goBackTo(from, method)) {
@@ -366,7 +371,7 @@ void TrackingLoop::rerun(std::int64_t from, const command::SetMethod* method) {
   if (isPast) {
     if (method == nullptr) {
       before.parameters = run_->parameters();
-      before.targets = run_->targets();
+      before.targets = run_->projectTargets();
       for (std::size_t k = 0; k < before.cameras.size(); ++k) {
         before.cameras[k].camera = run_->rig()[k];
       }
@@ -375,6 +380,7 @@ void TrackingLoop::rerun(std::int64_t from, const command::SetMethod* method) {
     log_.goBack(from);
     rerun_ = again;
   }
+  tails_.resize(run_->targets().size());
   for (std::size_t k = 0; k < tails_.size(); ++k) {
     const auto tail = travel_->history().tail(k, from - 1, 256);
     tails_[k].assign(tail.begin(), tail.end());
@@ -393,7 +399,7 @@ void TrackingLoop::rerun(std::int64_t from, const command::SetMethod* method) {
   if (!(run_->parameters() == project_.parameters)) {
     change.parameters = project_.parameters;
   }
-  if (run_->targets() != targets) {
+  if (run_->projectTargets() != targets) {
     change.targets = targets;
   }
   if (run_->rig() != *rig_) {

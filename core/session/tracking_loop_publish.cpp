@@ -2,6 +2,7 @@
 // What the tracking thread shows of itself.
 #include "core/color/match_image.h"
 #include "core/session/tracking_loop.h"
+#include "core/tracking/people_targets.h"
 
 #include <algorithm>
 #include <iterator>
@@ -56,9 +57,14 @@ void TrackingLoop::showHead(TrackSnapshot& snapshot) {
   snapshot.targets = run_->snapshots(kParticlesShown);
   const Moment* moment = travel_ ? travel_->history().at(snapshot.frame) : nullptr;
   snapshot.tracked = moment != nullptr;
+  if (run_->people() != nullptr) {
+    snapshot.peopleCameras = run_->people()->tracker().cameraStates();
+  }
   for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
     TargetSnapshot& target = snapshot.targets[k];
-    target.tail.assign(tails_[k].begin(), tails_[k].end());
+    if (k < tails_.size()) {
+      target.tail.assign(tails_[k].begin(), tails_[k].end());
+    }
     if (moment != nullptr && k < moment->targets.size()) {
       target.status = moment->targets[k].status;
       target.reasons = moment->targets[k].reasons;
@@ -79,6 +85,30 @@ void TrackingLoop::addFigures(TrackSnapshot& snapshot) const {
   snapshot.microsecondsPerIteration = median(iterationTimes_);
   snapshot.budget = budget_;
   snapshot.latency = log_.latency();
+}
+
+void TrackingLoop::addOthers(TrackSnapshot& snapshot) const {
+  // Nothing is believed of them at that moment, but they are known; people are not there yet.
+  if (snapshot.tracked && run_->people() == nullptr) {
+    return;
+  }
+  for (std::size_t k = snapshot.targets.size(); k < run_->targets().size(); ++k) {
+    TargetSnapshot& other = snapshot.targets.emplace_back();
+    other.target = run_->targets()[k];
+    if (run_->people() != nullptr) {
+      other.estimate.gone = true;
+      other.status = TargetStatus::Gone;
+    }
+  }
+}
+
+void TrackingLoop::addShapes(TrackSnapshot& snapshot) {
+  for (TargetSnapshot& target : snapshot.targets) {
+    if (target.person && target.particles.rows() > 0) {
+      target.shape = std::make_shared<const PersonShape>(
+          personShape(BodyCloud{target.particles, target.weights}));
+    }
+  }
 }
 
 void TrackingLoop::publish(bool quickly) {
@@ -106,12 +136,13 @@ void TrackingLoop::publish(bool quickly) {
     }
     if (!view_) {
       showHead(*snapshot);
-    } else if (!snapshot->tracked) { // nothing is believed of it, but the colors are known
-      for (const Target& target : run_->targets()) {
-        snapshot->targets.emplace_back().target = target;
-      }
     } else {
-      mapsDue_ = mapsWanted_ && !snapshot->preview;
+      addOthers(*snapshot);
+      const bool wanted = run_->people() != nullptr ? masksWanted_ : mapsWanted_;
+      mapsDue_ = snapshot->tracked && wanted && !snapshot->preview;
+    }
+    if (shapesWanted_ && snapshot->ofPeople()) {
+      addShapes(*snapshot);
     }
   }
   exactDue_ = snapshot->preview;
@@ -127,11 +158,16 @@ void TrackingLoop::publish(bool quickly) {
   std::ranges::move(bumps_.notices(), std::back_inserter(snapshot->notices));
   if (snapshot->frames) {
     for (auto& target : snapshot->targets) {
+      if (snapshot->ofPeople()) {
+        break; // which of the true people it is, nobody knows
+      }
       target.truth = truth_.at(target.target.name, snapshot->frame);
     }
     // A target without a color has no mask.
     if (masksWanted_ && !snapshot->preview && snapshot->family == MethodFamily::Targets) {
       snapshot->masks = masks(*snapshot);
+    } else if (masksWanted_ && snapshot->ofPeople() && !view_) {
+      snapshot->masks = motionMasks(*run_);
     }
   }
   addFigures(*snapshot);
@@ -150,7 +186,7 @@ void TrackingLoop::addMaps(const std::stop_token& stop) {
   mapsDue_ = false;
   auto snapshot = std::make_shared<TrackSnapshot>(*publisher_.newest());
   const auto goOn = [&] { return !stop.stop_requested() && commands_.empty(); };
-  travel_->addMaps(project_, *view_, *snapshot, goOn);
+  travel_->addMaps(project_, *view_, masksWanted_, *snapshot, goOn);
   publisher_.publish(std::move(snapshot));
 }
 

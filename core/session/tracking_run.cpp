@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/tracking_run.h"
 
+#include "core/session/people_writer.h"
+#include "core/tracking/people_targets.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -124,10 +127,25 @@ void TrackingRun::apply(const RunChange& change) {
   if (change.emptyRooms) {
     setEmptyRooms(*change.emptyRooms);
   }
+  PeopleTargets* const people = tracker_->people();
+  if (change.newPerson && people != nullptr) {
+    people->addPerson(*change.newPerson);
+  }
+  if (change.personGone && people != nullptr) {
+    people->removePerson(*change.personGone);
+  }
+}
+
+const PeopleTargets* TrackingRun::people() const {
+  return std::as_const(*tracker_).people();
+}
+
+const std::vector<Target>& TrackingRun::targets() const {
+  return people() != nullptr ? people()->targets() : targets_;
 }
 
 TrackingRun::State TrackingRun::save() const {
-  State state{nullptr, targets_, parameters_, iterations_, 0, rig_};
+  State state = definition();
   if (std::unique_ptr<MultiTracker> copy = tracker_->clone()) {
     copy->beginFrame(nullptr); // the images of the last frame are not needed to go on
     state.bytes = copy->memoryBytes();
@@ -162,13 +180,23 @@ double TrackingRun::iterate() {
   ++iterations_;
   ++frameIterations_;
   const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
-  return took.count() / static_cast<double>(std::max<std::size_t>(1, targets_.size()));
+  return took.count() / static_cast<double>(std::max<std::size_t>(1, trackedCount()));
+}
+
+std::size_t TrackingRun::trackedCount() const {
+  return people() != nullptr ? people()->tracker().people().size() : targets_.size();
 }
 
 std::vector<TrajectorySample> TrackingRun::samples() const {
   std::vector<TrajectorySample> samples;
   if (family_ == MethodFamily::Boxes) {
     return samples; // nothing is known in space
+  }
+  if (people() != nullptr && frames_) {
+    for (const PersonEstimate& person : people()->tracker().people()) {
+      samples.push_back(sampleOf(person, frames_->index, seconds(frames_->time)));
+    }
+    return samples;
   }
   for (std::size_t k = 0; frames_ && k < targets_.size(); ++k) {
     const auto& estimate = estimates()[k];
@@ -194,14 +222,21 @@ std::vector<BoxSample> TrackingRun::boxSamples() const {
 }
 
 std::vector<TargetSnapshot> TrackingRun::snapshots(int particleLimit) const {
-  std::vector<TargetSnapshot> all(targets_.size());
-  for (std::size_t k = 0; k < targets_.size(); ++k) {
-    all[k].target = targets_[k];
+  std::vector<TargetSnapshot> all(targets().size());
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    all[k].target = targets()[k];
     all[k].estimate = estimates()[k];
+    all[k].person = personAt(k);
+    all[k].status = estimates()[k].gone ? TargetStatus::Gone : TargetStatus::Searching;
     tracker_->particles(k, particleLimit, all[k].particles, all[k].weights);
     all[k].box = box(k, particleLimit);
   }
   return all;
+}
+
+std::optional<PersonEstimate> TrackingRun::personAt(std::size_t target) const {
+  const PersonEstimate* person = people() != nullptr ? people()->person(target) : nullptr;
+  return person != nullptr ? std::optional(*person) : std::nullopt;
 }
 
 Moment TrackingRun::moment(int particleLimit, const Moment* previous) const {
@@ -210,13 +245,16 @@ Moment TrackingRun::moment(int particleLimit, const Moment* previous) const {
   moment.time = frames_ ? seconds(frames_->time) : 0.0;
   moment.iterations = frameIterations_;
   moment.totalIterations = iterations_;
-  const bool same = previous != nullptr && previous->definitions &&
-                    std::equal(targets_.begin(), targets_.end(), previous->definitions->begin(),
-                               previous->definitions->end());
+  const std::vector<Target>& tracked = targets();
+  const bool same =
+      previous != nullptr && previous->definitions && tracked == *previous->definitions;
   moment.definitions =
-      same ? previous->definitions : std::make_shared<const std::vector<Target>>(targets_);
-  moment.targets.resize(targets_.size());
-  for (std::size_t k = 0; k < targets_.size(); ++k) {
+      same ? previous->definitions : std::make_shared<const std::vector<Target>>(tracked);
+  if (people() != nullptr) {
+    moment.peopleCameras = people()->tracker().cameraStates();
+  }
+  moment.targets.resize(tracked.size());
+  for (std::size_t k = 0; k < tracked.size(); ++k) {
     TargetMoment& target = moment.targets[k];
     target.estimate = estimates()[k];
     Eigen::ArrayXXd particles;
@@ -227,11 +265,14 @@ Moment TrackingRun::moment(int particleLimit, const Moment* previous) const {
     target.box = box(k, particleLimit);
     target.proposals = tracker_->proposals(k);
     target.reasons = tracker_->explain(k);
+    target.person = personAt(k);
     if (previous != nullptr && k < previous->targets.size()) {
       target.lastHeld = previous->targets[k].lastHeld;
     }
     target.lastHeld = target.estimate.valid ? moment.time : target.lastHeld;
-    target.status = statusOf(target.estimate.valid, moment.time, target.lastHeld);
+    target.status = target.estimate.gone
+                        ? TargetStatus::Gone
+                        : statusOf(target.estimate.valid, moment.time, target.lastHeld);
   }
   return moment;
 }

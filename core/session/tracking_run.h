@@ -36,6 +36,8 @@ struct RunChange {
   std::optional<std::vector<Target>> targets;
   std::optional<CameraRig> rig;
   std::optional<std::vector<cv::Mat>> emptyRooms = std::nullopt;
+  std::optional<Eigen::Vector3d> newPerson = std::nullopt; ///< PeopleTracker::addPerson
+  std::optional<int> personGone = std::nullopt;            ///< PeopleTracker::removePerson
 };
 
 /// The tracker of all targets fed with frame sets: what the window's tracking thread and
@@ -50,7 +52,7 @@ public:
   void restart(std::uint64_t seed);
   void configure(const ParameterValues& parameters);
   /// New colors for the same targets; a different number of targets is ignored (reopen instead),
-  /// but by methods of family Boxes.
+  /// but by methods of family Boxes and People: to people the project's targets mean nothing.
   void setTargets(const std::vector<Target>& targets);
 
   /// Another calibration of the same cameras; one for other images is ignored (reopen instead).
@@ -70,7 +72,11 @@ public:
     CameraRig rig;
   };
   State save() const;
+  /// What the run is told, without what it believes: a state without a tracker.
+  State definition() const { return {nullptr, targets_, parameters_, iterations_, 0, rig_}; }
   void restore(const State& state);
+  /// Whether save() has a tracker to restore.
+  bool canBeCopied() const { return tracker_->canBeCopied(); }
   /// Goes on counting iterations from here.
   void countFrom(std::int64_t iterations) { iterations_ = iterations; }
 
@@ -81,12 +87,16 @@ public:
 
   MethodFamily family() const { return family_; }
   std::int64_t iterations() const { return iterations_; }
-  const std::vector<Target>& targets() const { return targets_; }
+  /// Those that are tracked: the project's, or the persons who have been there.
+  const std::vector<Target>& targets() const;
+  const std::vector<Target>& projectTargets() const { return targets_; }
+  /// Null unless the method is for people.
+  const PeopleTargets* people() const;
   const CameraRig& rig() const { return rig_; }
   const ParameterValues& parameters() const { return parameters_; }
   const std::vector<TargetEstimate>& estimates() const { return tracker_->estimates(); }
   const FrameSetPtr& frames() const { return frames_; }
-  /// The estimates as trajectory samples of the current frame.
+  /// The estimates as trajectory samples of the current frame; of people, those who are there.
   std::vector<TrajectorySample> samples() const;
   /// The boxes of the current frame, with methods of family Boxes.
   std::vector<BoxSample> boxSamples() const;
@@ -104,10 +114,14 @@ public:
   }
   /// Iterations on the current frame.
   int frameIterations() const { return frameIterations_; }
+  /// Targets that are tracked now; of people, those who are there.
+  std::size_t trackedCount() const;
 
 private:
+  std::optional<PersonEstimate> personAt(std::size_t target) const;
+
   MethodFamily family_ = MethodFamily::Targets;
-  std::vector<Target> targets_;
+  std::vector<Target> targets_; ///< the project's
   std::unique_ptr<MultiTracker> tracker_;
   FrameSetPtr frames_;
   std::unique_ptr<ThreadTeam> team_;

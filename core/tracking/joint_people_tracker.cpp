@@ -120,6 +120,14 @@ void JointPeopleTracker::forgetAll() {
   meetings_.clear();
 }
 
+std::unique_ptr<PeopleTracker> JointPeopleTracker::clone() const {
+  return cameras().canBeCopied() ? std::make_unique<JointPeopleTracker>(*this) : nullptr;
+}
+
+std::size_t JointPeopleTracker::beliefBytes() const {
+  return sizeof(Belief) + 3 * 5 * sizeof(double) * std::size_t(parameters_.at("particles"));
+}
+
 bool JointPeopleTracker::near(std::size_t one, std::size_t other) const {
   return (placeOf(people_[one]) - placeOf(people_[other])).norm() < kColorReach;
 }

@@ -20,6 +20,7 @@ public:
 
   void configure(const ParameterValues& parameters) override;
   BodyCloud body(int identity) const override;
+  std::unique_ptr<PeopleTracker> clone() const override;
 
 private:
   struct Belief {
@@ -37,6 +38,7 @@ private:
   void born(const PersonEstimate& person, const RandomKey& key) override;
   void gone(std::size_t index) override;
   void forgetAll() override;
+  std::size_t beliefBytes() const override;
   void update(ThreadTeam& team) override;
   bool sharesMasks() const override { return true; }
 

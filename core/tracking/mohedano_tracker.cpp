@@ -85,6 +85,19 @@ void MohedanoTracker::gone(std::size_t index) {
   beliefs_.erase(beliefs_.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
+std::unique_ptr<PeopleTracker> MohedanoTracker::clone() const {
+  if (!cameras().canBeCopied()) {
+    return nullptr;
+  }
+  auto copy = std::make_unique<MohedanoTracker>(*this);
+  copy->likelihoods_.clear(); // made anew with every frame
+  return copy;
+}
+
+std::size_t MohedanoTracker::beliefBytes() const {
+  return sizeof(Belief) + 3 * 8 * sizeof(double) * std::size_t(parameters_.at("particles"));
+}
+
 PersonObservation MohedanoTracker::observation() const {
   std::vector<PersonCamera> views;
   for (std::size_t k = 0; k < cameras().count(); ++k) {

@@ -19,6 +19,7 @@ public:
 
   void configure(const ParameterValues& parameters) override;
   BodyCloud body(int identity) const override;
+  std::unique_ptr<PeopleTracker> clone() const override;
 
 private:
   struct Belief {
@@ -29,6 +30,7 @@ private:
   void born(const PersonEstimate& person, const RandomKey& key) override;
   void gone(std::size_t index) override;
   void forgetAll() override { beliefs_.clear(); }
+  std::size_t beliefBytes() const override;
   void update(ThreadTeam& team) override;
   bool sharesMasks() const override { return false; }
 

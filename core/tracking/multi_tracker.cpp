@@ -4,6 +4,7 @@
 #include "core/tracking/box_targets.h"
 #include "core/tracking/dewpoint_tracker.h"
 #include "core/tracking/independent_trackers.h"
+#include "core/tracking/people_targets.h"
 
 #include <utility>
 
@@ -24,6 +25,12 @@ Result<std::unique_ptr<MultiTracker>> makeMultiTracker(const std::string& method
       return tl::make_unexpected(checked.error());
     }
     return std::make_unique<BoxTargets>(method, parameters, targets);
+  }
+  if (methodFamily(method) == MethodFamily::People) {
+    return makePeopleTracker(method, parameters, rig)
+        .map([](std::unique_ptr<PeopleTracker> tracker) -> std::unique_ptr<MultiTracker> {
+          return std::make_unique<PeopleTargets>(std::move(tracker));
+        });
   }
   std::vector<std::unique_ptr<Tracker>> trackers;
   for (const Target& target : targets) {

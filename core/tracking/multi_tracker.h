@@ -13,6 +13,8 @@
 
 namespace dewpoint {
 
+class PeopleTargets;
+
 /// One method tracking all targets of a run together, so that targets of one color can be told
 /// apart. `beginFrame` once per frame set, then `iterate` any number of times. Not thread safe;
 /// the same seed gives the same bits for any size of the ThreadTeam.
@@ -47,6 +49,7 @@ public:
   /// A copy that goes on from here with the same bits, and shares nothing that either writes; null
   /// when the method cannot be copied.
   virtual std::unique_ptr<MultiTracker> clone() const { return nullptr; }
+  virtual bool canBeCopied() const { return true; }
   /// About how many bytes a copy takes.
   virtual std::size_t memoryBytes() const { return 0; }
   /// What each camera has to say on a target being held or not, after the iterations of a frame;
@@ -57,6 +60,10 @@ public:
   /// Around the estimate of a target, up to `reach` pixels in each direction; one per camera, or
   /// none when the method cannot tell.
   virtual std::vector<LikelihoodMap> likelihoodMaps(std::size_t, int /*reach*/) const { return {}; }
+  /// The people whom the method finds by itself, in place of the project's targets; null for all
+  /// methods that are not for people.
+  virtual PeopleTargets* people() { return nullptr; }
+  virtual const PeopleTargets* people() const { return nullptr; }
 };
 
 /// A tracker of the named method for these targets; NotFound for an unknown method, MissingKey when

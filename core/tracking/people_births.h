@@ -22,6 +22,12 @@ public:
   /// Prepares the grid; keeps what is under way.
   void setCameras(const PeopleCameras& cameras, const PeopleArea& area, double height);
   void restart() { candidates_.clear(); }
+  /// About how many bytes a copy takes.
+  std::size_t memoryBytes() const {
+    return cells_.empty() ? 0
+                          : cells_.size() * (sizeof(Cell) + cells_.front().silhouettes.size() *
+                                                                sizeof(BodySilhouette));
+  }
 
   /// Looks at a frame. `explained`: per camera, what is already explained (CV_8UC1), or empty;
   /// `taken`: where people stand. Returns at most one place: where somebody is born (world x, y).

@@ -53,7 +53,7 @@ void PeopleCameras::setRig(const CameraRig& rig) {
     const bool reduce = settings_.imageWidth > 0 && width > settings_.imageWidth;
     const Camera camera =
         reduced(rig[k], reduce ? double(settings_.imageWidth) / std::max(1, width) : 1.0);
-    View view{camera, Projector(camera), {}, {}, nullptr, 0};
+    View view{camera, Projector(camera), {}, {}, {}, 0};
     if (k < views_.size()) { // what was learned stays
       view.model = std::move(views_[k].model);
       view.learnedFrames = views_[k].learnedFrames;
@@ -70,6 +70,20 @@ void PeopleCameras::restart() {
   views_.clear();
   states_.clear();
   setRig(rig_);
+}
+
+bool PeopleCameras::canBeCopied() const {
+  return std::ranges::all_of(
+      views_, [](const View& view) { return !view.model || view.model->canBeCopied(); });
+}
+
+std::size_t PeopleCameras::memoryBytes() const {
+  std::size_t sum = 0;
+  for (const View& view : views_) {
+    sum += view.image.total() * view.image.elemSize() + view.mask.total();
+    sum += view.model ? view.model->memoryBytes() : 0;
+  }
+  return sum;
 }
 
 ForegroundSettings PeopleCameras::foregroundSettings() const {

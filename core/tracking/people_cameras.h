@@ -11,6 +11,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace dewpoint {
@@ -20,6 +21,11 @@ namespace dewpoint {
 class PeopleCameras {
 public:
   PeopleCameras(const CameraRig& rig, const PeopleSettings& settings);
+
+  /// Whether all background models can be copied; a copy of others would have none.
+  bool canBeCopied() const;
+  /// About how many bytes a copy takes.
+  std::size_t memoryBytes() const;
 
   void setRig(const CameraRig& rig);
   void configure(const PeopleSettings& settings) { settings_ = settings; }
@@ -42,12 +48,28 @@ public:
   std::int64_t frame() const { return frame_; }
 
 private:
+  /// A background model that is copied with its owner.
+  class Model {
+  public:
+    Model() = default;
+    Model(std::unique_ptr<ForegroundModel> model) : model_(std::move(model)) {} // NOLINT: implicit
+    Model(const Model& other) : model_(other.model_ ? other.model_->clone() : nullptr) {}
+    Model(Model&&) noexcept = default;
+    Model& operator=(const Model&) = delete;
+    Model& operator=(Model&&) noexcept = default;
+    ~Model() = default;
+    explicit operator bool() const { return model_ != nullptr; }
+    ForegroundModel* operator->() const { return model_.get(); }
+
+  private:
+    std::unique_ptr<ForegroundModel> model_;
+  };
   struct View {
     Camera camera; ///< of the reduced images
     Projector projector;
-    cv::Mat image;
+    cv::Mat image; ///< its pixels are never written again, nor those of the mask
     cv::Mat mask;
-    std::unique_ptr<ForegroundModel> model;
+    Model model;
     int learnedFrames = 0;
   };
 

@@ -72,6 +72,10 @@ void PeopleLife::restart(std::uint64_t seed) {
   prepare();
 }
 
+std::size_t PeopleLife::memoryBytes() const {
+  return cameras_.memoryBytes() + births_.memoryBytes() + people_.size() * beliefBytes();
+}
+
 RandomKey PeopleLife::keyOf(int identity) const {
   return {derivedSeed(seed_, static_cast<std::uint32_t>(identity)),
           static_cast<std::uint32_t>(std::max<std::int64_t>(0, cameras_.frame())), 0};

@@ -26,8 +26,12 @@ public:
   cv::Mat foreground(std::size_t camera) const override { return cameras_.mask(camera); }
   int addPerson(const Eigen::Vector3d& middle) override;
   void removePerson(int identity) override;
+  bool canBeCopied() const override { return cameras_.canBeCopied(); }
+  std::size_t memoryBytes() const override;
 
 protected:
+  PeopleLife(const PeopleLife&) = default; ///< by clone()
+
   /// How a camera sees a person.
   struct Sight {
     bool inView = false;
@@ -40,6 +44,8 @@ protected:
   /// people_[index] is about to go.
   virtual void gone(std::size_t index) = 0;
   virtual void forgetAll() = 0;
+  /// About how many bytes a copy of a belief takes.
+  virtual std::size_t beliefBytes() const = 0;
   /// New images are there: moves and weighs everybody, and fills in what people_ says.
   virtual void update(ThreadTeam& team) = 0;
   /// Whether what others cover is theirs when it comes to whether a person is seen.

@@ -8,8 +8,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 namespace dewpoint {
+
+std::string personName(int identity) {
+  return fmt::format("person {}", identity);
+}
+
+std::optional<int> personIdentity(std::string_view name) {
+  constexpr std::string_view kPerson = "person ";
+  int identity = 0;
+  if (!name.starts_with(kPerson)) {
+    return std::nullopt;
+  }
+  const char* const end = name.data() + name.size();
+  const auto read = std::from_chars(name.data() + kPerson.size(), end, identity);
+  const bool whole = read.ec == std::errc() && read.ptr == end;
+  return whole && identity > 0 ? std::optional(identity) : std::nullopt;
+}
 
 std::vector<std::string> peopleMethodNames() {
   return {"people", "mohedano-msc", "mohedano-ms"};

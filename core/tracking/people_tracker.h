@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -82,7 +83,19 @@ public:
   virtual int addPerson(const Eigen::Vector3d& middle) = 0;
   /// Forgets a person.
   virtual void removePerson(int identity) = 0;
+
+  /// A copy that goes on from here with the same bits, and shares nothing that either writes; null
+  /// when it cannot be copied: with one of OpenCV's background models.
+  virtual std::unique_ptr<PeopleTracker> clone() const { return nullptr; }
+  virtual bool canBeCopied() const { return false; }
+  /// About how many bytes a copy takes.
+  virtual std::size_t memoryBytes() const { return 0; }
 };
+
+/// How a person is called in files and views: "person 3".
+std::string personName(int identity);
+/// The identity in such a name; nothing for any other name.
+std::optional<int> personIdentity(std::string_view name);
 
 /// Names of the methods that track people, the default first: "people", "mohedano-msc",
 /// "mohedano-ms".

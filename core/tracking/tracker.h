@@ -51,6 +51,7 @@ struct TargetEstimate {
   /// What the images of this frame alone say of the place (m, m²), with errors of its own; nothing
   /// if the target was not found in them, or the method does not tell.
   std::optional<Gaussian3> seen;
+  bool gone = false;       ///< has left for good, or is not there yet: a person
   bool degenerate = false; ///< no particle had a usable weight; all were kept as equal
   /// What each camera says about the mean, in the order of the rig; empty when the method cannot
   /// tell, or has no place to ask about.

@@ -26,3 +26,10 @@ expectExit $kUsage people office/project.toml --out run --person 1,2
 expectSentence --person
 expectExit $kUsage people office/project.toml
 expectExit $kBadInput people missing.toml --out run
+
+# A project may name the method, and the built-in office; track sends such a project here.
+printf 'format = 1\nmethod = "mohedano-ms"\nscene = "office"\n[parameters]\nparticles = 50\n' >office.toml
+expectExit $kBadInput track office.toml --out tracked
+expectSentence method "dewpoint-cli people"
+expectExit 0 people office.toml --out named --frames 0:3
+expectText named/trajectory.csv mohedano-ms "particles: 50"

@@ -49,6 +49,30 @@ TEST(ScoreSums, AreMeansOverRectangles) {
   EXPECT_NEAR(scores.mean({10, 10, 10, 10}), 0.5 * kMovingPixel, 0.02);
 }
 
+TEST(BodyScore, TheUpperHalfCountsByItself) {
+  // A column of six pieces of 10 x 10 pixels; the upper three move, but for half of the head.
+  BodySilhouette body;
+  body.visible = true;
+  for (int k = 0; k < kBodyPieces; ++k) {
+    body.pieces[static_cast<std::size_t>(k)] = cv::Rect(20, 10 * (kBodyPieces - 1 - k), 10, 10);
+  }
+  cv::Mat mask = cv::Mat::zeros(60, 60, CV_8UC1);
+  mask(cv::Rect(20, 5, 10, 25)).setTo(255);
+  ScoreSums scores;
+  scores.build(maskScores(mask, cv::Mat()));
+  // Two whole pieces and one that is half moving, half still: bytes round to 0.02.
+  const double head = 0.5 * (kMovingPixel + kStillPixel);
+  EXPECT_NEAR(upperBodyScore(scores, body, -0.25), (2.0 * kMovingPixel + head) / 3.0, 0.02);
+  // The legs add three pieces at the floor, which is above what still pixels say (-0.3).
+  EXPECT_NEAR(bodyScore(scores, body, -0.25), (2.0 * kMovingPixel + head + 3.0 * -0.25) / 6.0,
+              0.02);
+  // A piece says at least the floor, also of the upper half.
+  scores.build(maskScores(cv::Mat::zeros(60, 60, CV_8UC1), cv::Mat()));
+  EXPECT_NEAR(upperBodyScore(scores, body, -0.2), -0.2, 1e-9);
+  body.visible = false;
+  EXPECT_EQ(upperBodyScore(scores, body, -0.2), 0.0);
+}
+
 TEST(ClothesModel, TellsColorsApart) {
   const cv::Rect body(10, 10, 20, 60);
   BodySilhouette silhouette;

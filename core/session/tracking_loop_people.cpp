@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Somebody stands somewhere, or is not there after all.
+#include "core/session/tracking_loop.h"
+#include "core/tracking/people_targets.h"
+#include "core/tracking/person_at_pixel.h"
+
+namespace dewpoint {
+
+void TrackingLoop::changePeople(const command::ChangePeople& wish) {
+  if (run_->people() == nullptr || !run_->frames()) {
+    return;
+  }
+  if (view_) {
+    rerun(*view_);
+  }
+  RunChange change;
+  if (wish.place) {
+    change.newPerson = middleOfBody(*wish.place, project_.parameters);
+  }
+  change.personGone = wish.gone;
+  if (wish.seen) {
+    change.newPerson = personAtPixel(run_->people()->tracker(), *rig_, project_.parameters,
+                                     wish.seen->camera, wish.seen->pixel);
+  }
+  if (!change.newPerson && !change.personGone) {
+    return;
+  }
+  run_->apply(change);
+  travel_->changed(*run_, change);
+  if (recordedFrame_ == head()) {
+    recordFrame();
+  }
+}
+
+} // namespace dewpoint

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Methods for people in a session: targets that come and go.
+#include "core/session/people_writer.h"
+#include "core/session/session.h"
+#include "core/session/tracking_run.h"
+#include "core/tracking/people_targets.h"
+#include "tests/integration/office_recording.h"
+#include "tests/session/fake_recording.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace dewpoint {
+namespace {
+
+using test::eventually;
+using test::OfficeRecording;
+using test::reaches;
+
+/// By then both of the first two visitors of the office are well inside.
+constexpr std::int64_t kFrames = 90;
+
+Project officeProject(const std::string& method = "people") {
+  Project project;
+  project.name = "office";
+  project.method = method;
+  project.parameters = ParameterValues(methodParameters(method));
+  for (const Camera& camera : officeRig()) {
+    project.cameras.push_back({camera, SourceKind::Simulation, "", 0});
+  }
+  return project;
+}
+
+SessionInputs office(Project project = officeProject(), std::int64_t frames = kFrames) {
+  SessionInputs inputs;
+  inputs.project = std::move(project);
+  inputs.source = std::make_unique<OfficeRecording>(frames);
+  return inputs;
+}
+
+void playThrough(Session& session) {
+  session.play();
+  ASSERT_TRUE(reaches(session, PlayState::Ended));
+}
+
+/// What the tracker says without any session: as the command line drives it.
+Trajectory trackedAlone(const Project& project, std::int64_t frames = kFrames) {
+  auto tracker = makePeopleTracker(project.method, project.parameters, officeRig()).value();
+  tracker->restart(project.seed);
+  OfficeRecording source(frames);
+  ThreadTeam team(1);
+  Trajectory trajectory;
+  for (auto set = source.next(); *set; set = source.next()) {
+    tracker->step(*set, team);
+    for (const PersonEstimate& person : tracker->people()) {
+      trajectory.samples.push_back(sampleOf(person, (*set)->index, seconds((*set)->time)));
+    }
+  }
+  return trajectory;
+}
+
+int present(const TrackSnapshot& snapshot) {
+  return static_cast<int>(std::ranges::count_if(
+      snapshot.targets, [](const auto& target) { return target.person.has_value(); }));
+}
+
+TEST(PeopleSession, TracksAsTheCommandLineDoes) {
+  Session session(office());
+  session.setShapesWanted(true);
+  playThrough(session);
+  const TrackSnapshotPtr last = session.newest();
+  EXPECT_TRUE(last->ofPeople());
+  ASSERT_EQ(last->targets.size(), 2U); // both are inside by frame 90
+  EXPECT_EQ(last->targets[0].target.name, "person 1");
+  EXPECT_EQ(last->targets[1].target.name, "person 2");
+  for (const TargetSnapshot& target : last->targets) {
+    EXPECT_EQ(target.status, TargetStatus::Held);
+    ASSERT_TRUE(target.person);
+    EXPECT_GT(target.particles.rows(), 100);
+    ASSERT_TRUE(target.shape);
+    // A body has some 0.07 m³; its hull, legs and all, not more than a box of 0.8 x 0.8 x 1.8 m.
+    EXPECT_GT(target.shape->volume, 0.03);
+    EXPECT_LT(target.shape->volume, 1.15);
+    ASSERT_EQ(target.shape->ground.size(), std::size(kGroundShares));
+    EXPECT_FALSE(target.shape->ground.back().empty());
+  }
+  ASSERT_EQ(last->peopleCameras.size(), 4U);
+  EXPECT_EQ(last->peopleCameras[0].learned, 1.0);
+  EXPECT_TRUE(test::sameBits(session.trajectory(), trackedAlone(officeProject())));
+}
+
+TEST(PeopleSession, TellsHowFarTheRoomIsLearned) {
+  Session session(office());
+  session.stepFrame();
+  ASSERT_TRUE(eventually([&] { return session.newest()->tracked; }));
+  for (int k = 0; k < 6; ++k) {
+    session.stepFrame();
+  }
+  ASSERT_TRUE(eventually([&] { return session.newest()->frame == 6; }));
+  const TrackSnapshotPtr shown = session.newest();
+  // 6 frames at 15 per second, of the second that learning takes.
+  ASSERT_EQ(shown->peopleCameras.size(), 4U);
+  EXPECT_NEAR(shown->peopleCameras[2].learned, 6.0 / 15.0, 1e-6);
+  EXPECT_TRUE(shown->targets.empty());
+}
+
+TEST(PeopleSession, KnowsTheEmptyRoomWithoutLearning) {
+  Session session(office());
+  simulation::ViewCache views;
+  const OfficeRenderer renderer(officeDay(), views);
+  std::vector<cv::Mat> rooms;
+  for (std::size_t k = 0; k < 4; ++k) {
+    rooms.push_back(renderer.emptyRoom(k));
+  }
+  session.setEmptyRooms({"", "", "", ""}, rooms);
+  session.restart();
+  session.stepFrame();
+  ASSERT_TRUE(eventually([&] { return session.newest()->tracked; }));
+  EXPECT_EQ(session.newest()->peopleCameras.at(0).learned, 1.0);
+}
+
+TEST(PeopleSession, ShowsThePeopleOfThen) {
+  Session session(office());
+  session.setShapesWanted(true);
+  session.setMasksWanted(true);
+  playThrough(session);
+  const Trajectory all = session.trajectory();
+  session.showFrame(70);
+  ASSERT_TRUE(eventually(
+      [&] { return session.newest()->frame == 70 && !session.newest()->masks.empty(); }));
+  TrackSnapshotPtr then = session.newest();
+  EXPECT_TRUE(then->past);
+  ASSERT_EQ(then->targets.size(), 2U); // as many rows as the run has, whoever was there
+  const auto sample = std::ranges::find_if(
+      all.samples, [](const auto& one) { return one.frame == 70 && one.target == "person 1"; });
+  ASSERT_NE(sample, all.samples.end());
+  EXPECT_EQ(then->targets[0].estimate.mean, sample->position);
+  EXPECT_TRUE(then->targets[0].shape);
+  ASSERT_EQ(then->masks.size(), 4U);
+  EXPECT_EQ(then->masks[0].size(), cv::Size(320, 240));
+  EXPECT_GT(cv::countNonZero(then->masks[0]) + cv::countNonZero(then->masks[1]), 200);
+  session.showFrame(3); // nobody yet
+  ASSERT_TRUE(eventually([&] { return session.newest()->frame == 3; }));
+  then = session.newest();
+  EXPECT_EQ(present(*then), 0);
+  ASSERT_EQ(then->targets.size(), 2U);
+  EXPECT_EQ(then->targets[1].status, TargetStatus::Gone);
+}
+
+TEST(PeopleSession, TracksAgainWithTheSameBits) {
+  for (const std::string& method : peopleMethodNames()) { // two of them cannot be copied
+    Session session(office(officeProject(method)));
+    playThrough(session);
+    const Trajectory first = session.trajectory();
+    ASSERT_FALSE(first.samples.empty()) << method;
+    session.rerunFrom(65);
+    ASSERT_TRUE(eventually([&] {
+      return !session.newest()->rerun && session.newest()->state == PlayState::Ended &&
+             session.newest()->frame == kFrames - 1;
+    }));
+    EXPECT_TRUE(test::sameBits(first, session.trajectory())) << method;
+  }
+}
+
+TEST(PeopleSession, TakesOtherMethodsAndBack) {
+  Session session(office());
+  playThrough(session);
+  const Trajectory first = session.trajectory();
+  session.setMethod("barrera", ParameterValues(methodParameters("barrera")));
+  ASSERT_TRUE(eventually([&] { return !session.newest()->ofPeople(); }));
+  EXPECT_TRUE(session.newest()->targets.empty()); // the project has none
+  const Project again = officeProject();
+  session.setMethod(again.method, again.parameters);
+  ASSERT_TRUE(eventually([&] { return session.newest()->ofPeople(); }));
+  playThrough(session);
+  EXPECT_TRUE(test::sameBits(first, session.trajectory()));
+}
+
+TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
+  Project project = officeProject();
+  ASSERT_TRUE(project.parameters.set("births", 0.0));
+  Session session(office(project));
+  playThrough(session);
+  EXPECT_EQ(session.newest()->targets.size(), 0U);
+  // Where the first visitor truly is at frame 80, and the second one's image in camera 1.
+  simulation::ViewCache views;
+  const OfficeRenderer renderer(officeDay(), views);
+  const double time = officeDay().timeOf(80);
+  session.showFrame(80);
+  ASSERT_TRUE(eventually([&] { return session.newest()->frame == 80; }));
+  session.addPerson(renderer.middle(0, time).head<2>());
+  ASSERT_TRUE(eventually(
+      [&] { return present(*session.newest()) == 1 && session.newest()->frame == kFrames - 1; }));
+  EXPECT_EQ(session.newest()->targets.at(0).status, TargetStatus::Held);
+  const double now = officeDay().timeOf(kFrames - 1);
+  const auto pixel = Projector(officeRig()[0]).project(renderer.middle(1, now));
+  ASSERT_TRUE(pixel);
+  session.addPersonSeen(0, *pixel);
+  ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 2; }));
+  const Eigen::Vector3d placed = session.newest()->targets.at(1).estimate.mean;
+  EXPECT_LT((placed - renderer.middle(1, now)).head<2>().norm(), 0.3); // of 0.1 m steps
+  session.removePerson(1);
+  ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 1; }));
+  EXPECT_EQ(session.newest()->targets.at(0).status, TargetStatus::Gone); // and not lost
+}
+
+TEST(PeopleSession, SavesVolumesHullsAndDensities) {
+  Session session(office(officeProject(), 75));
+  playThrough(session);
+  const auto folder = std::filesystem::path(testing::TempDir()) / "people_session";
+  std::filesystem::remove_all(folder);
+  ASSERT_TRUE(session.saveRun(folder));
+  for (const char* file :
+       {"trajectory.csv", "run.json", "volumes.csv", "hulls.csv", "ground.csv"}) {
+    EXPECT_GT(std::filesystem::file_size(folder / file), 200U) << file;
+  }
+}
+
+TEST(PeopleTargets, LeaveGapsAndForgetNobody) {
+  const Project project = officeProject();
+  auto tracker = makeMultiTracker("people", project.parameters, officeRig(), {}).value();
+  ASSERT_NE(tracker->people(), nullptr);
+  tracker->restart(1);
+  PeopleTargets& people = *tracker->people();
+  EXPECT_EQ(people.addPerson({0.0, 0.0, 0.86}), 1);
+  EXPECT_EQ(people.addPerson({1.0, 0.0, 0.86}), 2);
+  people.removePerson(1);
+  ASSERT_EQ(tracker->estimates().size(), 2U);
+  EXPECT_TRUE(tracker->estimates()[0].gone);
+  EXPECT_FALSE(tracker->estimates()[1].gone);
+  EXPECT_EQ(people.targets()[0].name, "person 1");
+  EXPECT_EQ(people.person(0), nullptr);
+  EXPECT_EQ(people.addPerson({1.0, 1.0, 0.86}), 3); // never given twice
+}
+
+TEST(PeopleNames, AreReadAsTheyAreWritten) {
+  EXPECT_EQ(personIdentity(personName(12)), 12);
+  for (const char* other : {"person", "person 0", "person -1", "person 1b", "ball", ""}) {
+    EXPECT_EQ(personIdentity(other), std::nullopt) << other;
+  }
+}
+
+} // namespace
+} // namespace dewpoint
