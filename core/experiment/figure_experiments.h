@@ -39,6 +39,9 @@ struct FigureExperiment {
 
 /// All of them, in the order of menus.
 std::span<const FigureExperiment> figureExperiments();
+/// The studies of boxes and of people, as experiments with defaults that take minutes: sugandi-rmse
+/// and people-<scenario>. The command line has all their options.
+std::span<const FigureExperiment> studyExperiments();
 
 // Barrera et al. 2005, section III, on the simulated demo.
 Status barreraFigure3(const ExperimentOptions& options);

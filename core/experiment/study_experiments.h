@@ -8,10 +8,6 @@
 
 namespace dewpoint {
 
-/// The studies of boxes and of people, as experiments with defaults that take minutes: sugandi-rmse
-/// and people-<scenario>. The command line has all their options.
-std::span<const FigureExperiment> studyExperiments();
-
 /// Many seeds from setup.seed on, of each kind of clothes in turn. `progress` is told how many of
 /// how many scenes are done; when it returns false what there is comes back.
 Result<std::vector<PeopleTrial>>

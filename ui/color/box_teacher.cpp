@@ -2,7 +2,6 @@
 #include "ui/color/box_teacher.h"
 
 #include "core/project/project.h"
-#include "core/tracking/box_tracker.h"
 #include "ui/bridge/error_sentence.h"
 #include "ui/color/fresh_target.h"
 #include "ui/document/document.h"

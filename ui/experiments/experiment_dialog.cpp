@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/experiments/experiment_dialog.h"
 
-#include "core/experiment/study_experiments.h"
+#include "core/experiment/figure_experiments.h"
 #include "ui/bridge/error_sentence.h"
 #include "ui/bridge/long_job.h"
 #include "ui/settings/retranslation.h"
