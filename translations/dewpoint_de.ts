@@ -523,6 +523,38 @@
         <source>Take a box</source>
         <translation>Rahmen nehmen</translation>
     </message>
+    <message>
+        <source>Export volumes of people…</source>
+        <translation>Volumen der Personen exportieren…</translation>
+    </message>
+    <message>
+        <source>Write places, volumes, hulls and densities on the floor of all people as tables</source>
+        <translation>Orte, Volumen, Hüllen und Dichten auf dem Boden aller Personen als Tabellen schreiben</translation>
+    </message>
+    <message>
+        <source>A person stands here…</source>
+        <translation>Hier steht eine Person…</translation>
+    </message>
+    <message>
+        <source>Say where somebody is: by a click on the person in a camera image, or on the floor in the bird&apos;s-eye view</source>
+        <translation>Sagen, wo jemand ist: mit einem Klick auf die Person in einem Kamerabild oder auf den Boden in der Vogelperspektive</translation>
+    </message>
+    <message>
+        <source>Remove this person</source>
+        <translation>Diese Person entfernen</translation>
+    </message>
+    <message>
+        <source>The person chosen in the table is not there</source>
+        <translation>Die in der Tabelle gewählte Person ist nicht da</translation>
+    </message>
+    <message>
+        <source>Show volumes of people</source>
+        <translation>Volumen der Personen zeigen</translation>
+    </message>
+    <message>
+        <source>Show the hull that holds 95 % of each person, and the density of each on the floor</source>
+        <translation>Die Hülle zeigen, die 95 % jeder Person enthält, und ihre Dichte auf dem Boden</translation>
+    </message>
 </context>
 <context>
     <name>BoardWords</name>
@@ -1086,6 +1118,18 @@
         <source>– no box</source>
         <translation>– kein Rahmen</translation>
     </message>
+    <message>
+        <source>◔ learning the room</source>
+        <translation>◔ lernt den Raum</translation>
+    </message>
+    <message>
+        <source>◌ nobody there</source>
+        <translation>◌ niemand da</translation>
+    </message>
+    <message>
+        <source>– not there</source>
+        <translation>– nicht da</translation>
+    </message>
 </context>
 <context>
     <name>MapLegend</name>
@@ -1151,6 +1195,30 @@
     <message>
         <source>sugandi</source>
         <translation>Sugandi u. a.</translation>
+    </message>
+    <message>
+        <source>Several people by motion and color, each by a filter of its own (Mohedano et al. 2009, MS+C): keeps them apart when their clothes differ.</source>
+        <translation>Mehrere Personen nach Bewegung und Farbe, jede mit eigenem Filter (Mohedano u. a. 2009, MS+C): hält sie auseinander, wenn ihre Kleidung verschieden ist.</translation>
+    </message>
+    <message>
+        <source>Several people by motion only (Mohedano et al. 2009, MS): covers whole bodies, but confuses people who come close.</source>
+        <translation>Mehrere Personen nur nach Bewegung (Mohedano u. a. 2009, MS): erfasst ganze Körper, verwechselt aber Personen, die sich nahe kommen.</translation>
+    </message>
+    <message>
+        <source>Several people who walk, meet and wear similar clothes: places on the floor, told apart by what each of them covers in the images.</source>
+        <translation>Mehrere Personen, die gehen, sich treffen und Ähnliches tragen: Orte auf dem Boden, unterschieden danach, was jede in den Bildern verdeckt.</translation>
+    </message>
+    <message>
+        <source>mohedano-ms</source>
+        <translation>Mohedano u. a., MS</translation>
+    </message>
+    <message>
+        <source>mohedano-msc</source>
+        <translation>Mohedano u. a., MS+C</translation>
+    </message>
+    <message>
+        <source>people</source>
+        <translation>Personen</translation>
     </message>
 </context>
 <context>
@@ -1371,6 +1439,218 @@
         <source>The target counts as hidden, and is held, where less than this share of its usual colors is found.</source>
         <translation>Das Ziel gilt als verdeckt und wird gehalten, wo weniger als dieser Anteil seiner üblichen Farben gefunden wird.</translation>
     </message>
+    <message>
+        <source>1: who is seen by several cameras becomes a person; 0: only people put there by hand.</source>
+        <translation>1: Wer von mehreren Kameras gesehen wird, wird eine Person; 0: nur von Hand gesetzte Personen.</translation>
+    </message>
+    <message>
+        <source>After how long something new that stays counts as background.</source>
+        <translation>Nach welcher Zeit etwas Neues, das bleibt, als Hintergrund gilt.</translation>
+    </message>
+    <message>
+        <source>Area half size x</source>
+        <translation>Fläche: halbe Größe x</translation>
+    </message>
+    <message>
+        <source>Area half size y</source>
+        <translation>Fläche: halbe Größe y</translation>
+    </message>
+    <message>
+        <source>Area x</source>
+        <translation>Fläche x</translation>
+    </message>
+    <message>
+        <source>Area y</source>
+        <translation>Fläche y</translation>
+    </message>
+    <message>
+        <source>Background memory</source>
+        <translation>Hintergrundgedächtnis</translation>
+    </message>
+    <message>
+        <source>Background model</source>
+        <translation>Hintergrundmodell</translation>
+    </message>
+    <message>
+        <source>Birth time</source>
+        <translation>Erscheinungszeit</translation>
+    </message>
+    <message>
+        <source>Births</source>
+        <translation>Neue Personen</translation>
+    </message>
+    <message>
+        <source>Body points</source>
+        <translation>Körperpunkte</translation>
+    </message>
+    <message>
+        <source>Color noise</source>
+        <translation>Farbrauschen</translation>
+    </message>
+    <message>
+        <source>Color weight</source>
+        <translation>Farbgewicht</translation>
+    </message>
+    <message>
+        <source>Darkest shadow</source>
+        <translation>Dunkelster Schatten</translation>
+    </message>
+    <message>
+        <source>Evidence per camera</source>
+        <translation>Belege je Kamera</translation>
+    </message>
+    <message>
+        <source>Floor z</source>
+        <translation>Boden z</translation>
+    </message>
+    <message>
+        <source>Half the size of the floor that is watched; who crosses its border has left.</source>
+        <translation>Halbe Größe der beobachteten Bodenfläche; wer ihren Rand überschreitet, ist gegangen.</translation>
+    </message>
+    <message>
+        <source>Height of a person whose own is not known yet.</source>
+        <translation>Größe einer Person, deren eigene noch nicht bekannt ist.</translation>
+    </message>
+    <message>
+        <source>Height of the floor in the world frame.</source>
+        <translation>Höhe des Bodens im Weltsystem.</translation>
+    </message>
+    <message>
+        <source>How long a person whom no two cameras see is believed to be still there.</source>
+        <translation>Wie lange eine Person, die keine zwei Kameras sehen, noch als vorhanden gilt.</translation>
+    </message>
+    <message>
+        <source>How long foreground that nobody explains must stay together to become a person.</source>
+        <translation>Wie lange Vordergrund, den niemand erklärt, zusammenbleiben muss, um eine Person zu werden.</translation>
+    </message>
+    <message>
+        <source>How long the cameras only learn what they usually show, at first; nobody should be there.</source>
+        <translation>Wie lange die Kameras anfangs nur lernen, was sie gewöhnlich zeigen; niemand sollte dort sein.</translation>
+    </message>
+    <message>
+        <source>How many particles each person has.</source>
+        <translation>Wie viele Partikel jede Person hat.</translation>
+    </message>
+    <message>
+        <source>How many points stand for the volume of each person.</source>
+        <translation>Wie viele Punkte für das Volumen jeder Person stehen.</translation>
+    </message>
+    <message>
+        <source>How moving regions are found: 0 one Gaussian per pixel (fast), 1 OpenCV&apos;s MOG2, 2 OpenCV&apos;s KNN.</source>
+        <translation>Wie bewegte Bereiche gefunden werden: 0 eine Normalverteilung je Pixel (schnell), 1 MOG2 von OpenCV, 2 KNN von OpenCV.</translation>
+    </message>
+    <message>
+        <source>How much a camera that sees a whole person says: larger trusts the masks more.</source>
+        <translation>Wie viel eine Kamera sagt, die eine ganze Person sieht: Größere Werte vertrauen den Masken mehr.</translation>
+    </message>
+    <message>
+        <source>How much the colors of clothes count beside the masks when people are near each other.</source>
+        <translation>Wie viel die Farben der Kleidung neben den Masken zählen, wenn Personen sich nahe sind.</translation>
+    </message>
+    <message>
+        <source>How near the middles of two people can come.</source>
+        <translation>Wie nahe sich die Mitten zweier Personen kommen können.</translation>
+    </message>
+    <message>
+        <source>How strongly people speed up, slow down and turn.</source>
+        <translation>Wie stark Personen beschleunigen, bremsen und abbiegen.</translation>
+    </message>
+    <message>
+        <source>Hue floor</source>
+        <translation>Farbton-Mindestwert</translation>
+    </message>
+    <message>
+        <source>Hue sigma</source>
+        <translation>Farbton-Sigma</translation>
+    </message>
+    <message>
+        <source>Image width</source>
+        <translation>Bildbreite</translation>
+    </message>
+    <message>
+        <source>Images are reduced to at most this width before anything else; 0 keeps them as they are.</source>
+        <translation>Bilder werden zuerst auf höchstens diese Breite verkleinert; 0 lässt sie, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Learning time</source>
+        <translation>Lernzeit</translation>
+    </message>
+    <message>
+        <source>Least distance</source>
+        <translation>Mindestabstand</translation>
+    </message>
+    <message>
+        <source>Least likelihood of a hue (the paper&apos;s h_B): something else may be seen.</source>
+        <translation>Kleinste Likelihood eines Farbtons (h_B im Artikel): Es kann etwas anderes zu sehen sein.</translation>
+    </message>
+    <message>
+        <source>Least likelihood of a saturation (the paper&apos;s s_B).</source>
+        <translation>Kleinste Likelihood einer Sättigung (s_B im Artikel).</translation>
+    </message>
+    <message>
+        <source>Least likelihood where a camera sees no motion (the paper&apos;s p_B: 0.2).</source>
+        <translation>Kleinste Likelihood, wo eine Kamera keine Bewegung sieht (p_B im Artikel: 0,2).</translation>
+    </message>
+    <message>
+        <source>Mask smoothing</source>
+        <translation>Maskenglättung</translation>
+    </message>
+    <message>
+        <source>Middle of the floor that is watched.</source>
+        <translation>Mitte der beobachteten Bodenfläche.</translation>
+    </message>
+    <message>
+        <source>Motion floor</source>
+        <translation>Bewegungs-Mindestwert</translation>
+    </message>
+    <message>
+        <source>Position noise</source>
+        <translation>Ortsrauschen</translation>
+    </message>
+    <message>
+        <source>Saturation floor</source>
+        <translation>Sättigungs-Mindestwert</translation>
+    </message>
+    <message>
+        <source>Saturation sigma</source>
+        <translation>Sättigungs-Sigma</translation>
+    </message>
+    <message>
+        <source>Sigma of the Gaussian that smooths the motion masks (the paper: 4 px).</source>
+        <translation>Sigma der Gauß-Glättung der Bewegungsmasken (im Artikel: 4 px).</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured hue, in [0, 1].</source>
+        <translation>Standardabweichung eines gemessenen Farbtons, in [0, 1].</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured saturation, in [0, 1].</source>
+        <translation>Standardabweichung einer gemessenen Sättigung, in [0, 1].</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise on each component of the velocity, per frame.</source>
+        <translation>Standardabweichung des Rauschens auf jeder Komponente der Geschwindigkeit, je Bild.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise on each coordinate, per frame.</source>
+        <translation>Standardabweichung des Rauschens auf jeder Koordinate, je Bild.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise on hue and saturation, per frame.</source>
+        <translation>Standardabweichung des Rauschens auf Farbton und Sättigung, je Bild.</translation>
+    </message>
+    <message>
+        <source>Usual height</source>
+        <translation>Übliche Größe</translation>
+    </message>
+    <message>
+        <source>Velocity noise</source>
+        <translation>Geschwindigkeitsrauschen</translation>
+    </message>
+    <message>
+        <source>What is darker than usual by no more than this factor, in the same tint, is a shadow.</source>
+        <translation>Was höchstens um diesen Faktor dunkler ist als sonst, bei gleichem Farbton, ist ein Schatten.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterRow</name>
@@ -1379,6 +1659,17 @@
 From %2 to %3%4; default %5%4.</source>
         <translation>%1
 Von %2 bis %3%4; Vorgabe %5%4.</translation>
+    </message>
+</context>
+<context>
+    <name>People</name>
+    <message>
+        <source>learning the empty room: %1 % · keep out of view</source>
+        <translation>lernt den leeren Raum: %1 % · bitte nicht ins Bild treten</translation>
+    </message>
+    <message>
+        <source>%1 % of the image moves: not looked at</source>
+        <translation>%1 % des Bildes bewegen sich: nicht beachtet</translation>
     </message>
 </context>
 <context>
@@ -1570,6 +1861,10 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>sizes</source>
         <translation>Größen</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
     </message>
 </context>
 <context>
@@ -4200,6 +4495,26 @@ bei %4, %5, %6 m</translation>
         <source>This method works in the room: calibrate the cameras first (menu Calibration), their positions are only a guess.</source>
         <translation>Dieses Verfahren arbeitet im Raum: Zuerst die Kameras kalibrieren (Menü Kalibrierung), ihre Orte sind nur geraten.</translation>
     </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
+        <translation>Jemanden in einem Kamerabild oder den Boden in der Vogelperspektive anklicken. Esc beendet es.</translation>
+    </message>
+    <message>
+        <source>Folder for the tables of people</source>
+        <translation>Ordner für die Tabellen der Personen</translation>
+    </message>
+    <message>
+        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
+        <translation>Orte, Volumen, Hüllen und Dichten der Personen liegen in %1 (Bilder: %2).</translation>
+    </message>
+    <message>
+        <source>Writing the tables of people…</source>
+        <translation>Die Tabellen der Personen werden geschrieben…</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::MapFields</name>
@@ -4491,6 +4806,112 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>How the targets are tracked. Another method begins anew; the rest stays.</source>
         <translation>Wie die Ziele verfolgt werden. Ein anderes Verfahren beginnt neu; der Rest bleibt.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PeoplePanel</name>
+    <message>
+        <source>People who are there</source>
+        <translation>Anwesende Personen</translation>
+    </message>
+    <message>
+        <source>How much of the empty room is learned</source>
+        <translation>Wie viel vom leeren Raum gelernt ist</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Number of the person, which nobody else gets in this run</source>
+        <translation>Nummer der Person, die in diesem Lauf niemand sonst bekommt</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Place in the room, x and y in metres</source>
+        <translation>Ort im Raum, x und y in Metern</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Estimated height, metres; empty: the method does not estimate it</source>
+        <translation>Geschätzte Größe, Meter; leer: Das Verfahren schätzt sie nicht</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Metres per second over the floor</source>
+        <translation>Meter je Sekunde über dem Boden</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Gesehen</translation>
+    </message>
+    <message>
+        <source>Cameras that see the person, of all</source>
+        <translation>Kameras, die die Person sehen, von allen</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Volume of the hull that holds 95 % of the person, cubic metres; empty while hulls are not shown</source>
+        <translation>Volumen der Hülle, die 95 % der Person enthält, Kubikmeter; leer, solange keine Hüllen gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Seit</translation>
+    </message>
+    <message>
+        <source>How long the person has been there, seconds</source>
+        <translation>Wie lange die Person da ist, Sekunden</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>Nah</translation>
+    </message>
+    <message>
+        <source>Somebody else is so near that colors are not learned</source>
+        <translation>Jemand anderes ist so nah, dass Farben nicht gelernt werden</translation>
+    </message>
+    <message>
+        <source>Learning the empty room: %1 %. Keep out of view.</source>
+        <translation>Der leere Raum wird gelernt: %1 %. Bitte nicht ins Bild treten.</translation>
+    </message>
+    <message>
+        <source>Nobody is there. People appear when two cameras see them.</source>
+        <translation>Niemand ist da. Personen erscheinen, wenn zwei Kameras sie sehen.</translation>
+    </message>
+    <message>
+        <source>People there: %1</source>
+        <translation>Personen da: %1</translation>
+    </message>
+    <message>
+        <source>People appear here once a method for people runs.</source>
+        <translation>Personen erscheinen hier, sobald ein Verfahren für Personen läuft.</translation>
+    </message>
+    <message>
+        <source>Somebody is near</source>
+        <translation>Jemand ist nah</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PersonPlacer</name>
+    <message>
+        <source>Click the person</source>
+        <translation>Die Person anklicken</translation>
+    </message>
+    <message>
+        <source>Image of camera %1: arrow keys move a cross, Enter says that a person is there</source>
+        <translation>Bild von Kamera %1: Pfeiltasten bewegen ein Kreuz, Eingabe sagt, dass dort eine Person ist</translation>
     </message>
 </context>
 <context>
@@ -5157,6 +5578,14 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>x %1  y %2  %3 × %4 px</source>
         <translation>x %1  y %2  %3 × %4 px</translation>
+    </message>
+    <message>
+        <source>● people: %1</source>
+        <translation>● Personen: %1</translation>
+    </message>
+    <message>
+        <source>○ people: %1, searching</source>
+        <translation>○ Personen: %1, sucht</translation>
     </message>
 </context>
 <context>

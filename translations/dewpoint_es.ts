@@ -523,6 +523,38 @@
         <source>Take a box</source>
         <translation>Tomar un recuadro</translation>
     </message>
+    <message>
+        <source>Export volumes of people…</source>
+        <translation>Exportar volúmenes de las personas…</translation>
+    </message>
+    <message>
+        <source>Write places, volumes, hulls and densities on the floor of all people as tables</source>
+        <translation>Escribir como tablas los lugares, volúmenes, envolventes y densidades en el suelo de todas las personas</translation>
+    </message>
+    <message>
+        <source>A person stands here…</source>
+        <translation>Aquí hay una persona…</translation>
+    </message>
+    <message>
+        <source>Say where somebody is: by a click on the person in a camera image, or on the floor in the bird&apos;s-eye view</source>
+        <translation>Decir dónde hay alguien: con un clic en la persona en una imagen de cámara, o en el suelo en la vista de pájaro</translation>
+    </message>
+    <message>
+        <source>Remove this person</source>
+        <translation>Quitar a esta persona</translation>
+    </message>
+    <message>
+        <source>The person chosen in the table is not there</source>
+        <translation>La persona elegida en la tabla no está</translation>
+    </message>
+    <message>
+        <source>Show volumes of people</source>
+        <translation>Mostrar volúmenes de las personas</translation>
+    </message>
+    <message>
+        <source>Show the hull that holds 95 % of each person, and the density of each on the floor</source>
+        <translation>Mostrar la envolvente que contiene el 95 % de cada persona y su densidad en el suelo</translation>
+    </message>
 </context>
 <context>
     <name>BoardWords</name>
@@ -1086,6 +1118,18 @@
         <source>– no box</source>
         <translation>– sin recuadro</translation>
     </message>
+    <message>
+        <source>◔ learning the room</source>
+        <translation>◔ aprende la sala</translation>
+    </message>
+    <message>
+        <source>◌ nobody there</source>
+        <translation>◌ nadie</translation>
+    </message>
+    <message>
+        <source>– not there</source>
+        <translation>– ausente</translation>
+    </message>
 </context>
 <context>
     <name>MapLegend</name>
@@ -1151,6 +1195,30 @@
     <message>
         <source>sugandi</source>
         <translation>Sugandi et al.</translation>
+    </message>
+    <message>
+        <source>Several people by motion and color, each by a filter of its own (Mohedano et al. 2009, MS+C): keeps them apart when their clothes differ.</source>
+        <translation>Varias personas por movimiento y color, cada una con su propio filtro (Mohedano et al. 2009, MS+C): las distingue cuando su ropa es distinta.</translation>
+    </message>
+    <message>
+        <source>Several people by motion only (Mohedano et al. 2009, MS): covers whole bodies, but confuses people who come close.</source>
+        <translation>Varias personas solo por movimiento (Mohedano et al. 2009, MS): abarca cuerpos enteros, pero confunde a quienes se acercan.</translation>
+    </message>
+    <message>
+        <source>Several people who walk, meet and wear similar clothes: places on the floor, told apart by what each of them covers in the images.</source>
+        <translation>Varias personas que caminan, se encuentran y visten de modo parecido: lugares en el suelo, distinguidas por lo que cada una cubre en las imágenes.</translation>
+    </message>
+    <message>
+        <source>mohedano-ms</source>
+        <translation>Mohedano et al., MS</translation>
+    </message>
+    <message>
+        <source>mohedano-msc</source>
+        <translation>Mohedano et al., MS+C</translation>
+    </message>
+    <message>
+        <source>people</source>
+        <translation>Personas</translation>
     </message>
 </context>
 <context>
@@ -1371,6 +1439,218 @@
         <source>The target counts as hidden, and is held, where less than this share of its usual colors is found.</source>
         <translation>El objetivo cuenta como oculto, y se mantiene, donde se encuentra menos de esta proporción de sus colores habituales.</translation>
     </message>
+    <message>
+        <source>1: who is seen by several cameras becomes a person; 0: only people put there by hand.</source>
+        <translation>1: quien es visto por varias cámaras pasa a ser una persona; 0: solo personas puestas a mano.</translation>
+    </message>
+    <message>
+        <source>After how long something new that stays counts as background.</source>
+        <translation>Tras cuánto tiempo algo nuevo que permanece cuenta como fondo.</translation>
+    </message>
+    <message>
+        <source>Area half size x</source>
+        <translation>Zona: semitamaño x</translation>
+    </message>
+    <message>
+        <source>Area half size y</source>
+        <translation>Zona: semitamaño y</translation>
+    </message>
+    <message>
+        <source>Area x</source>
+        <translation>Zona x</translation>
+    </message>
+    <message>
+        <source>Area y</source>
+        <translation>Zona y</translation>
+    </message>
+    <message>
+        <source>Background memory</source>
+        <translation>Memoria del fondo</translation>
+    </message>
+    <message>
+        <source>Background model</source>
+        <translation>Modelo de fondo</translation>
+    </message>
+    <message>
+        <source>Birth time</source>
+        <translation>Tiempo de aparición</translation>
+    </message>
+    <message>
+        <source>Births</source>
+        <translation>Apariciones</translation>
+    </message>
+    <message>
+        <source>Body points</source>
+        <translation>Puntos del cuerpo</translation>
+    </message>
+    <message>
+        <source>Color noise</source>
+        <translation>Ruido de color</translation>
+    </message>
+    <message>
+        <source>Color weight</source>
+        <translation>Peso del color</translation>
+    </message>
+    <message>
+        <source>Darkest shadow</source>
+        <translation>Sombra más oscura</translation>
+    </message>
+    <message>
+        <source>Evidence per camera</source>
+        <translation>Evidencia por cámara</translation>
+    </message>
+    <message>
+        <source>Floor z</source>
+        <translation>Suelo z</translation>
+    </message>
+    <message>
+        <source>Half the size of the floor that is watched; who crosses its border has left.</source>
+        <translation>Mitad del tamaño del suelo vigilado; quien cruza su borde se ha ido.</translation>
+    </message>
+    <message>
+        <source>Height of a person whose own is not known yet.</source>
+        <translation>Estatura de una persona cuya propia aún no se conoce.</translation>
+    </message>
+    <message>
+        <source>Height of the floor in the world frame.</source>
+        <translation>Altura del suelo en el sistema del mundo.</translation>
+    </message>
+    <message>
+        <source>How long a person whom no two cameras see is believed to be still there.</source>
+        <translation>Cuánto tiempo se da por presente a una persona que no ven dos cámaras.</translation>
+    </message>
+    <message>
+        <source>How long foreground that nobody explains must stay together to become a person.</source>
+        <translation>Cuánto tiempo debe permanecer unido un primer plano que nadie explica para ser una persona.</translation>
+    </message>
+    <message>
+        <source>How long the cameras only learn what they usually show, at first; nobody should be there.</source>
+        <translation>Cuánto tiempo aprenden las cámaras al principio lo que suelen mostrar; no debe haber nadie.</translation>
+    </message>
+    <message>
+        <source>How many particles each person has.</source>
+        <translation>Cuántas partículas tiene cada persona.</translation>
+    </message>
+    <message>
+        <source>How many points stand for the volume of each person.</source>
+        <translation>Cuántos puntos representan el volumen de cada persona.</translation>
+    </message>
+    <message>
+        <source>How moving regions are found: 0 one Gaussian per pixel (fast), 1 OpenCV&apos;s MOG2, 2 OpenCV&apos;s KNN.</source>
+        <translation>Cómo se hallan las zonas en movimiento: 0 una gaussiana por píxel (rápido), 1 MOG2 de OpenCV, 2 KNN de OpenCV.</translation>
+    </message>
+    <message>
+        <source>How much a camera that sees a whole person says: larger trusts the masks more.</source>
+        <translation>Cuánto dice una cámara que ve a una persona entera: un valor mayor confía más en las máscaras.</translation>
+    </message>
+    <message>
+        <source>How much the colors of clothes count beside the masks when people are near each other.</source>
+        <translation>Cuánto cuentan los colores de la ropa junto a las máscaras cuando las personas están cerca.</translation>
+    </message>
+    <message>
+        <source>How near the middles of two people can come.</source>
+        <translation>Cuánto pueden acercarse los centros de dos personas.</translation>
+    </message>
+    <message>
+        <source>How strongly people speed up, slow down and turn.</source>
+        <translation>Con cuánta fuerza las personas aceleran, frenan y giran.</translation>
+    </message>
+    <message>
+        <source>Hue floor</source>
+        <translation>Mínimo del tono</translation>
+    </message>
+    <message>
+        <source>Hue sigma</source>
+        <translation>Sigma del tono</translation>
+    </message>
+    <message>
+        <source>Image width</source>
+        <translation>Ancho de imagen</translation>
+    </message>
+    <message>
+        <source>Images are reduced to at most this width before anything else; 0 keeps them as they are.</source>
+        <translation>Las imágenes se reducen primero a este ancho como máximo; 0 las deja como están.</translation>
+    </message>
+    <message>
+        <source>Learning time</source>
+        <translation>Tiempo de aprendizaje</translation>
+    </message>
+    <message>
+        <source>Least distance</source>
+        <translation>Distancia mínima</translation>
+    </message>
+    <message>
+        <source>Least likelihood of a hue (the paper&apos;s h_B): something else may be seen.</source>
+        <translation>Verosimilitud mínima de un tono (h_B del artículo): puede verse otra cosa.</translation>
+    </message>
+    <message>
+        <source>Least likelihood of a saturation (the paper&apos;s s_B).</source>
+        <translation>Verosimilitud mínima de una saturación (s_B del artículo).</translation>
+    </message>
+    <message>
+        <source>Least likelihood where a camera sees no motion (the paper&apos;s p_B: 0.2).</source>
+        <translation>Verosimilitud mínima donde una cámara no ve movimiento (p_B del artículo: 0,2).</translation>
+    </message>
+    <message>
+        <source>Mask smoothing</source>
+        <translation>Suavizado de la máscara</translation>
+    </message>
+    <message>
+        <source>Middle of the floor that is watched.</source>
+        <translation>Centro del suelo vigilado.</translation>
+    </message>
+    <message>
+        <source>Motion floor</source>
+        <translation>Mínimo de movimiento</translation>
+    </message>
+    <message>
+        <source>Position noise</source>
+        <translation>Ruido de posición</translation>
+    </message>
+    <message>
+        <source>Saturation floor</source>
+        <translation>Mínimo de la saturación</translation>
+    </message>
+    <message>
+        <source>Saturation sigma</source>
+        <translation>Sigma de la saturación</translation>
+    </message>
+    <message>
+        <source>Sigma of the Gaussian that smooths the motion masks (the paper: 4 px).</source>
+        <translation>Sigma de la gaussiana que suaviza las máscaras de movimiento (en el artículo: 4 px).</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured hue, in [0, 1].</source>
+        <translation>Desviación típica de un tono medido, en [0, 1].</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured saturation, in [0, 1].</source>
+        <translation>Desviación típica de una saturación medida, en [0, 1].</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise on each component of the velocity, per frame.</source>
+        <translation>Desviación típica del ruido en cada componente de la velocidad, por fotograma.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise on each coordinate, per frame.</source>
+        <translation>Desviación típica del ruido en cada coordenada, por fotograma.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise on hue and saturation, per frame.</source>
+        <translation>Desviación típica del ruido en tono y saturación, por fotograma.</translation>
+    </message>
+    <message>
+        <source>Usual height</source>
+        <translation>Estatura habitual</translation>
+    </message>
+    <message>
+        <source>Velocity noise</source>
+        <translation>Ruido de velocidad</translation>
+    </message>
+    <message>
+        <source>What is darker than usual by no more than this factor, in the same tint, is a shadow.</source>
+        <translation>Lo que es más oscuro de lo habitual en no más de este factor, con el mismo tono, es una sombra.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterRow</name>
@@ -1379,6 +1659,17 @@
 From %2 to %3%4; default %5%4.</source>
         <translation>%1
 De %2 a %3%4; por defecto %5%4.</translation>
+    </message>
+</context>
+<context>
+    <name>People</name>
+    <message>
+        <source>learning the empty room: %1 % · keep out of view</source>
+        <translation>aprendiendo la sala vacía: %1 % · no entre en la imagen</translation>
+    </message>
+    <message>
+        <source>%1 % of the image moves: not looked at</source>
+        <translation>se mueve el %1 % de la imagen: no se tiene en cuenta</translation>
     </message>
 </context>
 <context>
@@ -1570,6 +1861,10 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>sizes</source>
         <translation>tamaños</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
     </message>
 </context>
 <context>
@@ -4200,6 +4495,26 @@ en %4, %5, %6 m</translation>
         <source>This method works in the room: calibrate the cameras first (menu Calibration), their positions are only a guess.</source>
         <translation>Este método trabaja en el espacio: calibra primero las cámaras (menú Calibración), sus posiciones son solo una suposición.</translation>
     </message>
+    <message>
+        <source>People</source>
+        <translation>Personas</translation>
+    </message>
+    <message>
+        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
+        <translation>Haga clic en alguien en una imagen de cámara, o en el suelo en la vista de pájaro. Esc lo termina.</translation>
+    </message>
+    <message>
+        <source>Folder for the tables of people</source>
+        <translation>Carpeta para las tablas de personas</translation>
+    </message>
+    <message>
+        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
+        <translation>Los lugares, volúmenes, envolventes y densidades de las personas están en %1 (fotogramas: %2).</translation>
+    </message>
+    <message>
+        <source>Writing the tables of people…</source>
+        <translation>Escribiendo las tablas de personas…</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::MapFields</name>
@@ -4491,6 +4806,112 @@ en %4, %5, %6 m</translation>
     <message>
         <source>How the targets are tracked. Another method begins anew; the rest stays.</source>
         <translation>Cómo se siguen los objetivos. Otro método empieza de nuevo; el resto se queda.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PeoplePanel</name>
+    <message>
+        <source>People who are there</source>
+        <translation>Personas presentes</translation>
+    </message>
+    <message>
+        <source>How much of the empty room is learned</source>
+        <translation>Cuánto de la sala vacía se ha aprendido</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N.º</translation>
+    </message>
+    <message>
+        <source>Number of the person, which nobody else gets in this run</source>
+        <translation>Número de la persona, que nadie más recibe en esta ejecución</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Place in the room, x and y in metres</source>
+        <translation>Lugar en la sala, x e y en metros</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Estatura</translation>
+    </message>
+    <message>
+        <source>Estimated height, metres; empty: the method does not estimate it</source>
+        <translation>Estatura estimada, metros; vacío: el método no la estima</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Metres per second over the floor</source>
+        <translation>Metros por segundo sobre el suelo</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Cameras that see the person, of all</source>
+        <translation>Cámaras que ven a la persona, del total</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Volume of the hull that holds 95 % of the person, cubic metres; empty while hulls are not shown</source>
+        <translation>Volumen de la envolvente que contiene el 95 % de la persona, metros cúbicos; vacío mientras no se muestran envolventes</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>How long the person has been there, seconds</source>
+        <translation>Cuánto tiempo lleva la persona, segundos</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>Cerca</translation>
+    </message>
+    <message>
+        <source>Somebody else is so near that colors are not learned</source>
+        <translation>Hay alguien tan cerca que no se aprenden los colores</translation>
+    </message>
+    <message>
+        <source>Learning the empty room: %1 %. Keep out of view.</source>
+        <translation>Aprendiendo la sala vacía: %1 %. No entre en la imagen.</translation>
+    </message>
+    <message>
+        <source>Nobody is there. People appear when two cameras see them.</source>
+        <translation>No hay nadie. Las personas aparecen cuando las ven dos cámaras.</translation>
+    </message>
+    <message>
+        <source>People there: %1</source>
+        <translation>Personas presentes: %1</translation>
+    </message>
+    <message>
+        <source>People appear here once a method for people runs.</source>
+        <translation>Las personas aparecen aquí cuando se ejecuta un método para personas.</translation>
+    </message>
+    <message>
+        <source>Somebody is near</source>
+        <translation>Hay alguien cerca</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PersonPlacer</name>
+    <message>
+        <source>Click the person</source>
+        <translation>Haga clic en la persona</translation>
+    </message>
+    <message>
+        <source>Image of camera %1: arrow keys move a cross, Enter says that a person is there</source>
+        <translation>Imagen de la cámara %1: las flechas mueven una cruz, Intro dice que allí hay una persona</translation>
     </message>
 </context>
 <context>
@@ -5157,6 +5578,14 @@ en %4, %5, %6 m</translation>
     <message>
         <source>x %1  y %2  %3 × %4 px</source>
         <translation>x %1  y %2  %3 × %4 px</translation>
+    </message>
+    <message>
+        <source>● people: %1</source>
+        <translation>● personas: %1</translation>
+    </message>
+    <message>
+        <source>○ people: %1, searching</source>
+        <translation>○ personas: %1, buscando</translation>
     </message>
 </context>
 <context>

@@ -523,6 +523,38 @@
         <source>Take a box</source>
         <translation>枠を取る</translation>
     </message>
+    <message>
+        <source>Export volumes of people…</source>
+        <translation>人物の体積を書き出す…</translation>
+    </message>
+    <message>
+        <source>Write places, volumes, hulls and densities on the floor of all people as tables</source>
+        <translation>全人物の位置、体積、凸包、床の上の密度を表として書き出す</translation>
+    </message>
+    <message>
+        <source>A person stands here…</source>
+        <translation>ここに人がいます…</translation>
+    </message>
+    <message>
+        <source>Say where somebody is: by a click on the person in a camera image, or on the floor in the bird&apos;s-eye view</source>
+        <translation>人のいる場所を伝える：カメラ画像の中の人、または鳥瞰図の床をクリック</translation>
+    </message>
+    <message>
+        <source>Remove this person</source>
+        <translation>この人物を取り除く</translation>
+    </message>
+    <message>
+        <source>The person chosen in the table is not there</source>
+        <translation>表で選んだ人物はそこにいません</translation>
+    </message>
+    <message>
+        <source>Show volumes of people</source>
+        <translation>人物の体積を表示</translation>
+    </message>
+    <message>
+        <source>Show the hull that holds 95 % of each person, and the density of each on the floor</source>
+        <translation>各人物の 95 % を含む凸包と、床の上での密度を表示</translation>
+    </message>
 </context>
 <context>
     <name>BoardWords</name>
@@ -1086,6 +1118,18 @@
         <source>– no box</source>
         <translation>– 枠なし</translation>
     </message>
+    <message>
+        <source>◔ learning the room</source>
+        <translation>◔ 部屋を学習中</translation>
+    </message>
+    <message>
+        <source>◌ nobody there</source>
+        <translation>◌ 誰もいません</translation>
+    </message>
+    <message>
+        <source>– not there</source>
+        <translation>– 不在</translation>
+    </message>
 </context>
 <context>
     <name>MapLegend</name>
@@ -1151,6 +1195,30 @@
     <message>
         <source>sugandi</source>
         <translation>Sugandi ら</translation>
+    </message>
+    <message>
+        <source>Several people by motion and color, each by a filter of its own (Mohedano et al. 2009, MS+C): keeps them apart when their clothes differ.</source>
+        <translation>動きと色による複数の人物、それぞれ独立したフィルター（Mohedano ら 2009、MS+C）：服が異なれば区別できます。</translation>
+    </message>
+    <message>
+        <source>Several people by motion only (Mohedano et al. 2009, MS): covers whole bodies, but confuses people who come close.</source>
+        <translation>動きだけによる複数の人物（Mohedano ら 2009、MS）：体全体を捉えますが、近づいた人を取り違えます。</translation>
+    </message>
+    <message>
+        <source>Several people who walk, meet and wear similar clothes: places on the floor, told apart by what each of them covers in the images.</source>
+        <translation>歩き、出会い、似た服を着た複数の人物：床の上の位置を求め、画像の中でそれぞれが覆う範囲によって区別します。</translation>
+    </message>
+    <message>
+        <source>mohedano-ms</source>
+        <translation>Mohedano ら MS</translation>
+    </message>
+    <message>
+        <source>mohedano-msc</source>
+        <translation>Mohedano ら MS+C</translation>
+    </message>
+    <message>
+        <source>people</source>
+        <translation>人物</translation>
     </message>
 </context>
 <context>
@@ -1371,6 +1439,218 @@
         <source>The target counts as hidden, and is held, where less than this share of its usual colors is found.</source>
         <translation>ふだんの色のこの割合未満しか見つからないとき、目標は隠れたとみなされ、その場に保たれます。</translation>
     </message>
+    <message>
+        <source>1: who is seen by several cameras becomes a person; 0: only people put there by hand.</source>
+        <translation>1：複数のカメラに写った人を人物とみなします。0：手で置いた人物だけ。</translation>
+    </message>
+    <message>
+        <source>After how long something new that stays counts as background.</source>
+        <translation>動かずに残る新しいものを背景とみなすまでの時間。</translation>
+    </message>
+    <message>
+        <source>Area half size x</source>
+        <translation>領域の半分 x</translation>
+    </message>
+    <message>
+        <source>Area half size y</source>
+        <translation>領域の半分 y</translation>
+    </message>
+    <message>
+        <source>Area x</source>
+        <translation>領域 x</translation>
+    </message>
+    <message>
+        <source>Area y</source>
+        <translation>領域 y</translation>
+    </message>
+    <message>
+        <source>Background memory</source>
+        <translation>背景の記憶</translation>
+    </message>
+    <message>
+        <source>Background model</source>
+        <translation>背景モデル</translation>
+    </message>
+    <message>
+        <source>Birth time</source>
+        <translation>出現までの時間</translation>
+    </message>
+    <message>
+        <source>Births</source>
+        <translation>人物の出現</translation>
+    </message>
+    <message>
+        <source>Body points</source>
+        <translation>体の点の数</translation>
+    </message>
+    <message>
+        <source>Color noise</source>
+        <translation>色のノイズ</translation>
+    </message>
+    <message>
+        <source>Color weight</source>
+        <translation>色の重み</translation>
+    </message>
+    <message>
+        <source>Darkest shadow</source>
+        <translation>最も暗い影</translation>
+    </message>
+    <message>
+        <source>Evidence per camera</source>
+        <translation>カメラごとの証拠</translation>
+    </message>
+    <message>
+        <source>Floor z</source>
+        <translation>床の z</translation>
+    </message>
+    <message>
+        <source>Half the size of the floor that is watched; who crosses its border has left.</source>
+        <translation>見張る床の大きさの半分。境界を越えた人は立ち去ったとみなします。</translation>
+    </message>
+    <message>
+        <source>Height of a person whose own is not known yet.</source>
+        <translation>身長がまだ分からない人物の身長。</translation>
+    </message>
+    <message>
+        <source>Height of the floor in the world frame.</source>
+        <translation>世界座標系での床の高さ。</translation>
+    </message>
+    <message>
+        <source>How long a person whom no two cameras see is believed to be still there.</source>
+        <translation>2 台のカメラに写っていない人物を、まだそこにいるとみなす時間。</translation>
+    </message>
+    <message>
+        <source>How long foreground that nobody explains must stay together to become a person.</source>
+        <translation>誰のものでもない前景が、人物とみなされるまで続く必要のある時間。</translation>
+    </message>
+    <message>
+        <source>How long the cameras only learn what they usually show, at first; nobody should be there.</source>
+        <translation>最初に、カメラがふだんの眺めだけを学習する時間。その間は誰もいないようにします。</translation>
+    </message>
+    <message>
+        <source>How many particles each person has.</source>
+        <translation>1 人あたりの粒子の数。</translation>
+    </message>
+    <message>
+        <source>How many points stand for the volume of each person.</source>
+        <translation>各人物の体積を表す点の数。</translation>
+    </message>
+    <message>
+        <source>How moving regions are found: 0 one Gaussian per pixel (fast), 1 OpenCV&apos;s MOG2, 2 OpenCV&apos;s KNN.</source>
+        <translation>動く領域の見つけ方：0 画素ごとに 1 つのガウス分布（高速）、1 OpenCV の MOG2、2 OpenCV の KNN。</translation>
+    </message>
+    <message>
+        <source>How much a camera that sees a whole person says: larger trusts the masks more.</source>
+        <translation>全身が写ったカメラの発言の重さ。大きいほどマスクを信用します。</translation>
+    </message>
+    <message>
+        <source>How much the colors of clothes count beside the masks when people are near each other.</source>
+        <translation>人が近くにいるとき、マスクに対して服の色をどれだけ重んじるか。</translation>
+    </message>
+    <message>
+        <source>How near the middles of two people can come.</source>
+        <translation>2 人の体の中心がどこまで近づけるか。</translation>
+    </message>
+    <message>
+        <source>How strongly people speed up, slow down and turn.</source>
+        <translation>人がどれだけ強く加速、減速、方向転換するか。</translation>
+    </message>
+    <message>
+        <source>Hue floor</source>
+        <translation>色相の下限</translation>
+    </message>
+    <message>
+        <source>Hue sigma</source>
+        <translation>色相のシグマ</translation>
+    </message>
+    <message>
+        <source>Image width</source>
+        <translation>画像の幅</translation>
+    </message>
+    <message>
+        <source>Images are reduced to at most this width before anything else; 0 keeps them as they are.</source>
+        <translation>最初に画像をこの幅まで縮小します。0 では縮小しません。</translation>
+    </message>
+    <message>
+        <source>Learning time</source>
+        <translation>学習時間</translation>
+    </message>
+    <message>
+        <source>Least distance</source>
+        <translation>最小距離</translation>
+    </message>
+    <message>
+        <source>Least likelihood of a hue (the paper&apos;s h_B): something else may be seen.</source>
+        <translation>色相の尤度の下限（論文の h_B）：別のものが写っているかもしれません。</translation>
+    </message>
+    <message>
+        <source>Least likelihood of a saturation (the paper&apos;s s_B).</source>
+        <translation>彩度の尤度の下限（論文の s_B）。</translation>
+    </message>
+    <message>
+        <source>Least likelihood where a camera sees no motion (the paper&apos;s p_B: 0.2).</source>
+        <translation>カメラに動きが写らない所での尤度の下限（論文の p_B：0.2）。</translation>
+    </message>
+    <message>
+        <source>Mask smoothing</source>
+        <translation>マスクの平滑化</translation>
+    </message>
+    <message>
+        <source>Middle of the floor that is watched.</source>
+        <translation>見張る床の中心。</translation>
+    </message>
+    <message>
+        <source>Motion floor</source>
+        <translation>動きの下限</translation>
+    </message>
+    <message>
+        <source>Position noise</source>
+        <translation>位置のノイズ</translation>
+    </message>
+    <message>
+        <source>Saturation floor</source>
+        <translation>彩度の下限</translation>
+    </message>
+    <message>
+        <source>Saturation sigma</source>
+        <translation>彩度のシグマ</translation>
+    </message>
+    <message>
+        <source>Sigma of the Gaussian that smooths the motion masks (the paper: 4 px).</source>
+        <translation>動きのマスクを平滑化するガウス関数のシグマ（論文では 4 px）。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured hue, in [0, 1].</source>
+        <translation>測った色相の標準偏差（0 から 1）。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured saturation, in [0, 1].</source>
+        <translation>測った彩度の標準偏差（0 から 1）。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise on each component of the velocity, per frame.</source>
+        <translation>1 フレームごとに速度の各成分へ加えるノイズの標準偏差。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise on each coordinate, per frame.</source>
+        <translation>1 フレームごとに各座標へ加えるノイズの標準偏差。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise on hue and saturation, per frame.</source>
+        <translation>1 フレームごとに色相と彩度へ加えるノイズの標準偏差。</translation>
+    </message>
+    <message>
+        <source>Usual height</source>
+        <translation>ふつうの身長</translation>
+    </message>
+    <message>
+        <source>Velocity noise</source>
+        <translation>速度のノイズ</translation>
+    </message>
+    <message>
+        <source>What is darker than usual by no more than this factor, in the same tint, is a shadow.</source>
+        <translation>ふだんと同じ色合いで、暗さがこの倍率以内のものは影とみなします。</translation>
+    </message>
 </context>
 <context>
     <name>ParameterRow</name>
@@ -1379,6 +1659,17 @@
 From %2 to %3%4; default %5%4.</source>
         <translation>%1
 %2 から %3%4 まで。既定値は %5%4。</translation>
+    </message>
+</context>
+<context>
+    <name>People</name>
+    <message>
+        <source>learning the empty room: %1 % · keep out of view</source>
+        <translation>空の部屋を学習中：%1 % · 画面に入らないでください</translation>
+    </message>
+    <message>
+        <source>%1 % of the image moves: not looked at</source>
+        <translation>画像の %1 % が動いています：使いません</translation>
     </message>
 </context>
 <context>
@@ -1570,6 +1861,10 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>sizes</source>
         <translation>倍（大きさ）</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
     </message>
 </context>
 <context>
@@ -4198,6 +4493,26 @@ at %4, %5, %6 m</source>
         <source>This method works in the room: calibrate the cameras first (menu Calibration), their positions are only a guess.</source>
         <translation>この手法は部屋の中の位置を求めます。カメラの位置は仮のものなので、先に較正してください（メニュー「較正」）。</translation>
     </message>
+    <message>
+        <source>People</source>
+        <translation>人物</translation>
+    </message>
+    <message>
+        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
+        <translation>カメラ画像の中の人、または鳥瞰図の床をクリックしてください。Esc で終わります。</translation>
+    </message>
+    <message>
+        <source>Folder for the tables of people</source>
+        <translation>人物の表を保存するフォルダー</translation>
+    </message>
+    <message>
+        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
+        <translation>人物の位置、体積、凸包、密度を %1 に保存しました（フレーム数：%2）。</translation>
+    </message>
+    <message>
+        <source>Writing the tables of people…</source>
+        <translation>人物の表を書き出しています…</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::MapFields</name>
@@ -4489,6 +4804,112 @@ at %4, %5, %6 m</source>
     <message>
         <source>How the targets are tracked. Another method begins anew; the rest stays.</source>
         <translation>ターゲットの追跡方法。別の方法にすると最初からやり直し、ほかはそのままです。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PeoplePanel</name>
+    <message>
+        <source>People who are there</source>
+        <translation>いまいる人物</translation>
+    </message>
+    <message>
+        <source>How much of the empty room is learned</source>
+        <translation>空の部屋をどれだけ学習したか</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>番号</translation>
+    </message>
+    <message>
+        <source>Number of the person, which nobody else gets in this run</source>
+        <translation>人物の番号。この実行では他の人に使われません</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Place in the room, x and y in metres</source>
+        <translation>部屋の中の位置、x と y（m）</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>身長</translation>
+    </message>
+    <message>
+        <source>Estimated height, metres; empty: the method does not estimate it</source>
+        <translation>推定した身長（m）。空欄：この手法では推定しません</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速さ</translation>
+    </message>
+    <message>
+        <source>Metres per second over the floor</source>
+        <translation>床の上での秒速（m/s）</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>見える</translation>
+    </message>
+    <message>
+        <source>Cameras that see the person, of all</source>
+        <translation>その人物が写っているカメラの数 / 全体</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体積</translation>
+    </message>
+    <message>
+        <source>Volume of the hull that holds 95 % of the person, cubic metres; empty while hulls are not shown</source>
+        <translation>その人物の 95 % を含む凸包の体積（m³）。凸包を表示していない間は空欄</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>経過</translation>
+    </message>
+    <message>
+        <source>How long the person has been there, seconds</source>
+        <translation>その人物がいる時間（秒）</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>近く</translation>
+    </message>
+    <message>
+        <source>Somebody else is so near that colors are not learned</source>
+        <translation>ほかの人が近すぎるので、色を学習しません</translation>
+    </message>
+    <message>
+        <source>Learning the empty room: %1 %. Keep out of view.</source>
+        <translation>空の部屋を学習中：%1 %。画面に入らないでください。</translation>
+    </message>
+    <message>
+        <source>Nobody is there. People appear when two cameras see them.</source>
+        <translation>誰もいません。2 台のカメラに写ると人物が現れます。</translation>
+    </message>
+    <message>
+        <source>People there: %1</source>
+        <translation>いまいる人数：%1</translation>
+    </message>
+    <message>
+        <source>People appear here once a method for people runs.</source>
+        <translation>人物用の手法を実行すると、ここに人物が現れます。</translation>
+    </message>
+    <message>
+        <source>Somebody is near</source>
+        <translation>近くに人がいます</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::PersonPlacer</name>
+    <message>
+        <source>Click the person</source>
+        <translation>人物をクリック</translation>
+    </message>
+    <message>
+        <source>Image of camera %1: arrow keys move a cross, Enter says that a person is there</source>
+        <translation>カメラ %1 の画像：矢印キーで十字を動かし、Enter でそこに人物がいると伝えます</translation>
     </message>
 </context>
 <context>
@@ -5155,6 +5576,14 @@ at %4, %5, %6 m</source>
     <message>
         <source>x %1  y %2  %3 × %4 px</source>
         <translation>x %1  y %2  %3 × %4 px</translation>
+    </message>
+    <message>
+        <source>● people: %1</source>
+        <translation>● 人物：%1</translation>
+    </message>
+    <message>
+        <source>○ people: %1, searching</source>
+        <translation>○ 人物：%1、探索中</translation>
     </message>
 </context>
 <context>

@@ -43,9 +43,6 @@ void addErrors(Marked& marked) {
 
 void addMethods(Marked& marked) {
   for (const auto& method : dewpoint::projectMethodNames()) {
-    if (dewpoint::methodFamily(method) == dewpoint::MethodFamily::People) {
-      continue; // only on the command line
-    }
     marked.emplace("Method", method);
     marked.emplace("Method", dewpoint::methodSentence(method));
     for (const auto& declaration : dewpoint::methodParameters(method)) {

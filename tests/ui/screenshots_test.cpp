@@ -69,6 +69,7 @@ private:
   void keepCalibration(MainWindow& window);
   void keepWaving(MainWindow& window);
   void keepPlan(MainWindow& window);
+  void keepPeople(MainWindow& window);
 
   QString theme_;
 };
@@ -191,6 +192,20 @@ void ScreenshotsTest::keepPlan(MainWindow& window) {
   window.findChild<QAction*>("actionCalibrateByHand")->setChecked(false);
 }
 
+void ScreenshotsTest::keepPeople(MainWindow& window) {
+  QSignalSpy opened(&window, &MainWindow::projectOpened);
+  window.openProject(DEWPOINT_SOURCE_DIR "/docs/examples/people_office.toml");
+  QVERIFY(opened.wait(kPatienceMs));
+  constexpr qint64 kMeeting = 118; // two have met in the middle
+  QVERIFY(QTest::qWaitFor([&] { return window.shown() && window.shown()->frame >= kMeeting; },
+                          kPatienceMs));
+  window.findChild<QAction*>("actionPlay")->trigger();
+  window.selection().wantMoment(kMeeting);
+  window.findChild<QAction*>("actionLookFree")->trigger();
+  QTest::qWait(kSettleMs);
+  keep(window.grab().toImage(), QStringLiteral("people"));
+}
+
 void ScreenshotsTest::everyView() {
   QFETCH(int, theme);
   theme_ = QLatin1String(QTest::currentDataTag());
@@ -235,7 +250,10 @@ void ScreenshotsTest::everyView() {
   for (const char* dialog : {"shortcutEditor", "exportDialog"}) {
     keep(window.findChild<QWidget*>(QLatin1String(dialog))->grab().toImage(),
          QLatin1String(dialog));
+    window.findChild<QWidget*>(QLatin1String(dialog))->close();
   }
+  window.findChild<QAction*>("actionShowMask")->setChecked(false);
+  keepPeople(window);
 }
 
 } // namespace dewpoint

@@ -32,6 +32,11 @@ std::vector<ActionDeclaration> projectActions() {
       {"actionExportTrajectory", group, QT_TRANSLATE_NOOP("Actions", "Export trajectory…"),
        QT_TRANSLATE_NOOP("Actions", "Write the trajectory so far for another program"), "export",
        Qt::CTRL | Qt::Key_E},
+      {"actionExportPeople", group, QT_TRANSLATE_NOOP("Actions", "Export volumes of people…"),
+       QT_TRANSLATE_NOOP("Actions",
+                         "Write places, volumes, hulls and densities on the floor of all "
+                         "people as tables"),
+       nullptr, Qt::CTRL | Qt::ALT | Qt::Key_P},
       {"actionSavePicture", group, QT_TRANSLATE_NOOP("Actions", "Save a picture of a view…"),
        QT_TRANSLATE_NOOP("Actions", "Save a camera image, the bird's-eye view or a plot as PNG"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_P},
@@ -60,6 +65,13 @@ std::vector<ActionDeclaration> editActions() {
       {"actionRemoveTarget", group, QT_TRANSLATE_NOOP("Actions", "Remove the target"),
        QT_TRANSLATE_NOOP("Actions", "Stop following the target that is chosen"), nullptr,
        Qt::SHIFT | Qt::Key_Delete},
+      {"actionPlacePerson", group, QT_TRANSLATE_NOOP("Actions", "A person stands here…"),
+       QT_TRANSLATE_NOOP("Actions", "Say where somebody is: by a click on the person in a camera "
+                                    "image, or on the floor in the bird's-eye view"),
+       nullptr, Qt::Key_P, true},
+      {"actionRemovePerson", group, QT_TRANSLATE_NOOP("Actions", "Remove this person"),
+       QT_TRANSLATE_NOOP("Actions", "The person chosen in the table is not there"), nullptr,
+       Qt::CTRL | Qt::Key_Delete},
       {"actionShortcuts", group, QT_TRANSLATE_NOOP("Actions", "Shortcuts…"),
        QT_TRANSLATE_NOOP("Actions", "See and change all shortcuts"), nullptr,
        Qt::CTRL | Qt::Key_Comma},
@@ -168,6 +180,10 @@ std::vector<ActionDeclaration> viewActions() {
                          "Show how likely the cameras find each place around the target, "
                          "and which places were considered"),
        "evidence", Qt::Key_E, true},
+      {"actionShowVolumes", group, QT_TRANSLATE_NOOP("Actions", "Show volumes of people"),
+       QT_TRANSLATE_NOOP("Actions", "Show the hull that holds 95 % of each person, and the density "
+                                    "of each on the floor"),
+       nullptr, Qt::Key_H, true},
       {"actionLookFromAbove", group, QT_TRANSLATE_NOOP("Actions", "Look from above"),
        QT_TRANSLATE_NOOP("Actions", "Bird's-eye view from above: the XY plane"), "above",
        Qt::Key_A},
@@ -242,6 +258,7 @@ void declareWindowActions(ActionRegistry& registry) {
       registry.add(declaration);
     }
   }
+  registry.action("actionShowVolumes")->setChecked(true);
   auto* themes = new QActionGroup(&registry);
   for (const char* theme : {"actionThemeSystem", "actionThemeLight", "actionThemeDark"}) {
     themes->addAction(registry.action(theme));

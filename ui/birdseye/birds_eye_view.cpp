@@ -214,6 +214,7 @@ void BirdsEyeView::renderPicture() {
     scene_.setPixelRatio(devicePixelRatioF());
     scene_.prepareFrame(size.width(), size.height());
     picture_ = vtk_->render(size);
+    markPeople();
     picture_.setDevicePixelRatio(devicePixelRatioF());
     pictureMs_ = clock.elapsed();
     sincePicture_.start();
@@ -224,9 +225,12 @@ void BirdsEyeView::renderPicture() {
 QImage BirdsEyeView::currentPicture() {
   renderPicture();
   QImage picture = picture_;
-  if (!picture.isNull() && map_ != nullptr) {
+  if (!picture.isNull()) {
     QPainter painter(&picture);
-    paintMapLegend(painter, rect(), mapLook_, palette());
+    paintPeople(painter);
+    if (map_ != nullptr) {
+      paintMapLegend(painter, rect(), mapLook_, palette());
+    }
   }
   return picture;
 }
@@ -247,6 +251,7 @@ void BirdsEyeView::paintEvent(QPaintEvent*) {
     return;
   }
   painter.drawImage(QPointF(0, 0), picture_);
+  paintPeople(painter);
   paintHandles(painter);
   if (map_ != nullptr) {
     paintMapLegend(painter, rect(), mapLook_, palette());
@@ -319,7 +324,11 @@ void BirdsEyeView::mouseReleaseEvent(QMouseEvent* event) {
   sendPointer(static_cast<int>(release), event->position(), event->modifiers());
   const QPointF moved = event->position() - pressed_;
   if (event->button() == Qt::LeftButton && moved.manhattanLength() < kClickPx) {
-    clickTail(event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
+    if (placing_) {
+      clickFloor(event->position());
+    } else if (!clickPerson(event->position())) {
+      clickTail(event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
+    }
   }
 }
 
@@ -327,9 +336,7 @@ void BirdsEyeView::clickTail(QPointF position, bool extend) {
   if (!snapshot_ || !hasPicture()) {
     return;
   }
-  const QPointF middle(width() / 2.0, height() / 2.0);
-  const QPointF offset = (position - middle) * devicePixelRatioF();
-  const Eigen::Vector2d clicked(offset.x(), -offset.y());
+  const Eigen::Vector2d clicked = inPicture(position);
   double nearest = kTailReachPx * devicePixelRatioF();
   int target = -1;
   Eigen::Vector3d place = Eigen::Vector3d::Zero();

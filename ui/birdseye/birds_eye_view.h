@@ -60,6 +60,11 @@ public:
   /// Cameras that are thought of: drawn otherwise than those of the snapshots.
   void showPlanned(const CameraRig& cameras);
 
+  /// The selected target; a person stands out. -1: none.
+  void setChosenTarget(int target);
+  /// While placing, a click on the floor of this height (world z, metres) is a placeClicked().
+  void setPlacing(bool placing, double floor = 0.0);
+
   Scene3d::View currentView() const;
   /// The picture as it is now, with its legend but without the buttons; null without OpenGL. Device
   /// pixels.
@@ -83,6 +88,10 @@ Q_SIGNALS:
   void viewChanged(dewpoint::Scene3d::View view);
   /// A click on a target's tail: the nearest place in it, metres. `extend`: with Shift.
   void tailClicked(int target, const Eigen::Vector3d& place, bool extend);
+  /// While placing: a click on the floor here, world x and y in metres.
+  void placeClicked(const Eigen::Vector2d& place);
+  /// A click on a person: its index among the targets.
+  void personClicked(int target);
   /// A handle was pressed.
   void cameraChosen(int camera);
   /// A camera (or the point it looks at) is dragged here, metres: in the plane of a flat view, else
@@ -115,6 +124,12 @@ private:
   void applyTheme();
   void retranslate();
   void clickTail(QPointF position, bool extend);
+  void clickFloor(QPointF position);
+  bool clickPerson(QPointF position);
+  /// Device pixels right of and above the middle of the picture.
+  Eigen::Vector2d inPicture(QPointF position) const;
+  void markPeople();
+  void paintPeople(QPainter& painter) const;
   QPointF inWidget(const Eigen::Vector3d& point) const;
   bool takeHandle(QPointF position);
   void dragHandle(QPointF position);
@@ -140,6 +155,14 @@ private:
     QPointF from;
   };
   std::optional<HeldHandle> heldHandle_;
+  struct PersonMark {
+    int identity;
+    Eigen::Vector3d place;
+  };
+  std::vector<PersonMark> people_; ///< in the picture
+  int chosenTarget_ = -1;
+  bool placing_ = false;
+  double floor_ = 0.0;
   QPointF pressed_;     ///< where the left button went down
   std::string failure_; ///< why there is no 3D; empty while there is
   QTimer timer_;

@@ -19,6 +19,7 @@ QString say(const char* text) {
 HoldState holdState(TargetStatus status) {
   return status == TargetStatus::Held   ? HoldState::Held
          : status == TargetStatus::Lost ? HoldState::Lost
+         : status == TargetStatus::Gone ? HoldState::Gone
                                         : HoldState::Searching;
 }
 
@@ -31,16 +32,34 @@ HoldState holdState(const TargetSnapshot& target, MethodFamily family) {
 
 namespace {
 
+HoldState stateOfPeople(const TrackSnapshot& snapshot) {
+  if (std::ranges::any_of(snapshot.peopleCameras,
+                          [](const auto& camera) { return camera.learned < 1.0; })) {
+    return HoldState::Learning;
+  }
+  HoldState state = HoldState::Nobody;
+  for (const TargetSnapshot& target : snapshot.targets) {
+    if (target.status == TargetStatus::Searching) {
+      return HoldState::Searching;
+    }
+    state = target.status == TargetStatus::Held ? HoldState::Held : state;
+  }
+  return state;
+}
+
 /// Of the targets that count; without any of them there is no box.
 template <class Counts> HoldState worstState(const TrackSnapshot& snapshot, const Counts& counts) {
   if (!snapshot.frames) {
     return HoldState::NoImages;
   }
-  if (snapshot.targets.empty()) {
+  if (snapshot.targets.empty() && !snapshot.ofPeople()) {
     return HoldState::NoTarget;
   }
   if (snapshot.past && !snapshot.tracked) {
     return HoldState::NotTracked;
+  }
+  if (snapshot.ofPeople()) {
+    return stateOfPeople(snapshot);
   }
   for (const HoldState state : {HoldState::Lost, HoldState::Searching, HoldState::Hidden,
                                 HoldState::NoBox, HoldState::Held}) {
@@ -128,9 +147,11 @@ const TargetSnapshot* targetToExplain(const TrackSnapshot& snapshot, int preferr
   if (preferred >= 0 && preferred < static_cast<int>(targets.size())) {
     return &targets[static_cast<std::size_t>(preferred)];
   }
-  const auto lost = std::ranges::find_if(
-      targets, [](const auto& target) { return target.status != TargetStatus::Held; });
-  return lost != targets.end() ? &*lost : &targets.front();
+  const auto lost = std::ranges::find_if(targets, [](const auto& target) {
+    return target.status != TargetStatus::Held && target.status != TargetStatus::Gone;
+  });
+  const auto held = std::ranges::find(targets, TargetStatus::Held, &TargetSnapshot::status);
+  return lost != targets.end() ? &*lost : held != targets.end() ? &*held : &targets.front();
 }
 
 } // namespace dewpoint

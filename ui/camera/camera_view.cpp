@@ -9,6 +9,7 @@
 #include "ui/camera/bump_mark.h"
 #include "ui/camera/evidence_painter.h"
 #include "ui/camera/overlay_painter.h"
+#include "ui/camera/people_painter.h"
 
 #include <QPaintEvent>
 #include <QPainter>
@@ -34,9 +35,10 @@ cv::Mat maskOf(const TrackSnapshotPtr& snapshot, int camera) {
   return snapshot && index < snapshot->masks.size() ? snapshot->masks[index] : cv::Mat();
 }
 
-/// Everything that has no target's color steps back, and what has one is tinted as that target is
-/// drawn.
-cv::Mat tinted(const cv::Mat& image, const cv::Mat& mask) {
+const cv::Scalar kMoving(228, 221, 213); ///< light gray; blue, green, red
+
+/// The color in which each target is drawn, where a mask has its number.
+cv::Mat colorsOfTargets(const cv::Mat& mask) {
   static const cv::Mat kTints = [] {
     cv::Mat tints(1, 256, CV_8UC3);
     for (int value = 0; value < 256; ++value) {
@@ -47,10 +49,15 @@ cv::Mat tinted(const cv::Mat& image, const cv::Mat& mask) {
     }
     return tints;
   }();
-  cv::Mat result = image * 0.35;
   cv::Mat color;
   cv::cvtColor(mask, color, cv::COLOR_GRAY2BGR);
   cv::LUT(color, kTints, color);
+  return color;
+}
+
+/// Everything that has no target's color steps back, and what has one is tinted.
+cv::Mat tinted(const cv::Mat& image, const cv::Mat& mask, const cv::Mat& color) {
+  cv::Mat result = image * 0.35;
   cv::Mat bright;
   cv::addWeighted(image, 0.35, color, 0.65, 0.0, bright);
   bright.copyTo(result, mask);
@@ -83,6 +90,11 @@ void CameraView::setEvidenceShown(bool shown) {
   update();
 }
 
+void CameraView::setChosenTarget(int target) {
+  chosenTarget_ = target;
+  update();
+}
+
 HoldState CameraView::stateNow() const {
   if (!snapshot_ || !snapshot_->frames) {
     return HoldState::NoImages;
@@ -101,7 +113,10 @@ const QImage& CameraView::scaledImage(const QSize& devicePixels) {
   }
   cv::Mat image = frame->image;
   if (mask.size() == image.size() && !mask.empty()) {
-    image = tinted(image, mask);
+    // What moves belongs to nobody yet: it has a color that is no identity's.
+    image = tinted(image, mask,
+                   snapshot_->ofPeople() ? cv::Mat(image.size(), image.type(), kMoving)
+                                         : colorsOfTargets(mask));
   }
   const bool smaller = devicePixels.width() < image.cols;
   cv::Mat fitted;
@@ -142,7 +157,12 @@ void CameraView::paintEvent(QPaintEvent*) {
   painter.setClipRect(QRectF(corner, shown));
   placement_ = {corner, shown.width() / image.width()};
   imageSize_ = image;
-  for (std::size_t i = 0; i < snapshot_->targets.size(); ++i) {
+  const QRectF picture(corner, shown);
+  if (snapshot_->ofPeople()) {
+    paintPeople(painter, *snapshot_, camera_, placement_, picture, chosenTarget_);
+    paintPeopleTrouble(painter, *snapshot_, camera_, picture);
+  }
+  for (std::size_t i = 0; !snapshot_->ofPeople() && i < snapshot_->targets.size(); ++i) {
     if (evidenceShown_) {
       const auto& maps = snapshot_->targets[i].maps;
       const auto own = static_cast<std::size_t>(camera_);
@@ -150,9 +170,9 @@ void CameraView::paintEvent(QPaintEvent*) {
                     proposedOutlines(*snapshot_, camera_, snapshot_->targets[i]), placement_);
     }
     paintOverlay(painter, cameraOverlay(*snapshot_, camera_, snapshot_->targets[i]), placement_,
-                 targetColor(static_cast<int>(i)));
+                 targetColor(snapshot_->targets[i].target.name, static_cast<int>(i)));
   }
-  paintBumpMark(painter, QRectF(corner, shown), bumpText(bumpOf(*snapshot_, camera_)), palette());
+  paintBumpMark(painter, picture, bumpText(bumpOf(*snapshot_, camera_)), palette());
 }
 
 } // namespace dewpoint

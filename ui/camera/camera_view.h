@@ -30,6 +30,8 @@ public:
   void setMaskShown(bool shown);
   /// Likelihood maps and the places that were considered.
   void setEvidenceShown(bool shown);
+  /// The selected person stands out; -1: none.
+  void setChosenTarget(int target);
   HoldState state() const { return state_; }
   /// Where the image was drawn last, and its size in pixels; an empty size before there was one.
   const ImagePlacement& placement() const { return placement_; }
@@ -54,6 +56,7 @@ private:
   TrackSnapshotPtr snapshot_;
   bool maskShown_ = false;
   bool evidenceShown_ = false;
+  int chosenTarget_ = -1;
   HoldState state_ = HoldState::NoImages;
   ImagePlacement placement_;
   QSize imageSize_;

@@ -2,6 +2,7 @@
 #include "ui/camera/overlay_painter.h"
 
 #include "core/session/camera_overlay.h"
+#include "ui/camera/halo.h"
 
 #include <QPainter>
 #include <QPixmap>
@@ -17,7 +18,6 @@ namespace {
 
 constexpr std::size_t kMostDots = 4000; ///< more are one cloud to the eye, and cost time
 constexpr double kDotDiameter = 3.2;    ///< widget units, without halo
-const QColor kHalo(0, 0, 0, 150);
 
 /// Pixel centers lie at integer image coordinates.
 QPointF placed(double column, double row, const ImagePlacement& placement) {
@@ -61,23 +61,13 @@ void paintParticles(QPainter& painter, const CameraOverlay& overlay,
   painter.drawPixmapFragments(dots.data(), static_cast<int>(dots.size()), stamp);
 }
 
-/// Strokes twice: a wide dark line, then the bright one.
-template <class Draw>
-void withHalo(QPainter& painter, const QColor& color, double width, const Draw& draw) {
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(kHalo, width + 2.2, Qt::SolidLine, Qt::RoundCap));
-  draw();
-  painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap));
-  draw();
-}
-
 /// Dashed where the target is only thought to be.
 void paintBox(QPainter& painter, const ImageBox& box, bool hidden, const ImagePlacement& placement,
               const QColor& color) {
   const QRectF place(placement.corner + QPointF(box.x, box.y) * placement.scale,
                      QSizeF(box.width, box.height) * placement.scale);
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(kHalo, 4.4, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.setPen(QPen(QColor(0, 0, 0, 150), 4.4, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
   painter.drawRect(place);
   painter.setPen(
       QPen(color, 2.2, hidden ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));

@@ -80,6 +80,8 @@ void PickLayer::mousePressEvent(QMouseEvent* event) {
   if (picking_ || sample) {
     pressed_ = event->position();
     now_ = event->position();
+  } else {
+    Q_EMIT pointed(*pixelAt(event->position()));
   }
 }
 

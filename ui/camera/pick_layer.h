@@ -37,6 +37,8 @@ Q_SIGNALS:
   void cancelled();
   /// A plain click while nothing is being picked: the view was chosen.
   void chosen();
+  /// Where that was, pixels of the image.
+  void pointed(const QPointF& pixel);
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

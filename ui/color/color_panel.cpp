@@ -145,6 +145,8 @@ void ColorPanel::attach(int camera, CameraView* view) {
     std::erase_if(layers_, [layer](const auto& one) { return one.second == layer; });
   });
   connect(layer, &PickLayer::chosen, this, [this, camera] { Q_EMIT cameraChosen(camera); });
+  connect(layer, &PickLayer::pointed, this,
+          [this, camera](const QPointF& pixel) { Q_EMIT pointed(camera, pixel); });
   connect(layer, &PickLayer::cancelled, this, [this] { setPicking(false); });
   connect(layer, &PickLayer::picked, this,
           [this, camera](const QRectF& region, Qt::KeyboardModifiers modifiers) {

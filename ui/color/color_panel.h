@@ -49,6 +49,8 @@ Q_SIGNALS:
   /// A color was learned from images: time to track it.
   void learned(int target, bool isNew);
   void cameraChosen(int camera);
+  /// A click in the image of a camera that teaches nothing, pixels.
+  void pointed(int camera, const QPointF& pixel);
   void failed(const QString& sentence);
 
 private:

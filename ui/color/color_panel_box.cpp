@@ -18,6 +18,9 @@ bool ColorPanel::takesBoxes() const {
 }
 
 bool ColorPanel::mustPoint() const {
+  if (methodFamily(document_.project().method) == MethodFamily::People) {
+    return false; // they are found by themselves
+  }
   const auto& targets = document_.project().targets;
   const auto hasBox = [](const Target& target) { return target.box.has_value(); };
   return takesBoxes() ? std::ranges::none_of(targets, hasBox) : targets.empty();

@@ -131,8 +131,8 @@ private:
 };
 
 /// The dark twin of a target's color, which reads on white.
-QColor inkOf(std::size_t target) {
-  return targetColor(static_cast<int>(target)).darker(115);
+QColor inkOf(const ExportTable& table, std::size_t target) {
+  return targetColor(table.targets[target], static_cast<int>(target)).darker(115);
 }
 
 double sigmaOf(const ExportCell& cell, int axis) {
@@ -167,8 +167,8 @@ void drawOverTime(Panel& panel, const ExportTable& table, int axis) {
         upper << panel.at(table.times[row], value + off);
         lower.prepend(panel.at(table.times[row], value - off));
       }
-      panel.drawBand(upper + lower, inkOf(target));
-      panel.drawCurve(path, inkOf(target));
+      panel.drawBand(upper + lower, inkOf(table, target));
+      panel.drawCurve(path, inkOf(table, target));
     });
   }
 }
@@ -190,7 +190,7 @@ void drawFromAbove(Panel& panel, const ExportTable& table) {
       for (std::size_t row = begin; row < end; ++row) {
         path.lineTo(place(row));
       }
-      panel.drawCurve(path, inkOf(target));
+      panel.drawCurve(path, inkOf(table, target));
     });
   }
 }
@@ -220,7 +220,7 @@ std::pair<Range, Range> withEqualScale(Range horizontal, Range vertical, const Q
 
 void drawLegend(QPainter& painter, const ExportTable& table, QRectF place) {
   for (std::size_t target = 0; target < table.targets.size(); ++target) {
-    painter.fillRect(QRectF(place.left(), place.top() + 5, 14, 4), inkOf(target));
+    painter.fillRect(QRectF(place.left(), place.top() + 5, 14, 4), inkOf(table, target));
     painter.setPen(kInk);
     painter.drawText(QRectF(place.left() + 20, place.top() - 2, place.width() - 20, 18),
                      Qt::AlignLeft | Qt::AlignVCenter,

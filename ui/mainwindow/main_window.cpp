@@ -17,6 +17,7 @@
 #include "ui/mainwindow/bump_messages.h"
 #include "ui/mainwindow/message_bar.h"
 #include "ui/mainwindow/status_figures.h"
+#include "ui/people/people_panel.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/selection/selection.h"
 #include "ui/settings/parameter_panel.h"
@@ -58,6 +59,7 @@ MainWindow::MainWindow(ProjectOpener opener, QWidget* parent)
   makeToolBar();
   makeMenus();
   connectActions();
+  connectPeople();
   connectRun();
   linkViews();
   makeBumps();
@@ -164,7 +166,9 @@ void MainWindow::adoptInputs(SessionInputs inputs) {
 
 void MainWindow::startSession(SessionInputs inputs, bool unsaved) {
   // Without a target a recording waits for the click instead of running away.
-  const bool waits = unsaved || (inputs.project.targets.empty() && !inputs.source->isLive());
+  const bool wantsTarget =
+      inputs.project.targets.empty() && methodFamily(inputs.project.method) != MethodFamily::People;
+  const bool waits = unsaved || (wantsTarget && !inputs.source->isLive());
   bridge_ = new SessionBridge(std::move(inputs), this);
   connect(bridge_, &SessionBridge::snapshotChanged, this, &MainWindow::showSnapshot);
   trajectory_->follow([session = &bridge_->session()](auto& generation, auto& position) {
@@ -177,6 +181,7 @@ void MainWindow::startSession(SessionInputs inputs, bool unsaved) {
   makeCameraDocks();
   bridge_->session().setMasksWanted(action("actionShowMask")->isChecked());
   bridge_->session().setLikelihoodMapsWanted(action("actionShowEvidence")->isChecked());
+  bridge_->session().setShapesWanted(action("actionShowVolumes")->isChecked());
   updateEnabled();
   showFamily();
   showSnapshot(bridge_->session().newest());
@@ -192,6 +197,7 @@ void MainWindow::clearViews() {
   layoutBehindPages_.clear();
   shown_.reset();
   cameras_->setSnapshot({});
+  people_->show(TrackSnapshotPtr());
   selection_->clear();
   logGeneration_ = 0;
   logPosition_ = 0;
@@ -219,6 +225,7 @@ void MainWindow::showSnapshot(const TrackSnapshotPtr& snapshot) {
   color_->setSnapshot(snapshot);
   cameras_->setSnapshot(snapshot);
   targets_->show(*snapshot);
+  people_->show(snapshot);
   plot_->show(*snapshot);
   trajectory_->show(*snapshot);
   snapshot->state == PlayState::Playing
@@ -347,6 +354,7 @@ void MainWindow::updateEnabled() {
   if (!running) {
     action("actionNow")->setEnabled(false); // else the moment shown decides
   }
+  suitMethod();
   action("actionOpen")->setEnabled(!loader_->isOpening());
   action("actionOpenDemo")->setEnabled(!loader_->isOpening());
 }

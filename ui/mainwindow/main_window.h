@@ -37,6 +37,8 @@ class MessageBar;
 class NewProjectPage;
 class ParameterPanel;
 class PlanDesk;
+class PeoplePanel;
+class PersonPlacer;
 class PlotPanel;
 class PointDesk;
 class Selection;
@@ -117,6 +119,12 @@ private:
   void makePlan();
   void openPlan();
   void makeBumps();
+  void makePeople();
+  void connectPeople();
+  /// The docks and actions that the method has a use for.
+  void suitMethod();
+  void placePeople(bool placing);
+  void exportPeople();
   void resolveCamera(int camera);
   void takeCalibration();
   void connectRooms();
@@ -191,6 +199,10 @@ private:
   CommandPalette* palette_ = nullptr;
   TargetPanel* targets_ = nullptr;
   ColorPanel* color_ = nullptr;
+  PeoplePanel* people_ = nullptr;
+  PersonPlacer* placer_ = nullptr;
+  LongJob* peopleJob_ = nullptr;
+  QDockWidget* peopleDock_ = nullptr;
   QDockWidget* colorDock_ = nullptr;
   CameraPanel* cameras_ = nullptr;
   HandDesk* hand_ = nullptr;

@@ -39,8 +39,8 @@ void MainWindow::makeMenus() {
   };
   QMenu* project = add(tr("&Project"), "menuProject",
                        {"actionNew", "actionOpen", "actionOpenDemo", nullptr, "actionSave",
-                        "actionSaveAs", nullptr, "actionExportTrajectory", "actionSavePicture",
-                        nullptr, "actionCloseProject", "actionQuit"});
+                        "actionSaveAs", nullptr, "actionExportTrajectory", "actionExportPeople",
+                        "actionSavePicture", nullptr, "actionCloseProject", "actionQuit"});
   auto* recent = new QMenu(tr("Open recent"), project);
   recent->setObjectName(QStringLiteral("menuRecent"));
   recent->setToolTipsVisible(true);
@@ -48,7 +48,8 @@ void MainWindow::makeMenus() {
   project->insertMenu(action("actionOpenDemo"), recent);
   add(tr("&Edit"), "menuEdit",
       {"actionUndo", "actionRedo", nullptr, "actionLearnColor", "actionAddTarget",
-       "actionRemoveTarget", nullptr, "actionShortcuts"});
+       "actionRemoveTarget", nullptr, "actionPlacePerson", "actionRemovePerson", nullptr,
+       "actionShortcuts"});
   add(tr("&Calibration"), "menuCalibration",
       {"actionCalibrateByHand", "actionCalibrateBoard", "actionPrintBoard", "actionCalibrateWand",
        nullptr, "actionPlanRig", "actionPlanCamera", "actionFindPlace", "actionResolveCamera",
@@ -60,8 +61,8 @@ void MainWindow::makeMenus() {
        "actionRestartNewSeed", nullptr, "actionExperiments"});
   fillViewMenu(add(tr("&View"), "menuView",
                    {"actionPalette", nullptr, "actionShowMask", "actionShowEvidence",
-                    "actionShowMap", nullptr, "actionLookFromAbove", "actionLookFromFront",
-                    "actionLookFree", nullptr, "actionResetLayout"}));
+                    "actionShowVolumes", "actionShowMap", nullptr, "actionLookFromAbove",
+                    "actionLookFromFront", "actionLookFree", nullptr, "actionResetLayout"}));
 }
 
 void MainWindow::fillViewMenu(QMenu* view) {

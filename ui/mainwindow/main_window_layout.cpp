@@ -16,6 +16,8 @@
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/message_bar.h"
 #include "ui/mainwindow/status_figures.h"
+#include "ui/people/people_panel.h"
+#include "ui/people/person_placer.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/selection/selection.h"
 #include "ui/settings/parameter_panel.h"
@@ -92,6 +94,7 @@ void MainWindow::makeDocks() {
 
   makeTimeline();
   makeInspector();
+  makePeople();
   makeCalibration();
   auto* history = new QUndoView(document_->undoStack(), this);
   history->setObjectName(QStringLiteral("historyList"));
@@ -182,6 +185,8 @@ void MainWindow::makeCameraDocks() {
     gridLayers_.push_back(new GridLayer(static_cast<int>(i), view, *hand_, *points_));
     new BoardLayer(static_cast<int>(i), view, *board_);
     view->setEvidenceShown(action("actionShowEvidence")->isChecked());
+    view->setChosenTarget(selection_->target());
+    placer_->attach(static_cast<int>(i), view);
     cameraDocks_.push_back(dock);
     cameraViews_.push_back(view);
   }
@@ -237,7 +242,8 @@ void MainWindow::arrange() {
   splitDockWidget(birdsEyeDock_, parameterDock_, Qt::Horizontal);
   splitDockWidget(parameterDock_, historyDock_, Qt::Vertical); // before there are tabs
   // The inspector: one tab for each kind of thing that can be looked into.
-  for (QDockWidget* dock : {targetDock_, colorDock_, cameraListDock_, calibrationDock_}) {
+  for (QDockWidget* dock :
+       {peopleDock_, targetDock_, colorDock_, cameraListDock_, calibrationDock_}) {
     tabifyDockWidget(parameterDock_, dock);
   }
   showViews(bridge_ != nullptr);

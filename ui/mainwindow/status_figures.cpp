@@ -2,6 +2,7 @@
 #include "ui/mainwindow/status_figures.h"
 
 #include "core/session/snapshot.h"
+#include "ui/bridge/people_text.h"
 #include "ui/bridge/reason_text.h"
 #include "ui/mainwindow/elided_label.h"
 #include "ui/settings/retranslation.h"
@@ -138,6 +139,7 @@ QLabel* StatusFigures::figure(const char* name) {
 }
 
 void StatusFigures::clear() {
+  stateText_.clear();
   state_ = HoldState::NoImages;
   reason_->setFullText({});
   for (QLabel* label : {playing_, frame_, rate_, time_, sampleSize_, spread_, position_}) {
@@ -180,6 +182,15 @@ void StatusFigures::show(const TrackSnapshot& snapshot, int chosen) {
                                                             : holdState(snapshot);
   name_ = several ? QString::fromStdString(target->target.name) : QString();
   const bool mustSay = target != nullptr && target->status != TargetStatus::Held;
+  stateText_.clear();
+  if (snapshot.ofPeople() && chosen < 0) { // nobody in particular
+    state_ = holdState(snapshot);
+    name_.clear();
+    const QString there = number(peopleThere(snapshot), 0);
+    stateText_ = state_ == HoldState::Held        ? tr("● people: %1").arg(there)
+                 : state_ == HoldState::Searching ? tr("○ people: %1, searching").arg(there)
+                                                  : QString();
+  }
   QString reason = mustSay ? reasonText(target->reasons, cameraNames(snapshot)) : QString();
   if (mustSay && target->box) {
     reason = tr("held where it is thought to be");
@@ -209,8 +220,9 @@ void StatusFigures::changeEvent(QEvent* event) {
 }
 
 void StatusFigures::applyPalette() {
-  held_->setText(name_.isEmpty() ? holdText(state_)
-                                 : QStringLiteral("%1: %2").arg(name_, holdText(state_)));
+  held_->setText(!stateText_.isEmpty() ? stateText_
+                 : name_.isEmpty()     ? holdText(state_)
+                                       : QStringLiteral("%1: %2").arg(name_, holdText(state_)));
   QPalette colors = held_->palette();
   const QColor color = holdColor(state_, palette());
   if (colors.color(QPalette::WindowText) != color) {

@@ -47,7 +47,8 @@ private:
   QLabel* position_;
   ElidedLabel* reason_; ///< why it is not held
   QLabel* held_;
-  QString name_; ///< of the target shown, when there are several
+  QString name_;      ///< of the target shown, when there are several
+  QString stateText_; ///< in place of the word of the state; empty: that word
   HoldState state_ = HoldState::NoImages;
 };
 

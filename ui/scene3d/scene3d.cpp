@@ -43,6 +43,14 @@ void Scene3d::show(const TrackSnapshot& snapshot) {
       parts.targets.back()->setPalette(parts.palette());
     }
     parts.targets[i]->show(snapshot.targets[i]);
+    parts.targets[i]->setChosen(static_cast<int>(i) == parts.chosenTarget);
+  }
+}
+
+void Scene3d::choose(int target) {
+  parts_->chosenTarget = target;
+  for (std::size_t i = 0; i < parts_->targets.size(); ++i) {
+    parts_->targets[i]->setChosen(static_cast<int>(i) == target);
   }
 }
 
@@ -67,15 +75,24 @@ std::optional<Eigen::Vector3d> Scene3d::placeInLayer(const Eigen::Vector2d& plac
   if (volume.isEmpty() || !look.slice) {
     return std::nullopt;
   }
+  auto there = placeAtHeight(place, look.height);
+  if (!there || !volume.contains(*there)) {
+    return std::nullopt;
+  }
+  return there;
+}
+
+std::optional<Eigen::Vector3d> Scene3d::placeAtHeight(const Eigen::Vector2d& place,
+                                                      double height) const {
   const ScreenScale& scale = parts_->scale;
   const Eigen::Vector3d near = scale.world(place, scale.eye + scale.direction);
   const Eigen::Vector3d far = scale.world(place, scale.eye + 2.0 * scale.direction);
   const double fall = far.z() - near.z();
-  Eigen::Vector3d there = near + (look.height - near.z()) / fall * (far - near);
-  there.z() = look.height; // without rounding: it may be the border of the volume
-  if (std::abs(fall) < 1e-6 || !volume.contains(there)) {
+  if (std::abs(fall) < 1e-6) {
     return std::nullopt;
   }
+  Eigen::Vector3d there = near + (height - near.z()) / fall * (far - near);
+  there.z() = height; // without rounding: it may be the border of a volume
   return there;
 }
 

@@ -37,6 +37,8 @@ public:
   /// Shows one moment. Values that are not finite are left out. The first snapshot with something
   /// to see (and each new rig) also frames the current view, unless the user moved the camera.
   void show(const TrackSnapshot& snapshot);
+  /// The selected target; a person stands out. -1: none.
+  void choose(int target);
   /// Marks these places: one stroke for each, metres. Stays until it is called again.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
   /// How well the cameras see the room; null: nothing is shown of it. Stays until called again.
@@ -44,6 +46,9 @@ public:
   /// The place of the map's layer that is seen here in the picture, as of the last `prepareFrame`;
   /// nothing without a layer, or beside it. Device pixels as in placeInPicture().
   std::optional<Eigen::Vector3d> placeInLayer(const Eigen::Vector2d& place) const;
+  /// The point of this height (world z, metres) at a place of the picture; nothing when that is
+  /// seen edge on.
+  std::optional<Eigen::Vector3d> placeAtHeight(const Eigen::Vector2d& place, double height) const;
   /// Cameras that are not there (yet), drawn otherwise than those of the rig.
   void showPlanned(const CameraRig& cameras);
   /// Back to the empty grid.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene3d/scene_palette.h"
 
+#include "core/session/people_overlay.h"
+
 #include <array>
 
 namespace dewpoint {
@@ -25,6 +27,14 @@ SceneColor targetColor(std::size_t index) {
   static const std::array<unsigned, 6> kColors{0xd55e00, 0x0072b2, 0x009e73,
                                                0xcc79a7, 0xe69f00, 0xb8a500};
   return hex(kColors[index % kColors.size()]);
+}
+
+SceneColor targetColor(const std::string& name, std::size_t index) {
+  if (const auto identity = personIdentity(name)) {
+    const cv::Scalar color = identityColor(*identity); // blue, green, red
+    return SceneColor(color[2], color[1], color[0]) / 255.0;
+  }
+  return targetColor(index);
 }
 
 SceneColor axisColor(int axis) {

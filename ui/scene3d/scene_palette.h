@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <string>
 
 namespace dewpoint {
 
@@ -25,6 +26,8 @@ const ScenePalette& scenePalette(bool dark);
 
 /// Color of the i-th target, from the color-blind-safe set of Okabe and Ito (2008).
 SceneColor targetColor(std::size_t index);
+/// The same for targets of the project; persons have the color of their identity everywhere.
+SceneColor targetColor(const std::string& name, std::size_t index);
 /// Colors of the x, y and z axis, from the same set.
 SceneColor axisColor(int axis);
 

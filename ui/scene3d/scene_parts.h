@@ -55,6 +55,7 @@ public:
   Eigen::AlignedBox3d content; ///< all that was shown since the rig came
   View view = View::Above;
   bool dark = false;
+  int chosenTarget = -1;
   bool moved = false; ///< by the user
   bool frameWanted = true;
   int width = 0;

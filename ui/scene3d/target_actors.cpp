@@ -74,10 +74,10 @@ std::array<unsigned char, 3> bytes(const SceneColor& color) {
 } // namespace
 
 TargetActors::TargetActors(vtkRenderer* renderer, std::size_t index)
-    : renderer_(renderer), color_(targetColor(index)), palette_(scenePalette(false)),
+    : renderer_(renderer), index_(index), color_(targetColor(index)), palette_(scenePalette(false)),
       sphere_(ballActor(28)), halo_(ballActor(28)), ellipsoid_(ballActor(40)),
       rings_(flatActor(ringData_)), tail_(flatActor(tailData_)), plumb_(flatActor(plumbData_)),
-      truthMark_(flatActor(truthData_)) {
+      truthMark_(flatActor(truthData_)), person_(renderer) {
   positions_->SetNumberOfComponents(3);
   colors_->SetNumberOfComponents(3);
   points_->SetData(positions_);
@@ -113,6 +113,11 @@ TargetActors::~TargetActors() {
 }
 
 void TargetActors::show(const TargetSnapshot& target) {
+  if (const SceneColor color = targetColor(target.target.name, index_); color != color_) {
+    color_ = color;
+    setPalette(palette_);
+  }
+  person_.show(target.shape.get());
   showParticles(target);
   showEstimate(target);
   showTail(target);
@@ -121,7 +126,9 @@ void TargetActors::show(const TargetSnapshot& target) {
 
 void TargetActors::showParticles(const TargetSnapshot& target) {
   const Eigen::ArrayXXd& rows = target.particles;
-  const Eigen::Index count = rows.cols() >= 3 ? rows.rows() : 0;
+  // The hull says it better than the points it is made of.
+  const bool shown = rows.cols() >= 3 && target.shape == nullptr;
+  const Eigen::Index count = shown ? rows.rows() : 0;
   const Eigen::Index stride = count / (kMostParticles + 1) + 1;
   const bool weighted = target.weights.size() == count;
   double largest = 0.0;
@@ -163,7 +170,8 @@ void TargetActors::colorParticles() {
 
 void TargetActors::showEstimate(const TargetSnapshot& target) {
   const TargetEstimate& estimate = target.estimate;
-  const bool known = estimate.mean.allFinite() && estimate.particleCount > 0;
+  const bool known =
+      estimate.mean.allFinite() && estimate.particleCount > 0 && target.shape == nullptr;
   sphere_->SetVisibility(known);
   halo_->SetVisibility(known && estimate.valid);
   cloudReach_ = 0.0;
@@ -250,6 +258,7 @@ void TargetActors::setPalette(const ScenePalette& palette) {
   paint(rings_, mix(color_, palette.truth, 0.1), 0.55);
   paint(plumb_, mix(color_, palette.floor, 0.35), 0.8);
   paint(truthMark_, palette.truth);
+  person_.setColor(color_, palette);
   colorParticles();
 }
 
@@ -295,6 +304,7 @@ void TargetActors::prepareFrame(const ScreenScale& scale) {
   }
   drawMarkers(scale);
   const auto width = [&](double pixels) { return static_cast<float>(pixels * scale.pixelRatio); };
+  person_.prepareFrame(scale);
   tail_->GetProperty()->SetLineWidth(width(2.5));
   rings_->GetProperty()->SetLineWidth(width(1.0));
   plumb_->GetProperty()->SetLineWidth(width(1.0));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/session/snapshot.h"
+#include "ui/scene3d/person_actors.h"
 #include "ui/scene3d/scene_actors.h"
 
 #include <vtkFloatArray.h>
@@ -25,6 +26,8 @@ public:
   TargetActors& operator=(const TargetActors&) = delete;
 
   void show(const TargetSnapshot& target);
+  /// A chosen person stands out.
+  void setChosen(bool chosen) { person_.setChosen(chosen); }
   void setPalette(const ScenePalette& palette);
   void prepareFrame(const ScreenScale& scale);
 
@@ -38,6 +41,7 @@ private:
   void drawMarkers(const ScreenScale& scale);
 
   vtkRenderer* renderer_;
+  std::size_t index_;
   SceneColor color_;
   ScenePalette palette_;
   std::vector<float> brightness_; ///< per drawn particle, 0 to 1
@@ -64,6 +68,7 @@ private:
   vtkSmartPointer<vtkActor> tail_;
   vtkSmartPointer<vtkActor> plumb_;
   vtkSmartPointer<vtkActor> truthMark_;
+  PersonActors person_;
 };
 
 } // namespace dewpoint

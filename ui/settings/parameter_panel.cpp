@@ -64,9 +64,6 @@ void ParameterPanel::addMethodChoice() {
   choice->setToolTip(
       tr("How the targets are tracked. Another method begins anew; the rest stays."));
   for (const std::string& name : projectMethodNames()) {
-    if (methodFamily(name) == MethodFamily::People) {
-      continue; // only on the command line
-    }
     choice->addItem(QCoreApplication::translate("Method", name.c_str()),
                     QString::fromStdString(name));
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/settings/theme.h"
 
+#include "core/session/people_overlay.h"
+
 #include <QApplication>
 #include <QCoreApplication>
 #include <QPainter>
@@ -127,6 +129,12 @@ QString holdText(HoldState state) {
     return QCoreApplication::translate("HoldState", "– no box");
   case HoldState::NoTarget:
     return QCoreApplication::translate("HoldState", "No target yet");
+  case HoldState::Learning:
+    return QCoreApplication::translate("HoldState", "◔ learning the room");
+  case HoldState::Nobody:
+    return QCoreApplication::translate("HoldState", "◌ nobody there");
+  case HoldState::Gone:
+    return QCoreApplication::translate("HoldState", "– not there");
   case HoldState::NoImages:
     break;
   }
@@ -140,6 +148,7 @@ QColor holdColor(HoldState state, const QPalette& palette) {
     return QColor(dark ? "#2fc79a" : "#00734f");
   case HoldState::Hidden:
   case HoldState::Searching:
+  case HoldState::Learning:
     return QColor(dark ? "#e6a100" : "#8f5f00");
   case HoldState::Lost:
   case HoldState::Missing:
@@ -148,6 +157,8 @@ QColor holdColor(HoldState state, const QPalette& palette) {
   case HoldState::NoBox:
   case HoldState::NoTarget:
   case HoldState::NoImages:
+  case HoldState::Nobody:
+  case HoldState::Gone:
     break;
   }
   return palette.color(QPalette::PlaceholderText);
@@ -157,6 +168,14 @@ QColor targetColor(int target) {
   static constexpr std::array<const char*, 6> kOkabeIto{"#ff8640", "#56b4e9", "#2fc79a",
                                                         "#e59ac6", "#e69f00", "#f0e442"};
   return QColor(kOkabeIto[static_cast<std::size_t>(target) % kOkabeIto.size()]);
+}
+
+QColor targetColor(const std::string& name, int target) {
+  if (const auto identity = personIdentity(name)) {
+    const cv::Scalar color = identityColor(*identity); // blue, green, red
+    return {static_cast<int>(color[2]), static_cast<int>(color[1]), static_cast<int>(color[0])};
+  }
+  return targetColor(target);
 }
 
 } // namespace dewpoint

@@ -5,6 +5,8 @@
 #include <QPalette>
 #include <QString>
 
+#include <string>
+
 namespace dewpoint {
 
 enum class Theme { System, Light, Dark };
@@ -20,7 +22,10 @@ enum class HoldState {
   Hidden,
   Searching,
   Lost,
-  Missing
+  Missing,
+  Learning, ///< the empty room, before people are looked for
+  Nobody,   ///< people are looked for, and nobody is there
+  Gone,     ///< a person who has left, or is not there yet
 };
 
 /// The one palette of the window, in two tunings, on Qt's Fusion style.
@@ -38,5 +43,7 @@ QString holdText(HoldState state);
 QColor holdColor(HoldState state, const QPalette& palette);
 /// Okabe-Ito, by index of the target; for strokes on images and dark ground.
 QColor targetColor(int target);
+/// The same for targets of the project; persons have the color of their identity everywhere.
+QColor targetColor(const std::string& name, int target);
 
 } // namespace dewpoint

@@ -78,6 +78,9 @@ QString TimelineModel::describe(qint64 frame) const {
   }
   for (std::size_t k = 0; k < record->targets.size(); ++k) {
     const FrameRecord::Entry& entry = record->targets[k];
+    if (entry.status == TargetStatus::Gone) {
+      continue;
+    }
     text += QStringLiteral("\n%1 %2 (%3)")
                 .arg(targets.value(static_cast<int>(k)), holdText(holdState(entry.status)),
                      locale.toString(static_cast<double>(entry.existence), 'f', 2));

@@ -37,7 +37,10 @@ struct Stretch {
 };
 
 int badness(TargetStatus status) {
-  return status == TargetStatus::Held ? 0 : status == TargetStatus::Searching ? 1 : 2;
+  return status == TargetStatus::Gone        ? -1
+         : status == TargetStatus::Held      ? 0
+         : status == TargetStatus::Searching ? 1
+                                             : 2;
 }
 
 std::vector<Stretch> stretchesOf(const TimelineModel& model, const TimelineScale& scale,
@@ -77,6 +80,9 @@ void paintRibbon(QPainter& painter, const TimelineModel& model, const TimelineSc
                  const QRectF& row, std::size_t target, const QPalette& palette) {
   painter.fillRect(row, palette.color(QPalette::Base));
   for (const Stretch& stretch : stretchesOf(model, scale, target)) {
+    if (stretch.status == TargetStatus::Gone) {
+      continue;
+    }
     const QColor color = holdColor(holdState(stretch.status), palette);
     const bool held = stretch.status == TargetStatus::Held;
     const double share = held ? std::max(kLeastShare, stretch.existence) : 1.0;
@@ -255,7 +261,12 @@ void paintNames(QPainter& painter, const TimelineModel& model, const TimelineRow
                      metrics.elidedText(name, Qt::ElideRight, room));
   };
   for (int k = 0; k < model.targets.size(); ++k) {
-    write(rows.ribbon(k), model.targets[k], palette.color(QPalette::WindowText));
+    const QRectF row = rows.ribbon(k);
+    write(row, model.targets[k], palette.color(QPalette::WindowText));
+    const std::string name = model.targets[k].toStdString();
+    if (personIdentity(name)) { // told apart by the color of the identity, as everywhere
+      painter.fillRect(QRectF(1.0, row.center().y() - 4.0, 4.0, 8.0), targetColor(name, k));
+    }
   }
   int row = 0;
   for (int k = 0; k < model.cameras.size(); ++k) {

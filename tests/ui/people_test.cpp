@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Methods for people in the window, on the simulated office.
+#include "app/wiring/open_project.h"
+#include "core/base/text_file.h"
+#include "core/session/people_overlay.h"
+#include "core/session/snapshot.h"
+#include "ui/birdseye/birds_eye_view.h"
+#include "ui/camera/camera_view.h"
+#include "ui/document/document.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/selection/selection.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QProgressBar>
+#include <QSettings>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUndoStack>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+namespace dewpoint {
+
+namespace {
+
+constexpr std::int64_t kBothThere = 95; ///< frame of the office by which two people are inside
+
+/// Pixels of about this color, which strokes of an identity have in views.
+int pixelsLike(const QImage& picture, const QColor& color) {
+  int count = 0;
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      const QColor pixel = picture.pixelColor(x, y);
+      const int apart = std::abs(pixel.red() - color.red()) +
+                        std::abs(pixel.green() - color.green()) +
+                        std::abs(pixel.blue() - color.blue());
+      count += apart < 40 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+QColor colorOf(int identity) {
+  const cv::Scalar color = identityColor(identity);
+  return {static_cast<int>(color[2]), static_cast<int>(color[1]), static_cast<int>(color[0])};
+}
+
+} // namespace
+
+class PeopleTest : public QObject {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void init();
+  void cleanup() { window_.reset(); }
+  void theMethodIsChosenAndUndone();
+  void learningIsShown();
+  void peopleAreSeenInAllViews();
+  void theSameBitsAgainAndThePeopleOfThen();
+  void peopleAreTakenAwayAndPlacedByKeys();
+
+private:
+  template <class T> T* find(const char* name) {
+    T* found = window_->findChild<T*>(QLatin1String(name));
+    if (found == nullptr) {
+      qFatal("no child named %s", name);
+    }
+    return found;
+  }
+  QAction* action(const char* name) { return find<QAction>(name); }
+  static bool waitFor(const std::function<bool()>& holds) {
+    return QTest::qWaitFor(holds, DEWPOINT_PATIENCE_MS);
+  }
+  std::int64_t frame() const { return window_->shown() ? window_->shown()->frame : -1; }
+  int there() const {
+    int count = 0;
+    for (const TargetSnapshot& target : window_->shown()->targets) {
+      count += target.person ? 1 : 0;
+    }
+    return count;
+  }
+  void playTo(std::int64_t frame);
+  std::string trajectory() {
+    const QTemporaryDir folder;
+    return window_->saveRun(folder.path().toStdString())
+               ? readTextFile(folder.filePath(QStringLiteral("trajectory.csv")).toStdString())
+                     .value_or("")
+               : std::string();
+  }
+
+  std::unique_ptr<MainWindow> window_;
+};
+
+void PeopleTest::init() {
+  QSettings().clear();
+  window_ = std::make_unique<MainWindow>(&openProject);
+  window_->setPlayOnOpen(false);
+  window_->resize(1400, 900);
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  window_->openProject(std::filesystem::path(DEWPOINT_SOURCE_DIR) / "docs" / "examples" /
+                       "people_office.toml");
+  QVERIFY(waitFor([&] { return frame() >= 0; }));
+}
+
+void PeopleTest::playTo(std::int64_t wanted) {
+  action("actionPlay")->trigger();
+  QVERIFY(waitFor([&] { return frame() >= wanted; }));
+  action("actionPlay")->trigger();
+  QVERIFY(waitFor([&] { return window_->shown()->state == PlayState::Paused; }));
+}
+
+void PeopleTest::theMethodIsChosenAndUndone() {
+  QCOMPARE(window_->document().project().method, std::string("people"));
+  QVERIFY(find<QDockWidget>("peopleDock")->isVisibleTo(window_.get()));
+  QVERIFY(!find<QDockWidget>("targetDock")->isVisibleTo(window_.get()));
+  const auto choose = [&](const char* method) {
+    auto* choice = find<QComboBox>("methodChoice");
+    const int index = choice->findData(QLatin1String(method));
+    QVERIFY2(index >= 0, method);
+    choice->setCurrentIndex(index);
+    Q_EMIT choice->activated(index);
+  };
+  choose("mohedano-ms");
+  QCOMPARE(window_->document().project().method, std::string("mohedano-ms"));
+  QVERIFY(waitFor([&] { return window_->shown()->ofPeople(); }));
+  QApplication::processEvents();
+  choose("dewpoint");
+  QVERIFY(waitFor([&] { return !window_->shown()->ofPeople(); }));
+  QVERIFY(find<QDockWidget>("targetDock")->isVisibleTo(window_.get()));
+  QVERIFY(!find<QDockWidget>("peopleDock")->isVisibleTo(window_.get()));
+  QVERIFY(!action("actionPlacePerson")->isEnabled());
+  action("actionUndo")->trigger();
+  QCOMPARE(window_->document().project().method, std::string("mohedano-ms"));
+  action("actionUndo")->trigger();
+  QCOMPARE(window_->document().project().method, std::string("people"));
+  QVERIFY(waitFor([&] { return window_->shown()->ofPeople(); }));
+  QVERIFY(find<QDockWidget>("peopleDock")->isVisibleTo(window_.get()));
+  QVERIFY(action("actionPlacePerson")->isEnabled());
+}
+
+void PeopleTest::learningIsShown() {
+  for (int k = 0; k < 4; ++k) { // 15 frames per second: learning takes 15
+    action("actionNextFrame")->trigger();
+  }
+  QVERIFY(waitFor([&] { return frame() == 4; }));
+  const double learned = window_->shown()->peopleCameras.at(0).learned;
+  QVERIFY(learned > 0.2 && learned < 0.5);
+  auto* progress = find<QProgressBar>("learningProgress");
+  QVERIFY(progress->isVisibleTo(window_.get()));
+  QCOMPARE(progress->value(), qRound(100.0 * learned));
+  QVERIFY(find<QLabel>("statusHeld")->text().contains(QStringLiteral("learning")));
+  // The bar at the lower edge of the images.
+  const QImage view = find<CameraView>("cameraView0")->grab().toImage();
+  QVERIFY(pixelsLike(view, QColor("#e6a100")) > 20);
+}
+
+void PeopleTest::peopleAreSeenInAllViews() {
+  playTo(kBothThere);
+  QVERIFY(waitFor([&] { return there() == 2; }));
+  auto* table = find<QTableWidget>("peopleTable");
+  QVERIFY(waitFor([&] { return table->rowCount() == 2; }));
+  QCOMPARE(table->item(0, 0)->text(), QStringLiteral("1"));
+  QCOMPARE(table->item(1, 0)->text(), QStringLiteral("2"));
+  QVERIFY(!find<QProgressBar>("learningProgress")->isVisibleTo(window_.get()));
+
+  auto* view = find<CameraView>("cameraView0");
+  QVERIFY(pixelsLike(view->grab().toImage(), colorOf(1)) > 50); // the outline is 2 pixels wide
+  QVERIFY(pixelsLike(view->grab().toImage(), colorOf(2)) > 50);
+  auto* birdsEye = find<BirdsEyeView>("birdsEyeView");
+  if (birdsEye->hasPicture()) {
+    QVERIFY(pixelsLike(birdsEye->currentPicture(), colorOf(1)) > 50); // badge and level curves
+  }
+
+  table->setCurrentCell(1, 0);
+  QCOMPARE(window_->selection().target(), 1);
+  window_->selection().selectTarget(0);
+  QCOMPARE(table->currentRow(), 0);
+
+  action("actionShowVolumes")->setChecked(false);
+  QVERIFY(waitFor([&] { return !window_->shown()->targets.at(0).shape; }));
+  action("actionShowVolumes")->setChecked(true);
+  QVERIFY(waitFor([&] { return bool(window_->shown()->targets.at(0).shape); }));
+  action("actionShowMask")->setChecked(true);
+  QVERIFY(waitFor([&] { return window_->shown()->masks.size() == 4; }));
+  QCOMPARE(window_->shown()->masks.at(0).cols, 320);
+}
+
+void PeopleTest::theSameBitsAgainAndThePeopleOfThen() {
+  playTo(kBothThere);
+  const std::int64_t head = frame();
+  const std::string before = trajectory();
+  QVERIFY(before.size() > 1000);
+  window_->selection().wantMoment(3);
+  QVERIFY(waitFor([&] { return frame() == 3; }));
+  QCOMPARE(there(), 0);
+  QCOMPARE(find<QTableWidget>("peopleTable")->rowCount(), 0);
+  window_->selection().wantMoment(head - 10);
+  QVERIFY(waitFor([&] { return frame() == head - 10; }));
+  QCOMPARE(there(), 2);
+  action("actionRerun")->trigger();
+  QVERIFY(waitFor([&] {
+    return frame() == head && !window_->shown()->rerun &&
+           window_->shown()->state == PlayState::Paused;
+  }));
+  QVERIFY(trajectory() == before);
+}
+
+void PeopleTest::peopleAreTakenAwayAndPlacedByKeys() {
+  playTo(kBothThere);
+  QVERIFY(waitFor([&] { return there() == 2; }));
+  const Eigen::Vector3d place = window_->shown()->targets.at(0).estimate.mean;
+  find<QTableWidget>("peopleTable")->setCurrentCell(0, 0);
+  action("actionRemovePerson")->trigger();
+  QVERIFY(waitFor([&] { return there() == 1; }));
+  QVERIFY(!window_->shown()->targets.at(0).person);
+
+  action("actionPlacePerson")->setChecked(true);
+  auto* layer = find<QWidget>("cameraView0Person");
+  QVERIFY(layer->isVisible());
+  auto* view = find<CameraView>("cameraView0");
+  const Camera& camera = window_->shown()->rig->at(0);
+  const auto pixel = Projector(camera).project(place);
+  QVERIFY(pixel.has_value());
+  const ImagePlacement& image = view->placement();
+  const QPointF position = image.corner + image.scale * QPointF(pixel->x() + 0.5, pixel->y() + 0.5);
+  QTest::mouseClick(layer, Qt::LeftButton, {}, position.toPoint());
+  QVERIFY(waitFor([&] { return there() == 2; }));
+  QVERIFY(!action("actionPlacePerson")->isChecked());
+  QVERIFY(!layer->isVisible());
+  const Eigen::Vector3d found = window_->shown()->targets.back().estimate.mean;
+  QVERIFY((found - place).head<2>().norm() < 0.4);
+
+  action("actionPlacePerson")->setChecked(true); // and away again by Esc
+  QTest::keyClick(layer, Qt::Key_Escape);
+  QVERIFY(!action("actionPlacePerson")->isChecked());
+}
+
+} // namespace dewpoint
+
+int main(int argc, char** argv) {
+  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
+  QApplication::setApplicationName(QStringLiteral("people"));
+  dewpoint::PeopleTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "people_test.moc"

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/people/people_panel.h"
+
+#include "ui/bridge/people_text.h"
+#include "ui/bridge/reason_text.h"
+#include "ui/selection/selection.h"
+#include "ui/settings/retranslation.h"
+#include "ui/settings/theme.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPixmap>
+#include <QProgressBar>
+#include <QScopedValueRollback>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint {
+
+namespace {
+
+enum Column : int {
+  kPerson,
+  kPlace,
+  kHeight,
+  kSpeed,
+  kCameras,
+  kVolume,
+  kSince,
+  kNear,
+  kColumns,
+};
+constexpr qint64 kRefreshMs = 150; ///< numbers that change faster are not read
+
+QIcon chip(const QColor& color) {
+  QPixmap pixmap(12, 12);
+  pixmap.fill(color);
+  return {pixmap};
+}
+
+QString number(double value, int decimals) {
+  return QLocale().toString(value, 'f', decimals);
+}
+
+} // namespace
+
+PeoplePanel::PeoplePanel(Selection& selection, QAction* place, QAction* remove, QWidget* parent)
+    : QWidget(parent), selection_(selection), summary_(new QLabel(this)),
+      learning_(new QProgressBar(this)), table_(new QTableWidget(0, kColumns, this)),
+      place_(new QToolButton(this)), remove_(new QToolButton(this)) {
+  setObjectName(QStringLiteral("peoplePanel"));
+  summary_->setObjectName(QStringLiteral("peopleSummary"));
+  summary_->setWordWrap(true);
+  learning_->setObjectName(QStringLiteral("learningProgress"));
+  learning_->setRange(0, 100);
+  learning_->setMaximumHeight(14);
+  learning_->setTextVisible(false);
+  makeTable();
+  for (const auto& [button, action] : {std::pair(place_, place), std::pair(remove_, remove)}) {
+    button->setDefaultAction(action);
+    button->setObjectName(action->objectName() + QStringLiteral("PanelButton"));
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setFocusPolicy(Qt::StrongFocus);
+  }
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  column->addWidget(summary_);
+  column->addWidget(learning_);
+  column->addWidget(table_, 1);
+  column->addWidget(place_);
+  column->addWidget(remove_);
+  inEveryLanguage(this, [this] { say(); });
+  connect(&selection_, &Selection::targetSelected, this, &PeoplePanel::follow);
+  connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
+    if (!following_ && row >= 0) {
+      selection_.selectTarget(table_->item(row, kPerson)->data(Qt::UserRole).toInt() - 1);
+    }
+  });
+}
+
+void PeoplePanel::makeTable() {
+  table_->setObjectName(QStringLiteral("peopleTable"));
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setTabKeyNavigation(false);
+  table_->setAlternatingRowColors(true);
+  table_->setShowGrid(false);
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->setWordWrap(false);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
+  table_->horizontalHeader()->setMinimumSectionSize(20);
+  QFont small = table_->horizontalHeader()->font();
+  small.setPointSizeF(0.9 * small.pointSizeF());
+  table_->horizontalHeader()->setFont(small);
+  table_->horizontalHeader()->setHighlightSections(false);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+}
+
+void PeoplePanel::say() {
+  table_->setAccessibleName(tr("People who are there"));
+  learning_->setAccessibleName(tr("How much of the empty room is learned"));
+  const std::pair<QString, QString> headers[kColumns] = {
+      {tr("No."), tr("Number of the person, which nobody else gets in this run")},
+      {tr("Place"), tr("Place in the room, x and y in metres")},
+      {tr("Height"), tr("Estimated height, metres; empty: the method does not estimate it")},
+      {tr("Speed"), tr("Metres per second over the floor")},
+      {tr("Seen"), tr("Cameras that see the person, of all")},
+      {tr("Volume"), tr("Volume of the hull that holds 95 % of the person, cubic metres; empty "
+                        "while hulls are not shown")},
+      {tr("Since"), tr("How long the person has been there, seconds")},
+      {tr("Near"), tr("Somebody else is so near that colors are not learned")},
+  };
+  for (int column = 0; column < kColumns; ++column) {
+    auto* item = new QTableWidgetItem(headers[column].first);
+    item->setToolTip(headers[column].second);
+    table_->setHorizontalHeaderItem(column, item);
+  }
+  refresh();
+}
+
+void PeoplePanel::show(TrackSnapshotPtr snapshot) {
+  const bool otherMoment = !snapshot_ || !snapshot || snapshot->state != PlayState::Playing ||
+                           snapshot_->targets.size() != snapshot->targets.size();
+  snapshot_ = std::move(snapshot);
+  if (otherMoment || !sinceRefresh_.isValid() || sinceRefresh_.elapsed() >= kRefreshMs) {
+    refresh();
+  }
+}
+
+int PeoplePanel::chosen() const {
+  const int row = table_->currentRow();
+  return row < 0 ? 0 : table_->item(row, kPerson)->data(Qt::UserRole).toInt();
+}
+
+void PeoplePanel::showLearning() {
+  double least = 1.0;
+  for (const PeopleCameraState& camera : snapshot_->peopleCameras) {
+    least = std::min(least, camera.learned);
+  }
+  const bool learns = least < 1.0;
+  learning_->setVisible(learns);
+  learning_->setValue(static_cast<int>(std::lround(100.0 * least)));
+  const int count = peopleThere(*snapshot_);
+  summary_->setText(learns ? tr("Learning the empty room: %1 %. Keep out of view.")
+                                 .arg(static_cast<int>(std::lround(100.0 * least)))
+                    : count == 0 ? tr("Nobody is there. People appear when two cameras see them.")
+                                 : tr("People there: %1").arg(QLocale().toString(count)));
+}
+
+void PeoplePanel::refresh() {
+  sinceRefresh_.start();
+  if (!snapshot_ || !snapshot_->ofPeople()) {
+    learning_->hide();
+    summary_->setText(tr("People appear here once a method for people runs."));
+    table_->setRowCount(0);
+    return;
+  }
+  showLearning();
+  const QScopedValueRollback quiet(following_, true);
+  int row = 0;
+  for (const TargetSnapshot& target : snapshot_->targets) {
+    if (target.person) {
+      if (row == table_->rowCount()) {
+        table_->insertRow(row);
+      }
+      showRow(row++, target);
+    }
+  }
+  table_->setRowCount(row);
+  follow(selection_.target());
+}
+
+void PeoplePanel::put(int row, int column, const QString& text, const QString& hint) {
+  QTableWidgetItem* item = table_->item(row, column);
+  if (item == nullptr) {
+    item = new QTableWidgetItem;
+    if (column != kPerson) {
+      item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    }
+    table_->setItem(row, column, item);
+  }
+  if (item->text() != text) {
+    item->setText(text);
+  }
+  if (item->toolTip() != hint) {
+    item->setToolTip(hint);
+  }
+}
+
+void PeoplePanel::showRow(int row, const TargetSnapshot& target) {
+  const PersonEstimate& person = *target.person;
+  put(row, kPerson, QString::number(person.identity), holdText(holdState(target.status)));
+  QTableWidgetItem* first = table_->item(row, kPerson);
+  if (first->data(Qt::UserRole).toInt() != person.identity) {
+    first->setData(Qt::UserRole, person.identity);
+    first->setIcon(chip(targetColor(target.target.name, person.identity - 1)));
+    first->setData(Qt::AccessibleTextRole, QString::fromStdString(target.target.name));
+  }
+  put(row, kPlace,
+      QStringLiteral("%1  %2").arg(number(person.position.x(), 2), number(person.position.y(), 2)));
+  put(row, kHeight, person.height > 0.0 ? number(person.height, 2) : QString());
+  put(row, kSpeed, number(person.velocity.head<2>().norm(), 1));
+  put(row, kCameras,
+      QStringLiteral("%1/%2").arg(person.camerasSeeing).arg(snapshot_->peopleCameras.size()));
+  put(row, kVolume, target.shape ? number(target.shape->volume, 2) : QString());
+  put(row, kSince, number(person.age, 0));
+  put(row, kNear, person.interacting ? QStringLiteral("●") : QString(),
+      person.interacting ? tr("Somebody is near") : QString());
+}
+
+void PeoplePanel::follow(int target) {
+  const QScopedValueRollback quiet(following_, true);
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    if (table_->item(row, kPerson)->data(Qt::UserRole).toInt() == target + 1) {
+      if (table_->currentRow() != row) {
+        table_->setCurrentCell(row, kPerson);
+      }
+      return;
+    }
+  }
+  table_->setCurrentCell(-1, -1);
+}
+
+} // namespace dewpoint

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/snapshot.h"
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+class QAction;
+class QLabel;
+class QProgressBar;
+class QTableWidget;
+class QToolButton;
+
+namespace dewpoint {
+
+class Selection;
+
+/// Who is there: one row per person, in the color of the identity; above it how far the cameras
+/// have learned the empty room. What is selected here is selected everywhere.
+class PeoplePanel : public QWidget {
+  Q_OBJECT
+public:
+  /// `place`, `remove`: the actions of the buttons below the table.
+  PeoplePanel(Selection& selection, QAction* place, QAction* remove, QWidget* parent = nullptr);
+
+  using QWidget::show;
+  void show(TrackSnapshotPtr snapshot);
+  /// Identity of the person chosen; 0: none.
+  int chosen() const;
+
+  QSize minimumSizeHint() const override { return {200, 160}; }
+
+private:
+  void say();
+  void refresh();
+  void showLearning();
+  void showRow(int row, const TargetSnapshot& target);
+  void put(int row, int column, const QString& text, const QString& hint = {});
+  void follow(int target);
+  void makeTable();
+
+  Selection& selection_;
+  QLabel* summary_;
+  QProgressBar* learning_;
+  QTableWidget* table_;
+  QToolButton* place_;
+  QToolButton* remove_;
+  TrackSnapshotPtr snapshot_;
+  QElapsedTimer sinceRefresh_;
+  bool following_ = false; ///< the table is told what is selected
+};
+
+} // namespace dewpoint

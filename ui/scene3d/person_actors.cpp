@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/scene3d/person_actors.h"
+
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+namespace dewpoint {
+namespace {
+
+constexpr double kAboveFloor = 0.004; ///< metres, so that curves are not drawn into the floor
+
+void fillHull(const ConvexHull& hull, vtkPolyData* faces, vtkPolyData* edges) {
+  Strokes filled;
+  Strokes lines;
+  for (const auto& face : hull.faces) {
+    std::vector<Eigen::Vector3d> corners;
+    for (const int vertex : face) {
+      corners.push_back(hull.vertices[static_cast<std::size_t>(vertex)]);
+    }
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      // Every edge belongs to two faces, which go along it in opposite directions.
+      if (face.at(k) < face.at((k + 1) % corners.size())) {
+        lines.line(corners[k], corners[(k + 1) % corners.size()]);
+      }
+    }
+    filled.face(corners);
+  }
+  filled.writeTo(faces);
+  lines.writeTo(edges);
+}
+
+void drawCurves(const std::vector<LevelCurve>& curves, vtkPolyData* data) {
+  Strokes strokes;
+  for (const LevelCurve& curve : curves) {
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(curve.size());
+    for (const Eigen::Vector2d& point : curve) {
+      points.emplace_back(point.x(), point.y(), kAboveFloor);
+    }
+    strokes.polyline(points);
+  }
+  strokes.writeTo(data);
+}
+
+} // namespace
+
+PersonActors::PersonActors(vtkRenderer* renderer)
+    : renderer_(renderer), palette_(scenePalette(false)), hull_(flatActor(hullData_)),
+      edges_(flatActor(edgeData_)) {
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    curves_[k] = flatActor(curveData_[k]);
+    curves_[k]->VisibilityOff();
+    renderer_->AddActor(curves_[k]);
+  }
+  for (vtkActor* actor : {hull_.Get(), edges_.Get()}) {
+    actor->VisibilityOff();
+    renderer_->AddActor(actor);
+  }
+}
+
+PersonActors::~PersonActors() {
+  for (const auto& curve : curves_) {
+    renderer_->RemoveActor(curve);
+  }
+  renderer_->RemoveActor(hull_);
+  renderer_->RemoveActor(edges_);
+}
+
+void PersonActors::show(const PersonShape* shape) {
+  const bool solid = shape != nullptr && !shape->hull.faces.empty();
+  hull_->SetVisibility(solid);
+  edges_->SetVisibility(solid);
+  if (solid) {
+    fillHull(shape->hull, hullData_, edgeData_);
+  }
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    const bool any = shape != nullptr && k < shape->ground.size() && !shape->ground[k].empty();
+    curves_[k]->SetVisibility(any);
+    if (any) {
+      drawCurves(shape->ground[k], curveData_[k]);
+    }
+  }
+}
+
+void PersonActors::setChosen(bool chosen) {
+  if (chosen_ != chosen) {
+    chosen_ = chosen;
+    repaint();
+  }
+}
+
+void PersonActors::setColor(const SceneColor& color, const ScenePalette& palette) {
+  color_ = color;
+  palette_ = palette;
+  repaint();
+}
+
+void PersonActors::repaint() {
+  paint(hull_, color_, chosen_ ? 0.3 : 0.16);
+  paint(edges_, mix(color_, palette_.truth, 0.1), chosen_ ? 0.55 : 0.25);
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    // The innermost is the strongest: most of the person stands within it.
+    const double outward = static_cast<double>(k) / static_cast<double>(curves_.size());
+    paint(curves_[k], mix(mix(color_, palette_.truth, 0.15), palette_.floor, 0.45 * outward));
+  }
+}
+
+void PersonActors::prepareFrame(const ScreenScale& scale) {
+  const auto width = [&](double pixels) { return static_cast<float>(pixels * scale.pixelRatio); };
+  edges_->GetProperty()->SetLineWidth(width(0.8));
+  for (const auto& curve : curves_) {
+    curve->GetProperty()->SetLineWidth(width(chosen_ ? 2.6 : 1.8));
+  }
+}
+
+} // namespace dewpoint
