@@ -9,6 +9,7 @@
 #include "tests/ui/event_loop_probe.h"
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/calibration/grid_layer.h"
+#include "ui/calibration/plan_desk.h"
 #include "ui/camera/camera_view.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
@@ -34,6 +35,7 @@ constexpr int kSettleMs = 3000;
 constexpr int kMeasureMs = 10000;
 constexpr int kPatienceMs = 60000;
 constexpr int kMoves = 100;
+constexpr int kBetweenMovesMs = 20;
 
 /// The demo's ball, seen by four 640x480 cameras around it.
 Scene fourCameraScene() {
@@ -138,6 +140,7 @@ public:
     fourViews();
     fourMasks();
     fourGrids();
+    mapWhileMoving();
     return 0;
   }
 
@@ -225,6 +228,35 @@ private:
         "grid dragged, two points held: four grids on screen after {:.1f} ms (median of {}), "
         "{:.1f} ms at most\n",
         milliseconds[kMoves / 2], kMoves, milliseconds.back());
+  }
+
+  /// How often the map of what the cameras see follows a camera that is dragged, on screen.
+  void mapWhileMoving() {
+    window_.findChild<QAction*>("actionShowMap")->setChecked(true);
+    wait(2000);
+    PaintCounter birdsEye;
+    window_.findChild<BirdsEyeView*>()->installEventFilter(&birdsEye);
+    int maps = 0;
+    auto* desk = window_.findChild<PlanDesk*>();
+    const auto counting =
+        QObject::connect(desk, &PlanDesk::mapChanged, &window_, [&maps] { ++maps; });
+    probe_.takeLongest();
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < kSettleMs) {
+      (void)window_.document().edit(
+          QStringLiteral("Move camera"),
+          [](Project& project) {
+            project.cameras[0].camera.cameraFromWorld.translation().x() += 0.001;
+          },
+          "drag");
+      wait(kBetweenMovesMs);
+    }
+    QObject::disconnect(counting);
+    const double seconds = 1e-3 * static_cast<double>(clock.elapsed());
+    fmt::print("camera dragged, map shown: {:.1f} maps/s, bird's-eye view drawn {:.1f} /s, longest "
+               "stall {:.0f} ms\n",
+               maps / seconds, birdsEye.paints / seconds, probe_.takeLongest());
   }
 
   MainWindow window_{&openProject};

@@ -94,7 +94,7 @@ void sayCameras(const WandRefinement& refinement) {
   const WandResult& result = refinement.result;
   fmt::print("{:<16} {:>6} {:>8} {:>7} {:>9} {:>9}", "camera", "views", "dropped", "px", "moved cm",
              "turned deg");
-  fmt::print("{}{}\n", options.findOffsets ? "  offset ms" : "",
+  fmt::print("{}{}\n", options.findOffsets ? "   late ms" : "",
              options.findFocal ? "   focal" : "");
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     const Camera& camera = result.cameras[c];
@@ -103,7 +103,7 @@ void sayCameras(const WandRefinement& refinement) {
                result.dropped[c], result.cameraMedianPx[c], 100.0 * shift.metres,
                shift.radians / kDegree);
     if (options.findOffsets) {
-      fmt::print(" {:>10.2f}", 1000.0 * result.offsets[c]);
+      fmt::print(" {:>9.2f}", -1000.0 * result.offsets[c] + 0.0); // no -0.00
     }
     if (options.findFocal) {
       fmt::print(" {:>7.1f}", camera.intrinsics.focalX);
@@ -172,14 +172,29 @@ int calibrate(WandCommandOptions options) {
   sayDecisions(options.wand, result->result);
   sayVerdictOn(*result);
   const CameraRig& cameras = result->result.cameras;
+  const bool better = !saysTooLittle(*result);
+  if (!better) {
+    report({ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
+            fmt::format("less sure than they were, off by up to {:.2f} m: wave through more of the "
+                        "volume{}",
+                        options.wand.roughPlace,
+                        options.apply ? "; the project stays as it was" : "")});
+  }
   auto written = options.out.empty() ? Status() : saveCalibration(cameras, options.out);
-  if (written && options.apply) {
-    written = saveProject(withCameras(inputs->project, cameras), options.project);
+  if (written && options.apply && better) {
+    Project calibrated = withCameras(inputs->project, cameras);
+    if (options.wand.findOffsets) {
+      calibrated = withTimeOffsets(std::move(calibrated), result->result.offsets);
+    }
+    written = saveProject(calibrated, options.project);
   }
   if (written && !options.report.empty()) {
     written = writeTextFile(options.report, htmlText(*result));
   }
-  return written ? static_cast<int>(kExitDone) : report(written.error());
+  if (!written) {
+    return report(written.error());
+  }
+  return better || !options.apply ? kExitDone : kExitBadInput;
 }
 
 } // namespace
@@ -201,7 +216,8 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
       ->check(positive);
   command->add_option("--frames", options->frames,
                       "Only frames A to B-1, as A:B (either may be empty)");
-  command->add_flag("--offsets", wand.findOffsets, "Find how much later each camera's clock is");
+  command->add_flag("--offsets", wand.findOffsets,
+                    "Find how late each camera is against the first; --apply keeps it");
   command->add_flag("--focal", wand.findFocal, "Find the focal lengths");
   command->add_flag("--k1", wand.findDistortion, "Find the first lens coefficient");
   command

@@ -54,7 +54,9 @@ double usualPeriod(const WandProblem& problem) {
   return medianOf(std::move(gaps));
 }
 
-Status check(const WandProblem& problem) {
+} // namespace
+
+Status checkViews(const WandProblem& problem) {
   if (problem.rough.size() < 2) {
     return failure(ErrorCode::Undetermined, "", "cameras", "at least two are needed");
   }
@@ -74,13 +76,21 @@ Status check(const WandProblem& problem) {
       }
     }
   }
+  for (std::size_t ball = 0; problem.stickLength > 0.0 && ball < 2; ++ball) {
+    const bool seen = std::ranges::any_of(problem.views, [ball](const auto& views) {
+      return std::ranges::any_of(views, [ball](const BallView& view) { return view.ball == ball; });
+    });
+    if (!seen) {
+      return failure(ErrorCode::Undetermined, "", "stick",
+                     fmt::format("its {} ball is in no image: learn its color first",
+                                 ball == 0 ? "first" : "second"));
+    }
+  }
   return {};
 }
 
-} // namespace
-
 Result<BundleProblem> wandBundle(const WandProblem& problem) {
-  if (auto usable = check(problem); !usable) {
+  if (auto usable = checkViews(problem); !usable) {
     return tl::make_unexpected(usable.error());
   }
   const bool stick = problem.stickLength > 0.0;

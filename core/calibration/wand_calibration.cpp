@@ -3,6 +3,7 @@
 
 #include "core/base/random.h"
 #include "core/calibration/bundle_cost.h"
+#include "core/calibration/rough_offsets.h"
 #include "core/calibration/wand_bundle.h"
 #include "core/calibration/wand_world.h"
 
@@ -39,14 +40,15 @@ Error withAdvice(Error error) {
 /// One calibration on its way.
 class Wand {
 public:
-  Wand(const WandProblem& problem, const WandCallback& callback)
-      : given_(problem), callback_(callback) {
+  Wand(WandProblem problem, const WandCallback& callback)
+      : given_(std::move(problem)), callback_(callback) {
     steps_ = given_.starts * int(kStartWidths.size()) + kMostRounds;
   }
 
   Result<WandResult> run() {
     const auto begin = std::chrono::steady_clock::now();
-    auto done = wandBundle(given_)
+    auto done = inTime()
+                    .and_then([&] { return wandBundle(given_); })
                     .and_then([&](BundleProblem bundle) { return bestStart(std::move(bundle)); })
                     .and_then([&](BundleProblem bundle) { return narrow(std::move(bundle)); })
                     .and_then([&] { return intoWorld(); });
@@ -60,6 +62,18 @@ public:
   }
 
 private:
+  /// From far off the adjustment would not find the offsets: first roughly.
+  Status inTime() {
+    if (given_.findOffsets) {
+      if (auto usable = checkViews(given_); !usable) {
+        return usable;
+      }
+      clocks_ = roughOffsets(given_);
+      given_.views = shiftedInTime(std::move(given_.views), clocks_);
+    }
+    return {};
+  }
+
   /// One adjustment, its progress passed on.
   Result<BundleResult> adjust(const BundleProblem& bundle) {
     const auto outcome = adjustBundle(bundle, [&](const BundleProgress& now) {
@@ -122,8 +136,18 @@ private:
     return now;
   }
 
+  /// What the starts are judged on: instants from all over the path. Too far apart to be followed
+  /// in time, they are taken as simultaneous; the loss bears what free cameras are off by that.
+  static BundleProblem forStarts(const BundleProblem& bundle) {
+    BundleProblem part = thinned(bundle, kInstantsOfStart, false);
+    for (BundleObservation& seen : part.observations) {
+      seen.lag = 0.0;
+    }
+    return part;
+  }
+
   Result<BundleProblem> bestStart(BundleProblem bundle) {
-    const BundleProblem part = thinned(bundle, kInstantsOfStart, false);
+    const BundleProblem part = forStarts(bundle);
     std::optional<BundleResult> best;
     double bestMedian = 0.0;
     Error why;
@@ -238,6 +262,9 @@ private:
   void summarize() {
     result_.cameras = result_.bundle.cameras;
     result_.offsets = result_.bundle.offsets;
+    for (std::size_t c = 0; c < clocks_.size(); ++c) {
+      result_.offsets[c] += clocks_[c];
+    }
     result_.medianPx = medianResidual(result_.problem, result_.bundle);
     result_.views.assign(result_.cameras.size(), 0);
     for (std::size_t i = 0; i < result_.problem.observations.size(); ++i) {
@@ -251,7 +278,8 @@ private:
     }
   }
 
-  const WandProblem& given_;
+  WandProblem given_;          ///< its views put together by the clocks, as far as these are known
+  std::vector<double> clocks_; ///< seconds that were added to the views' times for that
   const WandCallback& callback_;
   WandResult result_;
   int step_ = 0;

@@ -60,7 +60,7 @@ void addFigures(std::string& html, const WandReport& report) {
   const WandResult& result = report.result;
   html += "<table><tr><th>camera</th><th>views</th><th>dropped</th><th>rms px</th>"
           "<th>median px</th><th>moved cm</th><th>turned</th>";
-  html += report.offsetsFound ? "<th>offset ms</th></tr>\n" : "</tr>\n";
+  html += report.offsetsFound ? "<th>late ms</th></tr>\n" : "</tr>\n";
   auto out = std::back_inserter(html);
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     const Camera& camera = result.cameras[c];
@@ -72,7 +72,7 @@ void addFigures(std::string& html, const WandReport& report) {
                    result.bundle.cameraRms.at(c), result.cameraMedianPx[c], 100.0 * shift.metres,
                    shift.radians / kDegree);
     if (report.offsetsFound) {
-      fmt::format_to(out, "<td>{:.2f}</td>", 1000.0 * result.offsets[c]);
+      fmt::format_to(out, "<td>{:.2f}</td>", -1000.0 * result.offsets[c] + 0.0);
     }
     html += "</tr>\n";
   }

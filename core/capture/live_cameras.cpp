@@ -19,12 +19,22 @@ constexpr auto kTogether = 40ms;     ///< how long one camera's frame waits for 
 constexpr auto kPatience = 1s;       ///< with threads that do not end, for all cameras together
 constexpr double kUsualRate = 30;
 
+/// The frame at the time of what it shows.
+FramePtr inTime(FramePtr frame, TimeStamp lateBy) {
+  if (!frame || lateBy == TimeStamp{}) {
+    return frame;
+  }
+  return std::make_shared<const Frame>(
+      Frame{frame->index, frame->captureTime - lateBy, frame->image});
+}
+
 class LiveCameras final : public FrameSetSource {
 public:
   LiveCameras(const std::vector<LiveCamera>& cameras, const LiveStreamFactory& factory) {
     cameras_.reserve(cameras.size());
     for (const LiveCamera& camera : cameras) {
       cameras_.emplace_back(camera, factory, bell_, zero_);
+      lateBy_.push_back(timeStamp(camera.lateBy));
     }
   }
 
@@ -51,6 +61,7 @@ private:
   Clock::time_point zero_ = Clock::now();
   std::shared_ptr<Bell> bell_ = std::make_shared<Bell>();
   std::vector<CameraThread> cameras_;
+  std::vector<TimeStamp> lateBy_; ///< of the cameras
   std::int64_t sets_ = 0;
   TimeStamp last_{};
 };
@@ -97,7 +108,7 @@ Result<FrameSetPtr> LiveCameras::next() {
   set->index = sets_++;
   TimeStamp newest{};
   for (CameraThread& camera : cameras_) {
-    set->frames.push_back(camera.take().value_or(nullptr));
+    set->frames.push_back(inTime(camera.take().value_or(nullptr), lateBy_[set->frames.size()]));
     if (set->frames.back()) {
       newest = std::max(newest, set->frames.back()->captureTime);
     }

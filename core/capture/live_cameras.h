@@ -20,13 +20,15 @@ struct LiveCamera {
   int width = 0;         ///< expected after the rotation, pixels; 0: any
   int height = 0;        ///< expected after the rotation, pixels; 0: any
   bool mirrored = false; ///< left to right, after the rotation
+  double lateBy = 0.0;   ///< seconds from what a picture shows to its grab, beyond the others'
 };
 
 /// Starts one thread per camera, each opening, reading and reconnecting on its own, and returns at
 /// once: only settings that can never work (an empty or unknown location, a rotation that is no
 /// multiple of 90) fail. A camera that cannot be opened (DeviceUnavailable), stopped delivering
 /// (ConnectionLost) or sends another picture size (Mismatch) is a notice for as long as that lasts.
-/// Frames carry the steady clock's reading right after the grab, counted from this call.
+/// Frames carry the steady clock's reading right after the grab, counted from this call, less what
+/// their camera is late by.
 Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras);
 
 } // namespace dewpoint

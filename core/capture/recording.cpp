@@ -23,7 +23,9 @@ struct Camera {
   PictureShape shape;
   std::string path;
   PictureReaderPtr reader;
-  cv::Mat first; ///< frame 0, decoded when the recording was opened; handed out once
+  cv::Mat first;          ///< frame 0, decoded when the recording was opened; handed out once
+  double lateBy = 0.0;    ///< seconds
+  std::int64_t ahead = 0; ///< its pictures are taken from so many farther on
 };
 
 Result<cv::Mat> readShaped(Camera& camera, std::int64_t frame) {
@@ -42,6 +44,9 @@ public:
   Recording(std::vector<Camera> cameras, double rate, std::vector<Error> notices)
       : cameras_(std::move(cameras)), rate_(rate), notices_(std::move(notices)) {
     count_ = frames(*std::ranges::min_element(cameras_, {}, frames));
+    for (Camera& camera : cameras_) {
+      camera.ahead = std::llround(camera.lateBy * rate_);
+    }
   }
 
   static std::int64_t frames(const Camera& camera) { return camera.reader->frameCount(); }
@@ -58,14 +63,20 @@ public:
     set->index = next_;
     set->time = timeStamp(static_cast<double>(next_) / rate_);
     for (Camera& camera : cameras_) {
-      auto picture = readShaped(camera, next_);
+      const std::int64_t number = next_ + camera.ahead;
+      if (number < 0 || number >= frames(camera)) {
+        set->frames.push_back(nullptr);
+        continue;
+      }
+      auto picture = readShaped(camera, number);
       if (!picture) {
         return tl::make_unexpected(picture.error());
       }
       if (picture->empty()) {
         return FrameSetPtr();
       }
-      set->frames.push_back(std::make_shared<Frame>(Frame{next_, set->time, std::move(*picture)}));
+      const TimeStamp taken = timeStamp(static_cast<double>(number) / rate_ - camera.lateBy);
+      set->frames.push_back(std::make_shared<Frame>(Frame{number, taken, std::move(*picture)}));
     }
     ++next_;
     return set;
@@ -107,6 +118,7 @@ Result<Camera> openCamera(const RecordedCamera& description) {
   camera.shape = {description.name, description.rotateDegrees, description.width,
                   description.height, description.mirrored};
   camera.path = description.path;
+  camera.lateBy = description.lateBy;
   if (auto usable = checkShape(camera.shape, camera.path); !usable) {
     return tl::make_unexpected(usable.error());
   }

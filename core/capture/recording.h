@@ -27,10 +27,14 @@ struct RecordedCamera {
   std::function<cv::Mat(std::int64_t)> generate; ///< a fresh CV_8UC3 picture of that frame number
   std::int64_t generatedFrames = 0;
   bool mirrored = false; ///< left to right, after the rotation
+  /// Seconds by which its pictures are late: picture k shows what was k / rate - lateBy seconds
+  /// after the beginning.
+  double lateBy = 0.0;
 };
 
 /// Opens synchronized recordings: frame k of each camera shows the same instant, k / rate seconds
-/// after the first. `framesPerSecond` 0 takes the first video's own rate, else 30. Seeking is exact
+/// after the first. Of a camera that is late the picture nearest in time is taken, with its own
+/// capture time; before its first and after its last one there is none. `framesPerSecond` 0 takes the first video's own rate, else 30. Seeking is exact
 /// to the frame. Cameras of different length give the shortest's frame count and one notice.
 Result<std::unique_ptr<FrameSetSource>> openRecording(const std::vector<RecordedCamera>& cameras,
                                                       double framesPerSecond);

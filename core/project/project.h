@@ -29,6 +29,9 @@ struct ProjectCamera {
   /// Absolute path of an image, a video or a folder of images that show the scene without any
   /// target, not yet turned; empty: there is none.
   std::string emptyRoom = {};
+  /// Seconds by which its images are late: what they show was so much before their time. Of
+  /// recordings the image nearest in time is taken; methods that know of times use the rest.
+  double lateBy = 0.0;
 
   bool operator==(const ProjectCamera&) const = default;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
+#include "core/project/project_format.h"
 #include "core/project/project_room.h"
 
 #include <fmt/format.h>
@@ -103,6 +104,10 @@ Status checkCameras(const Project& project) {
         !(intrinsics.focalY > 0.0) || !camera.cameraFromWorld.matrix().allFinite()) {
       return wrong(ErrorCode::BadValue, fmt::format("camera {}.calibration", i + 1),
                    "a positive size and focal length, and a finite pose are expected");
+    }
+    if (!(std::abs(project.cameras[i].lateBy) <= kLatest)) {
+      return wrong(ErrorCode::BadValue, fmt::format("camera {}.late_by", i + 1),
+                   fmt::format("{} to {} s are expected", -kLatest, kLatest));
     }
   }
   return {};

@@ -15,6 +15,16 @@ Project withCameras(Project project, const CameraRig& rig) {
   return project;
 }
 
+Project withTimeOffsets(Project project, const std::vector<double>& offsets) {
+  for (std::size_t c = 0; c < std::min(offsets.size(), project.cameras.size()); ++c) {
+    ProjectCamera& camera = project.cameras[c];
+    if (camera.source != SourceKind::Simulation) {
+      camera.lateBy -= offsets[c];
+    }
+  }
+  return project;
+}
+
 Project withIntrinsics(Project project,
                        const std::vector<std::optional<IntrinsicsResult>>& results) {
   for (std::size_t k = 0; k < std::min(results.size(), project.cameras.size()); ++k) {

@@ -12,6 +12,10 @@ namespace dewpoint {
 /// The project with these cameras' calibration, in the same order.
 Project withCameras(Project project, const CameraRig& rig);
 
+/// The project whose cameras are later by these seconds than it says so far, as found in its images
+/// (WandResult::offsets: those are negative for cameras that are late); simulated ones stay.
+Project withTimeOffsets(Project project, const std::vector<double>& offsets);
+
 /// The project with these lenses, in the order of its cameras, which keep theirs where there is
 /// none; poses stay.
 Project withIntrinsics(Project project,

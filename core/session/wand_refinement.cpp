@@ -19,6 +19,10 @@ Result<WandRefinement> judged(const Project& project, const WandOptions& options
 
 } // namespace
 
+bool saysTooLittle(const WandRefinement& refinement) {
+  return refinement.verdict && refinement.verdict->cameras95 > refinement.options.roughPlace;
+}
+
 Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,
                                            const WandOptions& options,
                                            const WandWorkCallback& callback) {

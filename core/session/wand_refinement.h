@@ -20,6 +20,10 @@ struct WandRefinement {
   Result<Verdict> verdict; ///< or why there is none
 };
 
+/// Whether its cameras are less sure, by the verdict, than those it began with may be off: then the
+/// former ones are better kept.
+bool saysTooLittle(const WandRefinement& refinement);
+
 /// calibrateFromRecording() and the verdict. Errors: those of the calibration.
 Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,
                                            const WandOptions& options,

@@ -2,6 +2,7 @@
 #include "core/session/wand_views.h"
 
 #include "core/calibration/fault_finder.h"
+#include "core/calibration/rough_offsets.h"
 
 #include <fmt/format.h>
 
@@ -145,6 +146,9 @@ Result<WandResult> calibrateFromViews(const Project& project,
   auto result = calibrateFromWand(*problem, [&](const WandProgress& now) {
     return !callback || callback({false, now.step, now.steps, now.rms});
   });
+  if (result && options.findOffsets) { // a camera that is late is none of the faults then
+    problem->views = shiftedInTime(std::move(problem->views), result->offsets);
+  }
   const bool cancelled = !result && result.error().code == ErrorCode::Cancelled;
   const auto report = cancelled ? FaultReport{} : findWandFaults(*problem).value_or(FaultReport{});
   if (result) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/random.h"
 #include "core/calibration/bundle_cost.h"
+#include "core/calibration/rough_offsets.h"
 #include "core/calibration/wand_calibration.h"
 #include "core/calibration/wand_world.h"
 #include "core/geometry/sphere_image.h"
@@ -167,6 +168,57 @@ TEST(WandCalibration, FindsOffsetsAndFocalLengths) {
   EXPECT_LT(misplacement(result->cameras, rig), 5e-3);
 }
 
+// Cameras that nothing synchronizes, as live ones: each looks when it likes, its clock is right.
+// There are more instants than the starts are judged on.
+TEST(WandCalibration, CamerasThatRunFreelyAreRefined) {
+  const CameraRig rig = trueRig();
+  const std::vector<double> phases{0.0, 0.021, -0.027, 0.009}; // of 1/15 s
+  WandProblem problem = wave(rig, 2, 0.1, 300, phases);
+  for (std::size_t c = 0; c < rig.size(); ++c) {
+    for (BallView& view : problem.views[c]) {
+      view.time += phases[c];
+    }
+  }
+  problem.rough = moved(rig, 0.1, 0.05);
+  const auto result = calibrateFromWand(problem);
+  ASSERT_TRUE(result) << sentence(result.error());
+  EXPECT_LT(misplacement(result->cameras, rig), 5e-3);
+  problem.findOffsets = true;
+  const auto offset = calibrateFromWand(problem);
+  ASSERT_TRUE(offset) << sentence(offset.error());
+  for (std::size_t c = 0; c < rig.size(); ++c) {
+    EXPECT_NEAR(offset->offsets[c], 0.0, 5e-4);
+  }
+}
+
+// Far beyond what an adjustment that begins with equal clocks finds.
+TEST(WandCalibration, ClocksThatAreFarOffAreFound) {
+  const CameraRig rig = trueRig();
+  const std::vector<double> offsets{0.0, 0.21, -0.34, 0.05}; // at 15 images per second
+  WandProblem problem = wave(rig, 1, 0.1, 300, offsets);
+  problem.rough = moved(rig, 0.1, 0.05);
+  const auto roughly = roughOffsets(problem);
+  problem.findOffsets = true;
+  const auto result = calibrateFromWand(problem);
+  ASSERT_TRUE(result) << sentence(result.error());
+  for (std::size_t c = 0; c < rig.size(); ++c) {
+    EXPECT_NEAR(roughly[c], offsets[c], 0.5 / 15.0);
+    EXPECT_NEAR(result->offsets[c], offsets[c], 5e-4);
+  }
+}
+
+// A ball at rest, or on a straight line, says nothing about clocks.
+TEST(WandCalibration, ClocksStayWhereNothingIsClear) {
+  const CameraRig rig = trueRig();
+  const std::vector<double> none(rig.size(), 0.0);
+  WandProblem problem = wave(rig, 1, 0.1, 100, none,
+                             [](double, std::size_t) { return Eigen::Vector3d(0.1, 0.2, 1.0); });
+  problem.rough = moved(rig, 0.1, 0.05);
+  EXPECT_EQ(roughOffsets(problem), none);
+  problem.views[1].clear();
+  EXPECT_EQ(roughOffsets(problem), none);
+}
+
 TEST(WandCalibration, TheSizeComesFromADistanceOrTheDiameter) {
   const CameraRig rig = trueRig();
   WandProblem problem = wave(rig, 1, 0.05);
@@ -237,6 +289,10 @@ TEST(WandCalibration, SaysWhatIsMissing) {
   problem.rough = moved(rig, 0.1, 0.05);
   problem.views[1].clear();
   EXPECT_EQ(calibrateFromWand(problem).error().field, "camera 2");
+  problem = wave(rig, 1, 0.1, 60);
+  problem.rough = rig;
+  problem.stickLength = kStick; // but its second ball is never seen
+  EXPECT_EQ(calibrateFromWand(problem).error().field, "stick");
   problem = wave(rig, 1, 0.0, 60, {0.0, 0.0, 0.0, 0.0},
                  [](double, std::size_t) { return Eigen::Vector3d(0.0, 0.0, 1.0); });
   problem.rough = rig;

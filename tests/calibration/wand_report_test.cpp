@@ -35,7 +35,7 @@ TEST(WandReport, ShowsEveryCameraAndTheTarget) {
   EXPECT_NE(html.find("<strong>In this volume +-3.1 mm (95 %)</strong>"), std::string::npos);
   EXPECT_NE(html.find("<p class=\"notice\">camera 2 is late</p>"), std::string::npos);
   EXPECT_NE(html.find("<h2>left &amp; &lt;right&gt;</h2>"), std::string::npos);
-  EXPECT_NE(html.find("<th>offset ms</th>"), std::string::npos);
+  EXPECT_NE(html.find("<th>late ms</th>"), std::string::npos);
   // Per camera residuals and coverage; two views of the space.
   EXPECT_EQ(count(html, "aria-label=\"residuals\""), 3U);
   EXPECT_EQ(count(html, "aria-label=\"coverage\""), 3U);

@@ -366,5 +366,34 @@ TEST(RealRecording, seeksToTheSamePicturesAsReading) {
   }
 }
 
+// The picture nearest in time is taken, with the time of what it shows; those beyond either end are
+// missing.
+TEST(Recording, PicturesOfALateCameraAreMatchedByTime) {
+  RecordedCamera punctual = generated(6);
+  punctual.name = "punctual";
+  RecordedCamera late = generated(6);
+  late.lateBy = 0.24; // at 10 pictures per second: 2 pictures and 40 ms
+  RecordedCamera early = generated(6);
+  early.name = "early";
+  early.lateBy = -0.1;
+  const auto source = openRecording({punctual, late, early}, 10.0);
+  ASSERT_TRUE(source) << sentence(source.error());
+  EXPECT_EQ((*source)->frameCount(), 6);
+  const auto first = (*source)->next();
+  ASSERT_TRUE(first && *first);
+  ASSERT_TRUE((*first)->frames[1]);
+  EXPECT_FALSE((*first)->frames[2]); // its first picture shows the second instant
+  EXPECT_EQ((*first)->frames[1]->index, 2);
+  EXPECT_TRUE(same((*first)->frames[1]->image, noise(2)));
+  EXPECT_EQ((*first)->frames[1]->captureTime, timeStamp(-0.04));
+  ASSERT_TRUE((*source)->seek(4));
+  const auto fifth = (*source)->next();
+  ASSERT_TRUE(fifth && *fifth);
+  EXPECT_FALSE((*fifth)->frames[1]); // it ended two pictures before
+  ASSERT_TRUE((*fifth)->frames[2]);
+  EXPECT_EQ((*fifth)->frames[2]->index, 3);
+  EXPECT_EQ((*fifth)->frames[2]->captureTime, (*fifth)->time);
+}
+
 } // namespace
 } // namespace dewpoint

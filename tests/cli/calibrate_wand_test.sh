@@ -23,6 +23,13 @@ expectExit 0 calibrate wand made/project.toml --diameter --apply
 expectText out.txt 'diameter'
 ! cmp -s kept.toml made/project.toml || fail "--apply left the project as it was"
 
+# A camera that is said to be late by three images but is not: found, and kept.
+awk '{ print } /camera-2/ && /video/ { print "late_by = 0.1" }' kept.toml >made/late.toml
+expectExit 0 calibrate wand made/late.toml --frames 60: --offsets --apply
+expectText out.txt 'late ms'
+awk '/^late_by/ { found = 1; if ($3 > 0.002 || $3 < -0.002) exit 1 } END { exit !found }' made/late.toml ||
+  fail "the camera is not late, but $(grep late_by made/late.toml)"
+
 # One sentence each.
 expectExit $kBadInput calibrate wand demo --target "green ball"
 expectSentence target "green ball"

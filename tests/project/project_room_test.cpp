@@ -16,6 +16,7 @@ name = "left"
 video = "left.mkv"
 rotate = 90
 mirror = true
+late_by = 0.012
 [camera.calibration]
 size = [640, 480]
 matrix = [[500.0, 0, 319.5], [0, 510.0, 239.5], [0, 0, 1]]
@@ -71,6 +72,7 @@ TEST(ProjectRoom, ReadsGridPointsAndMirror) {
   EXPECT_EQ(project->points[0].clicks[0].pixel, Eigen::Vector2d(320.25, 120.5));
   EXPECT_TRUE(project->points[1].clicks.empty());
   EXPECT_TRUE(project->cameras[0].mirrored);
+  EXPECT_EQ(project->cameras[0].lateBy, 0.012);
 }
 
 TEST(ProjectRoom, SavesWhatItRead) {
@@ -89,10 +91,12 @@ TEST(ProjectRoom, WithoutThemAFileIsAsBefore) {
   project->grid.reset();
   project->points.clear();
   project->cameras[0].mirrored = false;
+  project->cameras[0].lateBy = 0.0;
   const std::string text = projectText(*project, {});
   EXPECT_EQ(text.find("[grid"), std::string::npos);
   EXPECT_EQ(text.find("[[point"), std::string::npos);
   EXPECT_EQ(text.find("mirror"), std::string::npos);
+  EXPECT_EQ(text.find("late_by"), std::string::npos);
 }
 
 TEST(ProjectRoom, NamesWhatIsWrong) {
@@ -105,6 +109,7 @@ TEST(ProjectRoom, NamesWhatIsWrong) {
   EXPECT_EQ(fieldOf("world = [2, 0, 0]", ""), "point 2.world");
   EXPECT_EQ(fieldOf("pixel = [320.25, 120.5]", ""), "point 1.click 1.pixel");
   EXPECT_EQ(fieldOf("turn = 0.5", "turns = 0.5"), "grid.turns");
+  EXPECT_EQ(fieldOf("late_by = 0.012", "late_by = 3601"), "camera 1.late_by");
 }
 
 TEST(ProjectRoom, ChangesAreToldApart) {
@@ -120,6 +125,9 @@ TEST(ProjectRoom, ChangesAreToldApart) {
   EXPECT_TRUE(changesBetween(*project, other).any());
   other = *project;
   other.cameras[0].mirrored = false;
+  EXPECT_TRUE(changesBetween(*project, other).sources);
+  other = *project;
+  other.cameras[0].lateBy = 0.0;
   EXPECT_TRUE(changesBetween(*project, other).sources);
 }
 

@@ -4,6 +4,7 @@
 #include "ui/birdseye/birds_eye_view.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -32,6 +33,7 @@ private Q_SLOTS:
   void flipShowsBefore();
   void measuredPointsGiveTheCameraBack();
   void theBirdsEyeViewMovesCameras();
+  void spacePressesWhatHasTheFocus();
   void theRunGoesOn();
   void theWheelScrollsThePage();
   void everythingHasAName();
@@ -286,6 +288,16 @@ void CalibrationTest::theBirdsEyeViewMovesCameras() {
   QCOMPARE(history().count(), 1);
   history().undo();
   QVERIFY(camera(0) == before);
+}
+
+void CalibrationTest::spacePressesWhatHasTheFocus() {
+  auto* edges = find<QCheckBox>("gridEdges");
+  const bool checked = edges->isChecked();
+  edges->setFocus();
+  QTest::keyClick(edges, Qt::Key_Space);
+  QCOMPARE(edges->isChecked(), !checked);
+  QTest::qWait(200); // elsewhere the same key plays
+  QCOMPARE(window_->shown()->state, PlayState::Paused);
 }
 
 void CalibrationTest::theRunGoesOn() {

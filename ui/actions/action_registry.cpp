@@ -3,7 +3,9 @@
 
 #include "ui/settings/symbolic_icon.h"
 
+#include <QAbstractButton>
 #include <QAction>
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QKeyEvent>
@@ -23,6 +25,13 @@ QString translated(const char* text) {
 
 QString settingOf(const ActionDeclaration& declaration) {
   return QStringLiteral("shortcuts/") + QLatin1String(declaration.id);
+}
+
+/// Whether the space bar presses or opens it.
+bool takesSpace(const QObject* watched) {
+  const auto* choice = qobject_cast<const QComboBox*>(watched);
+  return qobject_cast<const QAbstractButton*>(watched) != nullptr ||
+         (choice != nullptr && !choice->isEditable());
 }
 
 } // namespace
@@ -153,6 +162,10 @@ void ActionRegistry::retranslate() {
 bool ActionRegistry::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == Qt::Key_Space && key->modifiers() == Qt::NoModifier && takesSpace(watched)) {
+      event->accept(); // it is pressed, not the action whose shortcut that is
+      return true;
+    }
     const bool moves = key->matches(QKeySequence::MoveToEndOfLine) ||
                        key->matches(QKeySequence::MoveToStartOfLine) ||
                        key->matches(QKeySequence::DeleteEndOfLine);

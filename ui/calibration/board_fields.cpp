@@ -99,6 +99,7 @@ void BoardFields::build() {
   }
   markerLabel_ = new QLabel(this);
   marker_ = makeNumberField(QStringLiteral("boardMarkerSize"), kUnits[0].range, this);
+  dictionaryLabel_ = new QLabel(this);
   dictionary_ = combo("boardDictionary");
   dictionary_->setMinimumContentsLength(15); // DICT_4X4_1000 must not look like DICT_4X4_100
   for (const std::string& name : markerDictionaries()) {
@@ -134,16 +135,18 @@ void BoardFields::build() {
   grid->addWidget(unit_, 2, 2);
   grid->addWidget(markerLabel_, 3, 0);
   grid->addWidget(marker_, 3, 1);
-  grid->addWidget(dictionary_, 3, 2);
-  grid->addWidget(legacy_, 4, 0, 1, 3);
-  grid->addWidget(inverted_, 5, 0, 1, 3);
-  grid->addWidget(summary_, 6, 0, 1, 3);
-  grid->addWidget(print_, 7, 0, 1, 2);
-  grid->addWidget(paper_, 7, 2);
+  grid->addWidget(dictionaryLabel_, 4, 0);
+  grid->addWidget(dictionary_, 4, 1, 1, 2);
+  grid->addWidget(legacy_, 5, 0, 1, 3);
+  grid->addWidget(inverted_, 6, 0, 1, 3);
+  grid->addWidget(summary_, 7, 0, 1, 3);
+  grid->addWidget(print_, 8, 0, 1, 2);
+  grid->addWidget(paper_, 8, 2);
   kindLabel_->setBuddy(kind_);
   squaresLabel_->setBuddy(columns_);
   sizeLabel_->setBuddy(size_);
   markerLabel_->setBuddy(marker_);
+  dictionaryLabel_->setBuddy(dictionary_);
 }
 
 double BoardFields::metresPerUnit() const {
@@ -226,8 +229,9 @@ void BoardFields::say() {
   name(size_, tr("Side of a square"),
        tr("Measured on the print: a long row with a ruler, divided by its squares"));
   name(unit_, tr("Unit of the sizes"), tr("Unit in which the sizes are typed"));
-  markerLabel_->setText(tr("Marker, dictionary"));
+  markerLabel_->setText(tr("Side of a marker"));
   name(marker_, tr("Side of a marker"), tr("Of the black square around the pattern"));
+  dictionaryLabel_->setText(tr("Dictionary"));
   name(dictionary_, tr("Dictionary of the markers"), tr("As the program called it that made it"));
   legacy_->setText(tr("Even rows of older software"));
   legacy_->setToolTip(tr("A ChArUco board with an even number of rows from software older than "
@@ -258,8 +262,8 @@ void BoardFields::refresh() {
   showValue(*size_, board.squareSize / unit.metres);
   showValue(*marker_, board.markerSize / unit.metres);
   dictionary_->setCurrentText(QString::fromStdString(board.dictionary));
-  for (QWidget* field :
-       std::initializer_list<QWidget*>{markerLabel_, marker_, dictionary_, legacy_, inverted_}) {
+  for (QWidget* field : std::initializer_list<QWidget*>{markerLabel_, marker_, dictionaryLabel_,
+                                                        dictionary_, legacy_, inverted_}) {
     field->setVisible(markers);
   }
   legacy_->setEnabled(board.rows % 2 == 0);

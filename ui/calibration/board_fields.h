@@ -45,6 +45,7 @@ private:
   QDoubleSpinBox* size_;
   QComboBox* unit_;
   QLabel* markerLabel_;
+  QLabel* dictionaryLabel_;
   QDoubleSpinBox* marker_;
   QComboBox* dictionary_;
   QCheckBox* legacy_;

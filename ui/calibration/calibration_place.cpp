@@ -33,6 +33,8 @@ void CalibrationPlace::addPage(QWidget* page, const std::function<QString()>& ti
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidget(page);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // it is wide enough, see below
+  page->installEventFilter(this);
   tabs_->addTab(scroll, QString());
   for (QWidget* part : page->findChildren<QWidget*>()) {
     if (qobject_cast<QProgressBar*>(part) != nullptr || part->property(kRevealed).toBool()) {
@@ -69,6 +71,9 @@ bool CalibrationPlace::eventFilter(QObject* watched, QEvent* event) {
       }
     });
   }
+  if (event->type() == QEvent::LayoutRequest) {
+    makeWideEnough();
+  }
   const auto* field = qobject_cast<QWidget*>(watched);
   const bool isBar = qobject_cast<QScrollBar*>(watched) != nullptr;
   if (event->type() == QEvent::Wheel && field != nullptr && !field->hasFocus() && !isBar) {
@@ -76,6 +81,14 @@ bool CalibrationPlace::eventFilter(QObject* watched, QEvent* event) {
     return true;
   }
   return QWidget::eventFilter(watched, event);
+}
+
+void CalibrationPlace::makeWideEnough() {
+  for (int k = 0; k < tabs_->count(); ++k) {
+    auto* scroll = static_cast<QScrollArea*>(tabs_->widget(k));
+    scroll->setMinimumWidth(scroll->widget()->minimumSizeHint().width() +
+                            scroll->verticalScrollBar()->sizeHint().width());
+  }
 }
 
 void CalibrationPlace::showPage(const QString& name) {

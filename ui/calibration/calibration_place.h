@@ -37,6 +37,9 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+  /// For the widest page, whose fields may have come or gone.
+  void makeWideEnough();
+
   QTabWidget* tabs_;
 };
 

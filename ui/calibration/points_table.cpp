@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/points_table.h"
 
+#include "ui/calibration/calibration_place.h"
 #include "ui/calibration/hand_desk.h"
 #include "ui/calibration/point_desk.h"
 #include "ui/settings/retranslation.h"
@@ -75,6 +76,7 @@ void PointsTable::build() {
   verdict_ = new QLabel(this);
   verdict_->setObjectName(QStringLiteral("pointVerdict"));
   verdict_->setWordWrap(true);
+  verdict_->setProperty(kRevealed, true);
   verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   accept_ = makeButton("pointAccept", this);
   auto* buttons = new QGridLayout;

@@ -209,8 +209,9 @@ void WandDesk::adopt(Result<WandRefinement> outcome) {
     failure_ = errorSentence(outcome.error());
   } else {
     refinement_ = std::make_shared<const WandRefinement>(std::move(*outcome));
-    // What a fault explains better is not to be trusted: the person decides.
-    if (refinement_->result.faults.empty()) {
+    // What a fault explains better, or is less sure than before, is not to be trusted: the person
+    // decides.
+    if (refinement_->result.faults.empty() && !saysTooLittle(*refinement_)) {
       apply();
     }
   }
@@ -222,12 +223,16 @@ void WandDesk::apply() {
     return;
   }
   around_.hand.takeAsBefore();
-  const auto edited = around_.document.edit(wish_.stick ? tr("Refine cameras with a waved stick")
-                                                        : tr("Refine cameras with a waved ball"),
-                                            [this](Project& project) {
-                                              project = withCameras(std::move(project),
-                                                                    refinement_->result.cameras);
-                                            });
+  const auto edited =
+      around_.document.edit(wish_.stick ? tr("Refine cameras with a waved stick")
+                                        : tr("Refine cameras with a waved ball"),
+                            [this](Project& project) {
+                              const WandResult& found = refinement_->result;
+                              project = withCameras(std::move(project), found.cameras);
+                              if (refinement_->options.findOffsets) {
+                                project = withTimeOffsets(std::move(project), found.offsets);
+                              }
+                            });
   applied_ = edited.has_value();
   failure_ = edited ? QString() : errorSentence(edited.error());
   Q_EMIT changed();

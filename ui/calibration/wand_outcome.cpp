@@ -135,11 +135,12 @@ void WandOutcome::say() {
   table_->setToolTip(tr("What was found of each camera; point at a heading to see what it means"));
   table_->setHorizontalHeaderLabels(
       {tr("Camera"), tr("px"), tr("moved cm"), tr("turned °"), tr("late ms")});
-  const QStringList tips = {{},
-                            tr("Root mean square distance between seen and projected balls"),
-                            tr("How far the camera is from where it was"),
-                            tr("How far it is turned from where it looked"),
-                            tr("By how much its images are later than the first camera's")};
+  const QStringList tips = {
+      {},
+      tr("Root mean square distance between seen and projected balls"),
+      tr("How far the camera is from where it was"),
+      tr("How far it is turned from where it looked"),
+      tr("By how much its images are later than the first camera's, beyond what was known")};
   for (int column = 0; column < ColumnCount; ++column) {
     table_->horizontalHeaderItem(column)->setToolTip(tips[column]);
   }
@@ -183,6 +184,11 @@ void WandOutcome::showOutcome() {
     for (const NamedFault& fault : found->result.faults) {
       notes << QStringLiteral("⚠ ") + faultWords(fault, cameraNames(found->before));
     }
+    if (saysTooLittle(*found)) {
+      notes << QStringLiteral("⚠ ") + tr("That is less sure than the cameras were (off by up to %1 "
+                                         "cm): wave through more of the volume.")
+                                          .arg(figure(100.0 * found->options.roughPlace, 1));
+    }
     if (!desk_.isApplied()) {
       notes << tr("The cameras are as they were.");
     }
@@ -195,9 +201,9 @@ void WandOutcome::showOutcome() {
       notes << tr("The fall says %1 m/s² (9.81 is expected).")
                    .arg(figure(found->result.drop->gravity, 2));
     }
-    if (found->options.findOffsets) {
-      notes << tr("Time offsets are said, not kept: tracking takes the images as they come. "
-                  "Synchronize the cameras, or cut the videos.");
+    if (found->options.findOffsets && desk_.isApplied()) {
+      notes << tr("How late cameras are is kept in the project: images are put together by it from "
+                  "now on.");
     }
   }
   verdict_->setText(verdict);

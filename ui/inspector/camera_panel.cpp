@@ -4,11 +4,13 @@
 #include "core/project/project.h"
 #include "core/session/empty_rooms.h"
 #include "ui/bridge/error_sentence.h"
+#include "ui/calibration/number_field.h"
 #include "ui/document/document.h"
 #include "ui/settings/retranslation.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -26,6 +28,13 @@
 #include <cmath>
 
 namespace dewpoint {
+namespace {
+
+constexpr double kMilliseconds = 1000.0; ///< of a second
+constexpr double kMostLate = 3.6e6;      ///< milliseconds
+constexpr double kLateSteps = 10.0;      ///< shown of a millisecond
+
+} // namespace
 
 CameraPanel::CameraPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), list_(new QListWidget(this)),
@@ -34,6 +43,8 @@ CameraPanel::CameraPanel(Document& document, QWidget* parent)
       emptyRoomLabel_(new QLabel(this)), emptyRoom_(new QLineEdit(this)),
       emptyRoomBrowse_(new QPushButton(this)), emptyRoomTake_(new QPushButton(this)),
       turnLabel_(new QLabel(this)), turn_(new QComboBox(this)), mirror_(new QCheckBox(this)),
+      lateLabel_(new QLabel(this)),
+      late_(makeNumberField(QStringLiteral("cameraLate"), {-kMostLate, kMostLate, 1.0, 1}, this)),
       calibration_(new QLabel(this)), load_(new QPushButton(this)) {
   setObjectName(QStringLiteral("cameraPanel"));
   makeFields();
@@ -62,6 +73,7 @@ void CameraPanel::makeFields() {
   sourceLabel_->setBuddy(source_);
   turnLabel_->setBuddy(turn_);
   emptyRoomLabel_->setBuddy(emptyRoom_);
+  lateLabel_->setBuddy(late_);
   auto* form = new QFormLayout;
   form->setSpacing(8);
   form->addRow(nameLabel_, name_);
@@ -69,6 +81,7 @@ void CameraPanel::makeFields() {
   form->addRow(nullptr, browse_);
   form->addRow(turnLabel_, turn_);
   form->addRow(nullptr, mirror_);
+  form->addRow(lateLabel_, late_);
   form->addRow(emptyRoomLabel_, emptyRoom_);
   auto* rooms = new QHBoxLayout;
   rooms->setSpacing(8);
@@ -110,6 +123,14 @@ void CameraPanel::connectFields() {
   connect(mirror_, &QCheckBox::clicked, this, [this](bool mirrored) {
     edit(tr("Mirror images"), [&](ProjectCamera& camera) { camera.mirrored = mirrored; });
   });
+  connect(late_, &QDoubleSpinBox::editingFinished, this, [this] {
+    edit(tr("Change how late the images are"), [this](ProjectCamera& camera) {
+      const double shown = std::round(kMilliseconds * camera.lateBy * kLateSteps) / kLateSteps;
+      if (late_->value() != shown) { // what is not shown of it must not be lost
+        camera.lateBy = late_->value() / kMilliseconds;
+      }
+    });
+  });
   connect(browse_, &QPushButton::clicked, this, &CameraPanel::relocate);
   connect(emptyRoom_, &QLineEdit::editingFinished, this,
           [this] { setEmptyRoom(emptyRoom_->text().trimmed()); });
@@ -136,6 +157,11 @@ void CameraPanel::say() {
   turn_->setToolTip(tr("Images are turned clockwise by so much before use"));
   mirror_->setText(tr("Mirrored"));
   mirror_->setToolTip(tr("Images are mirrored left to right, after they were turned"));
+  lateLabel_->setText(tr("Late by"));
+  late_->setSuffix(tr(" ms"));
+  late_->setToolTip(tr("Milliseconds by which its images are late: they are put together with "
+                       "those of the other cameras by it. Calibrate by waving finds it"));
+  late_->setAccessibleName(tr("Milliseconds by which the images are late"));
   emptyRoomLabel_->setText(tr("Empty room"));
   emptyRoom_->setToolTip(tr("Image, video or folder of images in which this camera shows the scene "
                             "without any target: what has its color there is not taken for it"));
@@ -174,8 +200,8 @@ void CameraPanel::showChosen() {
   const ProjectCamera camera = any ? cameras[static_cast<std::size_t>(row)] : ProjectCamera();
   const bool own = any && camera.source != SourceKind::Simulation; // a scene brings its own
   const bool isFile = camera.source == SourceKind::Video || camera.source == SourceKind::Images;
-  for (QWidget* field : std::initializer_list<QWidget*>{name_, source_, turn_, mirror_, load_,
-                                                        emptyRoom_, emptyRoomBrowse_}) {
+  for (QWidget* field : std::initializer_list<QWidget*>{name_, source_, turn_, mirror_, late_,
+                                                        load_, emptyRoom_, emptyRoomBrowse_}) {
     field->setEnabled(own);
   }
   browse_->setEnabled(own && isFile);
@@ -187,6 +213,7 @@ void CameraPanel::showChosen() {
   source_->setCursorPosition(0);
   turn_->setCurrentIndex(turn_->findData(camera.rotateDegrees));
   mirror_->setChecked(camera.mirrored);
+  showValue(*late_, kMilliseconds * camera.lateBy);
   any ? showCalibration(camera) : calibration_->clear();
 }
 

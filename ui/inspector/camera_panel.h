@@ -9,6 +9,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
@@ -74,6 +75,8 @@ private:
   QLabel* turnLabel_;
   QComboBox* turn_;
   QCheckBox* mirror_;
+  QLabel* lateLabel_;
+  QDoubleSpinBox* late_;
   QLabel* calibration_;
   QPushButton* load_;
   TrackSnapshotPtr snapshot_;

@@ -50,6 +50,10 @@ std::string metres(double value, double step) {
   return fmt::format("{:.{}f}", value == 0.0 ? 0.0 : value, step < 0.95 ? 1 : 0);
 }
 
+// Of the extent's size: the plane lies so far below the lines, and below what is lowest.
+constexpr double kPlaneBelow = 0.0015;
+constexpr double kMarginBelow = 0.01;
+
 } // namespace
 
 Ground::Ground(vtkRenderer* renderer)
@@ -69,7 +73,7 @@ Ground::Ground(vtkRenderer* renderer)
   }
 }
 
-void Ground::cover(const Eigen::AlignedBox2d& extent, double height) {
+void Ground::cover(const Eigen::AlignedBox2d& extent, double height, double lowest) {
   const double size = extent.sizes().maxCoeff();
   majorStep_ = size > 60.0 ? 10.0 : size > 1.2 ? 1.0 : 0.1;
   minorStep_ = size > 60.0 ? 10.0 : size > 6.5 ? 1.0 : 0.1;
@@ -78,9 +82,12 @@ void Ground::cover(const Eigen::AlignedBox2d& extent, double height) {
   const Eigen::Array2d high = (extent.max().array() / rounding + 1e-6).ceil() * rounding;
   const Eigen::AlignedBox2d rounded(low.matrix(), high.matrix());
   const double roundedHeight = std::max(rounding, std::ceil(height / rounding - 1e-6) * rounding);
-  if (!extent_.isEmpty() && rounded.isApprox(extent_, 1e-9) && roundedHeight == height_) {
+  const double plane = std::min(-kPlaneBelow * size, lowest - kMarginBelow * size);
+  if (!extent_.isEmpty() && rounded.isApprox(extent_, 1e-9) && roundedHeight == height_ &&
+      plane >= planeHeight_) {
     return;
   }
+  planeHeight_ = plane;
   extent_ = rounded;
   height_ = roundedHeight;
   numberStep_ = numberStep(size, majorStep_);
@@ -93,7 +100,7 @@ void Ground::cover(const Eigen::AlignedBox2d& extent, double height) {
 
 // Plane, fine lines, lines and axes are stacked a little, so that none flickers through another.
 void Ground::drawPlane() {
-  const double z = -0.0015 * extent_.sizes().maxCoeff();
+  const double z = planeHeight_;
   const Eigen::Vector2d low = extent_.min();
   const Eigen::Vector2d high = extent_.max();
   Strokes strokes;

@@ -14,8 +14,10 @@ namespace dewpoint {
 class Ground {
 public:
   explicit Ground(vtkRenderer* renderer);
-  /// The rectangle to cover and the height of the room; rounded outwards to whole steps. Metres.
-  void cover(const Eigen::AlignedBox2d& extent, double height);
+  /// The rectangle to cover and the height of the room; rounded outwards to whole steps. The plane
+  /// lies below `lowest`, so that it hides nothing from above where the world's z = 0 is no floor.
+  /// Metres.
+  void cover(const Eigen::AlignedBox2d& extent, double height, double lowest = 0.0);
   void setPalette(const ScenePalette& palette);
   void prepareFrame(const ScreenScale& scale);
   /// What the floor covers, after rounding.
@@ -44,6 +46,7 @@ private:
   SceneLabels names_[3];   ///< of the axes
   Eigen::AlignedBox2d extent_;
   double height_ = 0.0;
+  double planeHeight_ = 0.0;
   double majorStep_ = 1.0;
   double minorStep_ = 0.1;
   double numberStep_ = 1.0;

@@ -133,7 +133,8 @@ void Scene3d::Parts::coverGround() {
     area = Eigen::AlignedBox2d(low.array() - margin, high.array() + margin);
   }
   const Eigen::AlignedBox2d before = ground.extent();
-  ground.cover(area, shown.isEmpty() ? 1.0 : shown.max().z());
+  ground.cover(area, shown.isEmpty() ? 1.0 : shown.max().z(),
+               shown.isEmpty() ? 0.0 : shown.min().z());
   ground.setPalette(palette());
   if (before.isEmpty() || !before.isApprox(ground.extent())) {
     frameWanted = frameWanted || !moved;
