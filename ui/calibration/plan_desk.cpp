@@ -189,8 +189,12 @@ void PlanDesk::remove(int planned) {
 
 void PlanDesk::change(int planned, const Camera& camera) {
   if (planned >= 0 && planned < int(planned_.size())) {
+    const bool moved = planned_[std::size_t(planned)] != camera;
     planned_[std::size_t(planned)] = camera;
     ask();
+    if (moved) {
+      Q_EMIT said({}); // it was about another place
+    }
     Q_EMIT changed();
   }
 }
