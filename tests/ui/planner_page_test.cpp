@@ -222,6 +222,10 @@ void PlannerPageTest::theBestPlaceIsFoundAndShown() {
   QVERIFY(find<QLabel>("planSaid")->text().startsWith(QLatin1String("Put ")));
   QVERIFY(!find<QProgressBar>("planProgress")->isVisible());
   QCOMPARE(history().count(), 0);
+  Camera elsewhere = plan().planned()[0];
+  elsewhere.cameraFromWorld.translation().x() += 0.1;
+  plan().change(0, elsewhere);
+  QVERIFY(!find<QLabel>("planSaid")->isVisible()); // it was about the other place
 }
 
 void PlannerPageTest::aSearchCanBeCancelled() {
