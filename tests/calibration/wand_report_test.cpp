@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/wand_report.h"
-
 #include "tests/calibration/waved_rig.h"
 
 #include <gtest/gtest.h>

@@ -57,7 +57,7 @@ private Q_SLOTS:
 
 private:
   void follow(const std::vector<TrajectorySample>& samples);
-  QTableView& table() { return *panel_->findChild<QTableView*>(); }
+  QTableView& table() { return *panel_->findChild<QTableView*>(QStringLiteral("trajectoryTable")); }
 
   std::unique_ptr<QWidget> window_;
   std::unique_ptr<ActionRegistry> actions_;
