@@ -2198,10 +2198,6 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <translation>Einheit, in der die Größen eingegeben werden</translation>
     </message>
     <message>
-        <source>Marker, dictionary</source>
-        <translation>Marker, Wörterbuch</translation>
-    </message>
-    <message>
         <source>Side of a marker</source>
         <translation>Seite eines Markers</translation>
     </message>
@@ -2252,6 +2248,10 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>%1 × %2 inner corners; for the command line:</source>
         <translation>%1 × %2 innere Ecken; für die Befehlszeile:</translation>
+    </message>
+    <message>
+        <source>Dictionary</source>
+        <translation>Wörterbuch</translation>
     </message>
 </context>
 <context>
@@ -3304,6 +3304,26 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>The image shown is now the empty room of %1; it is kept as %2.</source>
         <translation>Das gezeigte Bild ist jetzt der leere Raum von %1; es liegt in %2.</translation>
+    </message>
+    <message>
+        <source>Change how late the images are</source>
+        <translation>Verspätung der Bilder ändern</translation>
+    </message>
+    <message>
+        <source>Late by</source>
+        <translation>Verspätet um</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Milliseconds by which its images are late: they are put together with those of the other cameras by it. Calibrate by waving finds it</source>
+        <translation>Millisekunden, um die ihre Bilder zu spät sind: Danach werden sie den Bildern der anderen Kameras zugeordnet. „Durch Schwenken kalibrieren“ findet sie</translation>
+    </message>
+    <message>
+        <source>Milliseconds by which the images are late</source>
+        <translation>Millisekunden, um die die Bilder zu spät sind</translation>
     </message>
 </context>
 <context>
@@ -6119,10 +6139,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Wie weit sie von ihrer früheren Blickrichtung gedreht ist</translation>
     </message>
     <message>
-        <source>By how much its images are later than the first camera&apos;s</source>
-        <translation>Um wie viel ihre Bilder später sind als die der ersten Kamera</translation>
-    </message>
-    <message>
         <source>The cameras are as they were.</source>
         <translation>Die Kameras sind, wie sie waren.</translation>
     </message>
@@ -6133,10 +6149,6 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>The fall says %1 m/s² (9.81 is expected).</source>
         <translation>Der Fall sagt %1 m/s² (9,81 wird erwartet).</translation>
-    </message>
-    <message>
-        <source>Time offsets are said, not kept: tracking takes the images as they come. Synchronize the cameras, or cut the videos.</source>
-        <translation>Zeitversätze werden gesagt, nicht behalten: die Verfolgung nimmt die Bilder, wie sie kommen. Synchronisieren Sie die Kameras, oder schneiden Sie die Videos.</translation>
     </message>
     <message>
         <source>Save the report</source>
@@ -6153,6 +6165,18 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>The cameras were changed since; this is about how they were refined.</source>
         <translation>Die Kameras wurden seither geändert; dies gilt für den Stand nach dem Verfeinern.</translation>
+    </message>
+    <message>
+        <source>By how much its images are later than the first camera&apos;s, beyond what was known</source>
+        <translation>Um wie viel ihre Bilder später sind als die der ersten Kamera, über das Bekannte hinaus</translation>
+    </message>
+    <message>
+        <source>That is less sure than the cameras were (off by up to %1 cm): wave through more of the volume.</source>
+        <translation>Das ist unsicherer, als die Kameras waren (bis zu %1 cm daneben): Schwenken Sie durch mehr vom Raum.</translation>
+    </message>
+    <message>
+        <source>How late cameras are is kept in the project: images are put together by it from now on.</source>
+        <translation>Wie sehr Kameras verspätet sind, steht nun im Projekt: Bilder werden ab jetzt danach zusammengestellt.</translation>
     </message>
 </context>
 <context>

@@ -2198,10 +2198,6 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>Unidad en la que se escriben las medidas</translation>
     </message>
     <message>
-        <source>Marker, dictionary</source>
-        <translation>Marcador, diccionario</translation>
-    </message>
-    <message>
         <source>Side of a marker</source>
         <translation>Lado de un marcador</translation>
     </message>
@@ -2252,6 +2248,10 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>%1 × %2 inner corners; for the command line:</source>
         <translation>%1 × %2 esquinas interiores; para la línea de órdenes:</translation>
+    </message>
+    <message>
+        <source>Dictionary</source>
+        <translation>Diccionario</translation>
     </message>
 </context>
 <context>
@@ -3304,6 +3304,26 @@ en %4, %5, %6 m</translation>
     <message>
         <source>The image shown is now the empty room of %1; it is kept as %2.</source>
         <translation>La imagen mostrada es ahora la habitación vacía de %1; se guarda como %2.</translation>
+    </message>
+    <message>
+        <source>Change how late the images are</source>
+        <translation>Cambiar el retraso de las imágenes</translation>
+    </message>
+    <message>
+        <source>Late by</source>
+        <translation>Retraso</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Milliseconds by which its images are late: they are put together with those of the other cameras by it. Calibrate by waving finds it</source>
+        <translation>Milisegundos que se retrasan sus imágenes: con ellos se emparejan con las de las demás cámaras. «Calibrar agitando» los encuentra</translation>
+    </message>
+    <message>
+        <source>Milliseconds by which the images are late</source>
+        <translation>Milisegundos que se retrasan las imágenes</translation>
     </message>
 </context>
 <context>
@@ -6119,10 +6139,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Cuánto ha girado respecto a donde miraba</translation>
     </message>
     <message>
-        <source>By how much its images are later than the first camera&apos;s</source>
-        <translation>Cuánto más tarde son sus imágenes que las de la primera cámara</translation>
-    </message>
-    <message>
         <source>The cameras are as they were.</source>
         <translation>Las cámaras están como estaban.</translation>
     </message>
@@ -6133,10 +6149,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>The fall says %1 m/s² (9.81 is expected).</source>
         <translation>La caída dice %1 m/s² (se espera 9,81).</translation>
-    </message>
-    <message>
-        <source>Time offsets are said, not kept: tracking takes the images as they come. Synchronize the cameras, or cut the videos.</source>
-        <translation>Los desfases se dicen, no se guardan: el seguimiento toma las imágenes como vienen. Sincronice las cámaras o recorte los vídeos.</translation>
     </message>
     <message>
         <source>Save the report</source>
@@ -6153,6 +6165,18 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>The cameras were changed since; this is about how they were refined.</source>
         <translation>Las cámaras se han cambiado desde entonces; esto se refiere a como quedaron al refinarlas.</translation>
+    </message>
+    <message>
+        <source>By how much its images are later than the first camera&apos;s, beyond what was known</source>
+        <translation>Cuánto se retrasan sus imágenes respecto a las de la primera cámara, además de lo ya conocido</translation>
+    </message>
+    <message>
+        <source>That is less sure than the cameras were (off by up to %1 cm): wave through more of the volume.</source>
+        <translation>Es menos seguro que las cámaras de antes (desviadas hasta %1 cm): agite por una parte mayor del volumen.</translation>
+    </message>
+    <message>
+        <source>How late cameras are is kept in the project: images are put together by it from now on.</source>
+        <translation>El retraso de las cámaras queda en el proyecto: desde ahora las imágenes se emparejan según él.</translation>
     </message>
 </context>
 <context>

@@ -2198,10 +2198,6 @@ From %2 to %3%4; default %5%4.</source>
         <translation>寸法を入力する単位</translation>
     </message>
     <message>
-        <source>Marker, dictionary</source>
-        <translation>マーカー、辞書</translation>
-    </message>
-    <message>
         <source>Side of a marker</source>
         <translation>マーカーの一辺</translation>
     </message>
@@ -2252,6 +2248,10 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>%1 × %2 inner corners; for the command line:</source>
         <translation>内側の角 %1 × %2。コマンドライン用:</translation>
+    </message>
+    <message>
+        <source>Dictionary</source>
+        <translation>辞書</translation>
     </message>
 </context>
 <context>
@@ -3303,6 +3303,26 @@ at %4, %5, %6 m</source>
     <message>
         <source>The image shown is now the empty room of %1; it is kept as %2.</source>
         <translation>表示中の画像を %1 の無人の部屋にしました。%2 に保存されています。</translation>
+    </message>
+    <message>
+        <source>Change how late the images are</source>
+        <translation>画像の遅れの変更</translation>
+    </message>
+    <message>
+        <source>Late by</source>
+        <translation>遅れ</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Milliseconds by which its images are late: they are put together with those of the other cameras by it. Calibrate by waving finds it</source>
+        <translation>この画像が遅れているミリ秒数。これを使って他のカメラの画像と組み合わせます。「振って較正」で求められます</translation>
+    </message>
+    <message>
+        <source>Milliseconds by which the images are late</source>
+        <translation>画像が遅れているミリ秒数</translation>
     </message>
 </context>
 <context>
@@ -6114,10 +6134,6 @@ Effective sample size %8 of %9</source>
         <translation>元の向きからの回転</translation>
     </message>
     <message>
-        <source>By how much its images are later than the first camera&apos;s</source>
-        <translation>最初のカメラに対する画像の遅れ</translation>
-    </message>
-    <message>
         <source>The cameras are as they were.</source>
         <translation>カメラは元のままです。</translation>
     </message>
@@ -6128,10 +6144,6 @@ Effective sample size %8 of %9</source>
     <message>
         <source>The fall says %1 m/s² (9.81 is expected).</source>
         <translation>落下からは %1 m/s²（期待値は 9.81）。</translation>
-    </message>
-    <message>
-        <source>Time offsets are said, not kept: tracking takes the images as they come. Synchronize the cameras, or cut the videos.</source>
-        <translation>時間のずれは表示されるだけで、保存されません。追跡は届いた画像をそのまま使います。カメラを同期させるか、動画を切り揃えてください。</translation>
     </message>
     <message>
         <source>Save the report</source>
@@ -6148,6 +6160,18 @@ Effective sample size %8 of %9</source>
     <message>
         <source>The cameras were changed since; this is about how they were refined.</source>
         <translation>カメラはその後変更されています。これは調整直後の状態についてのものです。</translation>
+    </message>
+    <message>
+        <source>By how much its images are later than the first camera&apos;s, beyond what was known</source>
+        <translation>既知の値に加えて、最初のカメラより画像がどれだけ遅れているか</translation>
+    </message>
+    <message>
+        <source>That is less sure than the cameras were (off by up to %1 cm): wave through more of the volume.</source>
+        <translation>以前のカメラ（ずれは最大 %1 cm）より不確かです。もっと広い範囲で振ってください。</translation>
+    </message>
+    <message>
+        <source>How late cameras are is kept in the project: images are put together by it from now on.</source>
+        <translation>カメラの遅れはプロジェクトに記録され、以後の画像はそれに従って組み合わされます。</translation>
     </message>
 </context>
 <context>
