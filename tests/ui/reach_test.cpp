@@ -12,6 +12,7 @@
 #include "ui/color/range_bar.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/selection/selection.h"
 #include "ui/start/recent_projects.h"
 
 #include <QAction>
@@ -54,6 +55,7 @@ private Q_SLOTS:
   void tabStaysOutOfWhatLiesBehindAnotherTab();
   void thePaletteFindsViewsAndLanguages();
   void aNoticeMovesNothingAndGoes();
+  void anotherProjectOpensWhileASpanIsSelected();
 
 private:
   template <class T> T* find(const char* name) {
@@ -114,6 +116,18 @@ void ReachTest::tabStaysOutOfWhatLiesBehindAnotherTab() {
     }
   }
   QVERIFY(wasInFront);
+}
+
+/// The table asked the run that was gone already for the selected span.
+void ReachTest::anotherProjectOpensWhileASpanIsSelected() {
+  openDemo();
+  QVERIFY(waitFor([this] { return window_->shown()->frame >= 10; }));
+  window_->selection().selectSpan(FrameSpan{2, 5});
+  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
+  window_->openProject({});
+  QVERIFY(opened.wait(kPatienceMs));
+  QVERIFY(!window_->selection().span());
+  QVERIFY(isOpen(2));
 }
 
 void ReachTest::thePaletteFindsViewsAndLanguages() {

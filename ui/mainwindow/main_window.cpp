@@ -194,6 +194,8 @@ void MainWindow::startSession(SessionInputs inputs, bool unsaved) {
 }
 
 void MainWindow::clearViews() {
+  trajectory_->follow({}); // first: what follows may make them look at the run, which is gone
+  trajectory_->boxes().follow({});
   layoutBehindPages_.clear();
   shown_.reset();
   cameras_->setSnapshot({});
@@ -207,8 +209,6 @@ void MainWindow::clearViews() {
   frameGeneration_ = 0;
   framePosition_ = 0;
   plot_->clear();
-  trajectory_->follow({});
-  trajectory_->boxes().follow({});
   timeline_->clear();
   birdsEye_->show(TrackSnapshotPtr());
 }
