@@ -12,6 +12,7 @@
 #include "ui/color/range_bar.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/message_bar.h"
 #include "ui/selection/selection.h"
 #include "ui/start/recent_projects.h"
 
@@ -56,6 +57,7 @@ private Q_SLOTS:
   void thePaletteFindsViewsAndLanguages();
   void aNoticeMovesNothingAndGoes();
   void anotherProjectOpensWhileASpanIsSelected();
+  void aRaisedViewComesToTheFrontBelowTheMessage();
 
 private:
   template <class T> T* find(const char* name) {
@@ -118,6 +120,18 @@ void ReachTest::tabStaysOutOfWhatLiesBehindAnotherTab() {
   QVERIFY(wasInFront);
 }
 
+void ReachTest::aRaisedViewComesToTheFrontBelowTheMessage() {
+  openDemo();
+  auto* messages = window_->findChild<MessageBar*>();
+  messages->showNotice(QStringLiteral("something to say"));
+  for (const char* name : {"colorDock", "trajectoryDock", "parameterDock", "plotDock"}) {
+    auto* dock = find<QDockWidget>(name);
+    dock->raise();
+    QVERIFY2(waitFor([dock] { return !dock->visibleRegion().isEmpty(); }), name);
+    QVERIFY(waitFor([&] { return window_->children().last() == messages; }));
+  }
+}
+
 /// The table asked the run that was gone already for the selected span.
 void ReachTest::anotherProjectOpensWhileASpanIsSelected() {
   openDemo();
@@ -166,7 +180,7 @@ void ReachTest::aNoticeMovesNothingAndGoes() {
   QVERIFY(message->text().contains(QStringLiteral("kept.toml")));
   QCOMPARE(find<QDockWidget>("birdsEyeDock")->geometry(), before);
   find<QDockWidget>("birdsEyeDock")->raise(); // what is raised does not cover it
-  QCOMPARE(window_->children().last(), static_cast<QObject*>(message->parentWidget()));
+  QVERIFY(waitFor([&] { return window_->children().last() == message->parentWidget(); }));
   QVERIFY(QTest::qWaitFor([&] { return !message->isVisible(); }, 10 * kPatienceMs));
 }
 

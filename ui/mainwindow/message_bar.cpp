@@ -165,8 +165,9 @@ bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
     place();
   } else if (event->type() == QEvent::ChildAdded && watched == parent()) {
     static_cast<QChildEvent*>(event)->child()->installEventFilter(this);
-  } else if (event->type() == QEvent::ZOrderChange && watched != this) {
-    raise();
+  } else if (event->type() == QEvent::ZOrderChange && watched != this && isVisible()) {
+    // Later: a dock comes to the front of its tabs only if it is the topmost when it is told so.
+    QMetaObject::invokeMethod(this, &QWidget::raise, Qt::QueuedConnection);
   }
   return QFrame::eventFilter(watched, event);
 }
