@@ -67,9 +67,11 @@ Status toMetres(const CalibrationFormat& format, const CalibrationHints& hints,
   if (!unit) {
     return failure(
         ErrorCode::MissingKey, file, "unit",
-        fmt::format("{} files do not say their unit; the cameras are up to {:.3g} apart, "
+        fmt::format("{} files do not say their unit; the cameras are up to {} apart, "
                     "likely {}: convert them with --unit mm, m or the metres of one unit",
-                    format.title, spread, likelyUnit(spread)));
+                    format.title,
+                    spread >= 100.0 ? fmt::format("{:.0f}", spread) : fmt::format("{:.3g}", spread),
+                    likelyUnit(spread)));
   }
   for (Camera& camera : calibration.rig) {
     camera.cameraFromWorld.translation() *= *unit;

@@ -34,6 +34,7 @@ private Q_SLOTS:
   void measuredPointsGiveTheCameraBack();
   void theBirdsEyeViewMovesCameras();
   void spacePressesWhatHasTheFocus();
+  void clickingEndsWithItsPage();
   void theRunGoesOn();
   void theWheelScrollsThePage();
   void everythingHasAName();
@@ -298,6 +299,15 @@ void CalibrationTest::spacePressesWhatHasTheFocus() {
   QCOMPARE(edges->isChecked(), !checked);
   QTest::qWait(200); // elsewhere the same key plays
   QCOMPARE(window_->shown()->state, PlayState::Paused);
+}
+
+void CalibrationTest::clickingEndsWithItsPage() {
+  find<QPushButton>("pointAdd")->click();
+  auto* clicking = find<QPushButton>("pointClick");
+  clicking->click();
+  QVERIFY(clicking->isChecked());
+  find<QAction>("actionCalibrateWand")->trigger();
+  QVERIFY(!clicking->isChecked());
 }
 
 void CalibrationTest::theRunGoesOn() {

@@ -87,8 +87,10 @@ void MainWindow::makeBoardPage() {
   };
   connect(action("actionCalibrateBoard"), &QAction::triggered, this, open);
   connect(action("actionPrintBoard"), &QAction::triggered, page, &BoardPage::print);
-  connect(calibration_, &CalibrationPlace::pageChanged, this,
-          [this] { showCalibration(action("actionCalibrateByHand")->isChecked()); });
+  connect(calibration_, &CalibrationPlace::pageChanged, this, [this] {
+    points_->setClicking(false); // its magnifier belongs to the page that was left
+    showCalibration(action("actionCalibrateByHand")->isChecked());
+  });
   connect(this, &MainWindow::snapshotShown, board_, &BoardDesk::setSnapshot);
   connect(board_, &BoardDesk::playWanted, this, [this] {
     if (bridge_ != nullptr && shown_ && shown_->state != PlayState::Playing) {
