@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/rough_offsets.h"
 
+#include "core/calibration/wand_bundle.h"
 #include "core/geometry/ray.h"
 
 #include <Eigen/QR>
@@ -9,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace dewpoint {
 namespace {
@@ -32,12 +34,6 @@ struct Track {
   std::vector<Look> looks;
 };
 
-double medianOf(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 Track trackOf(const WandProblem& problem, std::size_t camera, std::size_t ball) {
   const Unprojector unprojector(problem.rough[camera]);
   Track track{unprojector.center(), {}};
@@ -57,7 +53,7 @@ double periodOf(const Track& track) {
   for (std::size_t i = 1; i < track.looks.size(); ++i) {
     gaps.push_back(track.looks[i].time - track.looks[i - 1].time);
   }
-  return gaps.empty() ? 0.0 : medianOf(gaps);
+  return medianValue(std::move(gaps));
 }
 
 std::optional<Eigen::Vector3d> directionAt(const Track& track, double time, double longestGap) {
@@ -116,7 +112,7 @@ double unexplained(const std::vector<Passing>& samples) {
   for (Eigen::Index i = 0; i < count; ++i) {
     sizes[static_cast<std::size_t>(i)] = std::abs(left[i]);
   }
-  return medianOf(sizes) / std::sqrt(1.0 - kTerms / static_cast<double>(count));
+  return medianValue(std::move(sizes)) / std::sqrt(1.0 - kTerms / static_cast<double>(count));
 }
 
 /// One camera's tracks against another's: ball by ball.

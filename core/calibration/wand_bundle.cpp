@@ -32,15 +32,6 @@ std::vector<TimedView> viewsInTime(const WandProblem& problem) {
   return all;
 }
 
-double medianOf(std::vector<double> values) {
-  if (values.empty()) {
-    return 0.0;
-  }
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// The usual time between two images of one camera, seconds.
 double usualPeriod(const WandProblem& problem) {
   std::vector<double> gaps;
@@ -51,10 +42,19 @@ double usualPeriod(const WandProblem& problem) {
       }
     }
   }
-  return medianOf(std::move(gaps));
+  return medianValue(std::move(gaps));
 }
 
 } // namespace
+
+double medianValue(std::vector<double> values) {
+  if (values.empty()) {
+    return 0.0;
+  }
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 Status checkViews(const WandProblem& problem) {
   if (problem.rough.size() < 2) {
@@ -205,7 +205,7 @@ double medianResidual(const BundleProblem& problem, const BundleResult& now, int
       lengths.push_back(length);
     }
   }
-  return medianOf(std::move(lengths));
+  return medianValue(std::move(lengths));
 }
 
 } // namespace dewpoint
