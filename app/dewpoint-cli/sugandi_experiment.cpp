@@ -19,6 +19,7 @@ struct SugandiOptions {
   std::filesystem::path data;
   std::uint64_t scene = 5001;
   int seeds = 5;
+  bool sloppy = false;
 };
 
 int studySugandi(const SugandiOptions& options) {
@@ -40,12 +41,23 @@ int studySugandi(const SugandiOptions& options) {
     std::ranges::move(*recorded, std::back_inserter(clips));
   }
   heedInterruption();
-  const auto study = studyBoxes(clips, options.seeds, [](const BoxRow& row) {
+  auto study = studyBoxes(clips, options.seeds, [](const BoxRow& row) {
     fmt::print(stderr, "{}: {}\n", row.clip, row.method);
     return !interruptionAsked();
   });
   if (!study) {
     return report(study.error());
+  }
+  if (options.sloppy) {
+    auto rows = studySloppyBoxes(clips, options.seeds, [](const SloppyRow& row) {
+      fmt::print(stderr, "{}: {}, first box of {:.1f} times the size\n", row.clip, row.method,
+                 row.scale);
+      return !interruptionAsked();
+    });
+    if (!rows) {
+      return report(rows.error());
+    }
+    study->sloppy = std::move(*rows);
   }
   fmt::print("{}", boxStudyText(*study));
   const auto written = writeBoxStudy(*study, options.folder);
@@ -69,6 +81,8 @@ void addSugandiExperiment(CLI::App& group, int& exitCode) {
   command->add_option("--seeds", options->seeds, "Runs of each of our methods")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  command->add_flag("--sloppy", options->sloppy,
+                    "Also first boxes that are too large, too small and beside the target");
   command->callback([options, &exitCode] { exitCode = studySugandi(*options); });
 }
 

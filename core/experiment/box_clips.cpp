@@ -9,6 +9,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -24,8 +25,9 @@ constexpr double kPixelCenter = 0.5;
 constexpr double kOtbRadius = 20.0; // of the benchmark's precision
 constexpr double kClipPeriod = 0.8; // seconds, of the simulated ball's fastest motion
 constexpr std::int64_t kClipFrames = 300;
+constexpr int kLeastFrames = 20; // of a ball that is thrown
 
-std::function<Result<cv::Mat>(std::int64_t)> imagesOf(std::vector<fs::path> files) {
+std::function<Result<cv::Mat>(std::int64_t)> imageSource(std::vector<fs::path> files) {
   return [files = std::move(files)](std::int64_t frame) -> Result<cv::Mat> {
     const std::string file = files[static_cast<std::size_t>(frame)].string();
     cv::Mat image = cv::imread(file, cv::IMREAD_COLOR);
@@ -85,13 +87,62 @@ Status addJuggle(const fs::path& folder, std::vector<BoxClip>& clips) {
     clip.sentence = "up to 70 px per frame, hands and other balls in front";
     clip.radius = kJuggleRadius;
     clip.exactBoxes = false;
-    clip.image = imagesOf(files);
+    clip.image = imageSource(files);
     for (const auto& row : *rows) {
       const Eigen::Vector2d center(row[2 * ball + 2] + kPixelCenter,
                                    row[2 * ball + 1] + kPixelCenter);
       clip.truth.push_back(ImageBox::around(center, 2.0 * kJuggleRadius, 2.0 * kJuggleRadius));
     }
     clips.push_back(std::move(clip));
+  }
+  return {};
+}
+
+void addThrow(const fs::path& folder, const std::string& color,
+              const std::map<int, ImageBox>& boxes, std::vector<BoxClip>& clips) {
+  int begin = 0;
+  int count = 0;
+  int run = 0;
+  for (const auto& [frame, box] : boxes) {
+    run = boxes.contains(frame - 1) ? run + 1 : 1;
+    if (run > count) {
+      count = run;
+      begin = frame - run + 1;
+    }
+  }
+  if (count < kLeastFrames) {
+    return;
+  }
+  BoxClip clip;
+  clip.name = fmt::format("throws_pinkball, {} ball", color);
+  clip.sentence = "boxes by color segmentation";
+  clip.radius = kJuggleRadius;
+  std::vector<fs::path> files;
+  for (int frame = begin; frame < begin + count; ++frame) {
+    clip.truth.push_back(boxes.at(frame));
+    files.push_back(folder / fmt::format("frame{:05}.jpg", frame));
+  }
+  clip.image = imageSource(std::move(files));
+  clips.push_back(std::move(clip));
+}
+
+/// The boxes of throws_pinkball: of each ball its longest run of successive frames that is whole.
+Status addThrows(const fs::path& folder, std::vector<BoxClip>& clips) {
+  const auto text = readTextFile(folder / "balls_by_color.csv");
+  if (!text) {
+    return tl::make_unexpected(text.error());
+  }
+  std::map<std::string, std::map<int, ImageBox>> balls;
+  std::istringstream stream(*text);
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t comma = line.find(',');
+    const auto row = numbersOf(comma == std::string::npos ? "" : line.substr(comma + 1));
+    if (row.size() == 9 && row[8] == 0.0) { // frame, center, box, area, touches the border
+      balls[line.substr(0, comma)][static_cast<int>(row[0])] = {row[3], row[4], row[5], row[6]};
+    }
+  }
+  for (const auto& [color, boxes] : balls) {
+    addThrow(folder, color, boxes, clips);
   }
   return {};
 }
@@ -110,7 +161,7 @@ Status addSequence(const fs::path& folder, std::vector<BoxClip>& clips) {
     clip.truth.push_back({row[0] - 1.0, row[1] - 1.0, row[2], row[3]});
     files.push_back(folder / fmt::format("{:04}.jpg", files.size() + 1));
   }
-  clip.image = imagesOf(std::move(files));
+  clip.image = imageSource(std::move(files));
   clips.push_back(std::move(clip));
   return {};
 }
@@ -159,6 +210,11 @@ Result<std::vector<BoxClip>> recordedBoxClips(const fs::path& folder) {
       return tl::make_unexpected(added.error());
     }
   }
+  if (fs::exists(folder / "throws_pinkball")) {
+    if (const auto added = addThrows(folder / "throws_pinkball", clips); !added) {
+      return tl::make_unexpected(added.error());
+    }
+  }
   std::vector<fs::path> sequences;
   if (fs::exists(folder / "otb")) {
     for (const auto& entry : fs::directory_iterator(folder / "otb")) {
@@ -174,6 +230,18 @@ Result<std::vector<BoxClip>> recordedBoxClips(const fs::path& folder) {
     }
   }
   return clips;
+}
+
+Result<std::vector<cv::Mat>> imagesOf(const BoxClip& clip) {
+  std::vector<cv::Mat> images;
+  for (std::size_t frame = 0; frame < clip.truth.size(); ++frame) {
+    auto image = clip.image(static_cast<std::int64_t>(frame));
+    if (!image) {
+      return tl::make_unexpected(image.error());
+    }
+    images.push_back(std::move(*image));
+  }
+  return images;
 }
 
 } // namespace dewpoint

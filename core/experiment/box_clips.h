@@ -24,11 +24,15 @@ struct BoxClip {
   std::function<Result<cv::Mat>(std::int64_t)> image; ///< CV_8UC3; frames from 0
 };
 
+/// All images of a clip.
+Result<std::vector<cv::Mat>> imagesOf(const BoxClip& clip);
+
 /// A rendered clip, seeded: a ball on a fast path over a cluttered desk, with sensor noise,
 /// 320 x 240 pixels, 300 frames.
 BoxClip simulatedBoxClip(std::uint64_t seed);
 
-/// The clips that are found in a folder with `juggle1` (three balls, a clip each) and `otb`
+/// The clips that are found in a folder with `juggle1` (three balls, a clip each),
+/// `throws_pinkball` (a clip per ball) and `otb`
 /// (a folder per sequence, with groundtruth_rect.txt). Errors name a file that cannot be read.
 Result<std::vector<BoxClip>> recordedBoxClips(const std::filesystem::path& folder);
 

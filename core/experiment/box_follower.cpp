@@ -31,11 +31,15 @@ public:
     return tracker_->start(bgr, box, seed_);
   }
   std::optional<ImageBox> step(const cv::Mat& bgr) override {
-    return tracker_->step(bgr, team_).box;
+    const BoxEstimate estimate = tracker_->step(bgr, team_);
+    claim_ = {estimate.similarity, estimate.visible};
+    return estimate.box;
   }
+  std::optional<BoxClaim> claim() const override { return claim_; }
 
 private:
   std::unique_ptr<BoxTracker> tracker_;
+  BoxClaim claim_;
   std::uint64_t seed_;
   ThreadTeam team_;
 };

@@ -14,6 +14,12 @@
 
 namespace dewpoint {
 
+/// What a follower says of the box it found.
+struct BoxClaim {
+  double similarity = 0.0; ///< [0, 1]
+  bool visible = true;     ///< false: held where the target is thought to be
+};
+
 /// Anything that follows a box through images, for comparisons.
 class BoxFollower {
 public:
@@ -21,6 +27,8 @@ public:
   virtual Status start(const cv::Mat& bgr, const ImageBox& box) = 0;
   /// Nothing where it says that it has lost the target.
   virtual std::optional<ImageBox> step(const cv::Mat& bgr) = 0;
+  /// What it said of the last box; nothing from those that say nothing.
+  virtual std::optional<BoxClaim> claim() const { return std::nullopt; }
 };
 
 /// One of our methods, see makeBoxTracker(); one thread.

@@ -12,8 +12,7 @@ namespace {
 
 constexpr const char* kRemarks[] = {
     "RMSE: of the centers, over all frames after the first, px. Success: area under the curve of "
-    "the "
-    "share of frames whose overlap is above a threshold. Precision: share of frames with the "
+    "the share of frames whose overlap is above a threshold. Precision: share of frames with the "
     "center "
     "within the radius (20 px on otb, else the ball's).",
     "All start from the true box of the first frame. Figures of sugandi and histogram are means "
@@ -52,7 +51,73 @@ std::string barsHtml(const BoxStudy& study) {
   return text + "</tbody></table></div>";
 }
 
+constexpr const char* kSloppyRemark =
+    "Sloppy first boxes: of 0.8 to 1.4 times the true size, each in place and shifted by 15 % to "
+    "the four sides; measured against the true boxes, so that success falls with the first box's "
+    "own overlap. Similarity on and off the target (center within the radius or not): means of "
+    "what "
+    "a method says of itself; held boxes count as 0. Surely wrong: share of all frames off the "
+    "target with a similarity above 0.9.";
+
+std::string claimsText(const SloppyRow& row) {
+  return row.claims ? fmt::format("{:>6.2f} {:>6.2f} {:>6.1f} %", row.similarityOn,
+                                  row.similarityOff, 100.0 * row.surelyWrong)
+                    : std::string();
+}
+
+std::string sloppyText(const std::vector<SloppyRow>& rows) {
+  std::string text =
+      fmt::format("\nSloppy first boxes\n{:<28} {:<10} {:>5} {:>5} {:>8} {:>8} {:>9} "
+                  "{:>8} {:>6} {:>6} {:>8}\n",
+                  "clip", "method", "size", "runs", "RMSE px", "success", "precision", "worst",
+                  "on", "off", "wrong");
+  for (const SloppyRow& row : rows) {
+    text += fmt::format("{:<28} {:<10} {:>5.1f} {:>5} {:>8.2f} {:>8.3f} {:>7.1f} % {:>6.1f} % {}\n",
+                        row.clip, row.method, row.scale, row.runs, row.figures.rmse,
+                        row.figures.success, 100.0 * row.figures.precision,
+                        100.0 * row.worstPrecision, claimsText(row));
+  }
+  return text + fmt::format("{}\n", kSloppyRemark);
+}
+
+std::string claimsCells(const SloppyRow& row) {
+  return row.claims ? fmt::format("<td>{:.2f}</td><td>{:.2f}</td><td>{:.1f} %</td>",
+                                  row.similarityOn, row.similarityOff, 100.0 * row.surelyWrong)
+                    : "<td></td><td></td><td></td>";
+}
+
+std::string sloppyHtml(const std::vector<SloppyRow>& rows) {
+  std::string text =
+      "<h2>Sloppy first boxes</h2><div class='scroll'><table><thead><tr><th>clip</th>"
+      "<th>method</th><th>size</th><th>runs</th><th>RMSE px</th><th>success</th>"
+      "<th>precision</th><th>worst run</th><th>similarity on</th><th>off</th>"
+      "<th>surely wrong</th></tr></thead><tbody>";
+  for (const SloppyRow& row : rows) {
+    text +=
+        fmt::format("<tr{}><td>{}</td><td>{}</td><td>{:.1f}</td><td>{}</td><td>{:.2f}</td>"
+                    "<td>{:.3f}</td><td>{:.1f} %</td><td>{:.1f} %</td>{}</tr>",
+                    row.claims ? " class='ours'" : "", escaped(row.clip), escaped(row.method),
+                    row.scale, row.runs, row.figures.rmse, row.figures.success,
+                    100.0 * row.figures.precision, 100.0 * row.worstPrecision, claimsCells(row));
+  }
+  return text + fmt::format("</tbody></table></div><p>{}</p>", escaped(kSloppyRemark));
+}
+
 } // namespace
+
+std::string sloppyBoxesCsv(const std::vector<SloppyRow>& rows) {
+  std::string text = "clip,method,size,runs,rmse_px,success,precision,worst_precision,"
+                     "similarity_on,similarity_off,surely_wrong\n";
+  for (const SloppyRow& row : rows) {
+    text += fmt::format("{},{},{},{},{},{},{},{}", csvCell(row.clip), csvCell(row.method),
+                        row.scale, row.runs, row.figures.rmse, row.figures.success,
+                        row.figures.precision, row.worstPrecision);
+    text += row.claims
+                ? fmt::format(",{},{},{}\n", row.similarityOn, row.similarityOff, row.surelyWrong)
+                : ",,,\n";
+  }
+  return text;
+}
 
 std::string boxStudyText(const BoxStudy& study) {
   std::string text =
@@ -72,7 +137,7 @@ std::string boxStudyText(const BoxStudy& study) {
   for (const char* remark : kRemarks) {
     text += fmt::format("{}\n", remark);
   }
-  return text;
+  return study.sloppy.empty() ? text : text + sloppyText(study.sloppy);
 }
 
 std::string boxStudyCsv(const BoxStudy& study) {
@@ -103,6 +168,7 @@ std::string boxStudyHtml(const BoxStudy& study) {
     text += tableRow(row);
   }
   text += clip.empty() ? "" : "</tbody></table></div>";
+  text += study.sloppy.empty() ? "" : sloppyHtml(study.sloppy);
   text += "<h2>How to read it</h2>";
   for (const char* remark : kRemarks) {
     text += fmt::format("<p>{}</p>", escaped(remark));
@@ -113,7 +179,12 @@ std::string boxStudyHtml(const BoxStudy& study) {
 Status writeBoxStudy(const BoxStudy& study, const std::filesystem::path& folder) {
   return writeTextFile(folder / "sugandi-rmse.txt", boxStudyText(study))
       .and_then([&] { return writeTextFile(folder / "sugandi-rmse.csv", boxStudyCsv(study)); })
-      .and_then([&] { return writeTextFile(folder / "sugandi-rmse.html", boxStudyHtml(study)); });
+      .and_then([&] { return writeTextFile(folder / "sugandi-rmse.html", boxStudyHtml(study)); })
+      .and_then([&] {
+        return study.sloppy.empty()
+                   ? Status()
+                   : writeTextFile(folder / "sloppy-boxes.csv", sloppyBoxesCsv(study.sloppy));
+      });
 }
 
 } // namespace dewpoint

@@ -79,18 +79,6 @@ Result<BoxRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,
   return row;
 }
 
-Result<std::vector<cv::Mat>> imagesOf(const BoxClip& clip) {
-  std::vector<cv::Mat> images;
-  for (std::size_t frame = 0; frame < clip.truth.size(); ++frame) {
-    auto image = clip.image(static_cast<std::int64_t>(frame));
-    if (!image) {
-      return tl::make_unexpected(image.error());
-    }
-    images.push_back(std::move(*image));
-  }
-  return images;
-}
-
 constexpr double kJuggleBar = 0.85; // share of frames within a ball's radius
 constexpr const char* kImproved = "histogram, 300 particles";
 

@@ -3,6 +3,7 @@
 
 #include "core/experiment/box_clips.h"
 #include "core/experiment/box_metrics.h"
+#include "core/experiment/sloppy_study.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -33,6 +34,7 @@ struct BoxBar {
 struct BoxStudy {
   std::vector<BoxRow> rows; ///< clip by clip
   std::vector<BoxBar> bars;
+  std::vector<SloppyRow> sloppy; ///< of studySloppyBoxes(); empty unless asked for
 };
 
 /// Follows every clip with `sugandi` of 100 and of 300 particles, `histogram` and OpenCV's four
@@ -45,7 +47,12 @@ std::string boxStudyText(const BoxStudy& study);
 std::string boxStudyCsv(const BoxStudy& study);
 std::string boxStudyHtml(const BoxStudy& study);
 
-/// Writes sugandi-rmse.txt, .csv and .html into a folder that exists.
+/// What sloppy first boxes led to, as CSV; without numbers in the last three columns where a method
+/// does not say how sure it is.
+std::string sloppyBoxesCsv(const std::vector<SloppyRow>& rows);
+
+/// Writes sugandi-rmse.txt, .csv and .html, and sloppy-boxes.csv where that was studied, into a
+/// folder that exists.
 Status writeBoxStudy(const BoxStudy& study, const std::filesystem::path& folder);
 
 } // namespace dewpoint

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/image_box.h"
-
-#include <opencv2/core/mat.hpp>
+#include "core/observation/fine_histogram.h"
 
 #include <array>
 #include <cstdint>
@@ -11,10 +9,8 @@
 
 namespace dewpoint {
 
-/// A color histogram of fine bins (fineRgbBin()), smoothed over neighboring bins; it sums to 1.
-using FineHistogram = std::vector<double>;
-
-/// How probable it is that a pixel belongs to the target, for each bin of color; in kWhole-ths.
+/// How much more probable than not it is that a pixel belongs to the target, for each bin of color;
+/// in kWhole-ths: 0 where the color speaks for nothing or for the surroundings.
 using BinShares = std::vector<std::uint16_t>;
 
 /// What colors the parts of a boxed target have, and what colors are around it. The histograms
@@ -28,13 +24,18 @@ public:
 
   /// Forgets everything and takes the colors of a box (its center in the image).
   void learn(const cv::Mat& bgr, const ImageBox& box);
-  /// Moves the histograms towards those of a box by `rate`, [0, 1].
+  /// Moves the histograms towards those of a box by `rate`, [0, 1]. Pixels of colors that are
+  /// rather the surroundings' count for less: ground that has got into the box is not learned.
   void adaptTarget(const cv::Mat& bgr, const ImageBox& box, double rate);
   void adaptSurroundings(const cv::Mat& bgr, const ImageBox& box, double rate);
 
-  /// P(target | color) in a part (row by row from the upper left), by the background-weighted ratio
-  /// q² / (q² + b²) of the histograms of part and surroundings.
+  /// In a part (row by row from the upper left): max(0, 2 P(target | color) - 1), where P is the
+  /// background-weighted ratio q² / (q² + b²) of the histograms of part and surroundings.
   BinShares shares(int part) const;
+
+  /// How much a box speaks for the target as it was learned first, against the surroundings as they
+  /// are now: the mean of max(0, 2 P - 1) over its pixels, [0, 1].
+  double likeness(const cv::Mat& bgr, const ImageBox& box) const;
 
   /// About how many bytes a copy takes.
   std::size_t memoryBytes() const {
@@ -45,6 +46,8 @@ public:
   static ImageBox partOf(const ImageBox& box, int part);
 
 private:
+  FineHistogram figureOf(FineHistogram now, const FineHistogram& reference) const;
+
   std::array<FineHistogram, kParts> first_;
   std::array<FineHistogram, kParts> parts_;
   FineHistogram surroundings_;

@@ -3,6 +3,7 @@
 
 #include "core/filter/estimate.h"
 #include "core/filter/systematic_resampling.h"
+#include "core/observation/figure_box.h"
 #include "core/tracking/color_peaks.h"
 
 #include <opencv2/imgproc.hpp>
@@ -33,6 +34,7 @@ constexpr double kSearchReach = 5.0; ///< times the reach: beyond, a jump costs 
 constexpr double kFloor = 0.35;
 // Size (see settle()).
 constexpr double kShell = 0.1;
+constexpr double kLeastExponent = 0.4; ///< else a box with a margin could grow at no cost
 constexpr double kMostExponent = 0.8;
 // Adaptation.
 constexpr double kSureAbove = 0.6; ///< of the usual score: the box is the target, learn from it
@@ -84,13 +86,15 @@ Status HistogramTracker::start(const cv::Mat& bgr, const ImageBox& box, std::uin
   seed_ = seed;
   frame_ = 0;
   shrink_ = std::min(1.0, std::sqrt(kWorkingArea / box.area()));
-  first_ = {shrink_ * box.x, shrink_ * box.y, shrink_ * box.width, shrink_ * box.height};
+  drawn_ = {shrink_ * box.x, shrink_ * box.y, shrink_ * box.width, shrink_ * box.height};
+  const cv::Mat image = shrunk(bgr);
+  first_ = figureBox(image, drawn_);
   box_ = first_;
   hiddenFrames_ = 0;
-  const cv::Mat image = shrunk(bgr);
   colors_.learn(image, box_);
   map_.build(image, {{0, 0}, image.size()}, colors_);
   settle();
+  firstLikeness_ = std::max(colors_.likeness(image, box_), 1e-6);
   states_ = Eigen::ArrayXXd::Zero(particleCount_, kColumns);
   states_.col(kX) = box_.center().x();
   states_.col(kY) = box_.center().y();
@@ -99,10 +103,10 @@ Status HistogramTracker::start(const cv::Mat& bgr, const ImageBox& box, std::uin
   return {};
 }
 
-/// The score of a box is its sum of P(target) divided by width^p and height^q. Which p and q make
-/// the given box the best of its size, so that sizes do not drift? By a further column the sum
-/// grows by (mean P at the sides), width^p by p (mean P inside): p is the ratio of the two; q
-/// likewise.
+/// The score of a box is its sum of P(target) above a half divided by width^p and height^q. Which p
+/// and q make the given box the best of its size, so that sizes do not drift? By a further column
+/// the sum grows by (mean P at the sides), width^p by p (mean P inside): p is the ratio of the two;
+/// q likewise.
 void HistogramTracker::settle() {
   const double inside = map_.sum(box_);
   const auto exponent = [&](double across, double down) {
@@ -111,7 +115,8 @@ void HistogramTracker::settle() {
                                        (1.0 + sign * down) * box_.height));
     };
     const double growth = (grown(1.0) - grown(-1.0)) / (2.0 * kShell);
-    return inside > 0.0 ? std::clamp(growth / inside, 0.0, kMostExponent) : kMostExponent;
+    return inside > 0.0 ? std::clamp(growth / inside, kLeastExponent, kMostExponent)
+                        : kMostExponent;
   };
   widthExponent_ = exponent(kShell, 0.0);
   heightExponent_ = exponent(0.0, kShell);
@@ -125,6 +130,15 @@ double HistogramTracker::sizeFactor(const ImageBox& box) const {
 
 double HistogramTracker::score(const ImageBox& box) const {
   return map_.sum(box) / sizeFactor(box);
+}
+
+/// What was drawn lies about the figure as in the first image; in the whole image.
+ImageBox HistogramTracker::drawnAround(const ImageBox& figure) const {
+  const double across = figure.width / first_.width / shrink_;
+  const double down = figure.height / first_.height / shrink_;
+  return {figure.x / shrink_ + across * (drawn_.x - first_.x),
+          figure.y / shrink_ + down * (drawn_.y - first_.y), across * drawn_.width,
+          down * drawn_.height};
 }
 
 double HistogramTracker::size() const {
@@ -208,7 +222,7 @@ void HistogramTracker::move(const std::vector<Eigen::Vector2d>& peaks, Eigen::Ar
 
 /// Several places may be likely at once, and their mean is none of them: the mean of the particles
 /// about the best one.
-BoxEstimate HistogramTracker::estimateMode() {
+BoxEstimate HistogramTracker::estimateMode(const cv::Mat& bgr) {
   Eigen::Index best = 0;
   weights_.maxCoeff(&best);
   Eigen::ArrayXd near = weights_;
@@ -222,7 +236,7 @@ BoxEstimate HistogramTracker::estimateMode() {
   BoxEstimate result;
   result.box = boxOf(state.mean.transpose().array(), 0);
   const double share = score(result.box) / usualScore_;
-  result.similarity = std::clamp(share, 0.0, 1.0);
+  result.similarity = std::clamp(colors_.likeness(bgr, result.box) / firstLikeness_, 0.0, 1.0);
   result.spread =
       std::sqrt(std::max(0.0, state.covariance(kX, kX) + state.covariance(kY, kY))) / shrink_;
   result.effectiveSampleSize = 1.0 / weights_.square().sum();
@@ -259,7 +273,7 @@ BoxEstimate HistogramTracker::step(const cv::Mat& bgr, ThreadTeam& team) {
   Eigen::ArrayXd logWeights(states_.rows());
   move(peaks, logWeights, team);
   degenerate_ = !normalize(logWeights, weights_, team);
-  BoxEstimate result = estimateMode();
+  BoxEstimate result = estimateMode(image);
   if (result.visible) {
     hiddenFrames_ = 0;
     box_ = result.box;
@@ -268,8 +282,7 @@ BoxEstimate HistogramTracker::step(const cv::Mat& bgr, ThreadTeam& team) {
     ++hiddenFrames_;
     result.box = box_;
   }
-  result.box = {result.box.x / shrink_, result.box.y / shrink_, result.box.width / shrink_,
-                result.box.height / shrink_};
+  result.box = drawnAround(result.box);
   resample();
   return result;
 }

@@ -34,6 +34,7 @@ private:
 
   cv::Mat shrunk(const cv::Mat& bgr) const;
   void settle();
+  ImageBox drawnAround(const ImageBox& figure) const;
   double size() const;
   double reach() const;
   cv::Rect searchRegion() const;
@@ -45,7 +46,7 @@ private:
   void goOn(Eigen::Index row, const Moved& draws);
   void move(const std::vector<Eigen::Vector2d>& peaks, Eigen::ArrayXd& logWeights,
             ThreadTeam& team);
-  BoxEstimate estimateMode();
+  BoxEstimate estimateMode(const cv::Mat& bgr);
   void adapt(const cv::Mat& bgr, double share);
   void resample();
 
@@ -61,12 +62,14 @@ private:
   std::uint64_t seed_ = 0;
   std::uint32_t frame_ = 0;
   double shrink_ = 1.0; ///< the images are worked on at this share of their size
-  ImageBox first_;      ///< as given, in the working image, as all below
+  ImageBox drawn_;      ///< as given, in the working image, as all below
+  ImageBox first_;      ///< the figure in it, see figureBox(): what is followed
   ImageBox box_;        ///< where the target was last seen
   int hiddenFrames_ = 0;
   double widthExponent_ = 0.0; ///< see settle()
   double heightExponent_ = 0.0;
   double usualScore_ = 1.0;
+  double firstLikeness_ = 1.0; ///< of the first image, see TargetColors::likeness()
   TargetColors colors_;
   TargetMap map_;
   Eigen::ArrayXXd states_;   ///< rows x y vx vy s a

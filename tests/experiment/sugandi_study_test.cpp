@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -61,6 +62,53 @@ TEST(SugandiStudy, ReportsEveryMethodAndBar) {
   EXPECT_NE(boxStudyText(*study).find("csrt"), std::string::npos);
   EXPECT_NE(boxStudyCsv(*study).find("\"sugandi, 100 particles\""), std::string::npos);
   EXPECT_NE(boxStudyHtml(*study).find("</html>"), std::string::npos);
+}
+
+TEST(SloppyStudy, SlipsAreSharesOfTheBox) {
+  const std::vector<BoxSlip> slips = boxSlips();
+  EXPECT_EQ(slips.size(), 20U); // four sizes, five places
+  const BoxSlip slip{1.2, -0.15, 0.1};
+  const ImageBox drawn = slip.of({100.0, 50.0, 20.0, 40.0}); // center 110, 70
+  EXPECT_NEAR(drawn.center().x(), 107.0, 1e-12);
+  EXPECT_NEAR(drawn.center().y(), 74.0, 1e-12);
+  EXPECT_NEAR(drawn.width, 24.0, 1e-12);
+  EXPECT_NEAR(drawn.height, 48.0, 1e-12);
+}
+
+TEST(SloppyStudy, ReportsASizePerRow) {
+  BoxClip clip = simulatedBoxClip(7);
+  clip.truth.resize(4);
+  BoxStudy study;
+  auto rows =
+      studySloppyBoxes({clip}, 2, [](const SloppyRow&) { return true; }, {"histogram", "camshift"});
+  ASSERT_TRUE(rows);
+  study.sloppy = std::move(*rows);
+  ASSERT_EQ(study.sloppy.size(), 8U); // two methods, four sizes
+  EXPECT_EQ(study.sloppy.front().runs, 10);
+  EXPECT_EQ(study.sloppy.back().runs, 5); // CamShift has no seeds
+  EXPECT_TRUE(study.sloppy.front().claims);
+  EXPECT_FALSE(study.sloppy.back().claims);
+  EXPECT_EQ(std::ranges::count(sloppyBoxesCsv(study.sloppy), '\n'), 9);
+  EXPECT_NE(boxStudyText(study).find("Sloppy first boxes"), std::string::npos);
+  EXPECT_NE(boxStudyHtml(study).find("Sloppy first boxes"), std::string::npos);
+}
+
+TEST(SloppyStudy, HistogramStaysOnThePedestrian) {
+  const char* data = std::getenv("DEWPOINT_DATA");
+  if (data == nullptr || !std::filesystem::exists(std::filesystem::path(data) / "otb")) {
+    GTEST_SKIP() << "the recording otb is not in DEWPOINT_DATA";
+  }
+  auto clips = recordedBoxClips(data);
+  ASSERT_TRUE(clips);
+  std::erase_if(*clips, [](const BoxClip& clip) { return clip.name != "otb, Crossing"; });
+  ASSERT_EQ(clips->size(), 1U);
+  const auto rows =
+      studySloppyBoxes(*clips, 1, [](const SloppyRow&) { return true; }, {"histogram"});
+  ASSERT_TRUE(rows);
+  for (const SloppyRow& row : *rows) {
+    EXPECT_GT(row.figures.precision, row.scale < 1.3 ? 0.9 : 0.75) << row.scale;
+    EXPECT_LT(row.surelyWrong, 0.05) << row.scale;
+  }
 }
 
 TEST(SugandiStudy, HistogramStaysOnTheJuggledBalls) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace dewpoint {
@@ -32,6 +33,63 @@ TEST(HistogramTracker, FollowsAPatch) {
     least = std::min(least, overlap(estimate.box, scene.box(frame)));
   }
   EXPECT_GT(least, 0.7); // a patch of clear colors: 2 px off in both directions are 0.77
+}
+
+TEST(HistogramTracker, FollowsFromASloppyBox) {
+  const MovingPatch scene;
+  ThreadTeam team(1);
+  for (const double scale : {0.8, 1.2, 1.4}) {
+    for (const double shift : {-0.15, 0.15}) {
+      const auto tracker = histogram();
+      const ImageBox truth = scene.box(0);
+      const ImageBox drawn =
+          ImageBox::around(truth.center() + shift * Eigen::Vector2d(scene.side, scene.side),
+                           scale * scene.side, scale * scene.side);
+      ASSERT_TRUE(tracker->start(scene.image(0), drawn, 1));
+      double farthest = 0.0;
+      for (int frame = 1; frame <= 60; ++frame) {
+        const BoxEstimate estimate = tracker->step(scene.image(frame), team);
+        farthest = std::max(farthest, (estimate.box.center() - scene.box(frame).center()).norm());
+      }
+      EXPECT_LT(farthest, 0.5 * scene.side) << scale << ' ' << shift; // 0.21 as drawn
+    }
+  }
+}
+
+TEST(HistogramTracker, KeepsTheMarginOfTheDrawnBox) {
+  const MovingPatch scene;
+  ThreadTeam team(1);
+  const auto tracker = histogram();
+  const ImageBox truth = scene.box(0);
+  const double drawn = 1.4 * scene.side;
+  ASSERT_TRUE(tracker->start(scene.image(0), ImageBox::around(truth.center(), drawn, drawn), 1));
+  BoxEstimate estimate;
+  for (int frame = 1; frame <= 30; ++frame) {
+    estimate = tracker->step(scene.image(frame), team);
+  }
+  EXPECT_NEAR(estimate.box.width, drawn, 0.15 * drawn);
+  EXPECT_NEAR(estimate.box.height, drawn, 0.15 * drawn);
+}
+
+/// What is said of a box must fall when the target is gone, whatever is learned meanwhile.
+TEST(HistogramTracker, DoesNotCallTheGroundTheTarget) {
+  const MovingPatch scene;
+  ThreadTeam team(1);
+  auto parameters = ParameterValues(methodParameters("histogram"));
+  ASSERT_TRUE(parameters.set("hidden_below", 0.0)); // it takes whatever it finds for the target
+  for (const double scale : {1.0, 1.4}) {
+    auto tracker = makeBoxTracker("histogram", parameters);
+    ASSERT_TRUE(tracker);
+    const double drawn = scale * scene.side;
+    ASSERT_TRUE((*tracker)->start(scene.image(0),
+                                  ImageBox::around(scene.box(0).center(), drawn, drawn), 1));
+    for (int frame = 1; frame <= 10; ++frame) {
+      EXPECT_GT((*tracker)->step(scene.image(frame), team).similarity, 0.8) << frame;
+    }
+    for (int frame = 11; frame <= 80; ++frame) {
+      EXPECT_LT((*tracker)->step(scene.image(frame, false), team).similarity, 0.2) << frame;
+    }
+  }
 }
 
 TEST(HistogramTracker, HoldsAHiddenTargetAndFindsItAgain) {
