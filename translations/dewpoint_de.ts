@@ -1671,6 +1671,10 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <source>%1 % of the image moves: not looked at</source>
         <translation>%1 % des Bildes bewegen sich: nicht beachtet</translation>
     </message>
+    <message>
+        <source>learning: %1 %</source>
+        <translation>lernt: %1 %</translation>
+    </message>
 </context>
 <context>
     <name>PlotQuantity</name>

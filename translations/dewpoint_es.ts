@@ -1671,6 +1671,10 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <source>%1 % of the image moves: not looked at</source>
         <translation>se mueve el %1 % de la imagen: no se tiene en cuenta</translation>
     </message>
+    <message>
+        <source>learning: %1 %</source>
+        <translation>aprendiendo: %1 %</translation>
+    </message>
 </context>
 <context>
     <name>PlotQuantity</name>

@@ -1671,6 +1671,10 @@ From %2 to %3%4; default %5%4.</source>
         <source>%1 % of the image moves: not looked at</source>
         <translation>画像の %1 % が動いています：使いません</translation>
     </message>
+    <message>
+        <source>learning: %1 %</source>
+        <translation>学習中：%1 %</translation>
+    </message>
 </context>
 <context>
     <name>PlotQuantity</name>

@@ -37,6 +37,15 @@ std::string nameOf(const NewCamera& camera, std::size_t index) {
   return name.string();
 }
 
+/// What a project is called that nobody named: the folder its recordings lie in, or what its only
+/// camera is called.
+std::string nameOf(const std::vector<ProjectCamera>& cameras) {
+  const ProjectCamera& first = cameras.front();
+  return cameras.size() > 1 && isRecording(first.source)
+             ? std::filesystem::path(first.location).parent_path().filename().string()
+             : first.camera.name;
+}
+
 /// Made different where two are called the same: the same file name in two folders.
 void makeDistinct(std::vector<ProjectCamera>& cameras) {
   std::set<std::string> seen;
@@ -176,11 +185,7 @@ Result<MadeProject> makeProject(const NewProject& wanted) {
     return failure(ErrorCode::MissingKey, "", "camera", "a project needs at least one camera");
   }
   makeDistinct(project.cameras);
-  const auto& first = project.cameras.front();
-  project.name = !wanted.name.empty() ? wanted.name
-                 : isRecording(first.source)
-                     ? std::filesystem::path(first.location).parent_path().filename().string()
-                     : first.camera.name;
+  project.name = !wanted.name.empty() ? wanted.name : nameOf(project.cameras);
   if (!wanted.calibration) {
     made.calibrated = false;
     for (std::size_t i = 0; i < project.cameras.size(); ++i) {

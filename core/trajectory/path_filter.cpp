@@ -137,7 +137,8 @@ Innovation update(State<Order>& state, const SeenPlace& seen, double noiseFactor
 
 constexpr double kNoGate = std::numeric_limits<double>::infinity();
 
-/// Calls `look(index, innovation)` for each seen place behind the beginning.
+/// Calls `look(index, innovation, begins)` for each seen place until it returns false; those that
+/// only begin the path are told as such.
 template <int Order, class Look>
 void forward(std::span<const PathPoint> path, const PathModel& model, double gate, Look look) {
   const auto found =
@@ -158,20 +159,26 @@ void forward(std::span<const PathPoint> path, const PathModel& model, double gat
     const bool begins = looks++ < kBeginning;
     const Innovation innovation =
         update(state, *path[k].seen, model.noiseFactor, begins ? kNoGate : gate);
-    if (!begins) {
-      look(k, innovation);
+    if (!look(k, innovation, begins)) {
+      return;
     }
   }
 }
 
+/// Asks at every thousandth instant, which is a few milliseconds.
+bool wanted(std::size_t k, const std::function<bool()>& goesOn) {
+  return k % 1000 != 0 || !goesOn || goesOn();
+}
+
 template <int Order>
-std::vector<PathEstimate> smooth(std::span<const PathPoint> path, const PathModel& model) {
+std::vector<PathEstimate> smooth(std::span<const PathPoint> path, const PathModel& model,
+                                 const std::function<bool()>& goesOn) {
   const std::size_t count = path.size();
   const Motion<Order> motion(path, model);
   std::vector<State<Order>> filtered(count);
   std::vector<State<Order>> predicted(count);
   State<Order> state = motion.first(path.front().seen->position);
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < count && wanted(k, goesOn); ++k) {
     if (k > 0) {
       motion.predict(state, path[k].time - path[k - 1].time);
     }
@@ -182,7 +189,7 @@ std::vector<PathEstimate> smooth(std::span<const PathPoint> path, const PathMode
     filtered[k] = state;
   }
   // Särkkä (2013), theorem 8.2.
-  for (std::size_t k = count - 1; k-- > 0;) {
+  for (std::size_t k = count - 1; k-- > 0 && wanted(k, goesOn);) {
     const auto step = motion.transition(path[k + 1].time - path[k].time);
     State<Order>& here = filtered[k];
     const typename State<Order>::Matrix gain =
@@ -218,29 +225,42 @@ template <class Task> auto withOrder(int order, Task task) {
 
 double pathLogLikelihood(std::span<const PathPoint> path, const PathModel& model, double gate) {
   double sum = 0.0;
-  const auto add = [&](std::size_t, const Innovation& innovation) {
-    sum -= 0.5 * (innovation.logDeterminant + std::min(innovation.squaredDistance, gate) +
-                  3.0 * std::log(2.0 * std::numbers::pi));
+  const auto add = [&](std::size_t, const Innovation& innovation, bool begins) {
+    if (!begins) {
+      sum -= 0.5 * (innovation.logDeterminant + std::min(innovation.squaredDistance, gate) +
+                    3.0 * std::log(2.0 * std::numbers::pi));
+    }
+    return true;
   };
   withOrder(model.order, [&]<int Order>() { forward<Order>(path, model, gate, add); });
   return sum;
 }
 
+void eachPathSurprise(std::span<const PathPoint> path, const PathModel& model, double gate,
+                      const std::function<bool(std::size_t, double)>& tell) {
+  const auto look = [&](std::size_t k, const Innovation& innovation, bool begins) {
+    return tell(k, begins ? 0.0 : innovation.squaredDistance);
+  };
+  withOrder(model.order, [&]<int Order>() { forward<Order>(path, model, gate, look); });
+}
+
 std::vector<double> pathSurprises(std::span<const PathPoint> path, const PathModel& model,
                                   double gate) {
   std::vector<double> result(path.size());
-  const auto note = [&](std::size_t k, const Innovation& innovation) {
-    result[k] = innovation.squaredDistance;
-  };
-  withOrder(model.order, [&]<int Order>() { forward<Order>(path, model, gate, note); });
+  eachPathSurprise(path, model, gate, [&](std::size_t k, double surprise) {
+    result[k] = surprise;
+    return true;
+  });
   return result;
 }
 
-std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const PathModel& model) {
-  return withOrder(model.order, [&]<int Order>() { return smooth<Order>(path, model); });
+std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const PathModel& model,
+                                     const std::function<bool()>& goesOn) {
+  return withOrder(model.order, [&]<int Order>() { return smooth<Order>(path, model, goesOn); });
 }
 
-std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const PathModel& model) {
+std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const PathModel& model,
+                                          const std::function<bool()>& goesOn) {
   std::vector<Eigen::Matrix3d> effects(path.size(), Eigen::Matrix3d::Zero());
   std::vector<PathPoint> errors(path.begin(), path.end());
   for (int axis = 0; axis < 3; ++axis) {
@@ -254,7 +274,7 @@ std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const
       }
     }
     // The smoother is linear: smoothed errors are the errors of what is smoothed.
-    const auto after = smoothPath(errors, model);
+    const auto after = smoothPath(errors, model, goesOn);
     for (std::size_t k = 0; k < path.size(); ++k) {
       effects[k] += after[k].position * after[k].position.transpose();
     }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -43,14 +44,24 @@ double pathLogLikelihood(std::span<const PathPoint> path, const PathModel& model
 std::vector<double> pathSurprises(std::span<const PathPoint> path, const PathModel& model,
                                   double gate);
 
+/// The same one after the other: `tell(instant, surprise)` for each instant with a seen place,
+/// until it returns false. Who looks for the first far one need not wait for the end of a long
+/// path.
+void eachPathSurprise(std::span<const PathPoint> path, const PathModel& model, double gate,
+                      const std::function<bool(std::size_t, double)>& tell);
+
 /// What all that was seen, before and after, says of each instant: the smoother of Rauch, Tung and
 /// Striebel (1965). The first instant must have a seen place; instants after the last one are
-/// predictions.
-std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const PathModel& model);
+/// predictions. `goesOn`, when given, is asked now and then; after false the estimates mean
+/// nothing.
+std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const PathModel& model,
+                                     const std::function<bool()>& goesOn = {});
 
 /// What an error that all looks share does to the smoothed places, m² at each instant: that of a
 /// look of covariance C is C^(1/2) u, with the same normal vector u for all. It is not averaged
 /// away, and the smoother knows nothing of it (a "consider" parameter; Bierman 1977, chapter VIII).
-std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const PathModel& model);
+/// `goesOn` as for smoothPath().
+std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const PathModel& model,
+                                          const std::function<bool()>& goesOn = {});
 
 } // namespace dewpoint

@@ -104,9 +104,11 @@ std::optional<SeenPlace> lookOf(const TrajectorySample& sample, bool hasSeen) {
 /// One target's samples in the order of time, and what belongs together of them.
 class TargetSmoother {
 public:
+  /// `goesOn` is asked at each step, `wanted` more often within one.
   TargetSmoother(std::vector<TrajectorySample*> samples, double longestGap,
-                 std::function<bool()> goesOn)
-      : samples_(std::move(samples)), longestGap_(longestGap), goesOn_(std::move(goesOn)) {
+                 std::function<bool()> goesOn, std::function<bool()> wanted)
+      : samples_(std::move(samples)), longestGap_(longestGap), goesOn_(std::move(goesOn)),
+        wanted_(std::move(wanted)) {
     std::erase_if(samples_, [](const auto* sample) { return !std::isfinite(sample->time); });
     std::ranges::stable_sort(samples_, {}, [](const auto* sample) { return sample->time; });
     const bool hasSeen =
@@ -165,7 +167,7 @@ private:
     for (std::size_t k = 0; k < begins.size(); ++k) {
       const std::size_t end = k + 1 < begins.size() ? begins[k + 1] : points_.size();
       std::size_t begin = begins[k];
-      while (begin < end) {
+      while (begin < end && wanted_()) {
         if (result.empty() || result.back() != begin) { // the same again once a mistake is dropped
           result.push_back(begin);
         }
@@ -177,21 +179,21 @@ private:
 
   /// Where the next path begins; `end` if there is none before.
   std::size_t dropStrayLooks(std::size_t begin, std::size_t end, const PathModel& model) {
-    const auto surprises =
-        pathSurprises(std::span(points_).subspan(begin, end - begin), model, kGate);
     std::vector<std::size_t> stray;
-    for (std::size_t k = begin; k < end; ++k) {
-      if (!points_[k].seen) {
-        continue;
+    std::vector<std::size_t> alone; // strays before a look that is where the path is
+    const auto part = std::span(points_).subspan(begin, end - begin);
+    eachPathSurprise(part, model, kGate, [&](std::size_t k, double surprise) {
+      if (surprise <= kGate) {
+        alone.insert(alone.end(), stray.begin(), stray.end());
+        stray.clear();
+      } else {
+        stray.push_back(begin + k);
       }
-      if (surprises[k - begin] <= kGate) {
-        drop(stray);
-        continue;
-      }
-      stray.push_back(k);
-      if (stray.size() == kNewPathLooks) {
-        return dropMistake(begin, end, stray.front(), model) ? begin : stray.front();
-      }
+      return stray.size() < kNewPathLooks && (k % 1000 != 0 || wanted_());
+    });
+    drop(alone);
+    if (stray.size() == kNewPathLooks) {
+      return dropMistake(begin, end, stray.front(), model) ? begin : stray.front();
     }
     drop(stray);
     return end;
@@ -203,14 +205,17 @@ private:
   /// true is returned.
   bool dropMistake(std::size_t begin, std::size_t end, std::size_t jump, const PathModel& model) {
     const std::size_t first = firstBehindGap(begin, jump);
+    if (first <= begin) {
+      return false;
+    }
     std::vector<PathPoint> without(points_.begin() + static_cast<std::ptrdiff_t>(begin),
                                    points_.begin() + static_cast<std::ptrdiff_t>(end));
     for (std::size_t k = first; k < jump; ++k) {
       without[k - begin].seen.reset();
     }
-    for (std::size_t k = jump; first > begin && k < std::min(end, jump + kMistakeInstants); ++k) {
-      if (agrees(pathSurprises(without, model, kGate), without, k - begin)) {
-        const auto path = smoothPath(without, model);
+    for (std::size_t k = jump; k < std::min(end, jump + kMistakeInstants) && wanted_(); ++k) {
+      if (agrees(without, model, k - begin)) {
+        const auto path = smoothPath(without, model, wanted_);
         std::vector<std::size_t> mistakes;
         for (std::size_t look = first; look < k; ++look) {
           if (points_[look].seen && !isOnPath(*points_[look].seen, path[look - begin], model)) {
@@ -242,15 +247,16 @@ private:
   }
 
   /// Whether the next looks from `from` on are those that were expected.
-  static bool agrees(const std::vector<double>& surprises, const std::vector<PathPoint>& path,
-                     std::size_t from) {
+  static bool agrees(const std::vector<PathPoint>& path, const PathModel& model, std::size_t from) {
     int agreeing = 0;
-    for (std::size_t k = from; k < path.size() && agreeing < kLooksThatTell; ++k) {
-      if (path[k].seen && surprises[k] > kGate) {
-        return false;
+    bool expected = true;
+    eachPathSurprise(path, model, kGate, [&](std::size_t k, double surprise) {
+      if (k >= from) {
+        expected = surprise <= kGate;
+        agreeing += expected ? 1 : 0;
       }
-      agreeing += path[k].seen ? 1 : 0;
-    }
+      return expected && agreeing < kLooksThatTell;
+    });
     return agreeing == kLooksThatTell;
   }
 
@@ -269,11 +275,12 @@ private:
 
   void smoothPart(std::size_t begin, std::size_t end, const PathModel& model) {
     const auto part = std::span(points_).subspan(begin, end - begin);
-    auto estimates = smoothPath(part, model);
-    for (int pass = 0; pass < kMostPasses && dropOutliers(part, estimates, model); ++pass) {
-      estimates = smoothPath(part, model);
+    auto estimates = smoothPath(part, model, wanted_);
+    for (int pass = 0; pass < kMostPasses && goesOn_() && dropOutliers(part, estimates, model);
+         ++pass) {
+      estimates = smoothPath(part, model, wanted_);
     }
-    const auto shared = sharedErrors(part, model);
+    const auto shared = sharedErrors(part, model, wanted_);
     const double share = std::max(0.0, 1.0 - model.noiseFactor);
     std::size_t last = 0;
     for (std::size_t k = 0; k < part.size(); ++k) {
@@ -323,6 +330,7 @@ private:
   std::vector<TrajectorySample*> samples_;
   double longestGap_;
   std::function<bool()> goesOn_;
+  std::function<bool()> wanted_;
   std::vector<PathPoint> points_;
 };
 
@@ -356,14 +364,17 @@ Trajectory smoothed(const Trajectory& live, const SmootherOptions& options) {
   // How often it is asked varies with the run; each time the share grows a little towards the
   // whole.
   double share = 0.0;
-  const auto goesOn = [&] {
-    share += kShareOfAStep * (1.0 - share);
+  const auto wanted = [&] {
     stopped = stopped || (options.progress &&
                           !options.progress((done + share) / static_cast<double>(targets.size())));
     return !stopped;
   };
+  const auto goesOn = [&] {
+    share += kShareOfAStep * (1.0 - share);
+    return wanted();
+  };
   for (auto& [name, samples] : targets) {
-    TargetSmoother(std::move(samples), options.longestGap, goesOn).run();
+    TargetSmoother(std::move(samples), options.longestGap, goesOn, wanted).run();
     done += 1.0;
     share = 0.0;
   }

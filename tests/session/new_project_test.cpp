@@ -92,6 +92,7 @@ TEST_F(NewProjectTest, OneCameraWithoutACalibrationFollowsBoxes) {
   const auto made = makeProject(one);
   ASSERT_TRUE(made);
   EXPECT_EQ(methodFamily(made->project.method), MethodFamily::Boxes);
+  EXPECT_EQ(made->project.name, "left"); // one recording says nothing of its folder
   EXPECT_TRUE(checkParameters(made->project.method, made->project.parameters));
   EXPECT_EQ(makeProject(two())->project.method, "dewpoint");
 }

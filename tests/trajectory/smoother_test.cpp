@@ -298,6 +298,37 @@ TEST(Smoothed, CanBeEnded) {
   }
 }
 
+TEST(SmoothPath, AsksNowAndThenWhetherToGoOn) {
+  const Drawn drawn = draw(15, 5000, 0.1, 0.002);
+  int calls = 0;
+  smoothPath(drawn.path, PathModel(), [&] {
+    ++calls;
+    return true;
+  });
+  EXPECT_GE(calls, 10); // each thousand instants, there and back
+  calls = 0;
+  smoothPath(drawn.path, PathModel(), [&] {
+    ++calls;
+    return false;
+  });
+  EXPECT_LE(calls, 2); // once on each of the two ways
+}
+
+TEST(PathSurprises, AreToldOneByOneUntilItIsEnough) {
+  Drawn drawn = draw(16, 300, 0.1, 0.002);
+  drawn.path[50].seen->position += Eigen::Vector3d(5.0, 0.0, 0.0);
+  const PathModel model{2, 1.0, 1.0};
+  const auto all = pathSurprises(drawn.path, model, 40.0);
+  std::size_t told = 0;
+  eachPathSurprise(drawn.path, model, 40.0, [&](std::size_t k, double surprise) {
+    EXPECT_EQ(k, told);
+    EXPECT_EQ(surprise, all[k]);
+    ++told;
+    return surprise <= 40.0;
+  });
+  EXPECT_EQ(told, 51U);
+}
+
 TEST(Smoothed, LeavesWhatItCannotSmooth) {
   Trajectory live = liveRun(draw(11, 4, 0.1, 0.002));
   EXPECT_EQ(smoothed(live).samples[2].position, live.samples[2].position);

@@ -29,6 +29,11 @@ QString learningText(double share) {
       .arg(QLocale().toString(static_cast<int>(std::lround(100.0 * share))));
 }
 
+QString shortLearningText(double share) {
+  return QCoreApplication::translate("People", "learning: %1 %")
+      .arg(QLocale().toString(static_cast<int>(std::lround(100.0 * share))));
+}
+
 QString peopleTrouble(const TrackSnapshot& snapshot, int camera) {
   if (const auto share = learningOf(snapshot, camera)) {
     return learningText(*share);

@@ -13,6 +13,8 @@ namespace dewpoint {
 std::optional<double> learningOf(const TrackSnapshot& snapshot, int camera);
 /// "learning the empty room: 60 % · keep out of view".
 QString learningText(double share);
+/// The same where there is little room: "learning: 60 %".
+QString shortLearningText(double share);
 /// What keeps a camera from looking for people: learning, or too much moves; empty: nothing.
 QString peopleTrouble(const TrackSnapshot& snapshot, int camera);
 /// People who are there at the moment shown.

@@ -107,20 +107,25 @@ int personSeenAt(const TrackSnapshot& snapshot, int camera, const QPointF& pixel
 
 void paintPeopleTrouble(QPainter& painter, const TrackSnapshot& snapshot, int camera,
                         const QRectF& room) {
-  const QString text = peopleTrouble(snapshot, camera);
+  QString text = peopleTrouble(snapshot, camera);
   if (text.isEmpty()) {
     return;
   }
+  const auto share = learningOf(snapshot, camera);
+  const QFontMetricsF metrics(painter.font());
+  const double most = room.width() - 16.0;
+  if (share && metrics.horizontalAdvance(text) + 24.0 > most) {
+    text = shortLearningText(*share);
+  }
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  const QFontMetricsF metrics(painter.font());
-  const double width = std::min(room.width() - 16.0, metrics.horizontalAdvance(text) + 24.0);
+  const double width = std::min(most, metrics.horizontalAdvance(text) + 24.0);
   const double height = metrics.height() + 12.0;
   const QRectF pill(room.center().x() - width / 2.0, room.bottom() - height - 8.0, width, height);
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(0, 0, 0, 190));
   painter.drawRoundedRect(pill, 6.0, 6.0);
-  if (const auto share = learningOf(snapshot, camera)) {
+  if (share) {
     const QRectF bar(pill.left() + 8.0, pill.bottom() - 5.0, pill.width() - 16.0, 2.5);
     painter.setBrush(QColor(255, 255, 255, 60));
     painter.drawRect(bar);

@@ -46,10 +46,12 @@ QString titleOf(const Trajectory& trajectory) {
 
 ExportDialog::ExportDialog(std::function<Trajectory()> trajectory, QWidget* parent)
     : QDialog(parent), trajectorySource_(std::move(trajectory)), worker_(new ExportWorker(this)),
-      soon_(new QTimer(this)) {
+      soon_(new QTimer(this)), long_(new QTimer(this)) {
   setObjectName(QStringLiteral("exportDialog"));
   soon_->setSingleShot(true);
   soon_->setInterval(kPreviewDelayMs);
+  long_->setSingleShot(true);
+  long_->setInterval(kSoonDoneMs);
   makeFields();
   arrangeFields();
   inEveryLanguage(this, [this] { retranslate(); });
@@ -62,9 +64,10 @@ ExportDialog::ExportDialog(std::function<Trajectory()> trajectory, QWidget* pare
 void ExportDialog::connectFields() {
   connect(soon_, &QTimer::timeout, this, [this] {
     previewing_ = true;
-    sincePreview_.start();
+    long_->start();
     worker_->preview(trajectory_, options(), file());
   });
+  connect(long_, &QTimer::timeout, cancel_, &QWidget::show);
   connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::formatChanged);
   for (QComboBox* box : {estimates_, gaps_, axes_, unit_}) {
     connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::changed);
@@ -82,7 +85,6 @@ void ExportDialog::connectFields() {
   connect(worker_, &ExportWorker::previewing, this, [this](int percent) {
     if (previewing_) {
       size_->setText(tr("Working on the preview: %1 %").arg(percent));
-      cancel_->setVisible(running_ || sincePreview_.elapsed() > kSoonDoneMs);
     }
   });
   connect(worker_, &ExportWorker::previewReady, this, &ExportDialog::showPreview);
@@ -144,6 +146,7 @@ void ExportDialog::hideEvent(QHideEvent* event) {
 
 void ExportDialog::endPreview() {
   previewing_ = false;
+  long_->stop();
   cancel_->setVisible(running_);
 }
 

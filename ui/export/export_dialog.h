@@ -4,7 +4,6 @@
 #include "ui/export/export_worker.h"
 
 #include <QDialog>
-#include <QElapsedTimer>
 
 #include <functional>
 #include <optional>
@@ -75,6 +74,7 @@ private:
   ExportWorker::TrajectoryPtr trajectory_;
   ExportWorker* worker_;
   QTimer* soon_; ///< several changes in a row make one preview
+  QTimer* long_; ///< a preview that takes long gets a button to stop it
   QFormLayout* form_ = nullptr;
   QComboBox* format_;
   QListWidget* targets_;
@@ -99,7 +99,6 @@ private:
   QPushButton* close_;
   bool running_ = false;
   bool previewing_ = false;
-  QElapsedTimer sincePreview_;
   std::pair<double, double> given_;                  ///< the span that was proposed
   std::vector<std::string> nameEnds_{std::string()}; ///< of the files that will be written
   QString written_;                                  ///< the file that was exported last

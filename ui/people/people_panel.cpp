@@ -46,7 +46,9 @@ QIcon chip(const QColor& color) {
 }
 
 QString number(double value, int decimals) {
-  return QLocale().toString(value, 'f', decimals);
+  const double step = std::pow(10.0, decimals);
+  // Rounded first: a minus before nothing but zeros says nothing.
+  return QLocale().toString(std::round(value * step) / step + 0.0, 'f', decimals);
 }
 
 } // namespace
@@ -105,6 +107,7 @@ void PeoplePanel::makeTable() {
   table_->horizontalHeader()->setFont(small);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setStretchLastSection(true);
 }
 
 void PeoplePanel::say() {
