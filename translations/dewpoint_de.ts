@@ -1839,6 +1839,10 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <source>tracking again: frame %1 of %2 to %3</source>
         <translation>verfolgt erneut: Bild %1 von %2 bis %3</translation>
     </message>
+    <message>
+        <source>✕ cameras</source>
+        <translation>✕ Kameras</translation>
+    </message>
 </context>
 <context>
     <name>Unit</name>
@@ -4538,6 +4542,14 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Writing the tables of people…</source>
         <translation>Die Tabellen der Personen werden geschrieben…</translation>
+    </message>
+    <message>
+        <source>Unsaved work on “%1” was thrown away.</source>
+        <translation>Ungespeicherte Arbeit an „%1“ wurde verworfen.</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>Zurückholen</translation>
     </message>
 </context>
 <context>

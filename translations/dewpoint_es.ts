@@ -1839,6 +1839,10 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <source>tracking again: frame %1 of %2 to %3</source>
         <translation>siguiendo de nuevo: fotograma %1 de %2 a %3</translation>
     </message>
+    <message>
+        <source>✕ cameras</source>
+        <translation>✕ cámaras</translation>
+    </message>
 </context>
 <context>
     <name>Unit</name>
@@ -4538,6 +4542,14 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Writing the tables of people…</source>
         <translation>Escribiendo las tablas de personas…</translation>
+    </message>
+    <message>
+        <source>Unsaved work on “%1” was thrown away.</source>
+        <translation>El trabajo sin guardar en «%1» se ha descartado.</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>Recuperarlo</translation>
     </message>
 </context>
 <context>

@@ -1839,6 +1839,10 @@ From %2 to %3%4; default %5%4.</source>
         <source>tracking again: frame %1 of %2 to %3</source>
         <translation>再追跡中: フレーム %1 (%2～%3)</translation>
     </message>
+    <message>
+        <source>✕ cameras</source>
+        <translation>✕ カメラ</translation>
+    </message>
 </context>
 <context>
     <name>Unit</name>
@@ -4536,6 +4540,14 @@ at %4, %5, %6 m</source>
     <message>
         <source>Writing the tables of people…</source>
         <translation>人物の表を書き出しています…</translation>
+    </message>
+    <message>
+        <source>Unsaved work on “%1” was thrown away.</source>
+        <translation>「%1」の未保存の作業を破棄しました。</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>元に戻す</translation>
     </message>
 </context>
 <context>

@@ -49,8 +49,10 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode);
 void addCalibratePointsCommand(CLI::App& group, int& exitCode);
 
 /// Writes a simulated office scene with people to disk, ready to track: a video per camera,
-/// pictures of the empty room, project.toml, calibration.toml, truth.csv. Returns the exit code.
-int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder);
+/// pictures of the empty room, project.toml, calibration.toml, truth.csv. `option` is the one that
+/// names the folder. Returns the exit code.
+int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
+                 const std::string& option);
 
 /// Into the group `experiment`.
 void addPeopleExperiments(CLI::App& group, int& exitCode);

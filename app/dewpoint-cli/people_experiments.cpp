@@ -46,7 +46,8 @@ int recordScenario(const StudyOptions& options) {
                            ? PeopleClothes::Similar
                            : PeopleClothes::Different;
   const auto scenario = makePeopleScenario(options.scenario, clothes, options.first);
-  return scenario ? recordOffice(scenario->scene, options.record) : report(scenario.error());
+  return scenario ? recordOffice(scenario->scene, options.record, "--record")
+                  : report(scenario.error());
 }
 
 int studyScenario(const StudyOptions& options) {

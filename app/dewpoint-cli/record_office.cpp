@@ -42,19 +42,20 @@ Status writeRoom(const OfficeRenderer& renderer, std::size_t camera, const std::
 
 } // namespace
 
-int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder) {
+int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
+                 const std::string& option) {
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem) {
-    return report({ErrorCode::FileUnwritable, folder.string(), "--record", problem.message()});
+    return report({ErrorCode::FileUnwritable, folder.string(), option, problem.message()});
   }
   simulation::ViewCache views;
   const OfficeRenderer renderer(scene, views);
   const auto whole = std::filesystem::absolute(folder);
-  Project project;
+  Project project = projectOfOffice();
   project.name = "people in the office";
-  project.parameters = ParameterValues(methodParameters(project.method));
-  project.framesPerSecond = scene.framesPerSecond;
+  project.scene.clear(); // its cameras are recordings from here on
+  project.cameras.clear();
   project.truth = whole / "truth.csv";
   Progress progress("rendering",
                     scene.frameCount * static_cast<std::int64_t>(scene.cameras.size()));

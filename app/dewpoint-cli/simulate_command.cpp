@@ -5,6 +5,7 @@
 #include "core/calibration/calibration_file.h"
 #include "core/capture/frame_writer.h"
 #include "core/session/tracking_run.h"
+#include "core/simulation/office_day.h"
 #include "core/simulation/scene_renderer.h"
 #include "core/trajectory/trajectory_writer.h"
 
@@ -77,7 +78,23 @@ Status writeCamera(const SceneRenderer& renderer, int index, const SimulateOptio
   return writer->finish();
 }
 
+/// The scene of people has a story of its own: of the options only those that are not about balls.
+int simulateOffice(const SimulateOptions& options) {
+  if (options.motion || options.lookAlikes || options.occluder || options.images) {
+    report({ErrorCode::BadValue, "", "--motion, --look-alikes, --occluder, --images",
+            "they are for scenes with balls, not for the office"});
+    return kExitUsage;
+  }
+  OfficeScene scene = officeDay();
+  scene.seed = options.seed.value_or(scene.seed);
+  scene.frameCount = options.frames.value_or(scene.frameCount);
+  return recordOffice(scene, options.out, "--out");
+}
+
 int simulate(const SimulateOptions& options) {
+  if (options.scene == kOfficeScene) {
+    return simulateOffice(options);
+  }
   auto scene = chosenScene(options);
   if (!scene) {
     return report(scene.error());
@@ -120,9 +137,9 @@ void addSimulateCommand(CLI::App& app, int& exitCode) {
       app.add_subcommand("simulate", "Render a scene with known truth to disk, ready to track.");
   auto options = std::make_shared<SimulateOptions>();
   command
-      ->add_option(
-          "SCENE", options->scene,
-          fmt::format("Built-in scene ({}) or a scene file (TOML)", fmt::join(sceneNames(), ", ")))
+      ->add_option("SCENE", options->scene,
+                   fmt::format("Built-in scene ({}; {}: people) or a scene file (TOML)",
+                               fmt::join(sceneNames(), ", "), kOfficeScene))
       ->capture_default_str();
   command->add_option("--out", options->out, "Folder to write")->required();
   command->add_option("--seed", options->seed, "Seed of the scene's noise and clutter");

@@ -21,6 +21,11 @@ void TrackingLoop::changePeople(const command::ChangePeople& wish) {
   if (wish.seen) {
     change.newPerson = personAtPixel(run_->people()->tracker(), *rig_, project_.parameters,
                                      wish.seen->camera, wish.seen->pixel);
+    const auto camera = static_cast<std::size_t>(wish.seen->camera);
+    if (!change.newPerson && camera < rig_->size()) {
+      errors_.push_back({ErrorCode::Undetermined, "", (*rig_)[camera].name,
+                         "nobody who stands on the watched floor would be seen at this pixel"});
+    }
   }
   if (!change.newPerson && !change.personGone) {
     return;

@@ -27,3 +27,10 @@ expectSentence no-such-scene
 printf 'frame_cuont = 12\n' >typo.toml
 expectExit $kBadInput simulate typo.toml --out nowhere
 expectSentence typo.toml frame_cuont
+
+# The scene with people: tracked as it comes, by a method for people, with the empty room beside it.
+expectExit 0 simulate office --frames 45 --out office
+expectText office/project.toml 'method = "people"' camera-4.mkv empty-1
+expectExit 0 people office/project.toml --out people
+expectExit $kUsage simulate office --occluder --out nowhere
+expectSentence --occluder

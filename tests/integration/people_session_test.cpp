@@ -201,6 +201,10 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 2; }));
   const Eigen::Vector3d placed = session.newest()->targets.at(1).estimate.mean;
   EXPECT_LT((placed - renderer.middle(1, now)).head<2>().norm(), 0.3); // of 0.1 m steps
+  session.addPersonSeen(0, {0.0, 0.0}); // a corner of the ceiling: nobody is there, which is said
+  ASSERT_TRUE(eventually([&] { return session.newest()->notices.size() == 1; }));
+  EXPECT_EQ(session.newest()->notices.front().field, officeRig()[0].name);
+  EXPECT_EQ(present(*session.newest()), 2);
   session.removePerson(1);
   ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 1; }));
   EXPECT_EQ(session.newest()->targets.at(0).status, TargetStatus::Gone); // and not lost

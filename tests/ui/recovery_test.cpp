@@ -11,8 +11,10 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDateTime>
 #include <QDir>
 #include <QDockWidget>
+#include <QFile>
 #include <QLabel>
 #include <QLockFile>
 #include <QMessageBox>
@@ -22,6 +24,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <QToolButton>
 
 #include <filesystem>
 #include <functional>
@@ -43,7 +46,7 @@ private Q_SLOTS:
   void behindAPageTheLayoutIsThatOfTheViews();
   void theQuestionComesBackAfterOtherMessages();
   void theLateQuestionTakesNoOtherWorkAway();
-  void thrownAwayItIsGone();
+  void thrownAwayItIsGoneButForASlip();
   void whatCannotBeOpenedStays();
   void locksOfTheDeadGo();
 
@@ -70,6 +73,7 @@ private:
     QTest::mouseClick(find<QPushButton>(button), Qt::LeftButton);
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the former answers
   }
+  void closeMessage() { QTest::mouseClick(find<QToolButton>("messageClose"), Qt::LeftButton); }
   void makeWindow();
   /// A project file of the demo, called so.
   std::filesystem::path demoFile(const char* name);
@@ -194,13 +198,19 @@ void RecoveryTest::theLateQuestionTakesNoOtherWorkAway() {
   QVERIFY(isOpen("half done"));
 }
 
-void RecoveryTest::thrownAwayItIsGone() {
+void RecoveryTest::thrownAwayItIsGoneButForASlip() {
   leaveBehind("0123", demoFile("one"));
   leaveBehind("4567", demoFile("two"));
   window_->useRecovery(place("left"));
   answer("messageAnswer1");
-  QVERIFY(!message().isEmpty()); // there is one more
+  QVERIFY(message().contains(QStringLiteral("thrown away")));
+  closeMessage();
+  QVERIFY(message().contains(QStringLiteral("did not end"))); // there is one more
   answer("messageAnswer1");
+  answer("messageAnswer0"); // no, that was a slip
+  QVERIFY(message().contains(QStringLiteral("did not end")));
+  answer("messageAnswer1");
+  closeMessage();
   QVERIFY(message().isEmpty());
   QVERIFY(QDir(QString::fromStdString(place("left").string())).entryList({"*.toml"}).isEmpty());
   QVERIFY(find<QWidget>("startPage")->isVisible());
@@ -235,6 +245,15 @@ void RecoveryTest::locksOfTheDeadGo() {
   QVERIFY(writeTextFile(left / "0123.lock", lock));
   QVERIFY(writeTextFile(left / "0123.origin", "/home/somewhere.toml"));
   QVERIFY(writeTextFile(left / "4567.toml.part", "form"));
+  // Put aside: one lately, one longer ago than a week.
+  QVERIFY(writeTextFile(left / "cdef.aside", "format"));
+  QVERIFY(writeTextFile(left / "fedc.aside", "format"));
+  QVERIFY(writeTextFile(left / "fedc.origin", "/home/somewhere.toml"));
+  QFile old(QString::fromStdString((left / "fedc.aside").string()));
+  QVERIFY(old.open(QIODevice::ReadWrite));
+  QVERIFY(
+      old.setFileTime(QDateTime::currentDateTime().addDays(-8), QFileDevice::FileModificationTime));
+  old.close();
   leaveBehind("89ab", demoFile("half done"));
   QVERIFY(writeTextFile(left / "89ab.lock", lock));
   window_->useRecovery(left);
@@ -242,6 +261,8 @@ void RecoveryTest::locksOfTheDeadGo() {
   QVERIFY(all.contains(QStringLiteral("89ab.toml")));
   QCOMPARE(all.filter(QStringLiteral("0123")), QStringList());
   QCOMPARE(all.filter(QStringLiteral("4567")), QStringList());
+  QVERIFY(all.contains(QStringLiteral("cdef.aside")));
+  QCOMPARE(all.filter(QStringLiteral("fedc")), QStringList());
   QCOMPARE(all.filter(QStringLiteral(".lock")).size(), 1); // this window's
   QVERIFY(message().contains(QStringLiteral("half done")));
 }

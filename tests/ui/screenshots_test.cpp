@@ -70,6 +70,9 @@ private:
   void keepWaving(MainWindow& window);
   void keepPlan(MainWindow& window);
   void keepPeople(MainWindow& window);
+  void keepBoxes(MainWindow& window);
+  /// The dialog that an action opens.
+  void keepDialog(MainWindow& window, const char* action, const char* dialog);
 
   QString theme_;
 };
@@ -206,6 +209,30 @@ void ScreenshotsTest::keepPeople(MainWindow& window) {
   keep(window.grab().toImage(), QStringLiteral("people"));
 }
 
+void ScreenshotsTest::keepDialog(MainWindow& window, const char* action, const char* dialog) {
+  window.findChild<QAction*>(QLatin1String(action))->trigger();
+  QTest::qWait(kSettleMs);
+  auto* shown = window.findChild<QWidget*>(QLatin1String(dialog));
+  QVERIFY2(shown != nullptr, dialog);
+  keep(shown->grab().toImage(), QLatin1String(dialog));
+  shown->close();
+}
+
+void ScreenshotsTest::keepBoxes(MainWindow& window) {
+  QSignalSpy opened(&window, &MainWindow::projectOpened);
+  window.openProject(DEWPOINT_SOURCE_DIR "/docs/examples/histogram.toml");
+  QVERIFY(opened.wait(kPatienceMs));
+  constexpr qint64 kMiddle = 60;
+  QVERIFY(QTest::qWaitFor([&] { return window.shown() && window.shown()->frame >= kMiddle; },
+                          kPatienceMs));
+  window.findChild<QAction*>("actionPlay")->trigger();
+  window.selection().wantMoment(kMiddle);
+  window.findChild<QDockWidget*>("targetDock")->raise();
+  QTest::qWait(kSettleMs);
+  keep(window.grab().toImage(), QStringLiteral("boxes"));
+  keepDialog(window, "actionExportTrajectory", "boxExportDialog");
+}
+
 void ScreenshotsTest::everyView() {
   QFETCH(int, theme);
   theme_ = QLatin1String(QTest::currentDataTag());
@@ -243,17 +270,15 @@ void ScreenshotsTest::everyView() {
   keep(window.grab().toImage(), QStringLiteral("window-color"));
   keepCalibration(window);
   keepPlan(window);
-  window.findChild<QAction*>("actionShortcuts")->trigger();
+  keepDialog(window, "actionShortcuts", "shortcutEditor");
+  keepDialog(window, "actionExperiments", "experimentDialog");
+  keepDialog(window, "actionPalette", "commandPalette");
   window.findChild<QAction*>("actionExportTrajectory")->trigger();
   window.findChild<QLineEdit*>("exportFile")->setText(QStringLiteral("trajectory.csv"));
-  QTest::qWait(kSettleMs);
-  for (const char* dialog : {"shortcutEditor", "exportDialog"}) {
-    keep(window.findChild<QWidget*>(QLatin1String(dialog))->grab().toImage(),
-         QLatin1String(dialog));
-    window.findChild<QWidget*>(QLatin1String(dialog))->close();
-  }
+  keepDialog(window, "actionExportTrajectory", "exportDialog");
   window.findChild<QAction*>("actionShowMask")->setChecked(false);
   keepPeople(window);
+  keepBoxes(window);
 }
 
 } // namespace dewpoint

@@ -24,10 +24,21 @@ constexpr int kDelayMs = 1000; ///< half of the two seconds that may be lost; th
 const QString kProject = QStringLiteral(".toml");
 const QString kOrigin = QStringLiteral(".origin"); ///< the file the project was loaded from
 const QString kLock = QStringLiteral(".lock");
+const QString kAside = QStringLiteral(".aside"); ///< a project nobody wanted back
+constexpr int kDaysAside = 7;
 
 void removeFile(const std::filesystem::path& file) {
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
+}
+
+void moveFile(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::error_code ignored; // it stays, and is offered again
+  std::filesystem::rename(from, to, ignored);
+}
+
+std::filesystem::path asideOf(const std::filesystem::path& copy) {
+  return std::filesystem::path(copy).replace_extension(kAside.toStdString());
 }
 
 std::filesystem::path originOf(const std::filesystem::path& copy) {
@@ -65,14 +76,21 @@ Recovery::Recovery(Document& document, std::filesystem::path folder, QObject* pa
 
 Recovery::~Recovery() = default; // the document may be gone already
 
-/// Windows that are gone may have left a lock without any work, or half a copy.
+/// Windows that are gone may have left a lock without any work, or half a copy; and what was put
+/// aside long ago is not wanted back.
 void Recovery::sweep() {
   const QDir folder(QString::fromStdString(folder_.string()));
+  const QDateTime old = QDateTime::currentDateTime().addDays(-kDaysAside);
+  for (const QFileInfo& file : folder.entryInfoList({QStringLiteral("*") + kAside}, QDir::Files)) {
+    if (file.lastModified() < old) {
+      removeFile(file.filePath().toStdString());
+    }
+  }
   const QStringList ours{QStringLiteral("*") + kLock, QStringLiteral("*") + kOrigin,
                          QStringLiteral("*.part")};
   for (const QFileInfo& file : folder.entryInfoList(ours, QDir::Files)) {
     const QString id = file.fileName().section(QLatin1Char('.'), 0, 0);
-    if (id == id_ || folder.exists(id + kProject)) {
+    if (id == id_ || folder.exists(id + kProject) || folder.exists(id + kAside)) {
       continue;
     }
     QLockFile lock(folder.filePath(id + kLock));
@@ -175,6 +193,14 @@ Result<Project> Recovery::recover(const RecoverableWork& work) {
     project->file = readTextFile(originOf(work.file)).value_or(std::string());
   }
   return project;
+}
+
+void Recovery::putAside(const RecoverableWork& work) {
+  moveFile(work.file, asideOf(work.file));
+}
+
+void Recovery::takeBack(const RecoverableWork& work) {
+  moveFile(asideOf(work.file), work.file);
 }
 
 void Recovery::discard(const RecoverableWork& work) {

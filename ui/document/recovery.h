@@ -43,7 +43,10 @@ public:
   /// The document is that work now: its copy goes as soon as this window has written its own, or
   /// the work is saved or given up.
   void take(const RecoverableWork& work) { taken_.push_back(work); }
-  void discard(const RecoverableWork& work);
+  /// Puts the copy where it is not offered any more; a slip can be taken back. What lies there is
+  /// gone after a week.
+  void putAside(const RecoverableWork& work);
+  void takeBack(const RecoverableWork& work);
   /// Forgets the copy of this window, and what it took over: the work is saved or given up.
   void forget();
 
@@ -59,6 +62,7 @@ Q_SIGNALS:
 
 private:
   void sweep();
+  void discard(const RecoverableWork& work);
   void schedule();
   void removeOwn();
   void removeTaken();

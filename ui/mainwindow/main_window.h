@@ -104,6 +104,7 @@ private:
   void openUnsaved(const Project& project, const QString& note,
                    const std::optional<RecoverableWork>& recovered = {});
   void recover(const RecoverableWork& work);
+  void throwAway(const RecoverableWork& work);
   void closeProject();
   void fillRecentMenu(QMenu* menu);
   void fillViewMenu(QMenu* view);

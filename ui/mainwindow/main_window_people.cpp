@@ -117,9 +117,12 @@ void MainWindow::placePeople(bool placing) {
   const Project& project = document_->project();
   const bool can = placing && bridge_ != nullptr && isOfPeople(project);
   placer_->setPlacing(can, can ? project.parameters.at("floor_z") : 0.0);
+  const QString hint =
+      tr("Click somebody in a camera image, or the floor in the bird's-eye view. Esc ends it.");
   if (can) {
-    messages_->showNotice(tr("Click somebody in a camera image, or the floor in the bird's-eye "
-                             "view. Esc ends it."));
+    messages_->showNotice(hint);
+  } else if (messages_->text() == hint) {
+    messages_->close();
   }
 }
 

@@ -231,13 +231,20 @@ void MainWindow::offerRecovery() {
   offered_ = true;
   const RecoverableWork work = left.front();
   // Meanwhile a project may be opened, and much be said: the question comes back after that.
-  messages_->askUntilAnswered(
-      tr("Dewpoint did not end properly. Unsaved work on “%1” is from %2.")
-          .arg(work.name, work.time),
-      {{tr("Recover it"), [this, work] { recover(work); }}, {tr("Throw it away"), [this, work] {
-                                                               recovery_->discard(work);
-                                                               offerRecovery();
-                                                             }}});
+  messages_->askUntilAnswered(tr("Dewpoint did not end properly. Unsaved work on “%1” is from %2.")
+                                  .arg(work.name, work.time),
+                              {{tr("Recover it"), [this, work] { recover(work); }},
+                               {tr("Throw it away"), [this, work] { throwAway(work); }}});
+}
+
+void MainWindow::throwAway(const RecoverableWork& work) {
+  recovery_->putAside(work);
+  offerRecovery(); // of other work, once this is read
+  messages_->ask(tr("Unsaved work on “%1” was thrown away.").arg(work.name),
+                 {{tr("Take it back"), [this, work] {
+                     recovery_->takeBack(work);
+                     offerRecovery();
+                   }}});
 }
 
 void MainWindow::recover(const RecoverableWork& work) {

@@ -107,7 +107,8 @@ void PeoplePanel::makeTable() {
   table_->horizontalHeader()->setFont(small);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setStretchLastSection(true);
+  table_->horizontalHeader()->setSectionResizeMode(kNear, QHeaderView::Stretch);
+  table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
 }
 
 void PeoplePanel::say() {

@@ -44,6 +44,12 @@ void Timeline::show(const TrackSnapshot& snapshot) {
   if (wanted_ && *wanted_ == snapshot.frame) {
     wanted_.reset();
   }
+  const int least = TimelineRows::leastHeight(
+      static_cast<int>(targets.size()), camerasWithDropouts(), QFontMetricsF(font()).height());
+  if (least != leastHeight_) {
+    leastHeight_ = least;
+    updateGeometry();
+  }
   if (!scale_.showsAll() && drag_ == Drag::None) {
     scale_.reveal(std::max<qint64>(0, snapshot.frame));
   }
@@ -68,12 +74,16 @@ void Timeline::clear() {
   update();
 }
 
-TimelineRows Timeline::rows() const {
+int Timeline::camerasWithDropouts() const {
   int cameras = 0;
   for (int k = 0; k < model_.cameras.size(); ++k) {
     cameras += model_.hasDropouts(static_cast<std::size_t>(k)) ? 1 : 0;
   }
-  return TimelineRows(size(), static_cast<int>(model_.targets.size()), cameras,
+  return cameras;
+}
+
+TimelineRows Timeline::rows() const {
+  return TimelineRows(size(), static_cast<int>(model_.targets.size()), camerasWithDropouts(),
                       QFontMetricsF(font()).height(), gutter_);
 }
 

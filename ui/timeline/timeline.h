@@ -8,6 +8,7 @@
 #include <QElapsedTimer>
 #include <QWidget>
 
+#include <algorithm>
 #include <optional>
 
 class QLineEdit;
@@ -46,8 +47,9 @@ public:
   /// Middle of a frame in the ribbon, widget coordinates.
   QPoint positionOf(qint64 frame) const;
 
-  QSize sizeHint() const override { return {600, 110}; }
-  QSize minimumSizeHint() const override { return {240, 84}; }
+  QSize sizeHint() const override { return {600, std::max(110, leastHeight_)}; }
+  /// Grows with the rows there are.
+  QSize minimumSizeHint() const override { return {240, std::max(84, leastHeight_)}; }
 
 Q_SIGNALS:
   /// The pointer is on this frame; negative: it has left.
@@ -70,6 +72,7 @@ protected:
 
 private:
   TimelineRows rows() const;
+  int camerasWithDropouts() const;
   void place();
   /// The frame shown, or asked for just now.
   qint64 reached() const;
@@ -94,6 +97,7 @@ private:
   QElapsedTimer sinceWanted_;
   QLineEdit* editor_;
   double gutter_ = 90.0;
+  int leastHeight_ = 0; ///< in which all rows can be read
 };
 
 } // namespace dewpoint

@@ -19,6 +19,7 @@ namespace dewpoint {
 namespace {
 
 constexpr double kGap = 3.0;
+constexpr int kMostRowsWanted = 5;
 constexpr double kLeastShare = 0.25; ///< of a ribbon's height, so that a small existence is seen
 
 /// What stands behind a ribbon's color, so that it is not color alone that tells.
@@ -262,11 +263,19 @@ void paintNames(QPainter& painter, const TimelineModel& model, const TimelineRow
   };
   for (int k = 0; k < model.targets.size(); ++k) {
     const QRectF row = rows.ribbon(k);
-    write(row, model.targets[k], palette.color(QPalette::WindowText));
+    if (rows.ribbonHeight >= 0.8 * metrics.height()) { // else names would lie on one another
+      write(row, model.targets[k], palette.color(QPalette::WindowText));
+    }
     const std::string name = model.targets[k].toStdString();
     if (personIdentity(name)) { // told apart by the color of the identity, as everywhere
-      painter.fillRect(QRectF(1.0, row.center().y() - 4.0, 4.0, 8.0), targetColor(name, k));
+      const double half = std::min(4.0, 0.5 * row.height());
+      painter.fillRect(QRectF(1.0, row.center().y() - half, 4.0, 2.0 * half), targetColor(name, k));
     }
+  }
+  if (rows.camerasShareRow) {
+    write(rows.cameras, QCoreApplication::translate("Timeline", "✕ cameras"),
+          palette.color(QPalette::PlaceholderText));
+    return;
   }
   int row = 0;
   for (int k = 0; k < model.cameras.size(); ++k) {
@@ -313,14 +322,23 @@ TimelineRows::TimelineRows(const QSizeF& size, int targets, int cameraCount, dou
   const double width = size.width() - gutter - 10.0;
   const double axisHeight = fontHeight + 8.0;
   const double footerHeight = fontHeight + 4.0;
-  cameraHeight = fontHeight;
   const double body = std::max(20.0, size.height() - axisHeight - footerHeight - 2.0 * kGap);
+  const double readable = std::max(1, targets) * (fontHeight + kGap);
+  camerasShareRow = cameraCount > 1 && body - cameraCount * fontHeight < readable;
+  cameraHeight = camerasShareRow ? fontHeight / cameraCount : fontHeight;
   const double forRibbons = std::max(body - cameraCount * cameraHeight, 0.5 * body);
-  ribbonHeight = std::clamp(forRibbons / std::max(1, targets), 8.0, 28.0);
+  ribbonHeight = std::clamp(forRibbons / std::max(1, targets), kGap + 2.0, 28.0);
   axis = QRectF(gutter, 0.0, width, axisHeight);
   ribbons = QRectF(gutter, axis.bottom() + kGap, width, std::max(1, targets) * ribbonHeight);
   cameras = QRectF(gutter, ribbons.bottom(), width, cameraCount * cameraHeight);
   footer = QRectF(gutter, size.height() - footerHeight, width, footerHeight);
+}
+
+int TimelineRows::leastHeight(int targets, int cameras, double fontHeight) {
+  const int ribbons = std::clamp(targets, 1, kMostRowsWanted);
+  const double frame = 2.0 * fontHeight + 12.0 + 2.0 * kGap; // axis and footer
+  return static_cast<int>(
+      std::ceil(frame + ribbons * (fontHeight + kGap) + (cameras > 0 ? fontHeight : 0.0)));
 }
 
 QRectF TimelineRows::ribbon(int target) const {
@@ -329,8 +347,9 @@ QRectF TimelineRows::ribbon(int target) const {
 }
 
 QRectF TimelineRows::camera(int row) const {
-  return {cameras.left(), cameras.top() + row * cameraHeight + 0.25 * cameraHeight, cameras.width(),
-          0.5 * cameraHeight};
+  const double height = camerasShareRow ? std::max(1.0, cameraHeight - 1.0) : 0.5 * cameraHeight;
+  const double top = cameras.top() + (row + 0.5) * cameraHeight - 0.5 * height;
+  return {cameras.left(), top, cameras.width(), height};
 }
 
 QRectF markFlag(const ProjectMark& mark, const TimelineScale& scale, const TimelineRows& rows,

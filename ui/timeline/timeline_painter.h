@@ -17,13 +17,16 @@ namespace dewpoint {
 struct TimelineRows {
   explicit TimelineRows(const QSizeF& size, int targets, int cameras, double fontHeight,
                         double gutter);
+  /// The height in which so many rows can be read; of more than a few targets it wants no more.
+  static int leastHeight(int targets, int cameras, double fontHeight);
 
   QRectF axis;    ///< time and marks, at the top; dragging here selects a span
   QRectF ribbons; ///< of the targets, one below the other
-  QRectF cameras; ///< drop-outs, one thin row per camera that has any
+  QRectF cameras; ///< drop-outs, one thin row per camera that has any; one for all in little room
   QRectF footer;  ///< memory of the history
   double ribbonHeight = 0.0;
   double cameraHeight = 0.0;
+  bool camerasShareRow = false;
   QRectF ribbon(int target) const;
   QRectF camera(int row) const;
 };
