@@ -222,7 +222,7 @@ void ScreenshotsTest::keepBoxes(MainWindow& window) {
   QSignalSpy opened(&window, &MainWindow::projectOpened);
   window.openProject(DEWPOINT_SOURCE_DIR "/docs/examples/histogram.toml");
   QVERIFY(opened.wait(kPatienceMs));
-  constexpr qint64 kMiddle = 60;
+  constexpr qint64 kMiddle = 45; // before the bar hides the ball
   QVERIFY(QTest::qWaitFor([&] { return window.shown() && window.shown()->frame >= kMiddle; },
                           kPatienceMs));
   window.findChild<QAction*>("actionPlay")->trigger();

@@ -2,13 +2,15 @@
 #include "ui/bridge/session_bridge.h"
 
 #include "core/session/session.h"
+#include "ui/bridge/late_images.h"
 
 #include <QMetaObject>
 
 namespace dewpoint {
 
 SessionBridge::SessionBridge(SessionInputs inputs, QObject* parent)
-    : QObject(parent), session_(std::make_unique<Session>(std::move(inputs))) {
+    : QObject(parent), lateImages_(std::make_unique<LateImages>()),
+      session_(std::make_unique<Session>(std::move(inputs))) {
   session_->onSnapshot([this] {
     if (!pending_.exchange(true)) {
       QMetaObject::invokeMethod(this, &SessionBridge::drain, Qt::QueuedConnection);
@@ -17,6 +19,10 @@ SessionBridge::SessionBridge(SessionInputs inputs, QObject* parent)
 }
 
 SessionBridge::~SessionBridge() = default;
+
+TrackSnapshotPtr SessionBridge::asSeen(const TrackSnapshotPtr& snapshot) {
+  return lateImages_->filled(snapshot);
+}
 
 std::unique_ptr<Session> SessionBridge::release() {
   if (session_) {

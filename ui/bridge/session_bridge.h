@@ -8,6 +8,7 @@
 
 namespace dewpoint {
 
+class LateImages;
 class Session;
 struct SessionInputs;
 struct TrackSnapshot;
@@ -22,6 +23,8 @@ public:
   ~SessionBridge() override;
 
   Session& session() { return *session_; }
+  /// What camera views show of a snapshot: see LateImages.
+  TrackSnapshotPtr asSeen(const TrackSnapshotPtr& snapshot);
   /// Hands the session over, silenced, so that its thread can be joined elsewhere.
   std::unique_ptr<Session> release();
 
@@ -32,6 +35,7 @@ private:
   void drain();
 
   std::atomic<bool> pending_ = false;
+  std::unique_ptr<LateImages> lateImages_;
   std::unique_ptr<Session> session_; // last: destroyed first, before what its thread calls
 };
 

@@ -215,15 +215,16 @@ void MainWindow::clearViews() {
 
 void MainWindow::showSnapshot(const TrackSnapshotPtr& snapshot) {
   shown_ = snapshot;
+  const TrackSnapshotPtr seen = bridge_->asSeen(snapshot);
   for (CameraView* view : cameraViews_) {
-    view->show(snapshot);
+    view->show(seen);
   }
   for (GridLayer* layer : gridLayers_) {
-    layer->setSnapshot(snapshot);
+    layer->setSnapshot(seen);
   }
   birdsEye_->show(snapshot);
-  color_->setSnapshot(snapshot);
-  cameras_->setSnapshot(snapshot);
+  color_->setSnapshot(seen);
+  cameras_->setSnapshot(seen);
   targets_->show(*snapshot);
   people_->show(snapshot);
   plot_->show(*snapshot);
