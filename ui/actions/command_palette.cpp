@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPixmap>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -123,10 +124,12 @@ void CommandPalette::filter(const QString& search) {
   }
   std::ranges::stable_sort(rows, std::greater{}, &Row::fit);
   list_->clear();
+  QPixmap nothingDrawn(list_->iconSize());
+  nothingDrawn.fill(Qt::transparent); // so that all names begin in one line
   for (const Row& row : rows) {
     const Entry& entry = entries_[static_cast<std::size_t>(row.entry)];
     auto* item = new QListWidgetItem(
-        entry.icon,
+        entry.icon.isNull() ? QIcon(nothingDrawn) : entry.icon,
         entry.group + QStringLiteral(" › ") + entry.name +
             (entry.keys.isEmpty() ? QString() : QStringLiteral("   ") + entry.keys),
         list_);

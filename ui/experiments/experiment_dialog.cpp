@@ -65,16 +65,21 @@ ExperimentDialog::ExperimentDialog(QWidget* parent)
     progress_->setValue(static_cast<int>(1000.0 * part));
   });
   connect(job_, &LongJob::ended, this, [this](bool cancelled) {
-    run_->setEnabled(true);
-    cancel_->setEnabled(false);
-    progress_->setRange(0, 1000);
-    progress_->setValue(cancelled || report_.isEmpty() ? 0 : 1000);
+    showRunning(false);
     if (cancelled) {
       state_->setText(tr("Cancelled."));
     }
   });
+  showRunning(false);
   list_->setCurrentRow(0);
   inEveryLanguage(this, [this] { say(); });
+}
+
+void ExperimentDialog::showRunning(bool running) {
+  run_->setEnabled(!running);
+  progress_->setVisible(running);
+  progress_->setRange(0, 0); // until it says how far it is
+  cancel_->setVisible(running);
 }
 
 void ExperimentDialog::makeFields() {
@@ -100,7 +105,6 @@ void ExperimentDialog::makeFields() {
   state_->setWordWrap(true);
   state_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   progress_->setTextVisible(false);
-  cancel_->setEnabled(false);
   open_->setEnabled(false);
   run_->setDefault(true);
   runsLabel_->setBuddy(runs_);
@@ -229,10 +233,8 @@ void ExperimentDialog::run() {
   });
   if (begun) {
     report_.clear();
-    run_->setEnabled(false);
-    cancel_->setEnabled(true);
     open_->setEnabled(false);
-    progress_->setRange(0, 0);
+    showRunning(true);
     state_->setText(tr("Running “%1”…").arg(words(experiment.title)));
   }
 }

@@ -32,6 +32,7 @@ Q_SIGNALS:
 
 private:
   void makeFields();
+  void showRunning(bool running);
   void say();
   const FigureExperiment& chosen() const;
   void showChosen();
