@@ -1001,6 +1001,14 @@
         <source>Sugandi et al. 2009, section 4: 100 and 300 particles, method histogram and four trackers of OpenCV on the same clips.</source>
         <translation>Sugandi u. a. 2009, Abschnitt 4: 100 und 300 Partikel, das Verfahren Histogramm und vier Verfolger von OpenCV auf denselben Filmen.</translation>
     </message>
+    <message>
+        <source>Mohedano et al. 2009: two people far from each other, the easy case, in which no method may mix them up.</source>
+        <translation>Mohedano u. a. 2009: zwei Personen, weit voneinander entfernt: der leichte Fall, in dem kein Verfahren sie verwechseln darf.</translation>
+    </message>
+    <message>
+        <source>People who stay apart</source>
+        <translation>Personen, die Abstand halten</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>

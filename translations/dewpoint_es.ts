@@ -1001,6 +1001,14 @@
         <source>Sugandi et al. 2009, section 4: 100 and 300 particles, method histogram and four trackers of OpenCV on the same clips.</source>
         <translation>Sugandi et al. 2009, sección 4: 100 y 300 partículas, el método histograma y cuatro seguidores de OpenCV en los mismos vídeos.</translation>
     </message>
+    <message>
+        <source>Mohedano et al. 2009: two people far from each other, the easy case, in which no method may mix them up.</source>
+        <translation>Mohedano et al. 2009: dos personas lejos una de la otra, el caso fácil, en el que ningún método debe confundirlas.</translation>
+    </message>
+    <message>
+        <source>People who stay apart</source>
+        <translation>Personas que se mantienen alejadas</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>

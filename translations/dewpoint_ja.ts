@@ -1001,6 +1001,14 @@
         <source>Sugandi et al. 2009, section 4: 100 and 300 particles, method histogram and four trackers of OpenCV on the same clips.</source>
         <translation>Sugandi ら 2009、第 4 節：粒子 100 個と 300 個、手法ヒストグラム、OpenCV の 4 つの追跡器を同じ映像で比べます。</translation>
     </message>
+    <message>
+        <source>Mohedano et al. 2009: two people far from each other, the easy case, in which no method may mix them up.</source>
+        <translation>Mohedano ほか 2009: 互いに離れた二人。どの方法も取り違えてはならない易しい場合。</translation>
+    </message>
+    <message>
+        <source>People who stay apart</source>
+        <translation>離れたままの人々</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>

@@ -8,6 +8,7 @@
 #include "core/session/people_overlay.h"
 #include "core/session/people_writer.h"
 #include "core/session/tracking_run.h"
+#include "core/tracking/people_parameters.h"
 #include "core/tracking/people_tracker.h"
 
 #include <CLI/CLI.hpp>
@@ -69,13 +70,34 @@ Status applyOptions(const PeopleOptions& options, Project& project) {
   return applySettings(options.settings, project.parameters);
 }
 
-Status addPersons(const std::vector<std::string>& texts, PeopleTracker& tracker) {
+/// Whether somebody's middle can be there: above the floor that is watched.
+Status inArea(const std::string& text, const Eigen::Vector3d& place, const PeopleArea& area) {
+  constexpr double kReach = 3.0; // metres above the floor
+  if (area.contains(place.head<2>()) && place.z() >= area.floor &&
+      place.z() <= area.floor + kReach) {
+    return {};
+  }
+  const Eigen::Vector2d low = area.center - area.half;
+  const Eigen::Vector2d high = area.center + area.half;
+  return failure(ErrorCode::BadValue, "", "--person",
+                 fmt::format("{} lies outside the watched area: x {:g} to {:g}, y {:g} to {:g}, z "
+                             "{:g} to {:g} m; area_x, area_y, area_half_x, area_half_y and floor_z "
+                             "say where it is",
+                             text, low.x(), high.x(), low.y(), high.y(), area.floor,
+                             area.floor + kReach));
+}
+
+Status addPersons(const std::vector<std::string>& texts, const PeopleArea& area,
+                  PeopleTracker& tracker) {
   for (const std::string& text : texts) {
     Eigen::Vector3d place;
     int used = 0;
     if (std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &place[0], &place[1], &place[2], &used) != 3 ||
         static_cast<std::size_t>(used) != text.size() || !place.allFinite()) {
       return failure(ErrorCode::BadValue, "", "--person", text + " is not x,y,z in metres");
+    }
+    if (const auto inside = inArea(text, place, area); !inside) {
+      return inside;
     }
     tracker.addPerson(place);
   }
@@ -151,7 +173,9 @@ int runPeople(const PeopleOptions& options) {
   job.tracker = std::move(*tracker);
   job.tracker->setEmptyRooms(job.inputs.emptyRooms);
   job.tracker->restart(job.inputs.project.seed);
-  if (const auto added = addPersons(options.persons, *job.tracker); !added) {
+  if (const auto added = addPersons(
+          options.persons, peopleSettings(job.inputs.project.parameters).area, *job.tracker);
+      !added) {
     report(added.error());
     return kExitUsage;
   }

@@ -2,6 +2,7 @@
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/interruption.h"
 #include "app/dewpoint-cli/progress.h"
+#include "core/experiment/report_folder.h"
 #include "core/experiment/study_experiments.h"
 
 #include <CLI/CLI.hpp>
@@ -24,6 +25,11 @@ struct StudyOptions {
   std::string record;
 };
 
+Error ofSettings(Error error) {
+  error.file = "--set";
+  return error;
+}
+
 Result<PeopleStudySetup> setupOf(const StudyOptions& options) {
   PeopleStudySetup setup;
   setup.scenario = options.scenario;
@@ -38,7 +44,7 @@ Result<PeopleStudySetup> setupOf(const StudyOptions& options) {
     }
     setup.parameters.emplace_back(setting.substr(0, equals), value);
   }
-  return setup;
+  return checkPeopleParameters(setup).map_error(ofSettings).map([&] { return setup; });
 }
 
 int recordScenario(const StudyOptions& options) {
@@ -55,6 +61,11 @@ int studyScenario(const StudyOptions& options) {
   if (!setup) {
     report(setup.error());
     return kExitUsage;
+  }
+  if (!options.folder.empty()) {
+    if (const auto folder = prepareReportFolder(options.folder); !folder) {
+      return report(folder.error());
+    }
   }
   heedInterruption();
   std::vector<PeopleClothes> clothes;
@@ -94,6 +105,7 @@ void addPeopleExperiments(CLI::App& group, int& exitCode) {
   for (const std::string& scenario : peopleScenarioNames()) {
     auto* command = group.add_subcommand("people-" + scenario,
                                          "Simulated office: " + peopleScenarioSentence(scenario));
+    command->alias(scenario);
     auto options = std::make_shared<StudyOptions>();
     options->scenario = scenario;
     command->add_option("--seed", options->first, "The first seed")->capture_default_str();
@@ -108,9 +120,12 @@ void addPeopleExperiments(CLI::App& group, int& exitCode) {
         ->check(CLI::IsMember(peopleMethodNames()));
     command->add_option("--set", options->settings,
                         "Set a parameter, of the methods that have it: key=value");
-    command->add_option("--out", options->folder, "Folder for runs.csv and report.html");
-    command->add_option("--record", options->record,
-                        "Only write the scene of --seed into this folder, as a project to track");
+    command->add_option("--out", options->folder,
+                        "Folder for report.html, its pictures and runs.csv; it is made");
+    command
+        ->add_option("--record", options->record,
+                     "Only write the scene of --seed into this folder, as a project to track")
+        ->excludes("--set", "--method", "--out", "--seeds");
     command->callback([options, &exitCode] {
       exitCode = options->record.empty() ? studyScenario(*options) : recordScenario(*options);
     });

@@ -2,6 +2,7 @@
 #include "app/dewpoint-cli/box_commands.h"
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/interruption.h"
+#include "core/experiment/report_folder.h"
 #include "core/experiment/sugandi_study.h"
 
 #include <CLI/CLI.hpp>
@@ -23,10 +24,8 @@ struct SugandiOptions {
 };
 
 int studySugandi(const SugandiOptions& options) {
-  std::error_code problem;
-  std::filesystem::create_directories(options.folder, problem);
-  if (problem) {
-    return report({ErrorCode::FileUnwritable, options.folder.string(), "--out", problem.message()});
+  if (const auto folder = prepareReportFolder(options.folder, kBoxReport); !folder) {
+    return report(folder.error());
   }
   std::vector<BoxClip> clips{simulatedBoxClip(options.scene)};
   if (!options.data.empty()) {

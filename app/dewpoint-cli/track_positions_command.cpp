@@ -18,6 +18,7 @@ struct TrackPositionsOptions {
   std::string measured;
   std::string out;
   std::uint64_t seed = 1;
+  double rate = kPositionsPerSecond;
   std::vector<std::string> settings;
 };
 
@@ -39,23 +40,39 @@ int trackPositionsIn(const TrackPositionsOptions& options) {
   for (const std::string& setting : options.settings) {
     const auto equals = setting.find('=');
     const std::string value = equals == std::string::npos ? "" : setting.substr(equals + 1);
+    if (isStartOfPositions(setting.substr(0, equals))) {
+      report({ErrorCode::BadValue, "", "--set " + setting.substr(0, equals),
+              "the filter of each target starts at its first position"});
+      return kExitUsage;
+    }
     if (const auto set = parameters.setText(setting.substr(0, equals), value); !set) {
       report(set.error());
       return kExitUsage;
     }
   }
-  const auto measured = readTrajectory(options.measured);
+  auto measured = readTrajectory(options.measured);
   if (!measured) {
     return report(measured.error());
   }
-  const Trajectory tracked = trackPositions(*measured, parameters, options.seed);
+  const auto timed = giveTimes(*measured, options.rate);
+  if (!timed) {
+    return report(
+        {timed.error().code, options.measured, timed.error().field, timed.error().detail});
+  }
+  Trajectory tracked = trackPositions(*measured, parameters, options.seed);
   if (tracked.samples.empty()) {
     return report({ErrorCode::BadValue, options.measured, "x_m", "no position is a number"});
+  }
+  if (*timed) {
+    tracked.header.entries.emplace_back("times",
+                                        fmt::format("frames at {:g} per second", options.rate));
   }
   if (const auto written = writeTrajectory(tracked, options.out); !written) {
     return report(written.error());
   }
-  fmt::print("{} rows in {}.\n", tracked.samples.size(), options.out);
+  fmt::print("{} rows in {}{}.\n", tracked.samples.size(), options.out,
+             *timed ? fmt::format(", times from the frames at {:g} per second", options.rate)
+                    : std::string());
   return kExitDone;
 }
 
@@ -71,6 +88,11 @@ void addTrackPositionsCommand(CLI::App& app, int& exitCode) {
       ->required();
   command->add_option("--out", options->out, "Trajectory (CSV) to write")->required();
   command->add_option("--seed", options->seed, "Seed of the run")->capture_default_str();
+  command
+      ->add_option("--rate", options->rate,
+                   "Frames per second, for the times of a file that has frames only")
+      ->check(CLI::Range(0.001, 100000.0))
+      ->capture_default_str();
   command->add_option("--set", options->settings, "Set a parameter of the method: key=value");
   command->callback([options, &exitCode] { exitCode = trackPositionsIn(*options); });
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace dewpoint {
 namespace {
@@ -18,11 +19,16 @@ constexpr double kConverged = 0.1;   // metres: the sigma of the observation
 constexpr double kPaperSigma = 0.03; // metres, as stated
 constexpr double kFittingSigma = 0.06;
 
-constexpr const char* kChosen =
-    "The paper states neither the sigma of its observation nor where the cloud starts. Here the "
-    "observation has a sigma of 0.1 m, in logarithms (at 2 m a likelihood would be exp(-200)); "
-    "the cloud starts 0.6 m from the object; converged means an error below 0.1 m for good. 200 "
-    "particles.";
+/// What was chosen where the paper is silent; `start` says where the cloud starts.
+std::string chosen(const std::string& start) {
+  return fmt::format("The paper states neither the sigma of its observation nor where the cloud "
+                     "starts. Here the observation has a sigma of 0.1 m, in logarithms (at 2 m a "
+                     "likelihood would be exp(-200)); the cloud starts {}; converged means an "
+                     "error below 0.1 m for good. 200 particles.",
+                     start);
+}
+
+constexpr const char* kStartsBeside = "0.6 m from the object";
 
 std::string iterationsText(int iterations) {
   return iterations < 0 ? "not before the end" : fmt::format("{} iterations", iterations);
@@ -92,19 +98,59 @@ cv::Mat framed(const cv::Mat& errors, double lowest, double highest) {
 Plot cloudPlot(const DynamicsRun& run) {
   Plot plot;
   plot.title = "Particles at six instants, along and across the jump";
-  plot.x = {"along the jump, m", -1.0, 3.0, false};
-  plot.y = {"across, m", -2.0, 2.0, false};
+  plot.x.label = "along the jump, m";
+  plot.y.label = "across, m";
   for (std::size_t k = 0; k < run.clouds.size(); ++k) {
     plot.series.push_back(pointsOf(fmt::format("m{}", k), run.clouds[k], 0, 1));
   }
   return plot;
 }
 
+/// A row per sigma and iteration: the numbers of the image.
+std::string errorImageCsv(const std::vector<double>& sigmas,
+                          const std::vector<std::vector<double>>& errors) {
+  std::string text = "motion_sigma_m,iteration,error_m\n";
+  for (std::size_t row = 0; row < sigmas.size(); ++row) {
+    for (std::size_t k = 0; k < errors[row].size(); ++k) {
+      text += fmt::format("{},{},{}\n", sigmas[row], k, errors[row][k]);
+    }
+  }
+  return text;
+}
+
+/// The particles that are drawn, as CSV.
+std::string cloudsCsv(std::span<const double> sigmas, std::span<const DynamicsRun> runs,
+                      const std::vector<int>& instants) {
+  std::string text = "motion_sigma_m,iteration,particle,x_m,y_m,z_m\n";
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    for (std::size_t k = 0; k < instants.size(); ++k) {
+      const Eigen::ArrayXXd& cloud = runs[run].clouds[k];
+      for (Eigen::Index i = 0; i < cloud.rows(); ++i) {
+        text += fmt::format("{},{},{},{},{},{}\n", sigmas[run], instants[k], i, cloud(i, 0),
+                            cloud(i, 1), cloud(i, 2));
+      }
+    }
+  }
+  return text;
+}
+
+/// Error and spreads after every iteration, as CSV.
+std::string spreadsCsv(std::span<const double> sigmas, std::span<const DynamicsRun> runs) {
+  std::string text = "motion_sigma_m,iteration,error_m,cloud_spread_m,belief_spread_m\n";
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    for (std::size_t k = 0; k < runs[run].errors.size(); ++k) {
+      text += fmt::format("{},{},{},{},{}\n", sigmas[run], k, runs[run].errors[k],
+                          runs[run].cloudSpreads[k], runs[run].beliefSpreads[k]);
+    }
+  }
+  return text;
+}
+
 } // namespace
 
 Status dynamicsFigure6(const ExperimentOptions& options) {
   const int runs = options.runs;
-  FigurePage page("Error after a jump (figure 6)", kChosen);
+  FigurePage page("Error after a jump (figure 6)", chosen(kStartsBeside));
   std::vector<std::vector<double>> columns(1);
   std::vector<std::pair<std::string, std::vector<double>>> curves;
   std::vector<std::vector<std::string>> rows;
@@ -173,7 +219,7 @@ Status dynamicsFigure7(const ExperimentOptions& options) {
     }
   }
   FigurePage page("Error over iteration and motion sigma (figure 7)",
-                  std::string(kChosen) + " Here it starts on the object.");
+                  chosen("on the object, so that a small sigma_m has found it, too"));
   page.picture(
       "figure7",
       fmt::format("Mean error of {} runs: black 2 m, white 0. Across: iterations; upwards: "
@@ -204,6 +250,7 @@ Status dynamicsFigure7(const ExperimentOptions& options) {
       fmt::format("Here the error at iteration 70 is {:.2f} m with 0.01 m.", columns[2][at(0.01)]));
   page.data("again.csv",
             numbersAsCsv({"motion_sigma_m", "iterations_to_find_again", "error_at_70_m"}, columns));
+  page.data("errors.csv", errorImageCsv(columns[0], errors));
   return page.write(options.folder);
 }
 
@@ -212,41 +259,53 @@ Status dynamicsFigure8(const ExperimentOptions& options) {
   FigurePage page("The cloud on its way (figure 8)",
                   "Particles at iterations 29, 32, 36, 42, 50 and 69; the object jumps by 2 m "
                   "before iteration 30. Projected to the plane of the jump.");
-  page.paragraph(kChosen);
-  std::vector<std::pair<std::string, Plot>> plots;
+  page.paragraph(chosen(kStartsBeside));
   std::array<DynamicsRun, 2> runs;
+  std::array<Plot, 2> clouds;
   constexpr std::array kSigmas{0.03, 0.15};
   for (std::size_t k = 0; k < kSigmas.size(); ++k) {
     DynamicsSetup setup;
     setup.motionSigma = kSigmas[k];
     runs[k] = runDynamics(setup, 1, instants);
-    plots.emplace_back(fmt::format("sigma_m {:.2f} m", kSigmas[k]), cloudPlot(runs[k]));
+    clouds[k] = cloudPlot(runs[k]);
     if (!experimentGoesOn(options, double(k + 1) / double(kSigmas.size()))) {
       return experimentStopped();
     }
   }
+  showAll({&clouds[0], &clouds[1]});
   PlotLegend legend;
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < instants.size(); ++i) {
     legend.emplace_back(fmt::format("m{}", i), fmt::format("iteration {}", instants[i]));
     const auto at = std::size_t(instants[i]);
-    rows.push_back({std::to_string(instants[i]), fmt::format("{:.2f} m", runs[0].errors[at]),
-                    fmt::format("{:.2f} m", runs[0].spreads[at]),
-                    fmt::format("{:.2f} m", runs[1].errors[at]),
-                    fmt::format("{:.2f} m", runs[1].spreads[at])});
+    std::vector<std::string>& row = rows.emplace_back();
+    row.push_back(std::to_string(instants[i]));
+    for (const DynamicsRun& run : runs) {
+      for (const double value : {run.errors[at], run.cloudSpreads[at], run.beliefSpreads[at]}) {
+        row.push_back(fmt::format("{:.2f} m", value));
+      }
+    }
   }
-  page.plots(plots, legend);
-  page.table({"iteration", "error, 0.03 m", "spread, 0.03 m", "error, 0.15 m", "spread, 0.15 m"},
+  page.plots({{"sigma_m 0.03 m", clouds[0]}, {"sigma_m 0.15 m", clouds[1]}}, legend);
+  page.table({"iteration", "error, 0.03 m", "spread of the cloud, 0.03 m", "of the belief, 0.03 m",
+              "error, 0.15 m", "spread of the cloud, 0.15 m", "of the belief, 0.15 m"},
              rows);
+  page.paragraph("Drawn are all particles after the prediction, all alike: that is the cloud, and "
+                 "its spread is their root mean square distance to their mean. The belief is the "
+                 "same particles weighted by the measurement. While the object is far away, the "
+                 "few nearest have all the weight, so that the belief is much narrower than what "
+                 "is drawn.");
   page.heading("What the paper says");
   page.claim("A small sigma_m approaches slowly and stays compact.",
-             runs[0].spreads[69] < runs[1].spreads[69],
-             fmt::format("Spread at iteration 69: {:.2f} m against {:.2f} m.", runs[0].spreads[69],
-                         runs[1].spreads[69]));
+             runs[0].cloudSpreads[69] < runs[1].cloudSpreads[69],
+             fmt::format("Spread of the cloud at iteration 69: {:.2f} m against {:.2f} m.",
+                         runs[0].cloudSpreads[69], runs[1].cloudSpreads[69]));
   page.claim("A large sigma_m arrives sooner, but spread over a wide area.",
              runs[1].errors[36] < runs[0].errors[36],
              fmt::format("Error at iteration 36: {:.2f} m against {:.2f} m.", runs[1].errors[36],
                          runs[0].errors[36]));
+  page.data("spreads.csv", spreadsCsv(kSigmas, runs));
+  page.data("clouds.csv", cloudsCsv(kSigmas, runs, instants));
   return page.write(options.folder);
 }
 

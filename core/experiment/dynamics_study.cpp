@@ -5,6 +5,8 @@
 #include "core/tracking/dynamics_tracker.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace dewpoint {
 namespace {
@@ -21,6 +23,11 @@ ParameterValues parametersOf(const DynamicsSetup& setup) {
   return parameters;
 }
 
+/// Root mean square distance of rows to their mean.
+double spreadOf(const Eigen::ArrayXXd& rows) {
+  return std::sqrt((rows.rowwise() - rows.colwise().mean()).square().rowwise().sum().mean());
+}
+
 using Path = std::function<Eigen::Vector3d(int)>;
 
 DynamicsRun follow(const DynamicsSetup& setup, const Path& truth, std::uint64_t seed,
@@ -33,10 +40,13 @@ DynamicsRun follow(const DynamicsSetup& setup, const Path& truth, std::uint64_t 
     tracker.beginFrame(k, truth(k));
     const TargetEstimate estimate = tracker.iterate(team);
     run.errors.push_back((estimate.mean - truth(k)).norm());
-    run.spreads.push_back(estimate.spread());
+    run.beliefSpreads.push_back(estimate.spread());
+    Eigen::ArrayXXd cloud;
+    Eigen::ArrayXd weights;
+    tracker.particles(setup.particles, cloud, weights);
+    run.cloudSpreads.push_back(spreadOf(cloud));
     if (std::ranges::binary_search(instants, k)) {
-      Eigen::ArrayXd weights;
-      tracker.particles(setup.particles, run.clouds.emplace_back(), weights);
+      run.clouds.push_back(std::move(cloud));
     }
   }
   return run;

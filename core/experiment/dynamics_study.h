@@ -25,8 +25,13 @@ struct DynamicsSetup {
 
 /// Method dynamics in one such run.
 struct DynamicsRun {
-  std::vector<double> errors;          ///< metres, after each iteration
-  std::vector<double> spreads;         ///< metres, standard deviation of the cloud, all axes
+  std::vector<double> errors; ///< metres, after each iteration
+  /// Metres: root mean square distance of the particles to their mean after the prediction, all
+  /// alike, as `clouds` shows them.
+  std::vector<double> cloudSpreads;
+  /// The same, weighted by what was observed: of the belief. Far from the object, where one
+  /// particle has all the weight, it is nearly nothing.
+  std::vector<double> beliefSpreads;
   std::vector<Eigen::ArrayXXd> clouds; ///< at the instants asked for: rows x y z
 };
 

@@ -30,7 +30,7 @@ struct FigureExperiment {
   std::string_view title;    ///< for people
   std::string_view sentence; ///< what it shows, and from where
   int runs;                  ///< seeds per case unless given
-  /// FileUnwritable; Cancelled.
+  /// FileUnwritable, before anything is begun; Cancelled.
   Status (*run)(const ExperimentOptions& options);
   std::string_view report = "report.html"; ///< in the folder
   bool takesRecordings = false;

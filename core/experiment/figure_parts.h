@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,9 +23,12 @@ bool experimentGoesOn(const ExperimentOptions& options, double part);
 
 /// The line through values at 0, 1, 2, ... times `step`, after `first`.
 SvgSeries lineOver(const std::string& style, const std::vector<double>& values, double first = 0.0,
-                    double step = 1.0);
+                   double step = 1.0);
 /// Points without a line: columns `across` and `up` of the rows.
 SvgSeries pointsOf(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
-                    Eigen::Index up, double area = 7.0);
+                   Eigen::Index up, double area = 7.0);
+
+/// Axes of one scale within which every point of all these plots lies, at least `least` metres up.
+void showAll(std::initializer_list<Plot*> plots, double least = 0.5);
 
 } // namespace dewpoint

@@ -90,7 +90,8 @@ public:
     tracker_->restart(seed);
   }
 
-  void see(const OfficeRenderer& renderer, const OfficeInstant& instant, ThreadTeam& team) {
+  void see(const OfficeRenderer& renderer, const OfficeInstant& instant,
+           const std::vector<PeopleMoment>& moments, ThreadTeam& team) {
     const std::clock_t begin = std::clock(); // of this process: others may be busy
     tracker_->step(instant.frames, team);
     const std::clock_t end = std::clock();
@@ -99,6 +100,13 @@ public:
       ++steps_;
     }
     record(renderer, instant);
+    for (const PeopleMoment& moment : moments) {
+      if (moment.frame == instant.frames->index) {
+        pictures_.push_back(
+            {moment.words, peoplePicture(*tracker_, *instant.frames, renderer.scene().cameras,
+                                         frames_.back().truth)});
+      }
+    }
   }
 
   PeopleTrial trial(const PeopleStudySetup& setup, const PeopleScenario& scenario) const {
@@ -117,6 +125,7 @@ public:
     result.longestMissed = missed_.longest();
     result.hullVolume = volumes_ > 0 ? volume_ / volumes_ : 0.0;
     result.stepMs = steps_ > 0 ? 1000.0 * seconds_ / steps_ : 0.0;
+    result.pictures = pictures_;
     if (scenario.before > 0.0) {
       const auto at = [&](double time) {
         const auto frame =
@@ -176,6 +185,7 @@ private:
   std::string method_;
   std::unique_ptr<PeopleTracker> tracker_;
   std::vector<TrackFrame> frames_;
+  std::vector<PeoplePicture> pictures_;
   LongestRun ghosts_;
   LongestRun missed_;
   double volume_ = 0.0;
@@ -184,13 +194,17 @@ private:
   int steps_ = 0;
 };
 
+bool declares(const std::string& method, const std::string& key) {
+  const auto declared = peopleMethodParameters(method);
+  return std::ranges::find(declared, key, &ParameterDeclaration::key) != declared.end();
+}
+
 Result<std::vector<Contestant>> contestants(const PeopleStudySetup& setup, const CameraRig& rig) {
   std::vector<Contestant> all;
   for (const std::string& method : setup.methods) {
     ParameterValues parameters(peopleMethodParameters(method));
     for (const auto& [key, value] : setup.parameters) {
-      const auto declared = parameters.declarations();
-      if (std::ranges::find(declared, key, &ParameterDeclaration::key) == declared.end()) {
+      if (!declares(method, key)) {
         continue; // of another method
       }
       if (const auto set = parameters.set(key, value); !set) {
@@ -208,6 +222,25 @@ Result<std::vector<Contestant>> contestants(const PeopleStudySetup& setup, const
 
 } // namespace
 
+Status checkPeopleParameters(const PeopleStudySetup& setup) {
+  for (const auto& [key, value] : setup.parameters) {
+    bool known = false;
+    for (const std::string& method : setup.methods) {
+      if (!declares(method, key)) {
+        continue;
+      }
+      known = true;
+      if (const auto set = ParameterValues(peopleMethodParameters(method)).set(key, value); !set) {
+        return set;
+      }
+    }
+    if (!known) {
+      return failure(ErrorCode::UnknownKey, "", key, "of the chosen methods none has it");
+    }
+  }
+  return {};
+}
+
 bool identitiesKept(const TrackFrame& before, const TrackFrame& after, double gate) {
   const auto first = matched(before, gate);
   const auto last = matched(after, gate);
@@ -220,16 +253,20 @@ Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
   if (!scenario) {
     return tl::make_unexpected(scenario.error());
   }
+  if (const auto checked = checkPeopleParameters(setup); !checked) {
+    return tl::make_unexpected(checked.error());
+  }
   auto all = contestants(setup, scenario->scene.cameras);
   if (!all) {
     return tl::make_unexpected(all.error());
   }
   const OfficeRenderer renderer(scenario->scene, views);
+  const auto moments = setup.pictures ? tellingMoments(*scenario) : std::vector<PeopleMoment>();
   ThreadTeam team(1);
   for (std::int64_t frame = 0; frame < scenario->scene.frameCount; ++frame) {
     const OfficeInstant instant = renderInstant(renderer, frame);
     for (Contestant& one : *all) {
-      one.see(renderer, instant, team);
+      one.see(renderer, instant, moments, team);
     }
   }
   std::vector<PeopleTrial> trials;

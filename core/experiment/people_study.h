@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/experiment/people_pictures.h"
 #include "core/experiment/people_scenario.h"
 #include "core/experiment/track_frame.h"
 #include "core/simulation/view_cache.h"
@@ -12,6 +13,12 @@
 #include <vector>
 
 namespace dewpoint {
+
+/// A method at one instant of a scene, see peoplePicture().
+struct PeoplePicture {
+  std::string words; ///< when that is
+  cv::Mat image;
+};
 
 /// What a method did with one simulated scene. Places are compared on the floor, within
 /// kPeopleGate.
@@ -31,6 +38,7 @@ struct PeopleTrial {
   double longestMissed = 0.0; ///< seconds that somebody whom two cameras see has no estimate
   double hullVolume = 0.0;    ///< m³, mean over people and frames
   double stepMs = 0.0;        ///< mean CPU time of a frame with people
+  std::vector<PeoplePicture> pictures; ///< of tellingMoments(), where they were asked for
 };
 
 /// Metres within which an estimate belongs to a person.
@@ -43,7 +51,12 @@ struct PeopleStudySetup {
   std::uint64_t seed = 1;
   /// Values that differ from the defaults, for the methods that have such a parameter.
   std::vector<std::pair<std::string, double>> parameters;
+  bool pictures = false; ///< draw the telling moments
 };
+
+/// UnknownKey for a parameter that none of the methods has, BadValue for one out of range; `field`
+/// is the parameter's key.
+Status checkPeopleParameters(const PeopleStudySetup& setup);
 
 /// Renders one scene and lets all methods see it; one trial per method. Errors of the scene's, the
 /// method's and the parameters' names.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/experiment/figure_page.h"
 #include "core/experiment/people_study.h"
 
 #include <string>
@@ -35,7 +36,8 @@ std::string peopleTableHead();
 std::string peopleTableRow(const PeopleSummary& summary);
 /// runs.csv: a row per trial.
 std::string peopleTrialsCsv(const std::vector<PeopleTrial>& trials);
-/// The report: what the experiment is, its table, the bars and which of them are missed.
-std::string peopleReportHtml(const std::string& scenario, const std::vector<PeopleTrial>& trials);
+/// The report: what the experiment is, its table, the bars and which of them are missed, the
+/// pictures of the trials that have some; runs.csv beside it.
+FigurePage peopleReport(const std::string& scenario, const std::vector<PeopleTrial>& trials);
 
 } // namespace dewpoint

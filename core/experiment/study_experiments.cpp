@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/study_experiments.h"
 
-#include "core/base/text_file.h"
+#include "core/experiment/report_folder.h"
 #include "core/experiment/sugandi_study.h"
 
 #include <algorithm>
@@ -14,15 +14,8 @@ namespace {
 constexpr std::uint64_t kRenderedClip = 5001;
 constexpr double kContenders = 7.0; ///< of studyBoxes(), per clip
 
-Status made(const std::filesystem::path& folder) {
-  std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
-  return problem ? failure(ErrorCode::FileUnwritable, folder.string(), "", problem.message())
-                 : Status();
-}
-
 Status sugandiRmse(const ExperimentOptions& options) {
-  if (const auto folder = made(options.folder); !folder) {
+  if (const auto folder = prepareReportFolder(options.folder, kBoxReport); !folder) {
     return folder;
   }
   std::vector<BoxClip> clips{simulatedBoxClip(kRenderedClip)};
@@ -64,7 +57,7 @@ std::vector<PeopleClothes> clothesOf(StudyClothes wanted) {
 }
 
 Status studyScenario(const char* scenario, const ExperimentOptions& options) {
-  if (const auto folder = made(options.folder); !folder) { // before minutes are spent
+  if (const auto folder = prepareReportFolder(options.folder); !folder) {
     return folder;
   }
   PeopleStudySetup setup;
@@ -96,6 +89,9 @@ Status peopleSideBySide(const ExperimentOptions& options) {
 Status peopleEnterLeave(const ExperimentOptions& options) {
   return studyScenario("enter-leave", options);
 }
+Status peopleApart(const ExperimentOptions& options) {
+  return studyScenario("apart", options);
+}
 
 } // namespace
 
@@ -107,7 +103,7 @@ std::span<const FigureExperiment> studyExperiments() {
                                    "histogram and four trackers of OpenCV on the same clips.",
                        .runs = 2,
                        .run = &sugandiRmse,
-                       .report = "sugandi-rmse.html",
+                       .report = kBoxReport,
                        .takesRecordings = true},
       FigureExperiment{.name = "people-crossing",
                        .title = "People who cross",
@@ -136,6 +132,13 @@ std::span<const FigureExperiment> studyExperiments() {
                        .runs = 3,
                        .run = &peopleEnterLeave,
                        .takesClothes = true},
+      FigureExperiment{.name = "people-apart",
+                       .title = "People who stay apart",
+                       .sentence = "Mohedano et al. 2009: two people far from each other, the easy "
+                                   "case, in which no method may mix them up.",
+                       .runs = 3,
+                       .run = &peopleApart,
+                       .takesClothes = true},
   };
   return kAll;
 }
@@ -153,6 +156,7 @@ studyManyPeople(PeopleStudySetup setup, const std::vector<PeopleClothes>& clothe
     setup.clothes = kind;
     for (int k = 0; k < seeds && goOn; ++k) {
       setup.seed = first + static_cast<std::uint64_t>(k);
+      setup.pictures = k == 0;
       const auto more = studyPeople(setup, views);
       if (!more) {
         return tl::make_unexpected(more.error());
@@ -166,11 +170,7 @@ studyManyPeople(PeopleStudySetup setup, const std::vector<PeopleClothes>& clothe
 
 Status writePeopleStudy(const std::string& scenario, const std::vector<PeopleTrial>& trials,
                         const std::filesystem::path& folder) {
-  return made(folder)
-      .and_then([&] { return writeTextFile(folder / "runs.csv", peopleTrialsCsv(trials)); })
-      .and_then([&] {
-        return writeTextFile(folder / "report.html", peopleReportHtml(scenario, trials));
-      });
+  return peopleReport(scenario, trials).write(folder);
 }
 
 } // namespace dewpoint

@@ -13,7 +13,7 @@ namespace dewpoint {
 Result<std::vector<PeopleTrial>>
 studyManyPeople(PeopleStudySetup setup, const std::vector<PeopleClothes>& clothes, int seeds,
                 const std::function<bool(std::int64_t done, std::int64_t all)>& progress);
-/// Writes runs.csv and report.html into a folder, which is made. FileUnwritable.
+/// Writes runs.csv, report.html and its pictures into a folder, which is made. FileUnwritable.
 Status writePeopleStudy(const std::string& scenario, const std::vector<PeopleTrial>& trials,
                         const std::filesystem::path& folder);
 

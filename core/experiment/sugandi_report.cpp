@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/markup.h"
 #include "core/base/text_file.h"
+#include "core/experiment/figure_page.h"
+#include "core/experiment/sugandi_pictures.h"
 #include "core/experiment/sugandi_study.h"
 #include "core/experiment/suite_report.h"
 #include "core/trajectory/csv_text.h"
 
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace dewpoint {
 namespace {
@@ -21,7 +25,8 @@ constexpr const char* kRemarks[] = {
     "A star marks clips where only centers are marked and the boxes have a set size: their success "
     "says little.",
     "The paper's clip is not public: its 6.48 px with 100 particles and 2.28 px with 300 cannot be "
-    "repeated, only the trend. It gives neither the noise of the motion nor sigma."};
+    "repeated, only the trend. It gives neither the noise of the motion nor sigma.",
+    "Curves and frames are of the first seed; tracks.csv has their numbers, of all methods."};
 
 std::string starred(const BoxRow& row) {
   return row.clip + (row.exactBoxes ? "" : " *");
@@ -39,6 +44,20 @@ std::string tableRow(const BoxRow& row) {
                      row.ours ? " class='ours'" : "", escaped(row.method), row.seeds,
                      row.figures.rmse, row.figures.success, 100.0 * row.figures.precision,
                      100.0 * row.worstPrecision, row.milliseconds);
+}
+
+/// The table of a clip and its figures.
+std::string clipHtml(const BoxStudy& study, std::size_t clip) {
+  std::string rows;
+  std::string title;
+  for (const BoxRow& row : study.rows) {
+    if (row.clip == study.figures[clip].clip) {
+      title = starred(row);
+      rows += tableRow(row);
+    }
+  }
+  return fmt::format("<h2>{}</h2>{}{}</tbody></table></div>{}", escaped(title), tableHead(), rows,
+                     boxFiguresHtml(study, clip));
 }
 
 std::string barsHtml(const BoxStudy& study) {
@@ -158,16 +177,9 @@ std::string boxStudyHtml(const BoxStudy& study) {
                      "</style></head>\n<body><main>\n<h1>Color histograms in one camera</h1><p "
                      "class='meta'>Experiment sugandi-rmse, version " DEWPOINT_VERSION "</p>" +
                      barsHtml(study);
-  std::string clip;
-  for (const BoxRow& row : study.rows) {
-    if (row.clip != clip) {
-      text += clip.empty() ? "" : "</tbody></table></div>";
-      clip = row.clip;
-      text += fmt::format("<h2>{}</h2>", escaped(starred(row))) + tableHead();
-    }
-    text += tableRow(row);
+  for (std::size_t clip = 0; clip < study.figures.size(); ++clip) {
+    text += clipHtml(study, clip);
   }
-  text += clip.empty() ? "" : "</tbody></table></div>";
   text += study.sloppy.empty() ? "" : sloppyHtml(study.sloppy);
   text += "<h2>How to read it</h2>";
   for (const char* remark : kRemarks) {
@@ -177,14 +189,22 @@ std::string boxStudyHtml(const BoxStudy& study) {
 }
 
 Status writeBoxStudy(const BoxStudy& study, const std::filesystem::path& folder) {
-  return writeTextFile(folder / "sugandi-rmse.txt", boxStudyText(study))
-      .and_then([&] { return writeTextFile(folder / "sugandi-rmse.csv", boxStudyCsv(study)); })
-      .and_then([&] { return writeTextFile(folder / "sugandi-rmse.html", boxStudyHtml(study)); })
-      .and_then([&] {
-        return study.sloppy.empty()
-                   ? Status()
-                   : writeTextFile(folder / "sloppy-boxes.csv", sloppyBoxesCsv(study.sloppy));
-      });
+  std::vector<std::pair<std::string, std::string>> files{{"sugandi-rmse.txt", boxStudyText(study)},
+                                                         {"sugandi-rmse.csv", boxStudyCsv(study)},
+                                                         {"tracks.csv", boxTracksCsv(study)}};
+  for (std::size_t clip = 0; clip < study.figures.size(); ++clip) {
+    files.emplace_back(boxFramesFile(clip), imageFile(study.figures[clip].frames, ".jpg"));
+  }
+  if (!study.sloppy.empty()) {
+    files.emplace_back("sloppy-boxes.csv", sloppyBoxesCsv(study.sloppy));
+  }
+  files.emplace_back(kBoxReport, boxStudyHtml(study));
+  for (const auto& [name, bytes] : files) {
+    if (auto written = writeTextFile(folder / name, bytes); !written) {
+      return written;
+    }
+  }
+  return {};
 }
 
 } // namespace dewpoint

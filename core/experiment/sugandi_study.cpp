@@ -2,6 +2,7 @@
 #include "core/experiment/sugandi_study.h"
 
 #include "core/experiment/box_follower.h"
+#include "core/experiment/sugandi_pictures.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 #include <chrono>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace dewpoint {
 namespace {
@@ -55,6 +57,9 @@ Status follow(const BoxClip& clip, const std::vector<cv::Mat>& images, BoxFollow
   row.figures.success += figures.success / runs;
   row.figures.precision += figures.precision / runs;
   row.worstPrecision = std::min(row.worstPrecision, figures.precision);
+  if (row.boxes.empty()) {
+    row.boxes = std::move(found);
+  }
   return {};
 }
 
@@ -80,7 +85,6 @@ Result<BoxRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,
 }
 
 constexpr double kJuggleBar = 0.85; // share of frames within a ball's radius
-constexpr const char* kImproved = "histogram, 300 particles";
 
 const BoxRow* rowOf(const std::vector<BoxRow>& rows, const std::string& clip,
                     const std::string& method) {
@@ -112,12 +116,11 @@ BoxBar peerBar(const std::vector<BoxRow>& rows, const BoxRow& ours) {
 std::vector<BoxBar> barsOf(const std::vector<BoxRow>& rows) {
   std::vector<BoxBar> bars;
   for (const BoxRow& row : rows) {
-    const BoxRow* few = rowOf(rows, row.clip, "sugandi, 100 particles");
-    if (row.clip.starts_with("simulated") && row.method == "sugandi, 300 particles" &&
-        few != nullptr) {
+    const BoxRow* few = rowOf(rows, row.clip, kSugandiFew);
+    if (row.clip.starts_with("simulated") && row.method == kSugandiMany && few != nullptr) {
       bars.push_back(trendBar(*few, row));
     }
-    if (row.method != kImproved) {
+    if (row.method != kHistogram) {
       continue;
     }
     if (row.clip.starts_with("juggle1")) {
@@ -154,6 +157,10 @@ Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
         return failure(ErrorCode::Cancelled, "", "", "");
       }
     }
+    study.figures.push_back(
+        {clip.name, clip.truth,
+         boxFrames(*images, clip.truth, *rowOf(study.rows, clip.name, kSugandiFew),
+                   *rowOf(study.rows, clip.name, kSugandiMany))});
   }
   study.bars = barsOf(study.rows);
   return study;

@@ -8,10 +8,18 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace dewpoint {
+
+/// How methods are shown that the report draws.
+inline constexpr const char* kSugandiFew = "sugandi, 100 particles";
+inline constexpr const char* kSugandiMany = "sugandi, 300 particles";
+inline constexpr const char* kHistogram = "histogram, 300 particles";
+/// The page among the files of the study.
+inline constexpr const char* kBoxReport = "sugandi-rmse.html";
 
 /// One method on one clip, from the true box of the first frame; means over the seeds.
 struct BoxRow {
@@ -23,6 +31,8 @@ struct BoxRow {
   BoxFigures figures;
   double worstPrecision = 0.0; ///< of the seeds
   double milliseconds = 0.0;   ///< per frame, one thread
+  /// Of the first seed, one per frame from the given one on; nothing where it has given up.
+  std::vector<std::optional<ImageBox>> boxes;
 };
 
 /// A requirement with its verdict.
@@ -31,10 +41,18 @@ struct BoxBar {
   bool reached = false;
 };
 
+/// What a clip's figures are drawn from.
+struct BoxClipFigures {
+  std::string clip;
+  std::vector<ImageBox> truth;
+  cv::Mat frames; ///< see boxFrames()
+};
+
 struct BoxStudy {
   std::vector<BoxRow> rows; ///< clip by clip
   std::vector<BoxBar> bars;
-  std::vector<SloppyRow> sloppy; ///< of studySloppyBoxes(); empty unless asked for
+  std::vector<BoxClipFigures> figures; ///< one per clip
+  std::vector<SloppyRow> sloppy;       ///< of studySloppyBoxes(); empty unless asked for
 };
 
 /// Follows every clip with `sugandi` of 100 and of 300 particles, `histogram` and OpenCV's four
@@ -51,8 +69,8 @@ std::string boxStudyHtml(const BoxStudy& study);
 /// does not say how sure it is.
 std::string sloppyBoxesCsv(const std::vector<SloppyRow>& rows);
 
-/// Writes sugandi-rmse.txt, .csv and .html, and sloppy-boxes.csv where that was studied, into a
-/// folder that exists.
+/// Writes sugandi-rmse.txt, .csv and .html with its pictures, tracks.csv, and sloppy-boxes.csv
+/// where that was studied, into a folder that exists.
 Status writeBoxStudy(const BoxStudy& study, const std::filesystem::path& folder);
 
 } // namespace dewpoint

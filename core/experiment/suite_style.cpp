@@ -44,6 +44,7 @@ td.best { font-weight: 700; }
 .chip { display: inline-block; border-radius: 999px; padding: 0 10px; font-size: 12px; font-weight: 600; background: var(--none-back);
   color: var(--soft); white-space: nowrap; }
 .chip.good { background: var(--good-back); color: var(--good); }
+.chip.part { background: var(--warn-back); color: var(--warn); }
 .chip.bad { background: var(--bad-back); color: var(--bad); }
 .count { font-size: 44px; font-weight: 700; line-height: 1; letter-spacing: -0.02em; }
 .tiles { display: flex; gap: 14px; flex-wrap: wrap; margin: 14px 0; }
@@ -51,6 +52,7 @@ td.best { font-weight: 700; }
 .tile.good .count { color: var(--good); } .tile.bad .count { color: var(--bad); } .tile .count { color: var(--soft); }
 .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(300px, 1fr)); gap: 14px; margin: 10px 0 6px; }
 figure { margin: 0; background: var(--card); border: 1px solid var(--rule); border-radius: 10px; padding: 10px 10px 6px; }
+.plots figure { max-width: 720px; }
 figcaption { font-size: 12.5px; font-weight: 600; margin: 0 0 4px 4px; }
 svg { display: block; width: 100%; height: auto; }
 .legend { display: flex; flex-wrap: wrap; gap: 4px 18px; font-size: 12.5px; color: var(--soft); margin: 8px 0 0; }

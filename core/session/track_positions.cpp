@@ -4,23 +4,32 @@
 #include "core/base/random.h"
 #include "core/base/thread_team.h"
 #include "core/tracking/dynamics_tracker.h"
+#include "core/trajectory/trajectory_reader.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string_view>
 
 namespace dewpoint {
 namespace {
+
+constexpr std::array<std::string_view, 3> kStart{"start_x", "start_y", "start_z"};
 
 using TrackerPtr = std::unique_ptr<DynamicsTracker>;
 
 /// A filter that begins where the target was first measured.
 TrackerPtr trackerAt(const Eigen::Vector3d& place, ParameterValues parameters, std::uint64_t seed) {
-  static constexpr const char* kAxes[] = {"start_x", "start_y", "start_z"};
-  for (int axis = 0; axis < 3; ++axis) {
-    (void)parameters.set(kAxes[axis], place[axis]); // out of range: the start that is set stays
+  for (std::size_t axis = 0; axis < kStart.size(); ++axis) {
+    // Out of range: the start stays the usual one.
+    (void)parameters.set(kStart[axis], place[static_cast<Eigen::Index>(axis)]);
   }
   auto tracker = std::make_unique<DynamicsTracker>(parameters, CameraRig{}, Target{});
   tracker->restart(seed);
@@ -31,6 +40,9 @@ TrajectoryHeader headerOf(const ParameterValues& parameters, std::uint64_t seed)
   TrajectoryHeader header;
   header.entries = {{"method", "dynamics"}, {"seed", std::to_string(seed)}};
   for (const auto& declaration : parameters.declarations()) {
+    if (isStartOfPositions(declaration.key)) {
+      continue; // its own of each target
+    }
     header.entries.emplace_back(declaration.key,
                                 fmt::format("{}{}{}", parameters.at(declaration.key),
                                             declaration.unit.empty() ? "" : " ", declaration.unit));
@@ -38,7 +50,42 @@ TrajectoryHeader headerOf(const ParameterValues& parameters, std::uint64_t seed)
   return header;
 }
 
+/// Numbers the instants of samples that have times alone, in their order in time.
+void numberInstants(Trajectory& measured) {
+  std::set<double> times;
+  for (const TrajectorySample& sample : measured.samples) {
+    times.insert(sample.time);
+  }
+  for (TrajectorySample& sample : measured.samples) {
+    if (sample.frame == kNoFrame) {
+      sample.frame = std::distance(times.begin(), times.find(sample.time));
+    }
+  }
+}
+
 } // namespace
+
+bool isStartOfPositions(std::string_view key) {
+  return std::ranges::find(kStart, key) != kStart.end();
+}
+
+Result<bool> giveTimes(Trajectory& measured, double rate) {
+  const auto hasTime = [](const TrajectorySample& sample) { return std::isfinite(sample.time); };
+  if (std::ranges::all_of(measured.samples, hasTime)) {
+    numberInstants(measured);
+    return false;
+  }
+  if (std::ranges::any_of(measured.samples, hasTime)) {
+    return failure(ErrorCode::MissingKey, "", "time_s", "some rows have a time and others not");
+  }
+  for (TrajectorySample& sample : measured.samples) {
+    if (sample.frame == kNoFrame) {
+      return failure(ErrorCode::MissingKey, "", "time_s", "no row has a time, nor a frame");
+    }
+    sample.time = static_cast<double>(sample.frame) / rate;
+  }
+  return true;
+}
 
 Trajectory trackPositions(const Trajectory& measured, const ParameterValues& parameters,
                           std::uint64_t seed) {

@@ -24,6 +24,10 @@ expectExit $kUsage people office/project.toml --out run --set no_such=1
 expectSentence no_such
 expectExit $kUsage people office/project.toml --out run --person 1,2
 expectSentence --person
+expectExit $kUsage people office/project.toml --out run --person 99,99,1
+expectSentence --person "99,99,1" "-3.4 to 3.4"
+expectExit $kUsage people office/project.toml --out run --person 0,0,9
+expectSentence --person "0,0,9"
 expectExit $kUsage people office/project.toml
 expectExit $kBadInput people missing.toml --out run
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace dewpoint {
 namespace {
 
@@ -14,6 +16,18 @@ TEST(DynamicsStudy, TheJumpIsSeenAtItsIteration) {
   EXPECT_NEAR(run.errors[30], 2.0, 0.2); // the paper's figure 6
   EXPECT_LT(run.errors[99], 0.05);
   ASSERT_EQ(run.clouds.size(), 2U);
+  // What is said of the cloud is what is drawn of it: the mean square distance is the sum of the
+  // variances.
+  const Eigen::ArrayXXd& cloud = run.clouds[1];
+  double square = 0.0;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    square += (cloud.col(axis) - cloud.col(axis).mean()).square().mean();
+  }
+  EXPECT_NEAR(run.cloudSpreads[40], std::sqrt(square), 1e-12);
+  // Two iterations after the jump few particles have all the weight; the random step alone, 0.03 m
+  // per axis, spreads the cloud by 0.052 m.
+  EXPECT_GT(run.cloudSpreads[32], 0.045);
+  EXPECT_LT(run.beliefSpreads[32], 0.5 * run.cloudSpreads[32]);
   EXPECT_EQ(run.clouds[0].rows(), 200);
 }
 
@@ -27,7 +41,8 @@ TEST(DynamicsStudy, ALargerSigmaArrivesSoonerAndWider) {
     return iterationsUntilBelow(run.errors, 30, 100, 0.1);
   };
   EXPECT_LT(again(fast), again(slow));
-  EXPECT_GT(fast.spreads[99], slow.spreads[99]);
+  EXPECT_GT(fast.cloudSpreads[99], slow.cloudSpreads[99]);
+  EXPECT_GT(fast.beliefSpreads[99], slow.beliefSpreads[99]);
 }
 
 TEST(DynamicsStudy, ATinySigmaDoesNotArriveBeforeIterationSeventy) {

@@ -100,7 +100,64 @@ TEST(PeopleSummary, CountsAndTakesTheWorst) {
   EXPECT_NEAR(sums[0].mota, 0.7, 1e-12);
   EXPECT_EQ(sums[0].longestGhost, 1.5);
   EXPECT_EQ(sums[0].motp, 0.0);
-  EXPECT_NE(peopleReportHtml("crossing", {trial, second}).find("1 of 2"), std::string::npos);
+  EXPECT_NE(peopleReport("crossing", {trial, second}).html().find("1 of 2"), std::string::npos);
+}
+
+PeopleTrial trialOf(const char* scenario, const char* method, bool kept) {
+  PeopleTrial trial;
+  trial.scenario = scenario;
+  trial.method = method;
+  trial.kept = kept;
+  return trial;
+}
+
+TEST(PeopleReport, AFewRunsAreNoVerdict) {
+  std::vector<PeopleTrial> trials{trialOf("crossing", "mohedano-ms", true),
+                                  trialOf("crossing", "mohedano-ms", false)};
+  const std::string few = peopleReport("crossing", trials).html();
+  EXPECT_NE(few.find("so far yes"), std::string::npos);
+  EXPECT_NE(few.find("fewer than 28 of 30 runs (here lost in 1 of 2, kept in 1)"),
+            std::string::npos);
+  trials.assign(30, trialOf("crossing", "mohedano-ms", true)); // 30 of 30: nothing is lost
+  const std::string many = peopleReport("crossing", trials).html();
+  EXPECT_EQ(many.find("so far yes"), std::string::npos);
+  EXPECT_NE(many.find("chip bad'>no<"), std::string::npos);
+}
+
+TEST(PeopleReport, IdentitiesOfThoseWhoComeAndGoAreJudgedToo) {
+  const std::string page =
+      peopleReport("enter-leave", {trialOf("enter-leave", "people", false)}).html();
+  EXPECT_NE(page.find("keeps identities in at least 28 of 30 runs (here in 0 of 1)"),
+            std::string::npos);
+  EXPECT_NE(page.find("no ghost and nobody missed"), std::string::npos);
+}
+
+TEST(PeoplePictures, ShowTheMeetingAndBothSidesOfIt) {
+  const auto crossing = makePeopleScenario("crossing", PeopleClothes::Different, 1);
+  ASSERT_TRUE(crossing);
+  const auto moments = tellingMoments(*crossing);
+  ASSERT_EQ(moments.size(), 3U);
+  EXPECT_LT(moments[0].frame, moments[1].frame);
+  EXPECT_LT(moments[1].frame, moments[2].frame);
+  const double time = crossing->scene.timeOf(moments[1].frame);
+  const auto& people = crossing->scene.people;
+  EXPECT_LT((people[0].place(time) - people[1].place(time)).norm(),
+            0.7); // 0.45 to 0.6 m is aimed at
+  const auto visit = makePeopleScenario("enter-leave", PeopleClothes::Different, 1);
+  ASSERT_TRUE(visit);
+  EXPECT_EQ(tellingMoments(*visit).size(), 1U);
+}
+
+TEST(PeopleStudy, AParameterThatNoMethodHasIsSaid) {
+  PeopleStudySetup setup;
+  setup.methods = {"people", "mohedano-ms"};
+  setup.parameters = {{"body_points", 200.0}}; // of people alone
+  EXPECT_TRUE(checkPeopleParameters(setup));
+  setup.parameters = {{"foo", 1.0}};
+  const auto checked = checkPeopleParameters(setup);
+  ASSERT_FALSE(checked);
+  EXPECT_EQ(checked.error().code, ErrorCode::UnknownKey);
+  EXPECT_EQ(checked.error().field, "foo");
 }
 
 } // namespace

@@ -65,7 +65,13 @@ TEST(StudyManyPeople, TellsHowFarItIsAndIsWritten) {
       std::filesystem::path(testing::TempDir()) / ("people_study" + std::to_string(getpid()));
   ASSERT_TRUE(writePeopleStudy(setup.scenario, *trials, folder));
   EXPECT_TRUE(readTextFile(folder / "runs.csv"));
-  EXPECT_TRUE(readTextFile(folder / "report.html"));
+  const auto page = readTextFile(folder / "report.html");
+  ASSERT_TRUE(page);
+  EXPECT_EQ(trials->front().pictures.size(), 3U); // before, when nearest, after
+  for (const char* name : {"different-people-1.jpg", "different-people-3.jpg"}) {
+    EXPECT_NE(page->find(name), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  }
   std::filesystem::remove_all(folder);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/sugandi_pictures.h"
 #include "core/experiment/sugandi_study.h"
 
 #include <gtest/gtest.h>
@@ -6,8 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <optional>
+#include <string>
+#include <unistd.h>
 
 namespace dewpoint {
 namespace {
@@ -62,6 +67,32 @@ TEST(SugandiStudy, ReportsEveryMethodAndBar) {
   EXPECT_NE(boxStudyText(*study).find("csrt"), std::string::npos);
   EXPECT_NE(boxStudyCsv(*study).find("\"sugandi, 100 particles\""), std::string::npos);
   EXPECT_NE(boxStudyHtml(*study).find("</html>"), std::string::npos);
+}
+
+TEST(SugandiStudy, DrawsTracksAndFrames) {
+  BoxClip clip = simulatedBoxClip(7);
+  clip.truth.resize(6);
+  const auto study = studyBoxes({clip}, 2, [](const BoxRow&) { return true; });
+  ASSERT_TRUE(study);
+  ASSERT_EQ(study->figures.size(), 1U);
+  EXPECT_EQ(study->figures[0].frames.cols, 5 * 240); // five frames, 240 pixels wide each
+  EXPECT_EQ(study->figures[0].frames.rows, 2 * 180); // 100 and 300 particles
+  // A head, then six frames of the truth and of seven methods, of one run each.
+  EXPECT_EQ(std::ranges::count(boxTracksCsv(*study), '\n'), 1 + 6 * 8);
+  const auto folder =
+      std::filesystem::path(testing::TempDir()) / ("box_study" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  ASSERT_TRUE(writeBoxStudy(*study, folder));
+  std::ifstream file(folder / kBoxReport);
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  for (const char* part : {"clip-1.jpg", "x of the center", "Distance to the true center"}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(page.find("nan"), std::string::npos);
+  for (const char* name : {"clip-1.jpg", "tracks.csv", "sugandi-rmse.csv", "sugandi-rmse.txt"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  }
+  std::filesystem::remove_all(folder);
 }
 
 TEST(SloppyStudy, SlipsAreSharesOfTheBox) {

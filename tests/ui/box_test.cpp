@@ -56,6 +56,7 @@ private Q_SLOTS:
   void boxesAreExported();
   void theMethodIsChosenInTheParameters();
   void theMenuHasTheStudies();
+  void anExperimentIsRefusedAtOnceAndLeftAloneWhileItRuns();
 
 private:
   template <class T> T* find(const char* name) {
@@ -261,14 +262,43 @@ void BoxTest::theMenuHasTheStudies() {
   QVERIFY(choose("sugandi-rmse"));
   QVERIFY(find<QLineEdit>("experimentRecordings")->isVisible());
   QVERIFY(!find<QComboBox>("experimentClothes")->isVisible());
-  for (const char* name :
-       {"people-crossing", "people-meet-and-turn", "people-side-by-side", "people-enter-leave"}) {
+  for (const char* name : {"people-crossing", "people-meet-and-turn", "people-side-by-side",
+                           "people-enter-leave", "people-apart"}) {
     QVERIFY(choose(name));
   }
   QVERIFY(!find<QLineEdit>("experimentRecordings")->isVisible());
   QVERIFY(find<QComboBox>("experimentClothes")->isVisible());
   QVERIFY(choose("barrera-fig3"));
   QVERIFY(!find<QComboBox>("experimentClothes")->isVisible());
+}
+
+void BoxTest::anExperimentIsRefusedAtOnceAndLeftAloneWhileItRuns() {
+  action("actionExperiments")->trigger();
+  auto* list = find<QListWidget>("experimentList");
+  QVERIFY(waitFor([&] { return list->isVisible(); }));
+  const auto rowOf = [&](const char* name) {
+    int row = 0;
+    while (list->item(row)->data(Qt::UserRole).toString() != QLatin1String(name)) {
+      ++row;
+    }
+    return row;
+  };
+  auto* folder = find<QLineEdit>("experimentFolder");
+  auto* state = find<QLabel>("experimentState");
+  list->setCurrentRow(rowOf("people-crossing"));
+  folder->setText(QStringLiteral("/proc/dewpoint"));
+  find<QPushButton>("experimentRun")->click();
+  QVERIFY(waitFor([&] { return state->text().contains(QStringLiteral("/proc/dewpoint")); }));
+  QVERIFY(folder->isEnabled());
+  folder->setText(folder_.filePath(QStringLiteral("people")));
+  find<QPushButton>("experimentRun")->click();
+  for (const char* name : {"experimentList", "experimentFolder", "experimentRuns",
+                           "experimentClothes", "experimentBrowse", "experimentRun"}) {
+    QVERIFY2(!find<QWidget>(name)->isEnabled(), name);
+  }
+  find<QPushButton>("experimentCancel")->click();
+  QVERIFY(waitFor([&] { return folder->isEnabled(); }));
+  QVERIFY(list->isEnabled());
 }
 
 } // namespace dewpoint

@@ -76,7 +76,11 @@ ExperimentDialog::ExperimentDialog(QWidget* parent)
 }
 
 void ExperimentDialog::showRunning(bool running) {
-  run_->setEnabled(!running);
+  // What is shown is what runs: nothing can be chosen meanwhile.
+  for (QWidget* part : std::initializer_list<QWidget*>{list_, runs_, clothes_, recordings_,
+                                                       browseRecordings_, folder_, browse_, run_}) {
+    part->setEnabled(!running);
+  }
   progress_->setVisible(running);
   progress_->setRange(0, 0); // until it says how far it is
   cancel_->setVisible(running);

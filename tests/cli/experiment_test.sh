@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The papers' experiments: names, reports, what is refused.
+. "$(dirname "$0")/common.sh"
+
+# A folder that cannot be made is said before anything is computed: in no time, and without progress.
+: >file
+for name in barrera-fig3 barrera-fig4 drift starts dynamics-fig6 dynamics-fig7 dynamics-fig8 \
+  sugandi-rmse people-crossing people-enter-leave apart; do
+  expectExit $kOutput experiment $name --out file/o
+  expectSentence file/o "cannot be written"
+  mkdir -p taken/report.html taken/sugandi-rmse.html
+  expectExit $kOutput experiment $name --out taken
+  expectSentence taken/ "cannot be written"
+done
+
+# Short names of the people's scenarios.
+expectExit 0 experiment apart --seeds 1 --clothes similar --method people --out apart
+expectText apart/report.html "People: apart" similar-people-1.jpg "so far yes"
+[[ -s apart/similar-people-1.jpg && -s apart/runs.csv ]] || fail "files are missing"
+for name in crossing meet-and-turn side-by-side enter-leave; do
+  expectExit $kUsage experiment $name --set foo=1
+  expectSentence foo "unknown key"
+done
+expectExit $kUsage experiment people-apart --method mohedano-ms --set body_points=200
+expectSentence body_points
+expectExit $kUsage experiment people-apart --set particles=0.5
+expectSentence particles
+expectExit $kUsage experiment people-apart --record office --set particles=50
+[[ ! -e office ]] || fail "a refused command left its folder behind"
+
+# Every figure has its numbers beside it.
+expectExit 0 experiment drift --runs 1 --out drift
+expectText drift/drift.csv iteration,moved_m
+expectExit 0 experiment barrera-fig4 --out above
+[[ $(wc -l <above/particles.csv) == 801 ]] || fail "not four instants of 200 particles"
+expectExit 0 experiment dynamics-fig8 --out clouds
+[[ $(wc -l <clouds/clouds.csv) == 2401 ]] || fail "not twice six instants of 200 particles"
