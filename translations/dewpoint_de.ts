@@ -2569,6 +2569,14 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <source>boxes.csv and boxes_mot.txt are in %1.</source>
         <translation>boxes.csv und boxes_mot.txt liegen in %1.</translation>
     </message>
+    <message>
+        <source>The boxes of another export are there already. Replace them?</source>
+        <translation>Dort liegen schon die Rahmen eines anderen Exports. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BoxModel</name>
@@ -3999,8 +4007,12 @@ bei %4, %5, %6 m</translation>
         <translation>Die Vorschau wurde angehalten. Die nächste Änderung beginnt sie neu.</translation>
     </message>
     <message>
-        <source>%1 exists already: press Export again to replace it.</source>
-        <translation>%1 gibt es schon: Drücke noch einmal auf Exportieren, um es zu ersetzen.</translation>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
     </message>
 </context>
 <context>
@@ -4558,6 +4570,14 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Take it back</source>
         <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>There are tables of another run in %1. Replace them?</source>
+        <translation>In %1 liegen Tabellen eines anderen Laufs. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
     </message>
 </context>
 <context>

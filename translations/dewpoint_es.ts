@@ -2569,6 +2569,14 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <source>boxes.csv and boxes_mot.txt are in %1.</source>
         <translation>boxes.csv y boxes_mot.txt están en %1.</translation>
     </message>
+    <message>
+        <source>The boxes of another export are there already. Replace them?</source>
+        <translation>Ya están ahí los recuadros de otra exportación. ¿Reemplazarlos?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BoxModel</name>
@@ -3999,8 +4007,12 @@ en %4, %5, %6 m</translation>
         <translation>La vista previa se detuvo. El próximo cambio la empieza de nuevo.</translation>
     </message>
     <message>
-        <source>%1 exists already: press Export again to replace it.</source>
-        <translation>%1 ya existe: pulsa Exportar otra vez para reemplazarlo.</translation>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 ya existe. ¿Reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
     </message>
 </context>
 <context>
@@ -4558,6 +4570,14 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Take it back</source>
         <translation>Recuperarlo</translation>
+    </message>
+    <message>
+        <source>There are tables of another run in %1. Replace them?</source>
+        <translation>En %1 hay tablas de otra ejecución. ¿Reemplazarlas?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
     </message>
 </context>
 <context>

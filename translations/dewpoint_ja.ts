@@ -2569,6 +2569,14 @@ From %2 to %3%4; default %5%4.</source>
         <source>boxes.csv and boxes_mot.txt are in %1.</source>
         <translation>boxes.csv と boxes_mot.txt は %1 にあります。</translation>
     </message>
+    <message>
+        <source>The boxes of another export are there already. Replace them?</source>
+        <translation>別の書き出しの枠がすでにあります。置き換えますか？</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>置き換える</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::BoxModel</name>
@@ -3998,8 +4006,12 @@ at %4, %5, %6 m</source>
         <translation>プレビューを止めました。次に何かを変えると、また始まります。</translation>
     </message>
     <message>
-        <source>%1 exists already: press Export again to replace it.</source>
-        <translation>%1 はすでにあります。置き換えるにはもう一度「エクスポート」を押してください。</translation>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 はすでに存在します。置き換えますか？</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>置き換える</translation>
     </message>
 </context>
 <context>
@@ -4556,6 +4568,14 @@ at %4, %5, %6 m</source>
     <message>
         <source>Take it back</source>
         <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>There are tables of another run in %1. Replace them?</source>
+        <translation>%1 に別の実行の表があります。置き換えますか？</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>置き換える</translation>
     </message>
 </context>
 <context>

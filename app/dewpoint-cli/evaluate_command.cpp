@@ -2,6 +2,7 @@
 #include "app/dewpoint-cli/commands.h"
 #include "core/experiment/identity_evaluation.h"
 #include "core/trajectory/evaluation_text.h"
+#include "core/trajectory/trajectory_export.h"
 #include "core/trajectory/trajectory_reader.h"
 
 #include <CLI/CLI.hpp>
@@ -37,7 +38,7 @@ int evaluateIdentity(const EvaluateOptions& options, const Trajectory& estimate,
 }
 
 int evaluateFiles(const EvaluateOptions& options) {
-  const auto estimate = readTrajectory(options.trajectory);
+  const auto estimate = readExportSource(options.trajectory);
   if (!estimate) {
     return report(estimate.error());
   }
@@ -65,7 +66,7 @@ int evaluateFiles(const EvaluateOptions& options) {
 void addEvaluateCommand(CLI::App& app, int& exitCode) {
   auto* command = app.add_subcommand("evaluate", "Compare a trajectory with the truth.");
   auto options = std::make_shared<EvaluateOptions>();
-  command->add_option("TRAJECTORY", options->trajectory, "Trajectory (CSV) to judge")->required();
+  command->add_option("TRAJECTORY", options->trajectory, "Trajectory (CSV) to judge, or the folder of a run")->required();
   command->add_option("TRUTH", options->truth, "True positions (CSV)")->required();
   command->add_option("--gate", options->gate, "Error in metres above which a frame counts as lost")
       ->check(CLI::PositiveNumber)

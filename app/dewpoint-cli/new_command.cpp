@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 namespace dewpoint {
 namespace {
@@ -77,6 +79,9 @@ int makeNew(NewOptions& options) {
   if (const auto added = addEmptyRooms(options.emptyRooms, made->project); !added) {
     return report(added.error());
   }
+  // A folder that is missing is made; if it cannot be, writing says why.
+  std::error_code said;
+  std::filesystem::create_directories(std::filesystem::absolute(options.file).parent_path(), said);
   if (const auto saved = saveProject(made->project, options.file); !saved) {
     return report(saved.error());
   }

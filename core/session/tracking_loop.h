@@ -67,6 +67,7 @@ private:
   void showNext();
   void rerun(std::int64_t from, const command::SetMethod* method = nullptr);
   bool goBackTo(std::int64_t from, const command::SetMethod* method);
+  std::int64_t beginOf(const command::SetMethod& method, std::int64_t from) const;
   void finishRerun();
   /// What is otherwise than in `before`, for the header of the trajectory.
   std::string differences(const Project& before) const;
@@ -109,7 +110,8 @@ private:
   struct Rerun {
     RerunState range;
     PlayState afterwards = PlayState::Paused;
-    bool atEnd = false; ///< the end had been reached
+    bool atEnd = false;                    ///< the end had been reached
+    std::optional<std::int64_t> lookingAt; ///< a moment to show again when it is done
   };
   std::optional<Rerun> rerun_;
   Clock::time_point published_;

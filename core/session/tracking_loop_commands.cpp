@@ -297,21 +297,32 @@ bool TrackingLoop::goBackTo(std::int64_t from, const command::SetMethod* method)
   return true;
 }
 
+/// Where tracking by another method begins so that it can be tracked at `from`.
+std::int64_t TrackingLoop::beginOf(const command::SetMethod& method, std::int64_t from) const {
+  const MethodFamily family = methodFamily(method.method);
+  // Another family follows other things; and people need the background learned at the beginning.
+  if (family != run_->family() || family == MethodFamily::People) {
+    return travel_->nearest(0).value_or(from);
+  }
+  if (family == MethodFamily::Boxes) {
+    for (const Target& target : run_->targets()) { // they begin at their boxes
+      from = target.box ? std::min(from, travel_->nearest(target.box->frame).value_or(from)) : from;
+    }
+  }
+  return from;
+}
+
 void TrackingLoop::rerun(std::int64_t from, const command::SetMethod* method) {
   const auto nearest = travel_->nearest(from);
   if (!nearest) {
     return;
   }
-  from = *nearest;
-  if (method != nullptr && methodFamily(method->method) == MethodFamily::Boxes) {
-    for (const Target& target : run_->targets()) { // they begin at their boxes
-      from = target.box ? std::min(from, travel_->nearest(target.box->frame).value_or(from)) : from;
-    }
-  }
+  from = method != nullptr ? beginOf(*method, *nearest) : *nearest;
+  const auto lookingAt = method != nullptr ? view_ : std::nullopt;
   errors_.clear();
   const bool isPast = from <= head();
   const PlayState waiting = atEnd_ ? PlayState::Ended : PlayState::Paused;
-  const Rerun again{{from, head()}, view_ || atEnd_ ? waiting : state_, atEnd_};
+  const Rerun again{{from, head()}, view_ || atEnd_ ? waiting : state_, atEnd_, lookingAt};
   const std::vector<Target> targets = run_->projectTargets();
   Project before = project_;
   before.targets = targets;
@@ -366,8 +377,12 @@ void TrackingLoop::rerun(std::int64_t from, const command::SetMethod* method) {
 void TrackingLoop::finishRerun() {
   state_ = rerun_->afterwards;
   atEnd_ = rerun_->atEnd;
+  const auto lookingAt = rerun_->lookingAt;
   rerun_.reset();
   nextFrameDue_ = Clock::now();
+  if (lookingAt) {
+    show(*lookingAt);
+  }
 }
 
 } // namespace dewpoint

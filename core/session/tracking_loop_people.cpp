@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Somebody stands somewhere, or is not there after all.
 #include "core/session/tracking_loop.h"
+#include "core/tracking/people_parameters.h"
 #include "core/tracking/people_targets.h"
 #include "core/tracking/person_at_pixel.h"
+
+#include <fmt/format.h>
 
 namespace dewpoint {
 
@@ -10,12 +13,19 @@ void TrackingLoop::changePeople(const command::ChangePeople& wish) {
   if (run_->people() == nullptr || !run_->frames()) {
     return;
   }
-  if (view_) {
-    rerun(*view_);
+  if (const auto lookingAt = view_) {
+    rerun(*lookingAt);
+    if (rerun_) {
+      rerun_->lookingAt = lookingAt;
+    }
   }
   RunChange change;
-  if (wish.place) {
+  if (wish.place && peopleSettings(project_.parameters).area.contains(*wish.place)) {
     change.newPerson = middleOfBody(*wish.place, project_.parameters);
+  } else if (wish.place) {
+    errors_.push_back({ErrorCode::BadValue, "", "place of a person",
+                       fmt::format("{:.2f}, {:.2f} m lies outside the watched floor",
+                                   wish.place->x(), wish.place->y())});
   }
   change.personGone = wish.gone;
   if (wish.seen) {

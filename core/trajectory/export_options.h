@@ -41,6 +41,7 @@ struct ExportOptions {
   bool smooth = false;     ///< what is known after the run instead of what was known live
   double longestGap = 1.0; ///< seconds that are filled at most
   std::string date;        ///< of the export, for the header; none if empty
+  bool replaces = true;    ///< false: files that are there already are left alone
 };
 
 } // namespace dewpoint

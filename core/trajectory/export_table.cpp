@@ -318,6 +318,9 @@ Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOp
     return table;
   }
   table->rate = usualRate(table->times);
+  table->recordedRate = table->rate;
+  const double span = table->times.back() - table->times.front();
+  table->recordedRows = 1 + static_cast<std::size_t>(std::lround(span * table->rate));
   const bool mustBeEven =
       wishes.evenRows && table->rate > 0.0 && !isEven(table->times, table->rate);
   if (options.rate || mustBeEven) {

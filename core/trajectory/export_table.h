@@ -32,6 +32,8 @@ struct ExportTable {
   std::vector<std::int64_t> frames;           ///< by row
   std::vector<std::vector<ExportCell>> cells; ///< [target][row]
   double rate = 0.0;                          ///< rows per second
+  double recordedRate = 0.0;                  ///< the same before it was resampled
+  std::size_t recordedRows = 0;               ///< with those that were dropped
   bool covariance = false;                    ///< some cell has one
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;

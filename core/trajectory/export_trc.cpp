@@ -9,12 +9,13 @@ namespace dewpoint::encoders {
 Files trc(const ExportTable& table, const std::string& name) {
   const std::size_t rows = table.rowCount();
   const double rate = table.rate;
-  std::string text = fmt::format(
-      "PathFileType\t4\t(X/Y/Z)\t{}.trc\n"
-      "DataRate\tCameraRate\tNumFrames\tNumMarkers\tUnits\tOrigDataRate\t"
-      "OrigDataStartFrame\tOrigNumFrames\n"
-      "{:.6g}\t{:.6g}\t{}\t{}\t{}\t{:.6g}\t1\t{}\n",
-      oneLine(name), rate, rate, rows, table.targets.size(), table.unitName(), rate, rows);
+  std::string text =
+      fmt::format("PathFileType\t4\t(X/Y/Z)\t{}.trc\n"
+                  "DataRate\tCameraRate\tNumFrames\tNumMarkers\tUnits\tOrigDataRate\t"
+                  "OrigDataStartFrame\tOrigNumFrames\n"
+                  "{:.6g}\t{:.6g}\t{}\t{}\t{}\t{:.6g}\t1\t{}\n",
+                  oneLine(name), rate, rate, rows, table.targets.size(), table.unitName(),
+                  table.recordedRate, table.recordedRows);
   text += "Frame#\tTime";
   for (const std::string& target : table.targets) {
     text += fmt::format("\t{}\t\t", oneLine(target));

@@ -8,6 +8,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <optional>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 namespace dewpoint {
 namespace {
@@ -33,6 +39,80 @@ Status makeFolderOf(const std::filesystem::path& file, const std::filesystem::pa
   return problem
              ? Status(failure(ErrorCode::FileUnwritable, folder.string(), "", problem.message()))
              : Status();
+}
+
+/// Writes the files of an export, and takes those away again that it has made, unless told to keep
+/// them.
+class ExportWriter {
+public:
+  explicit ExportWriter(std::filesystem::path file) : file_(std::move(file)) {}
+  ExportWriter(const ExportWriter&) = delete;
+  ExportWriter& operator=(const ExportWriter&) = delete;
+
+  ~ExportWriter() {
+    std::error_code ignored;
+    for (const auto& path : made_) {
+      std::filesystem::remove(path, ignored);
+    }
+    if (folder_) {
+      std::filesystem::remove(*folder_, ignored); // only when it is empty
+    }
+  }
+
+  /// Where this file of the export lies.
+  Result<std::filesystem::path> write(const ExportFile& part) {
+    const auto path = pathOf(file_, part);
+    if (path.parent_path() != file_.parent_path() && !exists(path.parent_path())) {
+      folder_ = path.parent_path();
+    }
+    if (auto there = makeFolderOf(path, file_.parent_path()); !there) {
+      return tl::make_unexpected(there.error());
+    }
+    if (!exists(path)) {
+      made_.push_back(path);
+    }
+    // Of thousands of parts none is waited for until it is on the disk: without the file that
+    // names them they are nothing.
+    const auto written =
+        part.nameEnd.empty() ? writeTextFile(path, part.bytes) : writePart(path, part.bytes);
+    return written ? Result<std::filesystem::path>(path) : tl::make_unexpected(written.error());
+  }
+
+  void keep() {
+    made_.clear();
+    folder_.reset();
+  }
+
+private:
+  static bool exists(const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::exists(path, ignored);
+  }
+
+  static Status writePart(const std::filesystem::path& path, const std::string& bytes) {
+    std::ofstream out(path, std::ios::binary);
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    return out ? Status()
+               : Status(failure(ErrorCode::FileUnwritable, path.string(), "",
+                                std::generic_category().message(errno)));
+  }
+
+  std::filesystem::path file_;
+  std::vector<std::filesystem::path> made_;
+  std::optional<std::filesystem::path> folder_;
+};
+
+/// The first of the files that is there already; empty: none.
+std::filesystem::path occupiedOf(const std::filesystem::path& file,
+                                 const std::vector<ExportFile>& parts) {
+  std::error_code ignored;
+  for (const ExportFile& part : parts) {
+    if (auto path = pathOf(file, part); std::filesystem::exists(path, ignored)) {
+      return path;
+    }
+  }
+  return {};
 }
 
 struct Encoded {
@@ -118,23 +198,26 @@ Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const Expor
   if (!parts) {
     return tl::make_unexpected(parts.error());
   }
+  summary.occupied = options.replaces ? std::filesystem::path() : occupiedOf(file, *parts);
+  if (!summary.occupied.empty()) {
+    return summary;
+  }
   const double begin = kShareOfTable + kShareOfEncoding;
+  ExportWriter writer(file);
   for (std::size_t k = 0; k < parts->size(); ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(parts->size());
     summary.cancelled = !goesOn(begin + (1.0 - begin) * share);
     if (summary.cancelled) {
+      summary.files.clear();
       return summary;
     }
-    const auto path = pathOf(file, (*parts)[k]);
-    auto written = makeFolderOf(path, file.parent_path());
-    if (written) {
-      written = writeTextFile(path, (*parts)[k].bytes);
+    const auto path = writer.write((*parts)[k]);
+    if (!path) {
+      return tl::make_unexpected(path.error());
     }
-    if (!written) {
-      return tl::make_unexpected(written.error());
-    }
-    summary.files.push_back(path);
+    summary.files.push_back(*path);
   }
+  writer.keep();
   return summary;
 }
 
@@ -158,9 +241,6 @@ Result<ExportPreview> previewExport(const Trajectory& trajectory, const ExportOp
   preview.rows = encoded->table.rowCount();
   preview.gaps = encoded->table.gapCount();
   preview.rate = encoded->table.rate;
-  for (const ExportFile& part : encoded->files) {
-    preview.nameEnds.push_back(part.nameEnd);
-  }
   const std::string& bytes = encoded->files.back().bytes;
   preview.text = (*format)->binary ? described(**format, encoded->table, bytes.size(), lineCount)
                                    : firstLines(encoded->files.size() > 1 && (*format)->id == "tum"

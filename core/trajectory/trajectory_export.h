@@ -22,6 +22,7 @@ struct ExportSummary {
   std::size_t targets = 0;
   std::size_t gaps = 0; ///< target and row pairs left empty
   bool cancelled = false;
+  std::filesystem::path occupied; ///< is there already and may not be replaced: nothing was written
 };
 
 /// What an export would write.
@@ -36,12 +37,11 @@ struct ExportPreview {
   std::size_t rows = 0;
   std::size_t gaps = 0;
   double rate = 0.0; ///< rows per second
-  /// What the names of the files end in after the name's stem; empty: the name itself.
-  std::vector<std::string> nameEnds;
 };
 
 /// Writes the trajectory as `options.format` to `file` (formats of several files put the others
-/// beside it). Each file is written beside, flushed and renamed. FileUnwritable, and the errors of
+/// beside it). The file is written beside, flushed and renamed, as the last one. A cancelled or
+/// failed export takes the files away again that it has made. FileUnwritable, and the errors of
 /// makeExportTable() and of the format.
 Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const ExportOptions& options,
                                        const std::filesystem::path& file,

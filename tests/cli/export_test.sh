@@ -26,6 +26,7 @@ expectExit 0 export run/trajectory.csv --smooth --from 10f --to 0.9s --rate 60 -
 # The smoothed file can be judged like any other.
 expectExit 0 export run --smooth --out smooth.csv
 expectExit 0 evaluate smooth.csv run/truth.csv
+expectExit 0 evaluate run run/truth.csv
 
 expectExit 0 export run --out by-ending.npz
 [[ $(head -c 2 by-ending.npz) == PK ]] || fail 'the ending does not choose the format'

@@ -6,6 +6,7 @@ expectExit 0 simulate demo --frames 5 --out made
 cameras=(--camera "camera 2=made/camera-2.mkv" --camera "camera 1=made/camera-1.mkv")
 
 expectExit 0 new waved.toml "${cameras[@]}" --calibration made/calibration.toml --name waved
+expectExit 0 new deep/er/waved.toml "${cameras[@]}" --calibration made/calibration.toml
 expectText waved.toml 'name = "waved"' 'video = "made/camera-1.mkv"' '[camera.calibration]'
 [[ ! -s err.txt ]] || fail "nothing was to be said: $(cat err.txt)"
 # By name, not by order: camera 2 is the one that stands upright (simulate's demo: 240x320).

@@ -191,8 +191,12 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   session.showFrame(80);
   ASSERT_TRUE(eventually([&] { return session.newest()->frame == 80; }));
   session.addPerson(renderer.middle(0, time).head<2>());
-  ASSERT_TRUE(eventually(
-      [&] { return present(*session.newest()) == 1 && session.newest()->frame == kFrames - 1; }));
+  ASSERT_TRUE(eventually([&] {
+    return present(*session.newest()) == 1 && session.newest()->frame == 80 &&
+           session.newest()->history.head == kFrames - 1 && !session.newest()->rerun;
+  }));
+  session.showFrame(kFrames - 1);
+  ASSERT_TRUE(eventually([&] { return session.newest()->frame == kFrames - 1; }));
   EXPECT_EQ(session.newest()->targets.at(0).status, TargetStatus::Held);
   const double now = officeDay().timeOf(kFrames - 1);
   const auto pixel = Projector(officeRig()[0]).project(renderer.middle(1, now));
@@ -205,9 +209,34 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   ASSERT_TRUE(eventually([&] { return session.newest()->notices.size() == 1; }));
   EXPECT_EQ(session.newest()->notices.front().field, officeRig()[0].name);
   EXPECT_EQ(present(*session.newest()), 2);
+  session.addPerson({50.0, 0.0}); // in another house
+  ASSERT_TRUE(eventually([&] { return session.newest()->notices.size() == 2; }));
+  EXPECT_EQ(present(*session.newest()), 2);
   session.removePerson(1);
   ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 1; }));
   EXPECT_EQ(session.newest()->targets.at(0).status, TargetStatus::Gone); // and not lost
+}
+
+TEST(PeopleSession, AnotherMethodWhileLookingBackLearnsTheRoomFromTheBeginning) {
+  Session session(office());
+  playThrough(session);
+  const Trajectory first = session.trajectory();
+  session.showFrame(65); // people are there
+  ASSERT_TRUE(eventually([&] { return session.newest()->frame == 65; }));
+  const auto changed = [&](const Project& project, bool people) {
+    session.setMethodFrom(65, project.method, project.parameters);
+    return eventually([&] {
+      const auto snapshot = session.newest();
+      return snapshot->ofPeople() == people && !snapshot->rerun && snapshot->frame == 65 &&
+             snapshot->past; // the moment that was looked at is shown again
+    });
+  };
+  Project other = officeProject();
+  other.method = "barrera";
+  other.parameters = ParameterValues(methodParameters(other.method));
+  ASSERT_TRUE(changed(other, false));
+  ASSERT_TRUE(changed(officeProject(), true));
+  EXPECT_TRUE(test::sameBits(first, session.trajectory()));
 }
 
 TEST(PeopleSession, SavesVolumesHullsAndDensities) {

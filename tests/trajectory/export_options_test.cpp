@@ -155,7 +155,25 @@ TEST(ExportProgress, CanCancel) {
                                         [](double done) { return done < 0.8; });
   ASSERT_TRUE(summary);
   EXPECT_TRUE(summary->cancelled);
-  EXPECT_FALSE(std::filesystem::exists(folder / "a.pvd"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder / ".")); // neither a.pvd nor frames beside it
+}
+
+TEST(ExportReplaces, OnlyWhatItMay) {
+  const ExportFolder folder;
+  std::filesystem::create_directory(folder / "a-frames");
+  std::ofstream(folder / "a-frames/00001.vtp") << "old";
+  ExportOptions options = exportAs("pvd");
+  options.replaces = false;
+  const auto asked = exportTrajectory(exportExample(), options, folder / "a.pvd");
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(asked->occupied, folder / "a-frames/00001.vtp");
+  EXPECT_EQ(bytesOf(folder / "a-frames/00001.vtp"), "old");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a-frames/00000.vtp"));
+  options.replaces = true;
+  const auto done = exportTrajectory(exportExample(), options, folder / "a.pvd");
+  ASSERT_TRUE(done);
+  EXPECT_TRUE(done->occupied.empty());
+  EXPECT_NE(bytesOf(folder / "a-frames/00001.vtp"), "old");
 }
 
 } // namespace

@@ -108,6 +108,10 @@ TEST(ExportText, TrcHasEvenRowsWhereFramesWereDropped) {
   const std::string text = exported(trajectory, exportAs("trc"), "a.trc");
   EXPECT_NE(text.find("\n10\t10\t9\t2\tm\t10\t1\t9\n"), std::string::npos);
   EXPECT_NE(text.find("\n2\t0.1\t\t\t\t\t\t\n"), std::string::npos);
+  ExportOptions twice = exportAs("trc"); // what was recorded stays said
+  twice.rate = 20.0;
+  EXPECT_NE(exported(trajectory, twice, "a.trc").find("\n20\t20\t17\t2\tm\t10\t1\t9\n"),
+            std::string::npos);
 }
 
 TEST(ExportText, JsonLinesAreReadByAnotherParser) {

@@ -2,6 +2,7 @@
 // Taking the trajectory home from the window, while tracking goes on.
 #include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
+#include "core/project/project.h"
 #include "core/session/snapshot.h"
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/export/export_dialog.h"
@@ -14,6 +15,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
@@ -22,6 +24,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSvgRenderer>
 #include <QTemporaryDir>
 #include <QTest>
@@ -43,6 +46,8 @@ private Q_SLOTS:
   void theSpanIsTheSelectedOne();
   void itsKeyWorksWhileAFieldHasTheFocus();
   void aLongPreviewCanBeStopped();
+  void theNextProjectIsExportedAnew();
+  void enterInAFieldExportsNothing();
   void drawsAFigure();
   void takesPicturesOfEveryView();
 
@@ -161,11 +166,27 @@ void ExportTest::asksBeforeAFileIsReplaced() {
   auto* start = field<QPushButton>("exportStart");
   QTest::mouseClick(start, Qt::LeftButton);
   QVERIFY(start->isEnabled()); // nothing was begun
-  QVERIFY(field<QLabel>("exportSize")->text().contains(QStringLiteral("precious.csv")));
+  auto* question = field<QLabel>("exportQuestion");
+  QVERIFY(question->isVisible() && question->text().contains(QStringLiteral("precious.csv")));
+  QCOMPARE(start->text(), QStringLiteral("Replace"));
+  // Any change, and closing, take the question back: then the next press asks again.
+  field<QCheckBox>("exportHeader")->toggle();
+  QVERIFY(!question->isVisible());
+  QTest::mouseClick(start, Qt::LeftButton);
+  QVERIFY(question->isVisible());
+  dialog_->close();
+  dialog_->show();
+  QVERIFY(!question->isVisible());
+  QTest::mouseClick(start, Qt::LeftButton);
+  QVERIFY(question->isVisible());
   QCOMPARE(*readTextFile(file.toStdString()), std::string("precious"));
   QTest::mouseClick(start, Qt::LeftButton);
   QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), DEWPOINT_PATIENCE_MS);
   QVERIFY(QFileInfo(file).size() > 100);
+  QVERIFY(writeTextFile(file.toStdString(), "precious")); // by another program, since
+  QTest::mouseClick(start, Qt::LeftButton);
+  QVERIFY(question->isVisible());
+  field<QCheckBox>("exportHeader")->toggle();
 }
 
 void ExportTest::asksBeforeOneOfSeveralFilesIsReplaced() {
@@ -174,14 +195,15 @@ void ExportTest::asksBeforeOneOfSeveralFilesIsReplaced() {
   const QString frame = folder_.filePath(QStringLiteral("film-frames/00000.vtp"));
   QVERIFY(writeTextFile(frame.toStdString(), "precious"));
   chooseFormat("pvd");
-  auto* size = field<QLabel>("exportSize");
-  QTRY_VERIFY_WITH_TIMEOUT(preview().contains(QStringLiteral("-frames/")), DEWPOINT_PATIENCE_MS);
   field<QLineEdit>("exportFile")->setText(folder_.filePath(QStringLiteral("film.pvd")));
+  auto* question = field<QLabel>("exportQuestion");
   auto* start = field<QPushButton>("exportStart");
   QTest::mouseClick(start, Qt::LeftButton);
-  QVERIFY(start->isEnabled());
-  QVERIFY2(size->text().contains(QStringLiteral("00000.vtp")), qPrintable(size->text()));
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), DEWPOINT_PATIENCE_MS);
+  QVERIFY2(question->isVisible() && question->text().contains(QStringLiteral("00000.vtp")),
+           qPrintable(question->text()));
   QCOMPARE(*readTextFile(frame.toStdString()), std::string("precious"));
+  QVERIFY(!QFileInfo::exists(folder_.filePath(QStringLiteral("film.pvd"))));
   QTest::mouseClick(start, Qt::LeftButton);
   QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), DEWPOINT_PATIENCE_MS);
   QVERIFY(QFileInfo::exists(folder_.filePath(QStringLiteral("film.pvd"))));
@@ -260,6 +282,32 @@ void ExportTest::aLongPreviewCanBeStopped() {
   // What is chosen next is shown; a stopped one is in nobody's way.
   dialog.findChild<QComboBox*>(QStringLiteral("exportEstimates"))->setCurrentIndex(0);
   QTRY_VERIFY_WITH_TIMEOUT(size->text().contains(QStringLiteral("rows: 60")), DEWPOINT_PATIENCE_MS);
+}
+
+void ExportTest::theNextProjectIsExportedAnew() {
+  QVERIFY(dialog_->isVisible());
+  field<QLineEdit>("exportFile")->setText(folder_.filePath(QStringLiteral("of-the-demo.csv")));
+  field<QDoubleSpinBox>("exportRate")->setValue(1500.0);
+  auto project = *resolveProject("demo");
+  const QString file = folder_.filePath(QStringLiteral("next.toml"));
+  QVERIFY(saveProject(project, file.toStdString()));
+  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
+  window_->openProject(file.toStdString());
+  QVERIFY(opened.wait(DEWPOINT_PATIENCE_MS));
+  QCOMPARE(field<QDoubleSpinBox>("exportRate")->value(), 0.0);
+  QCOMPARE(QFileInfo(field<QLineEdit>("exportFile")->text()).dir(), QDir(folder_.path()));
+  QVERIFY(!field<QLineEdit>("exportFile")->text().contains(QStringLiteral("of-the-demo")));
+}
+
+void ExportTest::enterInAFieldExportsNothing() {
+  auto* name = field<QLineEdit>("exportFile");
+  name->setText(folder_.filePath(QStringLiteral("entered.csv")));
+  name->setFocus();
+  QTest::keyClick(name, Qt::Key_Return);
+  QVERIFY(field<QPushButton>("exportStart")->isEnabled());
+  QTest::qWait(100);
+  QVERIFY(!QFileInfo::exists(name->text()));
+  QVERIFY(dialog_->isVisible());
 }
 
 void ExportTest::drawsAFigure() {

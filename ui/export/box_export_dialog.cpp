@@ -31,13 +31,15 @@ BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* paren
     : QDialog(parent), boxes_(std::move(boxes)), job_(new LongJob(this)),
       sentence_(new QLabel(this)), preview_(new QPlainTextEdit(this)),
       folderLabel_(new QLabel(this)), folder_(new QLineEdit(this)), browse_(new QPushButton(this)),
-      close_(new QPushButton(this)), export_(new QPushButton(this)) {
+      close_(new QPushButton(this)), export_(new QPushButton(this)), question_(new QLabel(this)) {
   setObjectName(QStringLiteral("boxExportDialog"));
   preview_->setObjectName(QStringLiteral("boxExportPreview"));
   folder_->setObjectName(QStringLiteral("boxExportFolder"));
   browse_->setObjectName(QStringLiteral("boxExportBrowse"));
   close_->setObjectName(QStringLiteral("boxExportClose"));
   export_->setObjectName(QStringLiteral("boxExportExport"));
+  question_->setObjectName(QStringLiteral("boxExportQuestion"));
+  question_->setWordWrap(true);
   sentence_->setWordWrap(true);
   preview_->setReadOnly(true);
   preview_->setLineWrapMode(QPlainTextEdit::NoWrap);
@@ -59,10 +61,12 @@ BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* paren
   column->addWidget(sentence_);
   column->addWidget(preview_, 1);
   column->addLayout(row);
+  column->addWidget(question_);
   column->addLayout(buttons);
   resize(720, 460);
   connect(browse_, &QPushButton::clicked, this, &BoxExportDialog::chooseFolder);
   connect(close_, &QPushButton::clicked, this, &QDialog::close);
+  connect(folder_, &QLineEdit::textChanged, this, [this] { askToReplace(false); });
   connect(export_, &QPushButton::clicked, this, &BoxExportDialog::start);
   connect(job_, &LongJob::ended, this, [this] { export_->setEnabled(true); });
   inEveryLanguage(this, [this] { say(); });
@@ -79,7 +83,7 @@ void BoxExportDialog::say() {
   browse_->setText(tr("Choose…"));
   browse_->setToolTip(tr("Choose the folder of the files"));
   close_->setText(tr("Close"));
-  export_->setText(tr("Export"));
+  askToReplace(false);
   export_->setToolTip(tr("Write both files (Enter)"));
 }
 
@@ -87,8 +91,16 @@ void BoxExportDialog::proposeIn(const QString& folder) {
   folder_->setText(QDir::toNativeSeparators(folder));
 }
 
+void BoxExportDialog::askToReplace(bool ask) {
+  mayReplace_ = ask;
+  question_->setVisible(ask);
+  question_->setText(tr("The boxes of another export are there already. Replace them?"));
+  export_->setText(ask ? tr("Replace") : tr("Export"));
+}
+
 void BoxExportDialog::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
+  askToReplace(false);
   BoxTrack track = boxes_();
   track.samples.resize(std::min(track.samples.size(), kPreviewRows));
   preview_->setPlainText(QString::fromStdString(boxCsv(track)));
@@ -104,6 +116,13 @@ void BoxExportDialog::chooseFolder() {
 
 void BoxExportDialog::start() {
   const std::filesystem::path folder(folder_->text().trimmed().toStdString());
+  const QDir there(QString::fromStdString(folder.string()));
+  if (!mayReplace_ && (there.exists(QStringLiteral("boxes.csv")) ||
+                       there.exists(QStringLiteral("boxes_mot.txt")))) {
+    askToReplace(true);
+    return;
+  }
+  askToReplace(false);
   auto track = std::make_shared<const BoxTrack>(boxes_());
   const bool begun = job_->start([this, folder, track](const LongJob::Progress&) {
     std::error_code problem;

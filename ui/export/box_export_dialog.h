@@ -38,6 +38,7 @@ private:
   void say();
   void chooseFolder();
   void start();
+  void askToReplace(bool ask);
 
   std::function<BoxTrack()> boxes_;
   LongJob* job_;
@@ -48,6 +49,8 @@ private:
   QPushButton* browse_;
   QPushButton* close_;
   QPushButton* export_;
+  QLabel* question_;
+  bool mayReplace_ = false; ///< was asked, and nothing changed since
 };
 
 } // namespace dewpoint

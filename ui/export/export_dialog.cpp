@@ -29,7 +29,9 @@ namespace dewpoint {
 namespace {
 
 constexpr int kPreviewDelayMs = 150;
-constexpr int kSoonDoneMs = 500; ///< less needs no button to stop it
+constexpr int kFollowMs = 2000;
+constexpr std::size_t kMostToFollow = 20'000; ///< samples; to copy more takes noticeable time
+constexpr int kSoonDoneMs = 500;              ///< less needs no button to stop it
 
 /// What a figure is of: the project and the method.
 QString titleOf(const Trajectory& trajectory) {
@@ -46,10 +48,11 @@ QString titleOf(const Trajectory& trajectory) {
 
 ExportDialog::ExportDialog(std::function<Trajectory()> trajectory, QWidget* parent)
     : QDialog(parent), trajectorySource_(std::move(trajectory)), worker_(new ExportWorker(this)),
-      soon_(new QTimer(this)), long_(new QTimer(this)) {
+      soon_(new QTimer(this)), follow_(new QTimer(this)), long_(new QTimer(this)) {
   setObjectName(QStringLiteral("exportDialog"));
   soon_->setSingleShot(true);
   soon_->setInterval(kPreviewDelayMs);
+  follow_->setInterval(kFollowMs);
   long_->setSingleShot(true);
   long_->setInterval(kSoonDoneMs);
   makeFields();
@@ -75,6 +78,8 @@ void ExportDialog::connectFields() {
   for (QDoubleSpinBox* spin : {from_, to_, rate_, longestGap_}) {
     connect(spin, &QDoubleSpinBox::valueChanged, this, &ExportDialog::changed);
   }
+  connect(follow_, &QTimer::timeout, this, &ExportDialog::follow);
+  connect(file_, &QLineEdit::textChanged, this, &ExportDialog::forgetQuestion);
   connect(header_, &QCheckBox::toggled, this, &ExportDialog::changed);
   connect(targets_, &QListWidget::itemChanged, this, &ExportDialog::changed);
   connect(browse_, &QPushButton::clicked, this, &ExportDialog::askFile);
@@ -126,6 +131,20 @@ void ExportDialog::fillTargets() {
   }
 }
 
+void ExportDialog::follow() {
+  const bool live = estimates_->currentIndex() == 0;
+  if (running_ || previewing_ || soon_->isActive() || !live ||
+      trajectory_->samples.size() > kMostToFollow) {
+    return;
+  }
+  auto now = trajectorySource_();
+  if (now.samples.size() != trajectory_->samples.size()) {
+    trajectory_ = std::make_shared<const Trajectory>(std::move(now));
+    fillTargets();
+    soon_->start();
+  }
+}
+
 void ExportDialog::refresh() {
   trajectory_ = std::make_shared<const Trajectory>(trajectorySource_());
   fillTargets();
@@ -135,11 +154,14 @@ void ExportDialog::refresh() {
 void ExportDialog::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
   refresh();
+  follow_->start();
 }
 
 void ExportDialog::hideEvent(QHideEvent* event) {
   QDialog::hideEvent(event);
   soon_->stop(); // nobody looks at it; an export goes on
+  follow_->stop();
+  forgetQuestion();
   worker_->stopPreview();
   endPreview();
 }
@@ -163,6 +185,7 @@ void ExportDialog::stop() {
 }
 
 void ExportDialog::changed() {
+  forgetQuestion();
   longestGap_->setEnabled(gaps_->currentIndex() == 1 || estimates_->currentIndex() == 1);
   if (trajectory_ != nullptr) {
     soon_->start();
@@ -182,8 +205,22 @@ void ExportDialog::formatChanged() {
     }
   }
   file_->setText(name + suffix);
-  nameEnds_ = {std::string()}; // until the preview knows better
   changed();
+}
+
+void ExportDialog::startAnew(const QString& folder) {
+  for (QDoubleSpinBox* spin : {from_, to_, rate_}) {
+    spin->setValue(spin->minimum());
+  }
+  longestGap_->setValue(ExportOptions().longestGap);
+  for (QComboBox* box : {estimates_, gaps_, axes_, unit_}) {
+    box->setCurrentIndex(0);
+  }
+  given_ = {from_->value(), to_->value()};
+  proposeIn(folder);
+  if (isVisible()) {
+    refresh();
+  }
 }
 
 void ExportDialog::proposeIn(const QString& folder) {
@@ -230,7 +267,7 @@ void ExportDialog::askFile() {
   const QString chosen = QFileDialog::getSaveFileName(this, tr("Export trajectory"), file_->text());
   if (!chosen.isEmpty()) {
     file_->setText(chosen);
-    replaced_ = chosen; // the question was asked there
+    mayReplace_ = QFileInfo::exists(chosen); // the question was asked there
   }
 }
 
@@ -238,8 +275,10 @@ void ExportDialog::setRunning(bool running) {
   running_ = running;
   progress_->setVisible(running);
   cancel_->setVisible(running);
-  if (!running && previewing_) {
-    soon_->start(); // the export had stopped it
+  if (running && previewing_) {
+    size_->clear(); // the export stops it
+  } else if (previewing_) {
+    soon_->start();
   }
   progress_->setValue(0);
   export_->setEnabled(!running);
@@ -258,36 +297,32 @@ void ExportDialog::setSpan(std::optional<std::pair<double, double>> seconds) {
   given_ = seconds ? std::pair(from_->value(), to_->value()) : all;
 }
 
-bool ExportDialog::mayReplace() {
-  const QString name = file_->text();
-  if (name == written_ || name == replaced_) {
-    return true;
-  }
-  const QFileInfo whole(name);
-  for (const std::string& end : nameEnds_) {
-    const QString part =
-        end.empty() ? name
-                    : whole.dir().filePath(whole.completeBaseName() + QString::fromStdString(end));
-    if (QFileInfo::exists(part)) {
-      replaced_ = name;
-      size_->setText(tr("%1 exists already: press Export again to replace it.").arg(part));
-      return false;
-    }
-  }
-  return true;
+void ExportDialog::askToReplace(const QString& file) {
+  question_->setText(tr("%1 exists already. Replace it?").arg(file));
+  question_->show();
+  export_->setText(tr("Replace"));
+  mayReplace_ = true;
+}
+
+void ExportDialog::forgetQuestion() {
+  mayReplace_ = false;
+  question_->hide();
+  export_->setText(tr("Export"));
 }
 
 void ExportDialog::start() {
-  if (!mayReplace()) {
+  if (!mayReplace_ && QFileInfo::exists(file_->text())) {
+    askToReplace(file_->text());
     return;
   }
+  ExportOptions chosen = options();
+  chosen.replaces = mayReplace_;
+  forgetQuestion();
   trajectory_ = std::make_shared<const Trajectory>(trajectorySource_()); // with what came since
   fillTargets();
   soon_->stop();
-  written_ = file_->text();
-  replaced_.clear();
   setRunning(true);
-  worker_->run(trajectory_, options(), file());
+  worker_->run(trajectory_, chosen, file());
 }
 
 void ExportDialog::startFigure() {
@@ -312,7 +347,6 @@ void ExportDialog::startFigure() {
 
 void ExportDialog::showPreview(const ExportPreview& preview) {
   endPreview();
-  nameEnds_ = preview.nameEnds;
   units_->setText(exportUnitsText(preview));
   size_->setText(exportSizeText(preview));
   preview_->setPlainText(QString::fromStdString(preview.text));
@@ -320,6 +354,10 @@ void ExportDialog::showPreview(const ExportPreview& preview) {
 
 void ExportDialog::showFinished(const ExportSummary& summary) {
   setRunning(false);
+  if (!summary.occupied.empty()) { // one of several files
+    askToReplace(QString::fromStdString(summary.occupied.string()));
+    return;
+  }
   if (summary.cancelled) {
     Q_EMIT done(tr("The export was cancelled."));
     return;

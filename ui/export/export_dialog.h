@@ -39,6 +39,9 @@ public:
   void setSpan(std::optional<std::pair<double, double>> seconds);
   /// Proposes a file in this folder.
   void proposeIn(const QString& folder);
+  /// Another project: what was chosen for the last one is forgotten; a file in this folder is
+  /// proposed.
+  void startAnew(const QString& folder);
   ExportOptions options() const;
 
 Q_SIGNALS:
@@ -60,8 +63,11 @@ private:
   void formatChanged();
   void askFile();
   void start();
-  /// Asks once before a file is replaced that is not of this dialog.
-  bool mayReplace();
+  /// Asks before files are replaced; any change takes the question back.
+  void askToReplace(const QString& file);
+  void forgetQuestion();
+  /// The run goes on: so does the preview.
+  void follow();
   void startFigure();
   void setRunning(bool running);
   void stop();
@@ -74,6 +80,7 @@ private:
   ExportWorker::TrajectoryPtr trajectory_;
   ExportWorker* worker_;
   QTimer* soon_; ///< several changes in a row make one preview
+  QTimer* follow_;
   QTimer* long_; ///< a preview that takes long gets a button to stop it
   QFormLayout* form_ = nullptr;
   QComboBox* format_;
@@ -90,6 +97,7 @@ private:
   QPlainTextEdit* preview_;
   QLabel* units_;
   QLabel* size_;
+  QLabel* question_;
   QLineEdit* file_;
   QPushButton* browse_;
   QProgressBar* progress_;
@@ -99,10 +107,8 @@ private:
   QPushButton* close_;
   bool running_ = false;
   bool previewing_ = false;
-  std::pair<double, double> given_;                  ///< the span that was proposed
-  std::vector<std::string> nameEnds_{std::string()}; ///< of the files that will be written
-  QString written_;                                  ///< the file that was exported last
-  QString replaced_;                                 ///< the file that may be replaced
+  std::pair<double, double> given_; ///< the span that was proposed
+  bool mayReplace_ = false;         ///< was asked, and nothing changed since
 };
 
 } // namespace dewpoint

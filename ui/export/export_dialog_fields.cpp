@@ -76,6 +76,9 @@ void ExportDialog::makeFields() {
   units_->setWordWrap(true);
   size_ = named(new QLabel(this), "exportSize");
   size_->setWordWrap(true);
+  question_ = named(new QLabel(this), "exportQuestion");
+  question_->setWordWrap(true);
+  question_->hide();
   file_ = named(new QLineEdit(this), "exportFile");
   browse_ = named(new QPushButton(this), "exportBrowse");
   progress_ = named(new QProgressBar(this), "exportProgress");
@@ -84,10 +87,10 @@ void ExportDialog::makeFields() {
   figure_ = named(new QPushButton(this), "exportFigure");
   export_ = named(new QPushButton(this), "exportStart");
   close_ = named(new QPushButton(this), "exportClose");
-  for (QPushButton* button : {browse_, cancel_, figure_, close_}) {
+  // Enter in a field ends typing, no more.
+  for (QPushButton* button : {browse_, cancel_, figure_, export_, close_}) {
     button->setAutoDefault(false);
   }
-  export_->setDefault(true);
   from_->setValue(from_->minimum());
   to_->setValue(to_->minimum());
 }
@@ -131,6 +134,7 @@ void ExportDialog::arrangeFields() {
   layout->setSpacing(16);
   layout->addLayout(columns, 1);
   layout->addLayout(place);
+  layout->addWidget(question_);
   layout->addLayout(buttons);
 }
 
@@ -175,7 +179,7 @@ void ExportDialog::retranslate() {
   cancel_->setToolTip(tr("Stop the work under way; what is there already stays as it was"));
   figure_->setText(tr("Figure…"));
   figure_->setToolTip(tr("Write a figure of it as SVG or PDF: x, y, z over time and from above"));
-  export_->setText(tr("Export"));
+  forgetQuestion(); // in the new language
   export_->setToolTip(tr("Write the file in the background"));
   close_->setText(tr("Close"));
   close_->setToolTip(tr("Close; an export that is under way goes on"));

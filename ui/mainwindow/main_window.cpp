@@ -95,15 +95,7 @@ void MainWindow::connectRun() {
       bridge_->session().setParameters(document_->project().parameters);
     }
   });
-  connect(document_, &Document::methodChanged, this, [this] {
-    if (bridge_ != nullptr) {
-      const Project& project = document_->project();
-      // Whoever looks at an earlier moment wants to see the other method from there.
-      selection_->isPast() ? bridge_->session().setMethodFrom(selection_->moment(), project.method,
-                                                              project.parameters)
-                           : bridge_->session().setMethod(project.method, project.parameters);
-    }
-  });
+  connect(document_, &Document::methodChanged, this, [this] { takeMethod(); });
   connect(document_, &Document::methodChanged, this, [this] {
     showFamily();
     sayWhatMethodNeeds();
@@ -123,6 +115,23 @@ void MainWindow::connectRun() {
   connect(document_, &Document::fileChanged, this, &MainWindow::updateTitle);
   connect(document_->undoStack(), &QUndoStack::cleanChanged, this,
           [this] { setWindowModified(document_->isUnsaved()); });
+}
+
+void MainWindow::takeMethod() {
+  if (bridge_ == nullptr) {
+    return;
+  }
+  const Project& project = document_->project();
+  Session& session = bridge_->session();
+  // Whoever looks at an earlier moment wants to see the other method from there; what was tracked
+  // of a recording is tracked again.
+  const bool tracked = shown_ && shown_->frameCount && shown_->history.head >= 0;
+  if (selection_->isPast() || tracked) {
+    session.setMethodFrom(selection_->isPast() ? selection_->moment() : 0, project.method,
+                          project.parameters);
+  } else {
+    session.setMethod(project.method, project.parameters);
+  }
 }
 
 void MainWindow::openProject(const std::filesystem::path& file) {

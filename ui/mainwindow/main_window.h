@@ -126,6 +126,7 @@ private:
   void suitMethod();
   void placePeople(bool placing);
   void exportPeople();
+  void writePeople(const QString& folder);
   void resolveCamera(int camera);
   void takeCalibration();
   void connectRooms();
@@ -157,6 +158,7 @@ private:
   void adoptInputs(SessionInputs inputs);
   void startSession(SessionInputs inputs, bool unsaved);
   void showSnapshot(const TrackSnapshotPtr& snapshot);
+  void takeMethod();
   void pullLog();
   void showNotices(const TrackSnapshot& snapshot);
   QAction* action(const char* id) const;

@@ -31,9 +31,13 @@ void MainWindow::exportBoxes() {
         [this] { return bridge_ == nullptr ? BoxTrack() : bridge_->session().boxTrack(); }, this);
     connect(dialog, &BoxExportDialog::done, messages_, &MessageBar::showNotice);
     connect(dialog, &BoxExportDialog::failed, messages_, &MessageBar::showError);
-    if (const auto project = document_->project().file; !project.empty()) {
-      dialog->proposeIn(QString::fromStdString(project.parent_path().string()));
-    }
+    const auto propose = [this, dialog] {
+      const auto project = document_->project().file;
+      dialog->proposeIn(project.empty() ? QDir::homePath()
+                                        : QString::fromStdString(project.parent_path().string()));
+    };
+    connect(document_, &Document::replaced, dialog, propose);
+    propose();
   }
   dialog->show();
   dialog->raise();
@@ -53,10 +57,13 @@ void MainWindow::exportTrajectory() {
     dialog = new ExportDialog(run, this);
     connect(dialog, &ExportDialog::done, messages_, &MessageBar::showNotice);
     connect(dialog, &ExportDialog::failed, messages_, &MessageBar::showError);
-    const auto project = document_->project().file;
-    if (!project.empty()) {
-      dialog->proposeIn(QString::fromStdString(project.parent_path().string()));
-    }
+    const auto startAnew = [this, dialog] {
+      const auto project = document_->project().file;
+      dialog->startAnew(project.empty() ? QDir::homePath()
+                                        : QString::fromStdString(project.parent_path().string()));
+    };
+    connect(document_, &Document::replaced, dialog, startAnew);
+    startAnew();
   }
   const auto& span = selection_->span();
   const TimelineModel& time = timeline_->model();

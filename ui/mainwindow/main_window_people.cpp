@@ -18,6 +18,7 @@
 #include "ui/selection/selection.h"
 
 #include <QAction>
+#include <QDir>
 #include <QDockWidget>
 #include <QFileDialog>
 
@@ -134,6 +135,19 @@ void MainWindow::exportPeople() {
       this, tr("Folder for the tables of people"),
       QString::fromStdString(document_->project().file.parent_path().string()));
   if (folder.isEmpty()) {
+    return;
+  }
+  if (QDir(folder).exists(QStringLiteral("volumes.csv")) ||
+      QDir(folder).exists(QStringLiteral("trajectory.csv"))) {
+    messages_->ask(tr("There are tables of another run in %1. Replace them?").arg(folder),
+                   {{tr("Replace"), [this, folder] { writePeople(folder); }}});
+  } else {
+    writePeople(folder);
+  }
+}
+
+void MainWindow::writePeople(const QString& folder) {
+  if (bridge_ == nullptr) { // closed meanwhile
     return;
   }
   const auto record = std::make_shared<const PeopleRecord>(bridge_->session().peopleRecord());
