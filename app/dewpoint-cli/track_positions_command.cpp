@@ -54,23 +54,29 @@ int trackPositionsIn(const TrackPositionsOptions& options) {
   if (!measured) {
     return report(measured.error());
   }
+  const auto reportInput = [&](Error error) {
+    error.file = options.measured;
+    return report(error);
+  };
   const auto timed = giveTimes(*measured, options.rate);
   if (!timed) {
-    return report(
-        {timed.error().code, options.measured, timed.error().field, timed.error().detail});
+    return reportInput(timed.error());
   }
-  Trajectory tracked = trackPositions(*measured, parameters, options.seed);
-  if (tracked.samples.empty()) {
-    return report({ErrorCode::BadValue, options.measured, "x_m", "no position is a number"});
+  auto tracked = trackPositions(*measured, parameters, options.seed);
+  if (!tracked) {
+    return reportInput(tracked.error());
+  }
+  if (tracked->samples.empty()) {
+    return reportInput({ErrorCode::BadValue, "", "x_m", "no position is a number"});
   }
   if (*timed) {
-    tracked.header.entries.emplace_back("times",
-                                        fmt::format("frames at {:g} per second", options.rate));
+    tracked->header.entries.emplace_back("times",
+                                         fmt::format("frames at {:g} per second", options.rate));
   }
-  if (const auto written = writeTrajectory(tracked, options.out); !written) {
+  if (const auto written = writeTrajectory(*tracked, options.out); !written) {
     return report(written.error());
   }
-  fmt::print("{} rows in {}{}.\n", tracked.samples.size(), options.out,
+  fmt::print("{} rows in {}{}.\n", tracked->samples.size(), options.out,
              *timed ? fmt::format(", times from the frames at {:g} per second", options.rate)
                     : std::string());
   return kExitDone;

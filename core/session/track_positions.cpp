@@ -17,19 +17,27 @@
 #include <optional>
 #include <set>
 #include <string_view>
+#include <utility>
 
 namespace dewpoint {
 namespace {
 
 constexpr std::array<std::string_view, 3> kStart{"start_x", "start_y", "start_z"};
+constexpr std::array<const char*, 3> kColumns{"x_m", "y_m", "z_m"};
 
 using TrackerPtr = std::unique_ptr<DynamicsTracker>;
 
 /// A filter that begins where the target was first measured.
-TrackerPtr trackerAt(const Eigen::Vector3d& place, ParameterValues parameters, std::uint64_t seed) {
+Result<TrackerPtr> trackerAt(const Eigen::Vector3d& place, ParameterValues parameters,
+                             std::uint64_t seed) {
   for (std::size_t axis = 0; axis < kStart.size(); ++axis) {
-    // Out of range: the start stays the usual one.
-    (void)parameters.set(kStart[axis], place[static_cast<Eigen::Index>(axis)]);
+    const double value = place[static_cast<Eigen::Index>(axis)];
+    if (const auto set = parameters.set(kStart[axis], value); !set) {
+      return failure(ErrorCode::BadValue, "", kColumns[axis],
+                     fmt::format("{:g} is farther away than a filter may start; metres are "
+                                 "expected",
+                                 value));
+    }
   }
   auto tracker = std::make_unique<DynamicsTracker>(parameters, CameraRig{}, Target{});
   tracker->restart(seed);
@@ -87,8 +95,8 @@ Result<bool> giveTimes(Trajectory& measured, double rate) {
   return true;
 }
 
-Trajectory trackPositions(const Trajectory& measured, const ParameterValues& parameters,
-                          std::uint64_t seed) {
+Result<Trajectory> trackPositions(const Trajectory& measured, const ParameterValues& parameters,
+                                  std::uint64_t seed) {
   Trajectory tracked{headerOf(parameters, seed), {}};
   std::map<std::string, TrackerPtr> trackers;
   ThreadTeam team(1);
@@ -101,7 +109,11 @@ Trajectory trackPositions(const Trajectory& measured, const ParameterValues& par
         continue; // nothing is known of it yet
       }
       const auto number = static_cast<std::uint32_t>(trackers.size() - 1);
-      tracker = trackerAt(sample.position, parameters, derivedSeed(seed, number));
+      auto made = trackerAt(sample.position, parameters, derivedSeed(seed, number));
+      if (!made) {
+        return tl::make_unexpected(made.error());
+      }
+      tracker = std::move(*made);
     }
     tracker->beginFrame(counts[sample.target]++,
                         usable ? std::optional(sample.position) : std::nullopt);

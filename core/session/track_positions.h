@@ -26,7 +26,8 @@ bool isStartOfPositions(std::string_view key);
 /// III-C): every target of `measured` is tracked by a filter of its own, which does the method's
 /// iterations on each sample and starts at the target's first place. A sample whose position is not
 /// a number, or that is not valid, is taken as not measured.
-Trajectory trackPositions(const Trajectory& measured, const ParameterValues& parameters,
-                          std::uint64_t seed);
+/// BadValue when that first place is farther away than the method's parameters allow.
+Result<Trajectory> trackPositions(const Trajectory& measured, const ParameterValues& parameters,
+                                  std::uint64_t seed);
 
 } // namespace dewpoint
