@@ -167,8 +167,12 @@ Result<Project> resolveProject(const std::string& nameOrFile) {
 
 Result<SessionInputs> openInputs(Project project) {
   SessionInputs inputs;
-  if (const auto guessed = guessMissing(project); !guessed) {
-    return tl::make_unexpected(guessed.error());
+  // Only now is it known how large the images are: a box may lie beyond them.
+  if (const auto checked = guessMissing(project).and_then([&] { return checkProject(project); });
+      !checked) {
+    Error error = checked.error();
+    error.file = error.file.empty() ? project.file.string() : error.file;
+    return tl::make_unexpected(std::move(error));
   }
   if (project.scene == kOfficeScene) {
     auto office = openOffice(project);

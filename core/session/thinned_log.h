@@ -35,6 +35,10 @@ public:
       entries_.pop_back();
     }
   }
+  /// Changes every record in place; those of which `change` returns false are forgotten.
+  template <class Change> void changeAll(const Change& change) {
+    std::erase_if(entries_, [&](Entry& entry) { return !change(entry.record); });
+  }
   /// Those appended at or after `position` that are still there; `position` moves past them.
   std::vector<Record> since(std::size_t& position) const {
     std::vector<Record> found;

@@ -80,6 +80,8 @@ private:
   void showHead(TrackSnapshot& snapshot);
   /// Targets of the run that are not in the moment shown.
   void addOthers(TrackSnapshot& snapshot) const;
+  /// With methods of family Boxes: of a moment the targets that there are now, in their order.
+  void showPresentBoxes(TrackSnapshot& snapshot) const;
   static void addShapes(TrackSnapshot& snapshot);
   void addFigures(TrackSnapshot& snapshot) const;
   static std::vector<cv::Mat> masks(const TrackSnapshot& snapshot);

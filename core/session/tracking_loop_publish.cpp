@@ -138,6 +138,7 @@ void TrackingLoop::publish(bool quickly) {
       showHead(*snapshot);
     } else {
       addOthers(*snapshot);
+      showPresentBoxes(*snapshot);
       const bool wanted = run_->people() != nullptr ? masksWanted_ : mapsWanted_;
       mapsDue_ = snapshot->tracked && wanted && !snapshot->preview;
     }

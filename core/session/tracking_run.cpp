@@ -227,9 +227,12 @@ std::vector<TargetSnapshot> TrackingRun::snapshots(int particleLimit) const {
     all[k].target = targets()[k];
     all[k].estimate = estimates()[k];
     all[k].person = personAt(k);
-    all[k].status = estimates()[k].gone ? TargetStatus::Gone : TargetStatus::Searching;
     tracker_->particles(k, particleLimit, all[k].particles, all[k].weights);
     all[k].box = box(k, particleLimit);
+    // A box is known as it is given, all else only when the frame was tracked.
+    all[k].status = estimates()[k].gone                  ? TargetStatus::Gone
+                    : all[k].box && estimates()[k].valid ? TargetStatus::Held
+                                                         : TargetStatus::Searching;
   }
   return all;
 }

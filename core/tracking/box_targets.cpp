@@ -53,11 +53,18 @@ void BoxTargets::setTargets(const std::vector<Target>& targets) {
       followed_.push_back({targets[k].name, targets[k].box, nullptr, -1, {}});
     }
   }
-  estimates_.assign(followed_.size(), {});
   for (std::size_t k = 0; k < followed_.size(); ++k) {
     start(k);
-    showEstimate(k);
   }
+  showEstimates();
+}
+
+void BoxTargets::beginFrame(FrameSetPtr frames) {
+  frames_ = std::move(frames);
+  for (std::size_t k = 0; k < followed_.size(); ++k) {
+    start(k);
+  }
+  showEstimates();
 }
 
 void BoxTargets::restart(std::uint64_t seed) {
@@ -68,7 +75,7 @@ void BoxTargets::restart(std::uint64_t seed) {
     one.startedAt = -1;
     one.estimate = {};
   }
-  estimates_.assign(followed_.size(), {});
+  showEstimates();
 }
 
 const cv::Mat* BoxTargets::imageOf(const TargetBox& box) const {
@@ -115,6 +122,7 @@ void BoxTargets::showEstimate(std::size_t target) {
   const Followed& one = followed_[target];
   TargetEstimate& shown = estimates_[target];
   shown = {};
+  shown.gone = !one.tracker; // there is nothing to look for yet
   if (one.tracker) {
     shown.valid = isSeen(one.estimate);
     shown.existence = one.estimate.similarity;
@@ -124,9 +132,15 @@ void BoxTargets::showEstimate(std::size_t target) {
   }
 }
 
+void BoxTargets::showEstimates() {
+  estimates_.resize(followed_.size());
+  for (std::size_t k = 0; k < followed_.size(); ++k) {
+    showEstimate(k);
+  }
+}
+
 void BoxTargets::iterate(ThreadTeam& team) {
   for (std::size_t k = 0; frames_ && k < followed_.size(); ++k) {
-    start(k);
     step(followed_[k], team);
     showEstimate(k);
   }

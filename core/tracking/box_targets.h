@@ -12,8 +12,8 @@ namespace dewpoint {
 /// on the images of the camera of its box. A target is followed from the frame of its box on: from
 /// when a run passes it, or at once where the box is of the frame the run stands at. One step per
 /// image. Nothing is known in 3D: of the estimates only `valid` (seen, neither hidden nor out of
-/// the image), `existence` (the similarity) and the effective sample size are set, and there are no
-/// particles in space.
+/// the image), `existence` (the similarity), the effective sample size and `gone` (before the frame
+/// of its box) are set, and there are no particles in space.
 class BoxTargets final : public MultiTracker {
 public:
   /// `method` of boxMethodNames() with its parameters (asserted).
@@ -31,7 +31,8 @@ public:
   void setCameras(const CameraRig& /*rig*/) override {}
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override { return 1; }
-  void beginFrame(FrameSetPtr frames) override { frames_ = std::move(frames); }
+  /// A target whose box is of this frame has it at once, before any iteration.
+  void beginFrame(FrameSetPtr frames) override;
   void iterate(ThreadTeam& team) override;
   const std::vector<TargetEstimate>& estimates() const override { return estimates_; }
   void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
@@ -54,6 +55,7 @@ private:
   void start(std::size_t target);
   void step(Followed& followed, ThreadTeam& team) const;
   void showEstimate(std::size_t target);
+  void showEstimates();
 
   std::string method_;
   ParameterValues parameters_;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/box_tracker.h"
 
-#include "core/color/color_region.h"
+#include "core/observation/click_box.h"
 #include "core/tracking/histogram_tracker.h"
 #include "core/tracking/sugandi_tracker.h"
 
 #include <fmt/format.h>
-#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -70,14 +69,12 @@ Result<ImageBox> boxFromClick(const cv::Mat& bgr, double x, double y) {
     return failure(ErrorCode::BadValue, {}, "pixel",
                    fmt::format("{} x {} pixels are in the image", bgr.cols, bgr.rows));
   }
-  const cv::Rect found =
-      cv::boundingRect(growRegion(bgr, cv::Point(static_cast<int>(x), static_cast<int>(y))));
-  const ImageBox box{double(found.x), double(found.y), double(found.width), double(found.height)};
-  if (!checkBox(bgr, box)) {
+  const auto box = clickBox(bgr, {x, y});
+  if (!box || !checkBox(bgr, *box)) {
     return failure(ErrorCode::Undetermined, {}, "pixel",
                    "nothing stands out there; give a box instead");
   }
-  return box;
+  return *box;
 }
 
 void pickParticles(const Eigen::ArrayXXd& states, const Eigen::ArrayXd& weights, int limit,

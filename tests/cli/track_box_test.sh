@@ -53,6 +53,12 @@ expectText project1/boxes.csv '# method: histogram' '# target 1: ball, box 150 1
 printf 'format = 2\nname = "bare"\nmethod = "sugandi"\n[[target]]\nname = "ball"\nbox = {camera = 1, x = 150, y = 100, width = 30, height = 30}\n[[camera]]\nname = "only"\nvideo = "film/camera-1.mkv"\n' >bare.toml
 expectExit 0 track bare.toml --out bare
 [[ $(rowCount bare/boxes.csv) == 20 ]] || fail "not 20 rows: $(cat bare/boxes.csv)"
+# A scene brings its cameras only when it is opened.
+printf 'format = 2\nname = "far"\nmethod = "histogram"\nscene = "occluder"\n[[target]]\nname = "ball"\nbox = {camera = 1, x = 900, y = 97, width = 46, height = 46}\n' >far.toml
+expectExit $kBadInput track far.toml --out far
+expectSentence far.toml 'target 1.box'
+[[ ! -e far/boxes.csv ]] || fail "boxes of a target that is not in the image"
 sed -i 's/x = 150/x = 1500/' bare.toml
 expectExit $kBadInput track bare.toml --out bare2
 expectSentence box
+expectSentence bare.toml 'target 1.box'

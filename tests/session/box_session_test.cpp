@@ -126,6 +126,61 @@ TEST_P(BoxSessionTest, ABoxSetInThePastIsTrackedFromThereOn) {
   ASSERT_TRUE(eventually([&] { return session.boxTrack().samples.empty(); }));
 }
 
+// A moment of the past shows the targets that there are now, in their order, as the timeline and
+// the plots do; before its box there is nothing to say of a target.
+TEST_P(BoxSessionTest, WhatIsTakenAwayLeavesNothingInThePast) {
+  Session session(
+      patchInputs(GetParam(), {boxTarget("one", patchBox(4)), boxTarget("two", patchBox(0)),
+                               boxTarget("three", patchBox(6))}));
+  stepTo(session, 12);
+  const auto records = [&session] {
+    std::uint64_t generation = 0;
+    std::size_t position = 0;
+    return session.framesSince(generation, position).records;
+  };
+  EXPECT_EQ(records()[3].targets[0].status, TargetStatus::Gone);
+  EXPECT_EQ(records()[3].targets[1].status, TargetStatus::Held);
+  EXPECT_EQ(records()[4].targets[0].status, TargetStatus::Held);
+  std::uint64_t generation = 0;
+  std::size_t position = 0;
+  for (const IterationRecord& record : session.logSince(generation, position).records) {
+    EXPECT_FALSE(record.target == 0 && record.frame < 4); // nothing is plotted
+  }
+  session.showFrame(8);
+  ASSERT_TRUE(eventually([&] { return session.newest()->frame == 8; }));
+  session.setTargets({boxTarget("two", patchBox(0))});
+  ASSERT_TRUE(eventually([&] { return session.newest()->targets.size() == 1; }));
+  const auto shown = session.newest();
+  EXPECT_EQ(shown->frame, 8);
+  EXPECT_EQ(shown->targets[0].target.name, "two");
+  EXPECT_EQ(shown->targets[0].status, TargetStatus::Held);
+  EXPECT_TRUE(shown->targets[0].box);
+  ASSERT_EQ(records()[8].targets.size(), 1U);
+  EXPECT_EQ(records()[3].targets[0].status, TargetStatus::Held);
+  EXPECT_EQ(ofTarget(session.boxTrack(), 1).size(), 13U); // of "two", frames 0 to 12
+  EXPECT_EQ(session.boxTrack().samples.size(), 13U);
+}
+
+TEST_P(BoxSessionTest, ABoxOfTheFirstFrameIsThereBeforeAnyStep) {
+  Session session(patchInputs(GetParam(), {boxTarget("patch", patchBox(0))}));
+  const auto hasBox = [&] {
+    const auto shown = session.newest();
+    return shown->frame == 0 && shown->targets.size() == 1 && shown->targets[0].box &&
+           shown->targets[0].status == TargetStatus::Held;
+  };
+  ASSERT_TRUE(eventually(hasBox)); // opened
+  stepTo(session, 5);
+  session.restart();
+  ASSERT_TRUE(eventually(hasBox));
+  EXPECT_FALSE(session.newest()->tracked);
+  stepTo(session, 5);
+  session.setMethod("dewpoint", ParameterValues(methodParameters("dewpoint")));
+  ASSERT_TRUE(eventually([&] { return session.newest()->family == MethodFamily::Targets; }));
+  session.setMethod(GetParam(), ParameterValues(methodParameters(GetParam())));
+  ASSERT_TRUE(eventually([&] { return session.newest()->family == MethodFamily::Boxes; }));
+  ASSERT_TRUE(eventually(hasBox));
+}
+
 TEST_P(BoxSessionTest, TrackedAgainFromAnyMomentTheBitsAreTheSame) {
   Session session(patchInputs(GetParam(), {boxTarget("patch", patchBox(3))}));
   session.play();

@@ -50,6 +50,11 @@ TEST_P(BoxTargetsTest, EachTargetIsFollowedFromTheFrameOfItsBoxOn) {
   EXPECT_TRUE(tracker->box(0, 0));
   EXPECT_FALSE(tracker->box(1, 0));
   EXPECT_FALSE(tracker->estimates()[1].valid);
+  EXPECT_TRUE(tracker->estimates()[1].gone); // there is nothing to look for yet
+  tracker->beginFrame(frameSet(4));
+  EXPECT_EQ(tracker->box(1, 0)->estimate.box, MovingPatch{}.box(4)); // without any iteration
+  EXPECT_TRUE(tracker->estimates()[1].valid);
+  EXPECT_FALSE(tracker->estimates()[1].gone);
   go(*tracker, 4, 4);
   EXPECT_EQ(tracker->box(1, 0)->estimate.box, MovingPatch{}.box(4));
   go(*tracker, 5, 9);

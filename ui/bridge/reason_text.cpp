@@ -24,10 +24,13 @@ HoldState holdState(TargetStatus status) {
 }
 
 HoldState holdState(const TargetSnapshot& target, MethodFamily family) {
-  if (family != MethodFamily::Boxes || target.status != TargetStatus::Searching) {
+  if (family != MethodFamily::Boxes) {
     return holdState(target.status);
   }
-  return target.box ? HoldState::Hidden : HoldState::NoBox;
+  if (!target.box) {
+    return HoldState::NoBox;
+  }
+  return target.status == TargetStatus::Searching ? HoldState::Hidden : holdState(target.status);
 }
 
 namespace {

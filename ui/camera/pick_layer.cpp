@@ -55,11 +55,22 @@ void PickLayer::setRegions(std::vector<Region> regions) {
   update();
 }
 
-std::optional<QPointF> PickLayer::pixelAt(QPointF position) const {
-  const QSize image = view_->imageSize();
+QPointF PickLayer::pixelOf(QPointF position) const {
   const ImagePlacement& placement = view_->placement();
   // Centers of pixels lie at whole numbers.
-  const QPointF pixel = (position - placement.corner) / placement.scale - QPointF(0.5, 0.5);
+  return (position - placement.corner) / placement.scale - QPointF(0.5, 0.5);
+}
+
+QPointF PickLayer::nearestPixel(QPointF position) const {
+  const QSize image = view_->imageSize();
+  const QPointF pixel = pixelOf(position);
+  return {std::clamp(pixel.x(), -0.5, image.width() - 0.5),
+          std::clamp(pixel.y(), -0.5, image.height() - 0.5)};
+}
+
+std::optional<QPointF> PickLayer::pixelAt(QPointF position) const {
+  const QSize image = view_->imageSize();
+  const QPointF pixel = pixelOf(position);
   const bool inside = pixel.x() >= -0.5 && pixel.y() >= -0.5 && pixel.x() < image.width() - 0.5 &&
                       pixel.y() < image.height() - 0.5;
   return inside ? std::optional(pixel) : std::nullopt;
@@ -99,10 +110,10 @@ void PickLayer::mouseReleaseEvent(QMouseEvent* event) {
   const QPointF from = *std::exchange(pressed_, std::nullopt);
   update();
   const auto first = pixelAt(from);
-  const auto last = pixelAt(event->position()).value_or(first.value_or(QPointF()));
   if (!first) {
     return;
   }
+  const QPointF last = nearestPixel(event->position()); // a box may be drawn beyond the edge
   const bool isBox =
       (event->position() - from).manhattanLength() >= 2 * QApplication::startDragDistance();
   Q_EMIT picked(isBox ? QRectF(*first, last).normalized() : QRectF(*first, QSizeF(0.0, 0.0)),

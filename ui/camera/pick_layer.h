@@ -53,6 +53,9 @@ protected:
 
 private:
   std::optional<QPointF> pixelAt(QPointF position) const;
+  QPointF pixelOf(QPointF position) const;
+  /// The place in the image that is nearest to a position.
+  QPointF nearestPixel(QPointF position) const;
   QPointF positionOf(QPointF pixel) const;
   void paintHint(QPainter& painter) const;
   /// Whether the key moves the cross or points, when it is pressed here.

@@ -167,7 +167,13 @@ void ColorPanel::pickedIn(int camera, const QRectF& region, Qt::KeyboardModifier
   const bool shift = modifiers.testFlag(Qt::ShiftModifier);
   const bool excludes =
       modifiers.testFlag(Qt::AltModifier) || (shift && modifiers.testFlag(Qt::ControlModifier));
-  teacher_->point(camera, region,
+  // Samples have whole pixels: a box that reaches to the edge begins with the first of them.
+  const bool isBox = region.width() > 0.0 && region.height() > 0.0;
+  const QRectF place =
+      isBox ? QRectF(QPointF(std::max(0.0, region.left()), std::max(0.0, region.top())),
+                     region.bottomRight())
+            : region;
+  teacher_->point(camera, place,
                   excludes ? ColorTeacher::Lesson::Exclude
                   : shift  ? ColorTeacher::Lesson::Add
                            : ColorTeacher::Lesson::Replace);

@@ -273,7 +273,14 @@ void MainWindow::trackLearned(int target, bool isNew) {
     // From a frame that was tracked already it is tracked again by itself, up to where the run
     // stands; at the end there is nothing to play.
     const bool again = shown_ && shown_->past && shown_->frame <= shown_->history.head;
-    if (bridge_ != nullptr && shown_ && shown_->state == PlayState::Paused && isNew && !again) {
+    // Only the first of all boxes plays: more of them are given on the same image, and a run that
+    // a person has stopped stays where it is.
+    const auto& targets = document_->project().targets;
+    const auto hasBox = [](const Target& one) { return one.box.has_value(); };
+    const bool only =
+        std::ranges::count_if(targets, hasBox) == 1 && shown_ && shown_->history.head <= 0;
+    if (bridge_ != nullptr && shown_ && shown_->state == PlayState::Paused && isNew && only &&
+        !again) {
       bridge_->session().play();
     }
     return;

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/observation/click_box.h"
+
+#include "core/observation/figure_box.h"
+#include "core/observation/figure_contrast.h"
+#include "core/observation/fine_histogram.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+namespace dewpoint {
+namespace {
+
+/// Sizes (square root of the area) in pixels of the image as it is looked at; those of an image
+/// that was made smaller are only what the larger one does not reach.
+constexpr std::array<double, 8> kSizes{7.0, 8.5, 10.0, 12.0, 14.5, 17.0, 20.5, 24.0};
+constexpr std::size_t kFirstOfSmaller = 4;
+constexpr std::array<double, 7> kAspects{0.35, 0.5, 0.71, 1.0, 1.41, 2.0, 2.9};
+constexpr double kLargest = 0.7; ///< of the image's smaller side
+constexpr double kReach = 80.0;  ///< pixels around the click that are looked at, so small
+/// Steps of the click from the middle, in sides of the box; it is taken to be normal about it.
+constexpr int kSteps = 3;
+constexpr double kStep = 0.1;
+constexpr double kAim = 0.25;
+/// Of the best score: a smaller thing with so much is taken.
+constexpr double kEnough = 0.8;
+constexpr double kMargin = 1.3; ///< of the box in which the figure is sought, in its sides
+
+struct Candidate {
+  ImageBox box;
+  double score = 0.0;
+};
+
+/// A part of an image around a click, made smaller.
+class Outlook {
+public:
+  Outlook(const cv::Mat& bgr, const Eigen::Vector2d& pixel, double scale)
+      : part_(pixelsOf(
+            ImageBox::around(pixel, std::max(2.0, 2.0 * kReach * scale), 2.0 * kReach * scale),
+            bgr)),
+        scale_(scale), click_((pixel - corner()) / scale), contrast_(smaller(bgr), click_) {}
+
+  Candidate best(double size, double aspect) const {
+    const double width = size * std::sqrt(aspect);
+    const double height = size / std::sqrt(aspect);
+    Candidate best;
+    for (int i = -kSteps; i <= kSteps; ++i) {
+      for (int j = -kSteps; j <= kSteps; ++j) {
+        const Eigen::Vector2d off(kStep * i, kStep * j);
+        const ImageBox box = ImageBox::around(
+            click_ + Eigen::Vector2d(off.x() * width, off.y() * height), width, height);
+        const double score = contrast_.at(box) * std::exp(-0.5 * off.squaredNorm() / (kAim * kAim));
+        best = score > best.score ? Candidate{box, score} : best;
+      }
+    }
+    best.box =
+        ImageBox::around(corner() + scale_ * best.box.center(), scale_ * width, scale_ * height);
+    return best;
+  }
+
+private:
+  Eigen::Vector2d corner() const { return {part_.x, part_.y}; }
+  cv::Mat smaller(const cv::Mat& bgr) const {
+    cv::Mat small;
+    if (scale_ == 1.0) {
+      cv::GaussianBlur(bgr(part_), small, {3, 3}, 0.8);
+      return small;
+    }
+    const auto side = [&](int pixels) { return std::max(1, static_cast<int>(pixels / scale_)); };
+    cv::resize(bgr(part_), small, {side(part_.width), side(part_.height)}, 0, 0, cv::INTER_AREA);
+    return small;
+  }
+
+  cv::Rect part_;
+  double scale_;
+  Eigen::Vector2d click_; ///< in the smaller image
+  FigureContrast contrast_;
+};
+
+/// The best box of each size, by rising size.
+std::vector<Candidate> bestOfSizes(const cv::Mat& bgr, const Eigen::Vector2d& pixel) {
+  const double largest = kLargest * std::min(bgr.rows, bgr.cols);
+  std::vector<Candidate> found;
+  for (double scale = 1.0; kSizes[scale > 1.0 ? kFirstOfSmaller : 0] * scale <= largest;
+       scale *= 2.0) {
+    const Outlook outlook(bgr, pixel, scale);
+    for (std::size_t i = scale > 1.0 ? kFirstOfSmaller : 0; i < kSizes.size(); ++i) {
+      if (kSizes[i] * scale > largest) {
+        break;
+      }
+      Candidate best;
+      for (const double aspect : kAspects) {
+        const Candidate next = outlook.best(kSizes[i], aspect);
+        best = next.score > best.score ? next : best;
+      }
+      found.push_back(best);
+    }
+  }
+  return found;
+}
+
+/// The smallest size that stands out among its neighbors and is nearly as good as the best of all:
+/// what is larger is what the clicked thing is on, or one of them.
+const Candidate* chosenOf(const std::vector<Candidate>& found) {
+  const auto best = std::ranges::max_element(found, {}, &Candidate::score);
+  for (auto one = found.begin(); one != found.end() && best->score > 0.0; ++one) {
+    const bool rises = one == found.begin() || one->score > std::prev(one)->score;
+    const bool falls = std::next(one) == found.end() || one->score >= std::next(one)->score;
+    if (rises && falls && one->score >= kEnough * best->score) {
+      return &*one;
+    }
+  }
+  return nullptr;
+}
+
+} // namespace
+
+std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel) {
+  const std::vector<Candidate> found = bestOfSizes(bgr, pixel);
+  const Candidate* chosen = chosenOf(found);
+  if (chosen == nullptr) {
+    return std::nullopt;
+  }
+  const ImageBox wide = ImageBox::around(chosen->box.center(), kMargin * chosen->box.width,
+                                         kMargin * chosen->box.height);
+  const cv::Rect drawn = pixelsOf(wide, bgr);
+  return figureBox(bgr,
+                   {double(drawn.x), double(drawn.y), double(drawn.width), double(drawn.height)});
+}
+
+} // namespace dewpoint

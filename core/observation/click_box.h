@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/image_box.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <optional>
+
+namespace dewpoint {
+
+/// The box of the thing that was clicked in an image (CV_8UC3), in which the pixel must be.
+///
+/// How large the thing is, nobody said: boxes of all sizes from 7 pixels to 0.7 of the image's
+/// smaller side, from three times as high as wide to three times as wide, are tried around the
+/// click, each in the image made so much smaller that it has about 20 pixels (so that highlights,
+/// seams and noise average out). Taken is the one that differs most from its surroundings
+/// (FigureContrast), less the farther the click is from its middle; then the figure in it
+/// (figureBox()). A thing of several colors may give the part of it that was clicked. Nothing where
+/// no box differs from what is around it.
+std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel);
+
+} // namespace dewpoint
