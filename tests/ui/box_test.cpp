@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Methods that follow boxes, in the window: one video, no calibration, a click.
-#include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
-#include "core/capture/frame_writer.h"
-#include "core/session/new_project.h"
-#include "core/session/snapshot.h"
 #include "tests/tracking/moving_patch.h"
+#include "tests/ui/box_window.h"
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/camera/camera_view.h"
-#include "ui/camera/pick_layer.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/message_bar.h"
@@ -25,128 +21,28 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
-#include <QSettings>
 #include <QTableView>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QUndoStack>
 
-#include <functional>
-#include <memory>
-
 namespace dewpoint {
 
-namespace {
-
-constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
-constexpr int kFrames = 40;
-
-} // namespace
-
-class BoxTest : public QObject {
+class BoxTest : public QObject, private BoxWindow {
   Q_OBJECT
 
 private Q_SLOTS:
-  void initTestCase();
-  void init();
-  void cleanup() { window_.reset(); }
+  void initTestCase() { record(); }
+  void init() { open(); }
+  void cleanup() { close(); }
   void oneVideoWithoutACalibrationIsFollowedAfterAClick();
   void aDraggedBoxIsAStepThatCanBeUndone();
-  void aBoxDraggedBeyondTheEdgeIsCutThere();
-  void onlyTheFirstBoxStartsPlaying();
-  void anAddedTargetThatIsUndoneLeavesNothing();
-  void theBoxIsThereAfterARestart();
-  void aBoxOutsideTheImageIsRefused();
   void whatIsSavedIsOpenedAgainWithItsBox();
   void lookingBackShowsTheBoxAsItWas();
   void boxesAreExported();
   void theMethodIsChosenInTheParameters();
   void theMenuHasTheStudies();
   void anExperimentIsRefusedAtOnceAndLeftAloneWhileItRuns();
-
-private:
-  template <class T> T* find(const char* name) {
-    T* found = window_->findChild<T*>(QLatin1String(name));
-    if (found == nullptr) {
-      qFatal("no child named %s", name);
-    }
-    return found;
-  }
-  bool waitFor(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatienceMs); }
-  QAction* action(const char* id) { return find<QAction>(id); }
-  /// Opens the video as the page for new projects would, paused.
-  void openVideo();
-  QPoint placeOf(const Eigen::Vector2d& pixel);
-  void clickAt(const Eigen::Vector2d& pixel);
-  void dragTo(const QPoint& from, const QPoint& to);
-  bool isTrackedTo(std::int64_t frame);
-  std::size_t targetCount() { return window_->document().project().targets.size(); }
-  const TargetSnapshot* first() const {
-    const auto shown = window_->shown();
-    return shown && !shown->targets.empty() ? &shown->targets.front() : nullptr;
-  }
-  bool hasBox() const { return first() != nullptr && first()->box.has_value(); }
-  QString message() { return find<QLabel>("messageText")->text(); }
-
-  QTemporaryDir folder_;
-  std::filesystem::path video_;
-  std::unique_ptr<MainWindow> window_;
 };
-
-void BoxTest::initTestCase() {
-  video_ = folder_.filePath("patch.mkv").toStdString();
-  auto writer = FrameWriter::video(video_.string(), 25.0);
-  QVERIFY(writer);
-  for (int frame = 0; frame < kFrames; ++frame) {
-    QVERIFY(writer->write(MovingPatch{}.image(frame)));
-  }
-  QVERIFY(writer->finish());
-}
-
-void BoxTest::init() {
-  QSettings().clear();
-  window_ = std::make_unique<MainWindow>(&openProject);
-  window_->resize(1400, 900);
-  window_->setPlayOnOpen(false);
-  window_->show();
-  window_->activateWindow();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-}
-
-void BoxTest::openVideo() {
-  NewProject wanted;
-  wanted.cameras = {{"", SourceKind::Video, video_.string()}};
-  const auto made = makeProject(wanted);
-  QVERIFY(made);
-  const auto file = folder_.filePath("one.toml").toStdString();
-  QVERIFY(saveProject(made->project, file));
-  window_->openProject(file);
-  QVERIFY(waitFor([this] { return window_->shown() && window_->shown()->frame == 0; }));
-  auto* view = find<CameraView>("cameraView0");
-  QVERIFY(waitFor([&] { return !view->imageSize().isEmpty() && view->height() > 100; }));
-  QTest::qWait(300); // the layout settles
-}
-
-QPoint BoxTest::placeOf(const Eigen::Vector2d& pixel) {
-  const ImagePlacement& placement = find<CameraView>("cameraView0")->placement();
-  return (placement.corner + QPointF(pixel.x(), pixel.y()) * placement.scale).toPoint();
-}
-
-void BoxTest::clickAt(const Eigen::Vector2d& pixel) {
-  QTest::mouseClick(find<PickLayer>("cameraView0Pick"), Qt::LeftButton, Qt::NoModifier,
-                    placeOf(pixel));
-}
-
-void BoxTest::dragTo(const QPoint& from, const QPoint& to) {
-  auto* layer = find<PickLayer>("cameraView0Pick");
-  QTest::mousePress(layer, Qt::LeftButton, Qt::NoModifier, from);
-  QTest::mouseMove(layer, (from + to) / 2);
-  QTest::mouseRelease(layer, Qt::LeftButton, Qt::NoModifier, to);
-}
-
-bool BoxTest::isTrackedTo(std::int64_t frame) {
-  return waitFor([&] { return window_->shown() && window_->shown()->history.head >= frame; });
-}
 
 void BoxTest::oneVideoWithoutACalibrationIsFollowedAfterAClick() {
   openVideo();
@@ -192,97 +88,6 @@ void BoxTest::aDraggedBoxIsAStepThatCanBeUndone() {
   QVERIFY(waitFor([this] { return window_->shown()->targets.empty(); }));
   action("actionRedo")->trigger();
   QVERIFY(waitFor([this] { return hasBox() && !window_->shown()->rerun; }));
-}
-
-void BoxTest::aBoxDraggedBeyondTheEdgeIsCutThere() {
-  openVideo(); // 320 x 240
-  const QPoint far = find<CameraView>("cameraView0")->rect().bottomRight() + QPoint(40, 40);
-  dragTo(placeOf({290.0, 200.0}), far);
-  QVERIFY(waitFor([this] { return targetCount() == 1; }));
-  ImageBox box = window_->document().project().targets[0].box->box;
-  const double widgetPixel = 1.0 / find<CameraView>("cameraView0")->placement().scale;
-  QVERIFY(std::abs(box.x - 290.0) <= widgetPixel && std::abs(box.y - 200.0) <= widgetPixel);
-  QCOMPARE(box.x + box.width, 320.0);
-  QCOMPARE(box.y + box.height, 240.0);
-  // From the other corner, too.
-  action("actionLearnColor")->trigger();
-  dragTo(placeOf({40.0, 30.0}), QPoint(-30, -30));
-  QVERIFY(waitFor([&] { return window_->document().project().targets[0].box->box != box; }));
-  box = window_->document().project().targets[0].box->box;
-  QCOMPARE(box.x, 0.0);
-  QCOMPARE(box.y, 0.0);
-  QVERIFY(std::abs(box.width - 40.0) <= widgetPixel && std::abs(box.height - 30.0) <= widgetPixel);
-}
-
-void BoxTest::onlyTheFirstBoxStartsPlaying() {
-  openVideo();
-  clickAt(MovingPatch{}.box(0).center());
-  QVERIFY(isTrackedTo(5)); // the first one
-  action("actionPlay")->trigger();
-  QVERIFY(waitFor([this] { return window_->shown()->state != PlayState::Playing; }));
-  action("actionRestart")->trigger();
-  QVERIFY(waitFor([this] { return window_->shown()->frame == 0; }));
-  QVERIFY(window_->shown()->state != PlayState::Playing);
-  for (const std::size_t count : {2U, 3U}) {
-    action("actionAddTarget")->trigger();
-    clickAt({60.0 * double(count), 40.0});
-    QVERIFY(waitFor([&] { return targetCount() == count; }));
-    QTest::qWait(300); // as long as a run that plays would take for some frames
-    QCOMPARE(window_->shown()->state, PlayState::Paused);
-    QCOMPARE(window_->shown()->frame, std::int64_t{0});
-    QCOMPARE(window_->document().project().targets.back().box->frame, std::int64_t{0});
-  }
-}
-
-void BoxTest::anAddedTargetThatIsUndoneLeavesNothing() {
-  openVideo();
-  clickAt(MovingPatch{}.box(0).center());
-  QVERIFY(isTrackedTo(kFrames - 1));
-  window_->selection().wantMoment(12);
-  QVERIFY(waitFor([this] { return window_->shown()->frame == 12; }));
-  action("actionAddTarget")->trigger();
-  clickAt(MovingPatch{}.box(12).center());
-  QVERIFY(waitFor([this] { return targetCount() == 2; }));
-  QVERIFY(waitFor([this] {
-    return !window_->shown()->rerun && window_->shown()->history.head == kFrames - 1;
-  }));
-  window_->selection().wantMoment(5);
-  QVERIFY(waitFor([this] { return window_->shown()->frame == 5; }));
-  QCOMPARE(window_->shown()->targets.size(), std::size_t{2});
-  QCOMPARE(window_->shown()->targets[1].status, TargetStatus::Gone); // not lost: not there yet
-  action("actionUndo")->trigger();
-  QVERIFY(waitFor([this] { return window_->shown()->targets.size() == 1; }));
-  QCOMPARE(window_->shown()->frame, std::int64_t{5});
-  QVERIFY(
-      waitFor([this] { return find<QLabel>("statusHeld")->text() == holdText(HoldState::Held); }));
-  action("actionRedo")->trigger();
-  QVERIFY(waitFor([this] { return targetCount() == 2 && !window_->shown()->rerun; }));
-}
-
-void BoxTest::theBoxIsThereAfterARestart() {
-  openVideo();
-  clickAt(MovingPatch{}.box(0).center());
-  QVERIFY(waitFor([this] { return window_->shown()->state == PlayState::Ended; }));
-  action("actionRestart")->trigger();
-  QVERIFY(waitFor([this] { return window_->shown()->frame == 0 && hasBox(); }));
-  QVERIFY(window_->shown()->history.head < 0); // nothing was tracked yet
-  QVERIFY(find<QLabel>("targetBox")->text().contains(QStringLiteral("Similarity")));
-  auto* choice = find<QComboBox>("methodChoice");
-  const int row = choice->findData(QStringLiteral("sugandi"));
-  choice->setCurrentIndex(row);
-  Q_EMIT choice->activated(row);
-  QCOMPARE(window_->document().project().method, std::string("sugandi"));
-  QVERIFY(waitFor([this] { return window_->shown()->frame == 0 && hasBox(); }));
-}
-
-void BoxTest::aBoxOutsideTheImageIsRefused() {
-  const auto file = folder_.filePath("far.toml").toStdString();
-  QVERIFY(writeTextFile(file, "format = 2\nname = \"far\"\nmethod = \"histogram\"\n"
-                              "scene = \"occluder\"\n[[target]]\nname = \"ball\"\nbox = "
-                              "{camera = 1, x = 900, y = 97, width = 46, height = 46}\n"));
-  window_->openProject(file);
-  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("target 1.box")); }));
-  QVERIFY(message().contains(QStringLiteral("far.toml")));
 }
 
 void BoxTest::whatIsSavedIsOpenedAgainWithItsBox() {

@@ -64,8 +64,8 @@ template <class Counts> HoldState worstState(const TrackSnapshot& snapshot, cons
   if (snapshot.ofPeople()) {
     return stateOfPeople(snapshot);
   }
-  for (const HoldState state : {HoldState::Lost, HoldState::Searching, HoldState::Hidden,
-                                HoldState::NoBox, HoldState::Held}) {
+  for (const HoldState state :
+       {HoldState::Lost, HoldState::Searching, HoldState::Hidden, HoldState::Held}) {
     if (std::ranges::any_of(snapshot.targets, [&](const TargetSnapshot& target) {
           return counts(target) && holdState(target, snapshot.family) == state;
         })) {

@@ -97,7 +97,7 @@ void TargetPanel::choose(int target) {
 
 void TargetPanel::refresh() {
   const auto& targets = document_.project().targets;
-  const int before = std::max(0, chosen());
+  const int before = chosen();
   {
     const QSignalBlocker quiet(list_);
     list_->clear();
@@ -106,7 +106,7 @@ void TargetPanel::refresh() {
                                        QString::fromStdString(targets[i].name), list_);
       item->setData(Qt::AccessibleTextRole, item->text());
     }
-    list_->setCurrentRow(std::min(before, list_->count() - 1));
+    list_->setCurrentRow(std::min(std::max(0, before), list_->count() - 1));
   }
   const bool boxes = methodFamily(document_.project().method) == MethodFamily::Boxes;
   radiusLabel_->setVisible(!boxes);
@@ -118,6 +118,9 @@ void TargetPanel::refresh() {
                      ? tr("No target yet: click the thing to follow in any camera image.")
                      : tr("The color of a target is learned by clicking it in a camera image."));
   showChosen();
+  if (before > chosen()) { // the chosen one is gone: all others are to show its neighbor, too
+    Q_EMIT targetChosen(chosen());
+  }
 }
 
 void TargetPanel::showChosen() {
