@@ -30,9 +30,9 @@ constexpr double kBodyWider = 1.2;     ///< points are drawn a little beyond the
 class StandingObservation {
 public:
   StandingObservation(std::vector<const SilhouetteMaker*> makers, std::vector<ScoreSums> scores,
-                      double floor, double evidence)
-      : makers_(std::move(makers)), scores_(std::move(scores)), floor_(floor), evidence_(evidence) {
-  }
+                      double floor, double evidence, double usualHeight)
+      : makers_(std::move(makers)), scores_(std::move(scores)), floor_(floor), evidence_(evidence),
+        usualHeight_(usualHeight) {}
 
   void keepFrom(std::vector<Eigen::Vector2d> others, double distance) {
     others_ = std::move(others);
@@ -48,7 +48,10 @@ public:
           sum += bodyScore(scores_[k], makers_[k]->of(place, floor_, rows(i, 4)), kPieceFloor);
         }
       }
-      logLikelihood[i] += evidence_ * sum - crowding(place);
+      // Pixels speak, not shares of a body: a mean alone would be best for one too small, which
+      // has no pixel beside the person.
+      const double size = rows(i, 4) / usualHeight_;
+      logLikelihood[i] += evidence_ * size * size * sum - crowding(place);
     }
   }
 
@@ -67,6 +70,7 @@ private:
   std::vector<Eigen::Vector2d> others_;
   double floor_;
   double evidence_;
+  double usualHeight_;
   double leastDistance_ = 0.0;
 };
 
@@ -172,7 +176,7 @@ void JointPeopleTracker::weigh(std::size_t person, ThreadTeam& team) {
     makers.push_back(&maker(k));
   }
   StandingObservation observation(std::move(makers), scoresFor(person), settings().area.floor,
-                                  parameters_.at("evidence"));
+                                  parameters_.at("evidence"), parameters_.at("usual_height"));
   std::vector<Eigen::Vector2d> others;
   for (std::size_t k = 0; k < people_.size(); ++k) {
     if (k != person) {

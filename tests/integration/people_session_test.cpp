@@ -239,6 +239,25 @@ TEST(PeopleSession, AnotherMethodWhileLookingBackLearnsTheRoomFromTheBeginning) 
   EXPECT_TRUE(test::sameBits(first, session.trajectory()));
 }
 
+TEST(PeopleSession, KnowsHowTallPeopleAre) {
+  Session session(office());
+  playThrough(session);
+  simulation::ViewCache views;
+  const OfficeRenderer renderer(officeDay(), views);
+  int compared = 0;
+  for (const TargetSnapshot& target : session.newest()->targets) {
+    for (std::size_t k = 0; target.person && k < renderer.scene().people.size(); ++k) {
+      const Eigen::Vector3d truth = renderer.middle(k, officeDay().timeOf(kFrames - 1));
+      if ((truth - target.person->position).head<2>().norm() < 0.2) {
+        // Seen by four cameras of 320x240 from 5 m: a pixel is 0.02 m.
+        EXPECT_NEAR(target.person->height, renderer.scene().people[k].height, 0.08) << k;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GE(compared, 1);
+}
+
 TEST(PeopleSession, SavesVolumesHullsAndDensities) {
   Session session(office(officeProject(), 75));
   playThrough(session);
