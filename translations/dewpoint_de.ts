@@ -999,7 +999,7 @@
     </message>
     <message>
         <source>Sugandi et al. 2009, section 4: 100 and 300 particles, method histogram and four trackers of OpenCV on the same clips.</source>
-        <translation>Sugandi u. a. 2009, Abschnitt 4: 100 und 300 Partikel, das Verfahren Histogramm und vier Verfolger von OpenCV auf denselben Filmen.</translation>
+        <translation>Sugandi u. a. 2009, Abschnitt 4: 100 und 300 Partikel, das Verfahren histogram und vier Verfolger von OpenCV auf denselben Filmen.</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people far from each other, the easy case, in which no method may mix them up.</source>
@@ -1165,14 +1165,6 @@
 <context>
     <name>Method</name>
     <message>
-        <source>barrera</source>
-        <translation>Barrera u. a.</translation>
-    </message>
-    <message>
-        <source>dewpoint</source>
-        <translation>Dewpoint</translation>
-    </message>
-    <message>
         <source>The color particle filter of Barrera et al. (2005): for teaching and comparison.</source>
         <translation>Der Farb-Partikelfilter von Barrera et al. (2005): für Lehre und Vergleich.</translation>
     </message>
@@ -1185,24 +1177,12 @@
         <translation>Das sicherste und genaueste: für alles, was sich bewegt, mit beliebig vielen Kameras und Zielen.</translation>
     </message>
     <message>
-        <source>dynamics</source>
-        <translation>dynamics</translation>
-    </message>
-    <message>
         <source>Follows a box in one camera&apos;s images by the colors of its parts: finds it again after it was hidden, and follows its size.</source>
         <translation>Folgt einem Rahmen in den Bildern einer Kamera nach den Farben seiner Teile: findet ihn wieder, wenn er verdeckt war, und folgt seiner Größe.</translation>
     </message>
     <message>
         <source>The color histogram filter of Sugandi et al. (2009), for a box in one camera&apos;s images: for teaching and comparison.</source>
         <translation>Der Farbhistogramm-Filter von Sugandi u. a. (2009) für einen Rahmen in den Bildern einer Kamera: zum Lehren und Vergleichen.</translation>
-    </message>
-    <message>
-        <source>histogram</source>
-        <translation>Histogramm</translation>
-    </message>
-    <message>
-        <source>sugandi</source>
-        <translation>Sugandi u. a.</translation>
     </message>
     <message>
         <source>Several people by motion and color, each by a filter of its own (Mohedano et al. 2009, MS+C): keeps them apart when their clothes differ.</source>
@@ -1215,18 +1195,6 @@
     <message>
         <source>Several people who walk, meet and wear similar clothes: places on the floor, told apart by what each of them covers in the images.</source>
         <translation>Mehrere Personen, die gehen, sich treffen und Ähnliches tragen: Orte auf dem Boden, unterschieden danach, was jede in den Bildern verdeckt.</translation>
-    </message>
-    <message>
-        <source>mohedano-ms</source>
-        <translation>Mohedano u. a., MS</translation>
-    </message>
-    <message>
-        <source>mohedano-msc</source>
-        <translation>Mohedano u. a., MS+C</translation>
-    </message>
-    <message>
-        <source>people</source>
-        <translation>Personen</translation>
     </message>
 </context>
 <context>
@@ -2010,10 +1978,6 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <translation>Das Ziel ist fast grau: Eine kräftigere Farbe würde helfen.</translation>
     </message>
     <message>
-        <source>Much of the room has this color: another one would help.</source>
-        <translation>Vieles im Raum hat diese Farbe: Eine andere würde helfen.</translation>
-    </message>
-    <message>
         <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
         <translation>Das füllt einen großen Teil des Bildes: Klicke das Ding selbst an oder ziehe einen Rahmen darum.</translation>
     </message>
@@ -2032,6 +1996,22 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>Something %1 %2 of %3 matches too.</source>
         <translation>Etwas %1 %2 in %3 passt auch.</translation>
+    </message>
+    <message>
+        <source>Several things have this color: another one would help.</source>
+        <translation>Mehrere Dinge haben diese Farbe: Eine andere würde helfen.</translation>
+    </message>
+    <message>
+        <source>Only a speck was clicked: drag a box on the whole thing.</source>
+        <translation>Nur ein Fleck wurde angeklickt: Ziehe einen Rahmen um das ganze Ding.</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the target and %2 % of the background match.</source>
+        <translation>Nur %1 % des Ziels und %2 % des Hintergrunds passen.</translation>
+    </message>
+    <message>
+        <source>A range for all of the target would match %1 % of the background.</source>
+        <translation>Ein Bereich für das ganze Ziel würde auf %1 % des Hintergrunds passen.</translation>
     </message>
 </context>
 <context>
@@ -3404,14 +3384,6 @@ bei %4, %5, %6 m</translation>
         <translation>In irgendeinem Kamerabild auf das klicken, was verfolgt werden soll.</translation>
     </message>
     <message>
-        <source>not this: %1, frame %2</source>
-        <translation>dies nicht: %1, Bild %2</translation>
-    </message>
-    <message>
-        <source>%1, frame %2</source>
-        <translation>%1, Bild %2</translation>
-    </message>
-    <message>
         <source>Change color range</source>
         <translation>Farbbereich ändern</translation>
     </message>
@@ -3458,6 +3430,14 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Click the thing or drag a box around it in any camera view.</source>
         <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen.</translation>
+    </message>
+    <message>
+        <source>not this: %1, frame %2, at %3, %4</source>
+        <translation>dies nicht: %1, Bild %2, bei %3, %4</translation>
+    </message>
+    <message>
+        <source>%1, frame %2, at %3, %4</source>
+        <translation>%1, Bild %2, bei %3, %4</translation>
     </message>
 </context>
 <context>
@@ -4855,6 +4835,10 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Images per second:</source>
         <translation>Bilder je Sekunde:</translation>
+    </message>
+    <message>
+        <source>Neither a video, nor images, nor a calibration: %1.</source>
+        <translation>Weder ein Video noch Bilder noch eine Kalibrierung: %1.</translation>
     </message>
 </context>
 <context>

@@ -999,7 +999,7 @@
     </message>
     <message>
         <source>Sugandi et al. 2009, section 4: 100 and 300 particles, method histogram and four trackers of OpenCV on the same clips.</source>
-        <translation>Sugandi et al. 2009, sección 4: 100 y 300 partículas, el método histograma y cuatro seguidores de OpenCV en los mismos vídeos.</translation>
+        <translation>Sugandi et al. 2009, sección 4: 100 y 300 partículas, el método histogram y cuatro seguidores de OpenCV en los mismos vídeos.</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people far from each other, the easy case, in which no method may mix them up.</source>
@@ -1165,14 +1165,6 @@
 <context>
     <name>Method</name>
     <message>
-        <source>barrera</source>
-        <translation>Barrera et al.</translation>
-    </message>
-    <message>
-        <source>dewpoint</source>
-        <translation>Dewpoint</translation>
-    </message>
-    <message>
         <source>The color particle filter of Barrera et al. (2005): for teaching and comparison.</source>
         <translation>El filtro de partículas de color de Barrera et al. (2005): para enseñar y comparar.</translation>
     </message>
@@ -1185,24 +1177,12 @@
         <translation>El más seguro y preciso: para todo lo que se mueve, con cualquier número de cámaras y objetivos.</translation>
     </message>
     <message>
-        <source>dynamics</source>
-        <translation>dynamics</translation>
-    </message>
-    <message>
         <source>Follows a box in one camera&apos;s images by the colors of its parts: finds it again after it was hidden, and follows its size.</source>
         <translation>Sigue un recuadro en las imágenes de una cámara por los colores de sus partes: lo reencuentra tras una ocultación y sigue su tamaño.</translation>
     </message>
     <message>
         <source>The color histogram filter of Sugandi et al. (2009), for a box in one camera&apos;s images: for teaching and comparison.</source>
         <translation>El filtro de histogramas de color de Sugandi et al. (2009), para un recuadro en las imágenes de una cámara: para enseñar y comparar.</translation>
-    </message>
-    <message>
-        <source>histogram</source>
-        <translation>Histograma</translation>
-    </message>
-    <message>
-        <source>sugandi</source>
-        <translation>Sugandi et al.</translation>
     </message>
     <message>
         <source>Several people by motion and color, each by a filter of its own (Mohedano et al. 2009, MS+C): keeps them apart when their clothes differ.</source>
@@ -1215,18 +1195,6 @@
     <message>
         <source>Several people who walk, meet and wear similar clothes: places on the floor, told apart by what each of them covers in the images.</source>
         <translation>Varias personas que caminan, se encuentran y visten de modo parecido: lugares en el suelo, distinguidas por lo que cada una cubre en las imágenes.</translation>
-    </message>
-    <message>
-        <source>mohedano-ms</source>
-        <translation>Mohedano et al., MS</translation>
-    </message>
-    <message>
-        <source>mohedano-msc</source>
-        <translation>Mohedano et al., MS+C</translation>
-    </message>
-    <message>
-        <source>people</source>
-        <translation>Personas</translation>
     </message>
 </context>
 <context>
@@ -2010,10 +1978,6 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>El objetivo es casi gris: un color más vivo ayudaría.</translation>
     </message>
     <message>
-        <source>Much of the room has this color: another one would help.</source>
-        <translation>Gran parte de la sala tiene este color: otro ayudaría.</translation>
-    </message>
-    <message>
         <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
         <translation>Esto llena gran parte de la imagen: haz clic en la cosa misma o arrastra un recuadro sobre ella.</translation>
     </message>
@@ -2032,6 +1996,22 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>Something %1 %2 of %3 matches too.</source>
         <translation>Algo %1 %2 de %3 también coincide.</translation>
+    </message>
+    <message>
+        <source>Several things have this color: another one would help.</source>
+        <translation>Varias cosas tienen este color: otro ayudaría.</translation>
+    </message>
+    <message>
+        <source>Only a speck was clicked: drag a box on the whole thing.</source>
+        <translation>El clic dio solo en una mota: arrastra un recuadro sobre la cosa entera.</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the target and %2 % of the background match.</source>
+        <translation>Solo coinciden el %1 % del objetivo y el %2 % del fondo.</translation>
+    </message>
+    <message>
+        <source>A range for all of the target would match %1 % of the background.</source>
+        <translation>Un rango para todo el objetivo coincidiría con el %1 % del fondo.</translation>
     </message>
 </context>
 <context>
@@ -3404,14 +3384,6 @@ en %4, %5, %6 m</translation>
         <translation>Haga clic en cualquier imagen sobre lo que quiere seguir.</translation>
     </message>
     <message>
-        <source>not this: %1, frame %2</source>
-        <translation>esto no: %1, fotograma %2</translation>
-    </message>
-    <message>
-        <source>%1, frame %2</source>
-        <translation>%1, fotograma %2</translation>
-    </message>
-    <message>
         <source>Change color range</source>
         <translation>Cambiar el intervalo de color</translation>
     </message>
@@ -3458,6 +3430,14 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Click the thing or drag a box around it in any camera view.</source>
         <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara.</translation>
+    </message>
+    <message>
+        <source>not this: %1, frame %2, at %3, %4</source>
+        <translation>esto no: %1, fotograma %2, en %3, %4</translation>
+    </message>
+    <message>
+        <source>%1, frame %2, at %3, %4</source>
+        <translation>%1, fotograma %2, en %3, %4</translation>
     </message>
 </context>
 <context>
@@ -4855,6 +4835,10 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Images per second:</source>
         <translation>Imágenes por segundo:</translation>
+    </message>
+    <message>
+        <source>Neither a video, nor images, nor a calibration: %1.</source>
+        <translation>Ni un vídeo, ni imágenes, ni una calibración: %1.</translation>
     </message>
 </context>
 <context>

@@ -999,7 +999,7 @@
     </message>
     <message>
         <source>Sugandi et al. 2009, section 4: 100 and 300 particles, method histogram and four trackers of OpenCV on the same clips.</source>
-        <translation>Sugandi ら 2009、第 4 節：粒子 100 個と 300 個、手法ヒストグラム、OpenCV の 4 つの追跡器を同じ映像で比べます。</translation>
+        <translation>Sugandi ら 2009、第 4 節：粒子 100 個と 300 個、手法 histogram、OpenCV の 4 つの追跡器を同じ映像で比べます。</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people far from each other, the easy case, in which no method may mix them up.</source>
@@ -1165,14 +1165,6 @@
 <context>
     <name>Method</name>
     <message>
-        <source>barrera</source>
-        <translation>Barrera ら</translation>
-    </message>
-    <message>
-        <source>dewpoint</source>
-        <translation>Dewpoint</translation>
-    </message>
-    <message>
         <source>The color particle filter of Barrera et al. (2005): for teaching and comparison.</source>
         <translation>Barrera ら (2005) の色パーティクルフィルタ。教育と比較のために。</translation>
     </message>
@@ -1185,24 +1177,12 @@
         <translation>最も確実で正確。動くものすべてに、カメラもターゲットも何台でも。</translation>
     </message>
     <message>
-        <source>dynamics</source>
-        <translation>dynamics</translation>
-    </message>
-    <message>
         <source>Follows a box in one camera&apos;s images by the colors of its parts: finds it again after it was hidden, and follows its size.</source>
         <translation>1 台のカメラの画像の中の枠を、その各部分の色で追います。隠れた後も見つけ直し、大きさの変化も追います。</translation>
     </message>
     <message>
         <source>The color histogram filter of Sugandi et al. (2009), for a box in one camera&apos;s images: for teaching and comparison.</source>
         <translation>1 台のカメラの画像の中の枠を追う、Sugandi ら (2009) の色ヒストグラムのフィルター。学習と比較のため。</translation>
-    </message>
-    <message>
-        <source>histogram</source>
-        <translation>ヒストグラム</translation>
-    </message>
-    <message>
-        <source>sugandi</source>
-        <translation>Sugandi ら</translation>
     </message>
     <message>
         <source>Several people by motion and color, each by a filter of its own (Mohedano et al. 2009, MS+C): keeps them apart when their clothes differ.</source>
@@ -1215,18 +1195,6 @@
     <message>
         <source>Several people who walk, meet and wear similar clothes: places on the floor, told apart by what each of them covers in the images.</source>
         <translation>歩き、出会い、似た服を着た複数の人物：床の上の位置を求め、画像の中でそれぞれが覆う範囲によって区別します。</translation>
-    </message>
-    <message>
-        <source>mohedano-ms</source>
-        <translation>Mohedano ら MS</translation>
-    </message>
-    <message>
-        <source>mohedano-msc</source>
-        <translation>Mohedano ら MS+C</translation>
-    </message>
-    <message>
-        <source>people</source>
-        <translation>人物</translation>
     </message>
 </context>
 <context>
@@ -2010,10 +1978,6 @@ From %2 to %3%4; default %5%4.</source>
         <translation>ターゲットがほぼ灰色です。もっと鮮やかな色が良いでしょう。</translation>
     </message>
     <message>
-        <source>Much of the room has this color: another one would help.</source>
-        <translation>部屋の多くがこの色です。別の色が良いでしょう。</translation>
-    </message>
-    <message>
         <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
         <translation>画像の大部分を占めています。物そのものをクリックするか、枠で囲んでください。</translation>
     </message>
@@ -2032,6 +1996,22 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>Something %1 %2 of %3 matches too.</source>
         <translation>%3 の%2にある%1も一致します。</translation>
+    </message>
+    <message>
+        <source>Several things have this color: another one would help.</source>
+        <translation>この色の物がいくつもあります。別の色にするとよいでしょう。</translation>
+    </message>
+    <message>
+        <source>Only a speck was clicked: drag a box on the whole thing.</source>
+        <translation>小さな点だけがクリックされました。物全体を枠で囲んでください。</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the target and %2 % of the background match.</source>
+        <translation>ターゲットの %1 % と背景の %2 % だけが一致します。</translation>
+    </message>
+    <message>
+        <source>A range for all of the target would match %1 % of the background.</source>
+        <translation>ターゲット全体を含む範囲は、背景の %1 % にも一致します。</translation>
     </message>
 </context>
 <context>
@@ -3403,14 +3383,6 @@ at %4, %5, %6 m</source>
         <translation>カメラ画像で追跡したいものをクリックしてください。</translation>
     </message>
     <message>
-        <source>not this: %1, frame %2</source>
-        <translation>除外: %1、フレーム %2</translation>
-    </message>
-    <message>
-        <source>%1, frame %2</source>
-        <translation>%1、フレーム %2</translation>
-    </message>
-    <message>
         <source>Change color range</source>
         <translation>色の範囲を変更</translation>
     </message>
@@ -3457,6 +3429,14 @@ at %4, %5, %6 m</source>
     <message>
         <source>Click the thing or drag a box around it in any camera view.</source>
         <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。</translation>
+    </message>
+    <message>
+        <source>not this: %1, frame %2, at %3, %4</source>
+        <translation>除外: %1、フレーム %2、位置 %3, %4</translation>
+    </message>
+    <message>
+        <source>%1, frame %2, at %3, %4</source>
+        <translation>%1、フレーム %2、位置 %3, %4</translation>
     </message>
 </context>
 <context>
@@ -4853,6 +4833,10 @@ at %4, %5, %6 m</source>
     <message>
         <source>Images per second:</source>
         <translation>1秒あたりの画像数:</translation>
+    </message>
+    <message>
+        <source>Neither a video, nor images, nor a calibration: %1.</source>
+        <translation>動画でも画像でもキャリブレーションでもありません: %1。</translation>
     </message>
 </context>
 <context>

@@ -43,7 +43,6 @@ void addErrors(Marked& marked) {
 
 void addMethods(Marked& marked) {
   for (const auto& method : dewpoint::projectMethodNames()) {
-    marked.emplace("Method", method);
     marked.emplace("Method", dewpoint::methodSentence(method));
     for (const auto& declaration : dewpoint::methodParameters(method)) {
       marked.emplace("Parameter", declaration.label);

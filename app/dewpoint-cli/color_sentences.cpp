@@ -3,16 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace dewpoint {
 namespace {
 
-const char* separation(double separability) {
-  return separability >= 0.9   ? "Stands out well"
-         : separability >= 0.7 ? "Stands out"
-         : separability >= 0.4 ? "Hard to tell apart"
-                               : "Hardly stands out";
+const char* separation(int score) {
+  return score >= 90   ? "Stands out well"
+         : score >= 70 ? "Stands out"
+         : score >= 40 ? "Hard to tell apart"
+                       : "Hardly stands out";
 }
 
 const char* nameOf(ColorWord word) {
@@ -45,9 +43,11 @@ const char* advice(Suggestion suggestion) {
   case Suggestion::UseStrongerColor:
     return "The target is nearly gray: a stronger color would help.";
   case Suggestion::UseAnotherColor:
-    return "Much of the room has this color: another one would help.";
+    return "Several things have this color: another one would help.";
   case Suggestion::ClickThingItself:
     return "This fills much of the image: point at the thing itself, or give a box on it.";
+  case Suggestion::ClickMore:
+    return "Only a speck was pointed at: give a box on the whole thing.";
   case Suggestion::None:
     break;
   }
@@ -66,10 +66,14 @@ std::string rangeSentence(const ColorRange& range) {
 std::vector<std::string> verdictSentences(const ColorVerdict& verdict,
                                           const std::vector<std::string>& cameras) {
   std::vector<std::string> sentences{
-      fmt::format("{}: {} of 100.", separation(verdict.separability),
-                  std::lround(100.0 * verdict.separability)),
+      fmt::format("{}: {} of 100.", separation(verdict.score()), verdict.score()),
       fmt::format("{:.0f} % of the target and {:.2f} % of the background match.",
                   100.0 * verdict.targetShare, 100.0 * verdict.backgroundShare)};
+  if (verdict.backgroundShareOfWhole) {
+    sentences.push_back(
+        fmt::format("A range for all of the target would match {:.2f} % of the background.",
+                    100.0 * *verdict.backgroundShareOfWhole));
+  }
   if (verdict.sampleLeftOut) {
     sentences.emplace_back("One sample does not go with the others: no single range holds both.");
   }

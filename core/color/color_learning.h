@@ -8,7 +8,9 @@
 #include <opencv2/core/mat.hpp>
 #include <opencv2/core/types.hpp>
 
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace dewpoint {
@@ -53,8 +55,9 @@ enum class Suggestion : std::uint8_t {
   MoreLight,        ///< the target is nearly black
   LessExposure,     ///< the target is nearly white: its color is lost
   UseStrongerColor, ///< the target is nearly gray
-  UseAnotherColor,  ///< much of the room has this color
+  UseAnotherColor,  ///< several things in the room have this color
   ClickThingItself, ///< what was clicked fills much of an image: a wall, not a thing
+  ClickMore,        ///< what was clicked is a speck, of which little matches
 };
 
 /// How well a color range tells the target from the rest.
@@ -64,14 +67,23 @@ struct ColorVerdict {
   /// F1 score of the range, 0 to 1: of what matches and what is target, the share that is both.
   /// The samples stand for the target, what is around them in the images for the rest.
   double separability = 0.0;
-  double targetShare = 0.0;                ///< share of the sampled colors that match
-  double backgroundShare = 0.0;            ///< share of the other pixels that match too
+  double targetShare = 0.0;     ///< share of the sampled colors that match
+  double backgroundShare = 0.0; ///< share of the other pixels that match too
+  /// backgroundShare of a range for the whole target. Where little of it matches, this is why: more
+  /// of it would cost more than it wins. Nothing while missesTarget() is false.
+  std::optional<double> backgroundShareOfWhole;
   std::vector<LookAlikeRegion> lookAlikes; ///< largest first, at most kMostLookAlikes
   /// A sample hardly matches the range that was found for all: one range cannot hold both.
   bool sampleLeftOut = false;
   Suggestion suggestion = Suggestion::None;
 
   static constexpr std::size_t kMostLookAlikes = 5;
+  static constexpr double kFewMatch = 0.75; ///< of the target
+
+  /// The separability as it is told, 0 to 100.
+  int score() const { return static_cast<int>(std::lround(100.0 * separability)); }
+  /// Whether the score is low, or lower, because much of the target does not match.
+  bool missesTarget() const { return targetKnown && targetShare < kFewMatch; }
 };
 
 struct LearnedColor {

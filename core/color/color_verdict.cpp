@@ -20,14 +20,15 @@ namespace {
 /// A thing that matters as a look-alike: this share of the target's size, and no speckle.
 constexpr double kLookAlikeShare = 0.1;
 constexpr double kSmallestLookAlike = 9.0; ///< pixels
-constexpr double kGood = 0.9;              ///< F1 score from which on nothing needs to be done
-constexpr double kFewMatch = 0.75;         ///< of the target
+constexpr int kGood = 90;                  ///< score() from which on nothing needs to be done
 constexpr double kDark = 0.08;             ///< intensity
 constexpr double kBright = 0.94;           ///< intensity, with kPale
 constexpr double kPale = 0.12;             ///< saturation
 constexpr double kMostOfImage = 0.25;      ///< that a target fills
-constexpr double kTellable = 3.0;          ///< colorDistance()
-constexpr double kOneThing = 0.5;          ///< of all that matches beside the target
+constexpr double kSpeck = 1.0 / 5000.0; ///< of an image: a shadow in a thing, rather than a thing
+constexpr double kLow = 0.4;            ///< F1 score, or share of the target
+constexpr double kTellable = 3.0;       ///< colorDistance()
+constexpr double kOneThing = 0.5;       ///< of all that matches beside the target
 
 template <class Place> Place third(double at, double size) {
   return static_cast<Place>(std::clamp(static_cast<int>(3.0 * at / size), 0, 2));
@@ -101,13 +102,16 @@ Suggestion suggestionFor(const ColorVerdict& verdict, const ColorEvidence& evide
   if (evidence.imageShare > kMostOfImage) {
     return Suggestion::ClickThingItself;
   }
-  if (typical.saturation < kPale && verdict.separability >= kGood) {
+  if (typical.saturation < kPale && verdict.score() >= kGood) {
     return Suggestion::UseStrongerColor; // the next change of light makes it like the walls
   }
-  if (verdict.separability >= kGood) {
+  if (verdict.score() >= kGood) {
     return Suggestion::None;
   }
-  if (verdict.targetShare < kFewMatch && found.empty()) {
+  if (verdict.separability < kLow && verdict.targetShare < kLow && evidence.imageShare < kSpeck) {
+    return Suggestion::ClickMore;
+  }
+  if (verdict.missesTarget() && found.empty()) {
     return Suggestion::AddSamples;
   }
   if (typical.saturation < kPale) {
@@ -121,7 +125,7 @@ Suggestion suggestionFor(const ColorVerdict& verdict, const ColorEvidence& evide
     return colorDistance(found.front().color, color) > kTellable ? Suggestion::ExcludeLookAlike
                                                                  : Suggestion::RemoveLookAlike;
   }
-  return found.empty() ? Suggestion::AddSamples : Suggestion::UseAnotherColor;
+  return found.empty() ? Suggestion::None : Suggestion::UseAnotherColor;
 }
 
 } // namespace
@@ -163,6 +167,11 @@ ColorVerdict verdictOn(const ColorRange& range, const ColorEvidence& evidence,
   verdict.targetKnown = evidence.targetWeight > 0.0;
   if (!verdict.targetKnown) {
     return verdict;
+  }
+  if (verdict.missesTarget()) {
+    const RangeScore whole = scoreRange(fitRange(evidence.target, {}), {}, evidence.rest);
+    verdict.backgroundShareOfWhole =
+        evidence.restWeight > 0.0 ? whole.rest / evidence.restWeight : 0.0;
   }
   std::vector<FoundRegion> found;
   const ColorClassifier classifier(range);

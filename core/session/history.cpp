@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace dewpoint {
@@ -17,6 +18,11 @@ bool hasParticles(const Moment& moment) {
 }
 
 } // namespace
+
+Eigen::Vector3d tailPlace(const TargetEstimate& estimate) {
+  return estimate.valid ? estimate.mean
+                        : Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+}
 
 HistoryLimits HistoryLimits::of(std::size_t total, bool live) {
   const std::size_t frames = live ? total / 4 * 3 : total / 4;
@@ -193,7 +199,7 @@ std::vector<Eigen::Vector3d> History::tail(std::size_t target, std::int64_t fram
     const bool known = target < moment->targets.size() && !moment->targets[target].box &&
                        !moment->targets[target].estimate.gone;
     if (known) {
-      tail.push_back(moment->targets[target].estimate.mean);
+      tail.push_back(tailPlace(moment->targets[target].estimate));
     }
   }
   return tail;

@@ -23,6 +23,9 @@ struct HistoryLimits {
   std::size_t sum() const { return frames + moments + checkpoints; }
 };
 
+/// What a tail shows of an estimate: its mean, or nothing finite where it was only guessed.
+Eigen::Vector3d tailPlace(const TargetEstimate& estimate);
+
 /// What was believed at every frame tracked so far, and copies of the method from which any of them
 /// can be reached again. When the memory is used up, every second moment of the older half gives up
 /// its particles (never its estimate), and every second copy is given up. Used by one thread.
@@ -53,7 +56,7 @@ public:
   const Moment* newest() const { return moments_.empty() ? nullptr : &moments_.back(); }
   /// The first moment after this frame; null when there is none.
   const Moment* after(std::int64_t frame) const;
-  /// The estimates of a target up to and with this frame, the last `most` of them, oldest first.
+  /// The tailPlace() of a target up to and with this frame, the last `most` of them, oldest first.
   std::vector<Eigen::Vector3d> tail(std::size_t target, std::int64_t frame, std::size_t most) const;
 
   /// A state of the run from which a frame can be reached by tracking on.

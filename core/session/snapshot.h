@@ -23,7 +23,7 @@ struct TargetSnapshot {
   TargetEstimate estimate;
   Eigen::ArrayXXd particles;         ///< up to 10,000 rows x y z, metres
   Eigen::ArrayXd weights;            ///< one per row, linear
-  std::vector<Eigen::Vector3d> tail; ///< estimates of the last frames, oldest first
+  std::vector<Eigen::Vector3d> tail; ///< last frames' places, oldest first; NaN where not held
   std::optional<Eigen::Vector3d> truth;
   TargetStatus status = TargetStatus::Searching;
   std::optional<BoxBelief> box; ///< with methods of family Boxes, from the target's box on

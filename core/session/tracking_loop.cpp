@@ -232,7 +232,7 @@ void TrackingLoop::recordFrame() {
       tails_[k].clear();
       continue;
     }
-    tails_[k].push_back(run_->estimates()[k].mean);
+    tails_[k].push_back(tailPlace(run_->estimates()[k]));
     keepNewest(tails_[k], kTailLength);
   }
 }

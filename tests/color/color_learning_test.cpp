@@ -74,6 +74,76 @@ ColorSample clickAt(const cv::Mat& image, cv::Point at, bool excluded = false) {
   return *takeSample(image, place);
 }
 
+/// A sample of these colors, of so many pixels, that no image shows any more.
+ColorSample sampleOf(std::vector<BgrColor> colors, int area) {
+  ColorSample sample;
+  sample.colors = std::move(colors);
+  sample.area = area;
+  return sample;
+}
+
+// Four colors of the target, each on 1 % of its area; three of them are a quarter of the image
+// each. A range for one is the best there is: it holds a quarter of the target, F1 = 2 * 0.25
+// / 1.25, and nothing of the room. The range for all would hold three quarters of the room.
+TEST(ColorVerdict, SaysThatTheTargetIsMissedRatherThanTheRoomHit) {
+  const std::vector<cv::Scalar> floor{{40, 40, 160}, {40, 80, 160}, {40, 120, 160}};
+  cv::Mat image(240, 320, CV_8UC3, cv::Scalar(200, 60, 20));
+  for (int i = 0; i < 3; ++i) {
+    image(cv::Rect(80 * i, 0, 80, 240)).setTo(floor[std::size_t(i)]);
+  }
+  const auto samples =
+      std::vector{sampleOf({{40, 40, 160}, {40, 80, 160}, {40, 120, 160}, {40, 160, 160}}, 12)};
+  const auto learned = learnColor(samples, {image});
+  ASSERT_TRUE(learned);
+  EXPECT_NEAR(learned->verdict.targetShare, 0.25, 1e-9);
+  EXPECT_NEAR(learned->verdict.separability, 0.4, 1e-9);
+  EXPECT_EQ(learned->verdict.backgroundShare, 0.0);
+  EXPECT_TRUE(learned->verdict.missesTarget());
+  ASSERT_TRUE(learned->verdict.backgroundShareOfWhole);
+  EXPECT_NEAR(*learned->verdict.backgroundShareOfWhole, 0.75, 1e-9);
+
+  // A range by hand that holds the target: nothing is missed, much of the room is hit.
+  const auto all = judgeColor({0.0, 60.0, 0.1, 1.0, 0.1, 1.0}, samples, {image});
+  EXPECT_FALSE(all.missesTarget());
+  EXPECT_FALSE(all.backgroundShareOfWhole);
+  EXPECT_NEAR(all.backgroundShare, 0.75, 1e-9);
+}
+
+// Every tenth pixel in both directions has the target's color: 768 pixels beside a target of 1000
+// make F1 = 2000 / 2768, rounded 72. None of them is a thing, and nothing of the target is missed:
+// there is no advice to give.
+TEST(ColorVerdict, SpecklesInTheRoomAskForNothing) {
+  const BgrColor red{40, 40, 160};
+  cv::Mat image(240, 320, CV_8UC3, cv::Scalar(200, 60, 20));
+  for (int y = 0; y < image.rows; y += 10) {
+    for (int x = 0; x < image.cols; x += 10) {
+      image.at<cv::Vec3b>(y, x) = {red[0], red[1], red[2]};
+    }
+  }
+  const auto verdict =
+      judgeColor({350.0, 10.0, 0.1, 1.0, 0.1, 1.0}, {sampleOf({red}, 1000)}, {image});
+  EXPECT_EQ(verdict.score(), 72);
+  EXPECT_FALSE(verdict.missesTarget());
+  EXPECT_TRUE(verdict.lookAlikes.empty());
+  EXPECT_EQ(verdict.suggestion, Suggestion::None);
+}
+
+// 12 of 76,800 pixels are a speck, of which a range matches next to nothing.
+TEST(ColorVerdict, ASpeckIsNoThing) {
+  const cv::Mat image = room({});
+  std::vector<BgrColor> colors;
+  for (int x = 0; x < 320; x += 8) { // grays as everywhere
+    const auto& pixel = image.at<cv::Vec3b>(100, x);
+    colors.push_back({pixel[0], pixel[1], pixel[2]});
+  }
+  colors.push_back({10, 10, 200}); // and one of another color, which the range is for
+  const auto learned = learnColor({sampleOf(colors, 12)}, {image});
+  ASSERT_TRUE(learned);
+  EXPECT_LT(learned->verdict.separability, 0.1);
+  EXPECT_LT(learned->verdict.targetShare, 0.1);
+  EXPECT_EQ(learned->verdict.suggestion, Suggestion::ClickMore);
+}
+
 // Anywhere on a ball, the region is the ball: to within a rim of one pixel, which on a disc of 15
 // pixels is 13 % of its area.
 TEST(ColorSample, TheRegionIsTheWholeShadedBall) {

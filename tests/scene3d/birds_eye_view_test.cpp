@@ -216,6 +216,39 @@ private Q_SLOTS:
     QCOMPARE(blob(view_->currentPicture(), expected, 0.2 / scene.metresPerPixel()).count, 0);
   }
 
+  void aTailHasGapsWhereTheTargetWasNotHeld() {
+    auto whole = ballSnapshot();
+    auto torn = ballSnapshot();
+    // Away from ball and cloud, and not yet faded: the cloud's sigma is 0.08 m, a place of the tail
+    // every 0.03 m, the last of 40 at the ball.
+    for (std::size_t i = 23; i < 31; ++i) {
+      torn->targets[0].tail[i].setConstant(kNaN);
+    }
+    view_->show(whole);
+    const QImage before = view_->currentPicture();
+    const Scene3d& scene = view_->scene();
+    const auto at = [&](std::size_t i) {
+      const Eigen::Vector2d place = scene.placeInPicture(whole->targets[0].tail[i]);
+      return QPointF(before.width() / 2.0 + place.x(), before.height() / 2.0 - place.y());
+    };
+    const QPointF inGap = at(27);
+    const QPointF held = at(20);
+    QVERIFY(blob(before, inGap, 4.0).count > 0 && blob(before, held, 4.0).count > 0);
+    view_->show(torn);
+    const QImage after = view_->currentPicture();
+    QCOMPARE(blob(after, inGap, 4.0).count, 0);
+    QVERIFY(blob(after, held, 4.0).count > 0);
+  }
+
+  void numbersAreWrittenAsTheLanguageDoes() {
+    view_->setLocale(QLocale(QLocale::English));
+    const QImage english = view_->currentPicture();
+    view_->setLocale(QLocale(QLocale::German));
+    QVERIFY(view_->currentPicture() != english);
+    view_->setLocale(QLocale(QLocale::English));
+    QCOMPARE(view_->currentPicture(), english);
+  }
+
   void numbersThatAreNotFiniteAreLeftOut() {
     auto snapshot = ballSnapshot();
     TargetSnapshot& target = snapshot->targets[0];

@@ -6,6 +6,7 @@
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/plots/plot_panel.h"
+#include "ui/plots/plot_row.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/selection/selection.h"
 #include "ui/timeline/timeline.h"
@@ -42,6 +43,7 @@ private Q_SLOTS:
   void init();
   void curvesHaveTheRun();
   void everyPlotCanBeShown();
+  void ticksAreWrittenAsTheyAre();
   void pointerShowsOneMomentInAllViews();
   void wheelDragAndKeysMoveAlongTheAxis();
   void spanOfThePlotsIsSelectedInTheTable();
@@ -143,6 +145,32 @@ void PlotsTest::everyPlotCanBeShown() {
   action("actionPlotExistence")->trigger();
   action("actionPlotDuration")->trigger();
   QCOMPARE(plots().visiblePlots().size(), 4);
+}
+
+void PlotsTest::ticksAreWrittenAsTheyAre() {
+  auto* canvas = trajectory().plots().findChild<QCustomPlot*>(QStringLiteral("plotCanvas"));
+  QCPAxis* axis = canvas->axisRect(0)->axis(QCPAxis::atBottom);
+  const auto labels = [&](double end) {
+    QVector<double> ticks;
+    QVector<QString> texts;
+    axis->ticker()->generate(QCPRange(0.0, end), canvas->locale(), 'f', 0, ticks, nullptr, &texts);
+    for (qsizetype i = 0; i < ticks.size(); ++i) {
+      if (std::abs(canvas->locale().toDouble(texts[i]) - ticks[i]) > 1e-9) {
+        return QStringList{texts[i] + QStringLiteral(" is not ") + QString::number(ticks[i])};
+      }
+    }
+    return QStringList(texts.begin(), texts.end());
+  };
+  for (const double end : {0.13, 0.6, 2.0, 12.6, 37.0, 126.0, 4000.0}) {
+    const QStringList texts = labels(end);
+    QVERIFY2(texts.size() > 2, qPrintable(texts.join(QLatin1Char(' '))));
+  }
+  QVERIFY(labels(12.6).contains(QStringLiteral("2.5")));
+  QVERIFY(labels(12.6).contains(QStringLiteral("5.0")));
+  window_->setLocale(QLocale(QLocale::German));
+  QVERIFY(labels(12.6).contains(QStringLiteral("2,5")));
+  window_->setLocale(QLocale());
+  QVERIFY(labels(12.6).contains(QStringLiteral("2.5")));
 }
 
 void PlotsTest::pointerShowsOneMomentInAllViews() {

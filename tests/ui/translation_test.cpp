@@ -15,6 +15,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QHeaderView>
@@ -90,6 +91,7 @@ private Q_SLOTS:
   void everyTextOfTheWindowIsTranslated();
   void everyTextFollowsAChangeOfLanguage();
   void theLanguageIsUsed();
+  void methodsAreCalledTheSameEverywhere();
   void numbersFollowTheLanguage();
   void titlesOfTheGapsAreWhole();
   void anErrorIsTranslatedButNotItsFileAndField();
@@ -175,6 +177,17 @@ void TranslationTest::theLanguageIsUsed() {
   QCOMPARE(QLocale().toString(0.5, 'f', 1), QStringLiteral("0,5"));
 }
 
+void TranslationTest::methodsAreCalledTheSameEverywhere() {
+  useLanguage(QStringLiteral("de"));
+  MainWindow window(&openProject);
+  openDemo(window);
+  const auto* choice = window.findChild<QComboBox*>(QStringLiteral("methodChoice"));
+  QVERIFY(choice->count() > 1);
+  for (int i = 0; i < choice->count(); ++i) {
+    QCOMPARE(choice->itemText(i), choice->itemData(i).toString());
+  }
+}
+
 void TranslationTest::numbersFollowTheLanguage() {
   useLanguage(QStringLiteral("en"));
   MainWindow window(&openProject);
@@ -183,8 +196,16 @@ void TranslationTest::numbersFollowTheLanguage() {
   QVERIFY(box != nullptr);
   QVERIFY(window.document().setParameter("kld_error", 0.15));
   QCOMPARE(box->text(), QStringLiteral("0.15"));
+  auto* saturation = window.findChild<QDoubleSpinBox*>(QStringLiteral("saturationFrom"));
+  saturation->setValue(0.25);
+  window.findChild<QAction*>(QStringLiteral("actionShortcuts"))->trigger();
+  auto* note = window.findChild<QLabel*>(QStringLiteral("shortcutNote"));
+  const QString english = note->text();
   window.setLanguage(QStringLiteral("de"));
   QTRY_COMPARE_WITH_TIMEOUT(box->text(), QStringLiteral("0,15"), kPatienceMs);
+  QCOMPARE(saturation->text(), QStringLiteral("0,25"));
+  QTRY_VERIFY_WITH_TIMEOUT(note->text() != english, kPatienceMs);
+  note->window()->close();
   // Both signs are understood, and shown as the language's own.
   const auto type = [&](const char* text) {
     box->setFocus();

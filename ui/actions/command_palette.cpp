@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPixmap>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -22,33 +23,80 @@ constexpr int kWidth = 520;
 constexpr int kRows = 12;
 constexpr int kRowHeight = 28;
 
+constexpr int kAtStart = 40; ///< what a word counts that begins one of the text
+
 QString plainText(const QAction& action) {
   return action.text().remove(QLatin1Char('&'));
 }
 
-} // namespace
+/// Languages without spaces have no other beginnings of words.
+bool isWithoutSpaces(QChar letter) {
+  switch (letter.script()) {
+  case QChar::Script_Han:
+  case QChar::Script_Hiragana:
+  case QChar::Script_Katakana:
+    return true;
+  default:
+    return false;
+  }
+}
 
-int fitOf(const QString& search, const QString& text) {
+bool startsWord(const QString& text, qsizetype place) {
+  return place == 0 || !text[place - 1].isLetterOrNumber() || isWithoutSpaces(text[place]);
+}
+
+/// How well one word fits: best where a word begins; negative when it is not there.
+int fitOfWord(const QString& word, const QString& text) {
+  constexpr int kInside = 10;
+  int fit = -1;
+  for (qsizetype place = text.indexOf(word, 0, Qt::CaseInsensitive); place >= 0 && fit < kAtStart;
+       place = text.indexOf(word, place + 1, Qt::CaseInsensitive)) {
+    fit = startsWord(text, place) ? kAtStart : kInside;
+  }
+  return fit;
+}
+
+/// All letters in order, the better the closer together and the nearer to beginnings of words.
+int scatteredFit(const QString& letters, const QString& text) {
   constexpr int kWordStart = 8;
   constexpr int kNeighbor = 5;
   int fit = 0;
   qsizetype from = 0;
   qsizetype previous = -2;
-  for (const QChar letter : search) {
-    if (letter.isSpace()) {
-      continue;
-    }
+  for (const QChar letter : letters) {
     const qsizetype found = text.indexOf(letter, from, Qt::CaseInsensitive);
     if (found < 0) {
-      return -1;
+      return kNoFit;
     }
-    const bool startsWord = found == 0 || !text[found - 1].isLetterOrNumber();
-    fit += 1 + (startsWord ? kWordStart : 0) + (found == previous + 1 ? kNeighbor : 0);
+    fit += 1 + (startsWord(text, found) ? kWordStart : 0) + (found == previous + 1 ? kNeighbor : 0);
     previous = found;
     from = found + 1;
   }
-  const bool whole = !search.isEmpty() && text.contains(search.trimmed(), Qt::CaseInsensitive);
-  return whole ? fit + 100 : fit;
+  return fit + kNoFit / 2;
+}
+
+} // namespace
+
+int fitOf(const QString& search, const QString& text) {
+  static const QRegularExpression between(QStringLiteral("[\\s›]+"));
+  const QStringList words = search.split(between, Qt::SkipEmptyParts);
+  constexpr int kAsTyped = 5;
+  int fit = text.contains(search.trimmed(), Qt::CaseInsensitive) ? kAsTyped : 0;
+  for (const QString& word : words) {
+    const int one = fitOfWord(word, text);
+    if (one < 0) {
+      return scatteredFit(words.join(QString()), text);
+    }
+    fit += one;
+  }
+  return fit;
+}
+
+void dropScattered(std::vector<int>& fits) {
+  if (std::ranges::any_of(fits, [](int fit) { return fit >= 0; })) {
+    std::ranges::replace_if(
+        fits, [](int fit) { return fit < 0; }, kNoFit);
+  }
 }
 
 CommandPalette::CommandPalette(ActionRegistry& registry, QWidget* window)
@@ -108,26 +156,37 @@ void CommandPalette::open() {
   search_->setFocus();
 }
 
+/// The name counts most, then the group it is in, then what else is known of an action.
+int CommandPalette::fitOf(const QString& search, const Entry& entry) {
+  const QString path = entry.group + QLatin1Char(' ') + entry.name;
+  const int byName = dewpoint::fitOf(search, entry.name);
+  const int byPath = dewpoint::fitOf(search, path);
+  if (byPath >= 0) {
+    return std::max(3 * byName, 2 * byPath);
+  }
+  const int byHint = dewpoint::fitOf(search, path + QLatin1Char(' ') + entry.hint);
+  // Of a whole sentence beginnings of words count, no letters in the midst of one ("this").
+  return byHint >= kAtStart ? byHint : byPath;
+}
+
 void CommandPalette::filter(const QString& search) {
-  struct Row {
-    int fit;
-    int entry;
-  };
-  std::vector<Row> rows;
-  for (int i = 0; i < static_cast<int>(entries_.size()); ++i) {
-    const Entry& entry = entries_[static_cast<std::size_t>(i)];
-    // The name counts twice as much as what else is known of an action.
-    const int byHint = fitOf(search, entry.group + QLatin1Char(' ') + entry.hint);
-    if (const int fit = std::max(2 * fitOf(search, entry.name), byHint); fit >= 0) {
-      rows.push_back({fit, i});
+  std::vector<int> fits;
+  for (const Entry& entry : entries_) {
+    fits.push_back(fitOf(search, entry));
+  }
+  dropScattered(fits);
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (fits[i] != kNoFit) {
+      rows.push_back(i);
     }
   }
-  std::ranges::stable_sort(rows, std::greater{}, &Row::fit);
+  std::ranges::stable_sort(rows, std::greater{}, [&](std::size_t row) { return fits[row]; });
   list_->clear();
   QPixmap nothingDrawn(list_->iconSize());
   nothingDrawn.fill(Qt::transparent); // so that all names begin in one line
-  for (const Row& row : rows) {
-    const Entry& entry = entries_[static_cast<std::size_t>(row.entry)];
+  for (const std::size_t row : rows) {
+    const Entry& entry = entries_[row];
     auto* item = new QListWidgetItem(
         entry.icon.isNull() ? QIcon(nothingDrawn) : entry.icon,
         entry.group + QStringLiteral(" › ") + entry.name +
@@ -135,7 +194,7 @@ void CommandPalette::filter(const QString& search) {
         list_);
     item->setSizeHint({0, kRowHeight});
     item->setToolTip(entry.hint);
-    item->setData(Qt::UserRole, row.entry);
+    item->setData(Qt::UserRole, static_cast<int>(row));
   }
   if (rows.empty()) {
     auto* nothing = new QListWidgetItem(tr("Nothing here is called “%1”.").arg(search), list_);
@@ -143,7 +202,8 @@ void CommandPalette::filter(const QString& search) {
     nothing->setFlags(Qt::NoItemFlags);
     return;
   }
-  list_->setCurrentRow(0);
+  // Enter alone does nothing: something is to be typed, or gone to, first.
+  list_->setCurrentRow(search.trimmed().isEmpty() ? -1 : 0);
 }
 
 void CommandPalette::runCurrent() {

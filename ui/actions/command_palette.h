@@ -41,6 +41,7 @@ protected:
 
 private:
   void filter(const QString& search);
+  static int fitOf(const QString& search, const Entry& entry);
   void runCurrent();
   std::vector<Entry> everything() const;
 
@@ -51,8 +52,15 @@ private:
   std::vector<Entry> entries_; ///< while it is open
 };
 
-/// How well `search` fits `text`: every letter in order, better the closer together and the nearer
-/// to beginnings of words; negative when it does not fit. Case does not count.
+/// No fit at all; one whose letters are scattered over the text is above it and below 0.
+constexpr int kNoFit = -1'000'000;
+
+/// How well `search` fits `text`. From 0 on: all words of it are found, in any order, best at
+/// beginnings of words. Below: all its letters are found in order, as in "sm" for "Show mask".
+/// Case does not count.
 int fitOf(const QString& search, const QString& text);
+
+/// Where words were found, scattered letters are no fit.
+void dropScattered(std::vector<int>& fits);
 
 } // namespace dewpoint

@@ -15,6 +15,9 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include <utility>
+#include <vector>
+
 namespace dewpoint {
 
 namespace {
@@ -67,27 +70,31 @@ ShortcutEditor::ShortcutEditor(ActionRegistry& registry, QWidget* parent)
     resetAll_->setText(tr("Reset all"));
     resetAll_->setToolTip(tr("All shortcuts as they were at first"));
     fill();
+    if (noteWords_) {
+      note_->setText(noteWords_());
+    }
   });
-  say(tr("Choose an action, click into the field below and press the new keys."));
+  say([] { return tr("Choose an action, click into the field below and press the new keys."); });
   connect(search_, &QLineEdit::textChanged, this, &ShortcutEditor::filter);
   connect(tree_, &QTreeWidget::currentItemChanged, this, &ShortcutEditor::showCurrent);
   connect(keys_, &QKeySequenceEdit::editingFinished, this, &ShortcutEditor::assign);
   connect(clear_, &QPushButton::clicked, this, [this] {
     if (QAction* action = current()) {
       registry_.setShortcut(action, {});
-      say(tr("“%1” has no shortcut now.").arg(action->text()));
+      say([action] { return tr("“%1” has no shortcut now.").arg(action->text()); });
     }
   });
   connect(resetAll_, &QPushButton::clicked, this, [this] {
     registry_.resetShortcuts();
-    say(tr("All shortcuts are as they were at first."));
+    say([] { return tr("All shortcuts are as they were at first."); });
   });
   connect(&registry_, &ActionRegistry::shortcutsChanged, this, &ShortcutEditor::fill);
   resize(680, 560);
 }
 
-void ShortcutEditor::say(const QString& text) {
-  note_->setText(text);
+void ShortcutEditor::say(std::function<QString()> words) {
+  noteWords_ = std::move(words);
+  note_->setText(noteWords_());
 }
 
 void ShortcutEditor::fill() {
@@ -110,9 +117,14 @@ void ShortcutEditor::fill() {
 }
 
 void ShortcutEditor::filter(const QString& search) {
+  std::vector<int> fits;
   for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
-    QTreeWidgetItem* item = tree_->topLevelItem(i);
-    item->setHidden(fitOf(search, item->text(kName) + QLatin1Char(' ') + item->text(kKeys)) < 0);
+    const QTreeWidgetItem* item = tree_->topLevelItem(i);
+    fits.push_back(fitOf(search, item->text(kName) + QLatin1Char(' ') + item->text(kKeys)));
+  }
+  dropScattered(fits);
+  for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
+    tree_->topLevelItem(i)->setHidden(fits[static_cast<std::size_t>(i)] == kNoFit);
   }
 }
 
@@ -138,10 +150,12 @@ void ShortcutEditor::assign() {
   }
   const QAction* holder = registry_.holderOf(keys, action);
   const QString shown = keys.toString(QKeySequence::NativeText);
-  const QString taken = holder == nullptr ? QString() : holder->text();
   registry_.setShortcut(action, keys);
-  say(taken.isEmpty() ? tr("“%1” is now %2.").arg(action->text(), shown)
-                      : tr("“%1” is now %2; “%3” has lost it.").arg(action->text(), shown, taken));
+  say([action, holder, shown] {
+    return holder == nullptr
+               ? tr("“%1” is now %2.").arg(action->text(), shown)
+               : tr("“%1” is now %2; “%3” has lost it.").arg(action->text(), shown, holder->text());
+  });
 }
 
 } // namespace dewpoint

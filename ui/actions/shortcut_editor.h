@@ -3,6 +3,8 @@
 
 #include <QDialog>
 
+#include <functional>
+
 class QKeySequenceEdit;
 class QLabel;
 class QLineEdit;
@@ -27,7 +29,8 @@ private:
   QAction* current() const;
   void showCurrent();
   void assign();
-  void say(const QString& text);
+  /// Writes below what `words` returns, and again in every other language.
+  void say(std::function<QString()> words);
 
   ActionRegistry& registry_;
   QLineEdit* search_;
@@ -36,6 +39,7 @@ private:
   QPushButton* clear_;
   QPushButton* resetAll_;
   QLabel* note_;
+  std::function<QString()> noteWords_;
 };
 
 } // namespace dewpoint

@@ -6,6 +6,7 @@
 
 #include <QEvent>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QSurfaceFormat>
@@ -52,6 +53,7 @@ BirdsEyeView::BirdsEyeView(QWidget* parent) : QWidget(parent) {
   makeButtons();
   retranslate();
   applyTheme();
+  applyLocale();
 }
 
 BirdsEyeView::~BirdsEyeView() = default;
@@ -280,9 +282,16 @@ void BirdsEyeView::changeEvent(QEvent* event) {
     applyTheme();
   } else if (event->type() == QEvent::LanguageChange) {
     retranslate();
+  } else if (event->type() == QEvent::LocaleChange) {
+    applyLocale();
   } else if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
     placeButtons();
   }
+}
+
+void BirdsEyeView::applyLocale() {
+  scene_.setDecimalPoint(locale().decimalPoint().toStdString());
+  requestPicture();
 }
 
 void BirdsEyeView::applyTheme() {

@@ -24,6 +24,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace dewpoint {
@@ -217,7 +218,9 @@ void ColorPanel::refresh() {
     return;
   }
   picker_->setEnabled(any);
-  if (any) {
+  if (!any) {
+    judged_ = false; // it was of a target that is no more
+  } else {
     const Target& target = targets[static_cast<std::size_t>(target_)];
     if (!(target.color == picker_->range())) {
       judged_ = false;
@@ -280,9 +283,12 @@ void ColorPanel::refreshSamples() {
       const QString name = camera < project.cameras.size()
                                ? QString::fromStdString(project.cameras[camera].camera.name)
                                : QString::number(sample.camera + 1);
-      const QString frame = QString::number(sample.frame + 1);
-      samples_->addItem(sample.excluded ? tr("not this: %1, frame %2").arg(name, frame)
-                                        : tr("%1, frame %2").arg(name, frame));
+      const QString text =
+          sample.excluded ? tr("not this: %1, frame %2, at %3, %4") : tr("%1, frame %2, at %3, %4");
+      samples_->addItem(text.arg(name)
+                            .arg(sample.frame + 1)
+                            .arg(std::lround(sample.x + sample.width / 2.0))
+                            .arg(std::lround(sample.y + sample.height / 2.0)));
     }
   }
   samples_->setCurrentRow(std::min(row, samples_->count() - 1));
@@ -325,6 +331,9 @@ void ColorPanel::sayVerdict() {
 }
 
 void ColorPanel::showVerdict(const ColorVerdict& verdict) {
+  if (!picker_->isEnabled()) {
+    return; // its target has gone meanwhile
+  }
   judged_ = true;
   judgedFrame_ = snapshot_ ? snapshot_->frame : -1;
   outlined_ = true;

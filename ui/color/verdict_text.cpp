@@ -5,8 +5,6 @@
 #include <QLocale>
 #include <QStringList>
 
-#include <cmath>
-
 namespace dewpoint {
 
 namespace {
@@ -28,14 +26,12 @@ QString placeName(HorizontalPlace horizontal, VerticalPlace vertical) {
   return Words::tr(kPlaces[static_cast<int>(vertical)][static_cast<int>(horizontal)]);
 }
 
-QString separationSentence(double separability) {
-  const int percent = static_cast<int>(std::lround(100.0 * separability));
-  const char* text =
-      separability >= 0.9   ? QT_TRANSLATE_NOOP("Verdict", "Stands out well: %1 of 100.")
-      : separability >= 0.7 ? QT_TRANSLATE_NOOP("Verdict", "Stands out: %1 of 100.")
-      : separability >= 0.4 ? QT_TRANSLATE_NOOP("Verdict", "Hard to tell apart: %1 of 100.")
-                            : QT_TRANSLATE_NOOP("Verdict", "Hardly stands out: %1 of 100.");
-  return Words::tr(text).arg(percent);
+QString separationSentence(int score) {
+  const char* text = score >= 90   ? QT_TRANSLATE_NOOP("Verdict", "Stands out well: %1 of 100.")
+                     : score >= 70 ? QT_TRANSLATE_NOOP("Verdict", "Stands out: %1 of 100.")
+                     : score >= 40 ? QT_TRANSLATE_NOOP("Verdict", "Hard to tell apart: %1 of 100.")
+                                   : QT_TRANSLATE_NOOP("Verdict", "Hardly stands out: %1 of 100.");
+  return Words::tr(text).arg(score);
 }
 
 QString suggestionSentence(Suggestion suggestion) {
@@ -53,13 +49,35 @@ QString suggestionSentence(Suggestion suggestion) {
   case Suggestion::UseStrongerColor:
     return Words::tr("The target is nearly gray: a stronger color would help.");
   case Suggestion::UseAnotherColor:
-    return Words::tr("Much of the room has this color: another one would help.");
+    return Words::tr("Several things have this color: another one would help.");
   case Suggestion::ClickThingItself:
     return Words::tr("This fills much of the image: click the thing itself, or drag a box on it.");
+  case Suggestion::ClickMore:
+    return Words::tr("Only a speck was clicked: drag a box on the whole thing.");
   case Suggestion::None:
     break;
   }
   return {};
+}
+
+QString shareText(double share, int decimals) {
+  return QLocale().toString(100.0 * share, 'f', decimals);
+}
+
+/// What the score is made of: the target that does not match, the background that does.
+QString sharesSentence(const ColorVerdict& verdict) {
+  const QString background = shareText(verdict.backgroundShare, 2);
+  if (!verdict.missesTarget()) {
+    return Words::tr("%1 % of the background matches too.").arg(background);
+  }
+  const QString few = Words::tr("Only %1 % of the target and %2 % of the background match.")
+                          .arg(shareText(verdict.targetShare, 0), background);
+  const double whole = verdict.backgroundShareOfWhole.value_or(0.0);
+  return whole > verdict.backgroundShare
+             ? few + QLatin1Char(' ') +
+                   Words::tr("A range for all of the target would match %1 % of the background.")
+                       .arg(shareText(whole, 2))
+             : few;
 }
 
 } // namespace
@@ -79,11 +97,9 @@ QString verdictText(const ColorVerdict& verdict, const std::vector<QString>& cam
   if (!verdict.targetKnown) {
     return Words::tr(
                "%1 % of the images match. Shift-click the target to learn how well it stands out.")
-        .arg(QLocale().toString(100.0 * verdict.backgroundShare, 'f', 2));
+        .arg(shareText(verdict.backgroundShare, 2));
   }
-  QStringList sentences{separationSentence(verdict.separability)};
-  sentences << Words::tr("%1 % of the background matches too.")
-                   .arg(QLocale().toString(100.0 * verdict.backgroundShare, 'f', 2));
+  QStringList sentences{separationSentence(verdict.score()), sharesSentence(verdict)};
   if (verdict.sampleLeftOut) {
     sentences << Words::tr("One sample does not go with the others: no single range holds both.");
   }

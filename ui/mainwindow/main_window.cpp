@@ -155,6 +155,7 @@ void MainWindow::adoptInputs(SessionInputs inputs) {
   }
   clearViews();
   const Opening opening = std::exchange(opening_, {});
+  messages_->forget(!opening.keepHistory);
   if (!opening.keepHistory) {
     document_->replace(inputs.project, opening.unsaved);
     rememberOpened(inputs.project);

@@ -75,6 +75,12 @@ void MessageBar::close() {
   }
 }
 
+void MessageBar::forget(bool notices) {
+  if (isVisible() && answers_.empty() && (isError_ || notices)) {
+    close();
+  }
+}
+
 void MessageBar::askUntilAnswered(const QString& question, const std::vector<Answer>& answers) {
   pending_ = Question{question, answers};
   ask(question, answers);

@@ -35,6 +35,9 @@ public:
   QString text() const;
   /// Takes away what it says.
   void close();
+  /// Other work has begun: an error is over, and with `notices` so is what was worth knowing.
+  /// Questions stay.
+  void forget(bool notices);
   /// Its place is below this sibling, in the middle of the window.
   void keepBelow(QWidget* above);
 

@@ -29,6 +29,47 @@ protected:
   }
 };
 
+/// Labels with the decimals that the step between them has: 2.5, 5.0, 7.5.
+class StepTicker : public QCPAxisTicker {
+public:
+  void setWhole(bool whole) { whole_ = whole; }
+
+protected:
+  double getTickStep(const QCPRange& range) override {
+    const double step = QCPAxisTicker::getTickStep(range);
+    if (!whole_ || step == std::round(step)) {
+      return step;
+    }
+    return step < 1.0 ? 1.0 : 2.0 * step; // 2.5
+  }
+  QVector<double> createTickVector(double step, const QCPRange& range) override {
+    step_ = step;
+    return QCPAxisTicker::createTickVector(step, range);
+  }
+  QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
+    constexpr double kLong = 1e5; // those and the tiniest are written with a power of ten
+    constexpr int kMostDecimals = 4;
+    const int decimals = decimalsOf(step_);
+    if (std::abs(tick) >= kLong || decimals > kMostDecimals) {
+      return QCPAxisTicker::getTickLabel(tick, locale, format, precision);
+    }
+    return locale.toString(std::abs(tick) < 1e-6 * step_ ? 0.0 : tick, 'f', decimals);
+  }
+
+private:
+  static int decimalsOf(double step) {
+    int decimals = 0;
+    for (double scaled = step; std::abs(scaled - std::round(scaled)) > 1e-6 && decimals < 9;
+         scaled *= 10.0) {
+      ++decimals;
+    }
+    return decimals;
+  }
+
+  bool whole_ = false;
+  double step_ = 1.0;
+};
+
 /// The next round number (1, 2, 5 times a power of ten) at or above a positive one.
 double roundedUp(double value) {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));
@@ -147,11 +188,13 @@ void PlotRow::prepareAxes() {
     y->setTicker(QSharedPointer<DecadeTicker>::create());
     y->setRange(1.0, 1000.0);
   } else {
+    y->setTicker(QSharedPointer<StepTicker>::create());
     y->ticker()->setTickCount(2);
   }
   QCPAxis* x = xAxis();
-  x->setNumberFormat(QStringLiteral("f"));
-  x->setNumberPrecision(0);
+  x->setTicker(QSharedPointer<StepTicker>::create());
+  x->setNumberFormat(QStringLiteral("gb"));
+  x->setNumberPrecision(5);
   x->setSubTicks(false);
   x->setTickLength(0, 3);
   x->ticker()->setTickStepStrategy(QCPAxisTicker::tssReadability);
@@ -163,6 +206,7 @@ void PlotRow::prepareAxes() {
 }
 
 void PlotRow::fill(const PlotSeries& series, PlotAxis axis) {
+  static_cast<StepTicker&>(*xAxis()->ticker()).setWhole(axis != PlotAxis::Time);
   const QCPRange range = xAxis()->range();
   double least = std::numeric_limits<double>::infinity();
   double most = -least;

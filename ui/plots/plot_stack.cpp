@@ -155,8 +155,6 @@ void PlotStack::draw() {
   }
   for (const auto& row : rows_) {
     row->xAxis()->setRange(lower, upper);
-    const int decimals = axis_ == PlotAxis::Time && upper - lower < 8.0 ? 1 : 0;
-    row->xAxis()->setNumberPrecision(decimals);
     row->fill(*series_, axis_);
   }
   drawCursor();
@@ -320,6 +318,11 @@ QStringList PlotStack::visiblePlots() const {
 
 void PlotStack::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
+  if (event->type() == QEvent::LocaleChange) { // the plot has one of its own
+    QLocale numbers = locale();
+    numbers.setNumberOptions(plot_->locale().numberOptions());
+    plot_->setLocale(numbers);
+  }
   if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange ||
       event->type() == QEvent::LocaleChange) {
     applyPalette();

@@ -46,8 +46,12 @@ double numberStep(double size, double majorStep) {
   return majorStep * 100.0;
 }
 
-std::string metres(double value, double step) {
-  return fmt::format("{:.{}f}", value == 0.0 ? 0.0 : value, step < 0.95 ? 1 : 0);
+std::string metres(double value, double step, const std::string& decimalPoint) {
+  std::string text = fmt::format("{:.{}f}", value == 0.0 ? 0.0 : value, step < 0.95 ? 1 : 0);
+  if (const auto point = text.find('.'); point != std::string::npos) {
+    text.replace(point, 1, decimalPoint);
+  }
+  return text;
 }
 
 // Of the extent's size: the plane lies so far below the lines, and below what is lowest.
@@ -128,11 +132,11 @@ void Ground::drawNumbers() {
       const double value = static_cast<double>(i) * numberStep_;
       Eigen::Vector3d point(low.x(), low.y(), 0.0);
       point[axis] = value;
+      const std::string text = metres(value, numberStep_, decimalPoint_) + (i == last ? " m" : "");
       if (axis == 0) {
-        numbers_[0].add(metres(value, numberStep_) + (i == last ? " m" : ""), point, 11.0, 0.0,
-                        -1.0);
+        numbers_[0].add(text, point, 11.0, 0.0, -1.0);
       } else {
-        numbers_[axis].add(metres(value, numberStep_) + (i == last ? " m" : ""), point, 11.0, -0.6);
+        numbers_[axis].add(text, point, 11.0, -0.6);
       }
     }
   }
@@ -157,6 +161,13 @@ void Ground::drawAxes() {
     strokes.writeTo(axisData_[axis]);
     names_[axis].clear();
     names_[axis].add(kAxisNames[axis], base + Eigen::Vector3d::Unit(axis) * length * 1.12, 12.0);
+  }
+}
+
+void Ground::setDecimalPoint(const std::string& sign) {
+  if (sign != decimalPoint_) {
+    decimalPoint_ = sign;
+    drawNumbers();
   }
 }
 

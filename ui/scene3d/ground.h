@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <vtkPolyData.h>
 
+#include <string>
+
 namespace dewpoint {
 
 /// The floor z = 0: a faint plane, lines every 0.1 m or 1 m, numbers in metres along two edges, and
@@ -18,6 +20,8 @@ public:
   /// lies below `lowest`, so that it hides nothing from above where the world's z = 0 is no floor.
   /// Metres.
   void cover(const Eigen::AlignedBox2d& extent, double height, double lowest = 0.0);
+  /// The sign between whole and parts of the numbers.
+  void setDecimalPoint(const std::string& sign);
   void setPalette(const ScenePalette& palette);
   void prepareFrame(const ScreenScale& scale);
   /// What the floor covers, after rounding.
@@ -50,6 +54,7 @@ private:
   double majorStep_ = 1.0;
   double minorStep_ = 0.1;
   double numberStep_ = 1.0;
+  std::string decimalPoint_ = ".";
 };
 
 } // namespace dewpoint

@@ -24,6 +24,11 @@ void Scene3d::setTheme(bool dark) {
   parts_->applyPalette();
 }
 
+void Scene3d::setDecimalPoint(const std::string& sign) {
+  parts_->ground.setDecimalPoint(sign);
+  parts_->applyPalette(); // new texts take its colors
+}
+
 void Scene3d::setPixelRatio(double ratio) {
   parts_->scale.pixelRatio = std::isfinite(ratio) && ratio > 0.0 ? ratio : 1.0;
 }

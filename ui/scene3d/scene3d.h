@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 class vtkRenderer;
@@ -32,6 +33,8 @@ public:
   /// Owned by the scene.
   vtkRenderer* renderer();
   void setTheme(bool dark);
+  /// The sign between whole and parts of numbers, as the person's language writes it.
+  void setDecimalPoint(const std::string& sign);
   /// Device pixels per logical pixel: line widths and text sizes follow.
   void setPixelRatio(double ratio);
   /// Shows one moment. Values that are not finite are left out. The first snapshot with something

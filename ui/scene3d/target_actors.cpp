@@ -71,6 +71,10 @@ std::array<unsigned char, 3> bytes(const SceneColor& color) {
   return result;
 }
 
+bool isFinite(const Eigen::Vector3d& point) {
+  return point.allFinite();
+}
+
 } // namespace
 
 TargetActors::TargetActors(vtkRenderer* renderer, std::size_t index)
@@ -221,24 +225,28 @@ void TargetActors::showEllipsoid(const TargetEstimate& estimate) {
 void TargetActors::showTail(const TargetSnapshot& target) {
   vtkNew<vtkUnsignedCharArray> fade;
   fade->SetNumberOfComponents(4);
-  std::vector<Eigen::Vector3d> points;
-  for (const Eigen::Vector3d& point : target.tail) {
-    if (point.allFinite()) {
-      points.push_back(point);
-    }
-  }
   const auto rgb = bytes(color_);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double age = 1.0 - static_cast<double>(i + 1) / static_cast<double>(points.size());
-    const std::array<unsigned char, 4> rgba{rgb[0], rgb[1], rgb[2],
-                                            static_cast<unsigned char>(255.0 * (1.0 - 0.85 * age))};
-    fade->InsertNextTypedTuple(rgba.data());
-  }
   Strokes strokes;
-  strokes.polyline(points);
+  bool any = false;
+  // One stroke for each stretch in which the target was held: nothing is known of what is between.
+  for (auto begin = target.tail.begin(); begin != target.tail.end();) {
+    const auto end = std::find_if_not(begin, target.tail.end(), isFinite);
+    if (end - begin > 1) {
+      strokes.polyline({begin, end});
+      any = true;
+      for (auto point = begin; point != end; ++point) {
+        const double age = static_cast<double>(target.tail.end() - point - 1) /
+                           static_cast<double>(target.tail.size());
+        const std::array<unsigned char, 4> rgba{
+            rgb[0], rgb[1], rgb[2], static_cast<unsigned char>(255.0 * (1.0 - 0.85 * age))};
+        fade->InsertNextTypedTuple(rgba.data());
+      }
+    }
+    begin = std::find_if(end, target.tail.end(), isFinite);
+  }
   strokes.writeTo(tailData_);
-  tailData_->GetPointData()->SetScalars(points.size() > 1 ? fade.Get() : nullptr);
-  tail_->SetVisibility(points.size() > 1);
+  tailData_->GetPointData()->SetScalars(any ? fade.Get() : nullptr);
+  tail_->SetVisibility(any);
 }
 
 void TargetActors::showTruth(const TargetSnapshot& target) {

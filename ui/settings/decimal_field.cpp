@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/settings/decimal_field.h"
 
+#include <QEvent>
 #include <QLocale>
+#include <QSignalBlocker>
 
 namespace dewpoint {
 
@@ -20,6 +22,14 @@ QString DecimalField::localized(const QString& text) const {
     number.replace(place, 1, point);
   }
   return hasUnit ? number + suffix() : number;
+}
+
+void DecimalField::changeEvent(QEvent* event) {
+  QDoubleSpinBox::changeEvent(event);
+  if (event->type() == QEvent::LocaleChange) {
+    const QSignalBlocker quiet(this);
+    setValue(value()); // writes it anew
+  }
 }
 
 QValidator::State DecimalField::validate(QString& text, int& position) const {

@@ -14,6 +14,9 @@ public:
   QValidator::State validate(QString& text, int& position) const override;
   double valueFromText(const QString& text) const override;
 
+protected:
+  void changeEvent(QEvent* event) override;
+
 private:
   QString localized(const QString& text) const;
 };

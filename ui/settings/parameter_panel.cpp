@@ -64,8 +64,8 @@ void ParameterPanel::addMethodChoice() {
   choice->setToolTip(
       tr("How the targets are tracked. Another method begins anew; the rest stays."));
   for (const std::string& name : projectMethodNames()) {
-    choice->addItem(QCoreApplication::translate("Method", name.c_str()),
-                    QString::fromStdString(name));
+    // A name as in files and on the command line, in no language.
+    choice->addItem(QString::fromStdString(name), QString::fromStdString(name));
   }
   choice->setCurrentIndex(choice->findData(QString::fromStdString(document_.project().method)));
   connect(choice, &QComboBox::activated, this, [this, choice](int index) {

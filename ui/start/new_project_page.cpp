@@ -7,6 +7,7 @@
 
 #include <QCollator>
 #include <QDir>
+#include <QDirIterator>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -15,6 +16,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QMimeDatabase>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -44,6 +46,42 @@ enum Column { kName, kSource };
 
 bool isImages(const QString& location) {
   return guessedSource(location.toStdString()) == SourceKind::Images;
+}
+
+bool isOfKind(const QMimeType& type, const QString& kind) {
+  return type.name().startsWith(kind) ||
+         std::ranges::any_of(type.allAncestors(),
+                             [&](const QString& name) { return name.startsWith(kind); });
+}
+
+/// Whether a file can be what a camera recorded, by what it begins with and how it is called.
+bool isFootage(const QString& file) {
+  static const QStringList kUnknownToDesktops{
+      QStringLiteral("264"),  QStringLiteral("h264"), QStringLiteral("265"),
+      QStringLiteral("h265"), QStringLiteral("hevc"), QStringLiteral("ivf"),
+      QStringLiteral("y4m"),  QStringLiteral("mxf"),  QStringLiteral("mjpeg")};
+  const QMimeType type = QMimeDatabase().mimeTypeForFile(file);
+  return isOfKind(type, QStringLiteral("video/")) || isOfKind(type, QStringLiteral("image/")) ||
+         isOfKind(type, QStringLiteral("application/x-matroska")) ||
+         kUnknownToDesktops.contains(QFileInfo(file).suffix().toLower());
+}
+
+/// Whether a dropped file or folder can be a camera; what is missing is said when it is opened.
+bool showsImages(const QString& location) {
+  const QFileInfo info(location);
+  if (!info.isDir()) {
+    return !info.exists() || location.startsWith(QStringLiteral("/dev/")) || isFootage(location);
+  }
+  QDirIterator files(location, QDir::Files);
+  while (files.hasNext()) {
+    if (QMimeDatabase()
+            .mimeTypeForFile(files.next(), QMimeDatabase::MatchExtension)
+            .name()
+            .startsWith(QStringLiteral("image/"))) {
+      return true;
+    }
+  }
+  return false;
 }
 
 } // namespace
@@ -178,12 +216,19 @@ void NewProjectPage::begin(const QStringList& files) {
 }
 
 void NewProjectPage::addFiles(const QStringList& files) {
+  QStringList refused;
   for (const QString& file : inOrder(files)) {
     if (file.endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive)) {
       setCalibration(file);
+    } else if (!showsImages(file)) {
+      refused << QFileInfo(file).fileName();
     } else if (!isListed(file)) { // dropped twice it is still one camera
       add(file);
     }
+  }
+  if (!refused.isEmpty()) {
+    Q_EMIT failed(tr("Neither a video, nor images, nor a calibration: %1.")
+                      .arg(refused.join(QStringLiteral(", "))));
   }
 }
 

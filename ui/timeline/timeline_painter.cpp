@@ -154,16 +154,20 @@ void paintAxis(QPainter& painter, const TimelineModel& model, const TimelineScal
       roundStep(perSecond, metrics.horizontalAdvance(QStringLiteral("00:00.00")) + 24);
   const double left = scale.x(static_cast<double>(scale.first()));
   QColor line = palette.color(QPalette::Mid);
-  for (double at = std::ceil(origin / step) * step;; at += step) {
+  for (double k = std::ceil(origin / step);; ++k) {
+    const double at = k * step; // no sum: errors would make 59.999 s of a minute
     const double x = left + (at - origin) * perSecond;
-    if (x > rows.axis.right()) {
+    if (x > rows.axis.right() + 0.5) { // the end itself has its label
       break;
     }
     if (x >= rows.axis.left() - 1.0) {
       painter.setPen(line);
       painter.drawLine(QPointF(x, rows.axis.bottom() - 5), QPointF(x, rows.axis.bottom()));
       painter.setPen(palette.color(QPalette::PlaceholderText));
-      painter.drawText(QPointF(x + 3.0, rows.axis.bottom() - 5.0), clock(at, step));
+      const QString text = clock(at, step);
+      const double width = metrics.horizontalAdvance(text);
+      const bool fits = x + 3.0 + width <= rows.axis.right() + 7.0;
+      painter.drawText(QPointF(fits ? x + 3.0 : x - 8.0 - width, rows.axis.bottom() - 5.0), text);
     }
   }
 }
