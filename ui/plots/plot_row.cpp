@@ -182,7 +182,7 @@ void PlotRow::prepareAxes() {
   y->setNumberPrecision(5);
   y->setSubTicks(false);
   y->setTickLength(0, 3);
-  y->setRange(0.0, 1.0);
+  y->setRange(-0.1, 1.1); // numbers of empty plots do not touch those of the next
   if (declaration_->quantity == PlotQuantity::Length) {
     y->setScaleType(QCPAxis::stLogarithmic);
     y->setTicker(QSharedPointer<DecadeTicker>::create());
