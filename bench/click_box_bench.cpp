@@ -82,6 +82,9 @@ int run(int count, char** arguments) {
     clips = std::move(*recorded);
   }
   clips.push_back(simulatedBoxClip(5001));
+  for (const int camera : {0, 1}) {
+    clips.push_back(clipOfScene(demoScene(), camera));
+  }
   const double step = count > 2 ? std::max(1.0, std::atof(arguments[2])) : 2.0;
   for (const BoxClip& clip : clips) {
     if (const auto measured = measure(clip, step); !measured) {

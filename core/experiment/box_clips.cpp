@@ -182,12 +182,10 @@ Scene sceneOfClip(std::uint64_t seed) {
 
 } // namespace
 
-BoxClip simulatedBoxClip(std::uint64_t seed) {
+BoxClip clipOfScene(const Scene& scene, int camera) {
   BoxClip clip;
-  clip.name = "simulated, fast ball";
-  clip.sentence = "a ball that turns sharply, sensor noise of 5 gray levels";
-  const Scene scene = sceneOfClip(seed);
-  const SphereProjector projector(scene.cameras.front());
+  clip.name = fmt::format("{}, camera {}", scene.name, camera + 1);
+  const SphereProjector projector(scene.cameras[static_cast<std::size_t>(camera)]);
   for (std::int64_t frame = 0; frame < scene.frameCount; ++frame) {
     const auto seen = projector.project(ballPosition(scene, 0, frameTime(scene, frame)),
                                         scene.balls.front().radius);
@@ -197,9 +195,16 @@ BoxClip simulatedBoxClip(std::uint64_t seed) {
   }
   clip.radius = clip.truth.front().width / 2.0;
   const auto renderer = std::make_shared<const SceneRenderer>(scene);
-  clip.image = [renderer](std::int64_t frame) -> Result<cv::Mat> {
-    return renderer->render(0, frame);
+  clip.image = [renderer, camera](std::int64_t frame) -> Result<cv::Mat> {
+    return renderer->render(camera, frame);
   };
+  return clip;
+}
+
+BoxClip simulatedBoxClip(std::uint64_t seed) {
+  BoxClip clip = clipOfScene(sceneOfClip(seed), 0);
+  clip.name = "simulated, fast ball";
+  clip.sentence = "a ball that turns sharply, sensor noise of 5 gray levels";
   return clip;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/geometry/image_box.h"
+#include "core/simulation/scene.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -26,6 +27,10 @@ struct BoxClip {
 
 /// All images of a clip.
 Result<std::vector<cv::Mat>> imagesOf(const BoxClip& clip);
+
+/// What one camera sees of the first ball of a scene, named after both; boxes are empty where the
+/// camera cannot see it.
+BoxClip clipOfScene(const Scene& scene, int camera);
 
 /// A rendered clip, seeded: a ball on a fast path over a cluttered desk, with sensor noise,
 /// 320 x 240 pixels, 300 frames.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/observation/click_box.h"
 
+#include "core/color/color_region.h"
 #include "core/observation/figure_box.h"
 #include "core/observation/figure_contrast.h"
 #include "core/observation/fine_histogram.h"
@@ -30,6 +31,8 @@ constexpr double kAim = 0.25;
 /// Of the best score: a smaller thing with so much is taken.
 constexpr double kEnough = 0.8;
 constexpr double kMargin = 1.3; ///< of the box in which the figure is sought, in its sides
+constexpr double kNearby = 3.0; ///< in its sides, where the color region is grown
+constexpr double kAgree = 0.5;  ///< overlap from which both mean the same thing
 
 struct Candidate {
   ImageBox box;
@@ -118,6 +121,24 @@ const Candidate* chosenOf(const std::vector<Candidate>& found) {
   return nullptr;
 }
 
+ImageBox enlarged(const ImageBox& box, double times) {
+  return ImageBox::around(box.center(), times * box.width, times * box.height);
+}
+
+ImageBox boxOf(const cv::Rect& pixels) {
+  return {double(pixels.x), double(pixels.y), double(pixels.width), double(pixels.height)};
+}
+
+/// The box of the color region at a pixel of a part of an image; nothing when it is not in it.
+std::optional<ImageBox> grownBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel,
+                                 const cv::Rect& part) {
+  const cv::Point at(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
+  if (!part.contains(at)) {
+    return std::nullopt;
+  }
+  return boxOf(cv::boundingRect(growRegion(bgr(part), at - part.tl())) + part.tl());
+}
+
 } // namespace
 
 std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel) {
@@ -126,11 +147,9 @@ std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixe
   if (chosen == nullptr) {
     return std::nullopt;
   }
-  const ImageBox wide = ImageBox::around(chosen->box.center(), kMargin * chosen->box.width,
-                                         kMargin * chosen->box.height);
-  const cv::Rect drawn = pixelsOf(wide, bgr);
-  return figureBox(bgr,
-                   {double(drawn.x), double(drawn.y), double(drawn.width), double(drawn.height)});
+  const ImageBox figure = figureBox(bgr, boxOf(pixelsOf(enlarged(chosen->box, kMargin), bgr)));
+  const auto grown = grownBox(bgr, pixel, pixelsOf(enlarged(chosen->box, kNearby), bgr));
+  return grown && overlap(*grown, figure) >= kAgree ? grown : figure;
 }
 
 } // namespace dewpoint

@@ -16,8 +16,9 @@ namespace dewpoint {
 /// click, each in the image made so much smaller that it has about 20 pixels (so that highlights,
 /// seams and noise average out). Taken is the one that differs most from its surroundings
 /// (FigureContrast), less the farther the click is from its middle; then the figure in it
-/// (figureBox()). A thing of several colors may give the part of it that was clicked. Nothing where
-/// no box differs from what is around it.
+/// (figureBox()), or the box of the color region at the click (growRegion()) where it is about the
+/// same: its outline is the more exact one, where it is right. A thing of several colors may give
+/// the part of it that was clicked. Nothing where no box differs from what is around it.
 std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel);
 
 } // namespace dewpoint
