@@ -10,7 +10,6 @@
 #include "ui/camera/pick_layer.h"
 #include "ui/color/hue_ring.h"
 #include "ui/color/range_bar.h"
-#include "ui/color/verdict_text.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/selection/selection.h"
@@ -18,7 +17,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QDir>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QKeySequenceEdit>
@@ -29,7 +27,6 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -59,10 +56,6 @@ private Q_SLOTS:
   void aSavedProjectIsRecent();
   void everyActionHasAShortcutOfItsOwn();
   void thePaletteFindsAnActionByKeyboardAlone();
-  void thePaletteMatchesWordsInAnyOrder();
-  void whatIsNoFootageIsRefused();
-  void anErrorIsOverWhenAnotherProjectOpens();
-  void aVerdictSaysWhatItsScoreIsMadeOf();
   void aShortcutCanBeChangedTakenAndReset();
   void theLayoutBelongsToTheProject();
   void namesAndSizesAreUndoable();
@@ -182,74 +175,6 @@ void DeskTest::thePaletteFindsAnActionByKeyboardAlone() {
   QTest::keyClick(search, Qt::Key_Return);
   QVERIFY(waitFor([this] { return action("actionShowMask")->isChecked(); }));
   QVERIFY(!search->isVisible());
-}
-
-void DeskTest::thePaletteMatchesWordsInAnyOrder() {
-  openDemo();
-  QTest::keyClick(window_.get(), Qt::Key_K, Qt::ControlModifier);
-  auto* search = find<QLineEdit>("paletteSearch");
-  auto* list = find<QListWidget>("paletteList");
-  QVERIFY(waitFor([&] { return search->isVisible(); }));
-  // Nothing is chosen, and nothing run, before something is typed or gone to.
-  QVERIFY(list->count() > 20);
-  QCOMPARE(list->currentRow(), -1);
-  QTest::keyClick(search, Qt::Key_Return);
-  QVERIFY(search->isVisible());
-  QTest::keyClick(search, Qt::Key_Down);
-  QCOMPARE(list->currentRow(), 0);
-  for (const char* words : {"views history", "history views", "Views › History"}) {
-    search->setText(QString::fromUtf8(words));
-    QVERIFY2(list->item(0)->text().startsWith(QStringLiteral("Views › History")), words);
-  }
-  // Only what has a word with these letters, those first whose name begins so.
-  search->setText(QStringLiteral("hist"));
-  QVERIFY(list->item(0)->text().contains(QStringLiteral("› Hist")));
-  for (int row = 0; row < list->count(); ++row) {
-    QVERIFY2((list->item(row)->text() + list->item(row)->toolTip())
-                 .contains(QStringLiteral("hist"), Qt::CaseInsensitive),
-             qPrintable(list->item(row)->text()));
-  }
-  search->setText(QStringLiteral("shwmsk")); // no word: its letters do
-  QVERIFY(list->item(0)->text().contains(QStringLiteral("Show mask")));
-}
-
-void DeskTest::whatIsNoFootageIsRefused() {
-  QVERIFY(recordDemo(folder_.path().toStdString()));
-  QFile table(file("truth.csv"));
-  QVERIFY(table.open(QIODevice::WriteOnly));
-  table.write("frame,x,y,z\n0,1,2,3\n");
-  table.close();
-  QVERIFY(QDir().mkpath(file("no images")));
-  drop({file("left.mkv"), file("truth.csv"), file("calibration.toml"), file("no images")});
-  QCOMPARE(find<QTableWidget>("newCameras")->rowCount(), 1);
-  QCOMPARE(find<QTableWidget>("newCameras")->item(0, 0)->text(), QStringLiteral("left"));
-  const QString text = find<QLabel>("messageText")->text();
-  QVERIFY2(text.contains(QStringLiteral("truth.csv")) && text.contains(QStringLiteral("no images")),
-           qPrintable(text));
-}
-
-void DeskTest::anErrorIsOverWhenAnotherProjectOpens() {
-  window_->openProject("gone.toml");
-  auto* message = find<QLabel>("messageText");
-  QVERIFY(waitFor([&] { return message->text().contains(QStringLiteral("gone.toml")); }));
-  openDemo();
-  QVERIFY(!message->isVisible());
-}
-
-void DeskTest::aVerdictSaysWhatItsScoreIsMadeOf() {
-  ColorVerdict verdict;
-  verdict.separability = 0.04;
-  verdict.targetShare = 0.02;
-  verdict.backgroundShare = 0.0;
-  verdict.backgroundShareOfWhole = 0.015;
-  const QString missed = verdictText(verdict, {});
-  QVERIFY2(missed.contains(QStringLiteral("Only 2 % of the target and 0.00 % of the background")) &&
-               missed.contains(QStringLiteral("would match 1.50 % of the background")),
-           qPrintable(missed));
-  verdict.targetShare = 0.9;
-  verdict.backgroundShareOfWhole.reset();
-  const QString hit = verdictText(verdict, {});
-  QVERIFY2(hit.contains(QStringLiteral("0.00 % of the background matches too")), qPrintable(hit));
 }
 
 void DeskTest::aShortcutCanBeChangedTakenAndReset() {

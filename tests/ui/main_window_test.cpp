@@ -14,6 +14,8 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStatusBar>
@@ -47,6 +49,7 @@ private Q_SLOTS:
   void restartWithANewSeedDiffers();
   void everyThemePaintsItsOwnGround();
   void failedOpeningIsASentenceNotACrash();
+  void thePaletteMatchesWordsInAnyOrder();
   void everyActionHasATooltip();
   void noQt5InTheProcess();
 
@@ -282,6 +285,35 @@ void MainWindowTest::failedOpeningIsASentenceNotACrash() {
   QVERIFY(label("messageText").contains(QStringLiteral("no-such-project.toml")));
   click("messageClose");
   QVERIFY(!find<QLabel>("messageText")->isVisible());
+}
+
+void MainWindowTest::thePaletteMatchesWordsInAnyOrder() {
+  open(false);
+  QTest::keyClick(window_.get(), Qt::Key_K, Qt::ControlModifier);
+  auto* search = find<QLineEdit>("paletteSearch");
+  auto* list = find<QListWidget>("paletteList");
+  QVERIFY(waitFor([&] { return search->isVisible(); }));
+  // Nothing is chosen, and nothing run, before something is typed or gone to.
+  QVERIFY(list->count() > 20);
+  QCOMPARE(list->currentRow(), -1);
+  QTest::keyClick(search, Qt::Key_Return);
+  QVERIFY(search->isVisible());
+  QTest::keyClick(search, Qt::Key_Down);
+  QCOMPARE(list->currentRow(), 0);
+  for (const char* words : {"views history", "history views", "Views › History"}) {
+    search->setText(QString::fromUtf8(words));
+    QVERIFY2(list->item(0)->text().startsWith(QStringLiteral("Views › History")), words);
+  }
+  // Only what has a word with these letters, those first whose name begins so.
+  search->setText(QStringLiteral("hist"));
+  QVERIFY(list->item(0)->text().contains(QStringLiteral("› Hist")));
+  for (int row = 0; row < list->count(); ++row) {
+    QVERIFY2((list->item(row)->text() + list->item(row)->toolTip())
+                 .contains(QStringLiteral("hist"), Qt::CaseInsensitive),
+             qPrintable(list->item(row)->text()));
+  }
+  search->setText(QStringLiteral("shwmsk")); // no word: its letters do
+  QVERIFY(list->item(0)->text().contains(QStringLiteral("Show mask")));
 }
 
 void MainWindowTest::everyActionHasATooltip() {

@@ -9,8 +9,10 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDir>
 #include <QDockWidget>
 #include <QDropEvent>
+#include <QFile>
 #include <QLabel>
 #include <QMimeData>
 #include <QPushButton>
@@ -38,6 +40,8 @@ private Q_SLOTS:
   void twoVideosAndACalibrationMakeAProject();
   void whatCannotBeMadeIsSaidAndNothingIsLost();
   void furtherDropsAddToTheNewProject();
+  void whatIsNoFootageIsRefused();
+  void anErrorIsOverWhenAnotherProjectOpens();
   void cancelOfANewProjectChangesNothing();
 
 private:
@@ -132,6 +136,29 @@ void NewPageTest::furtherDropsAddToTheNewProject() {
   QCOMPARE(table->item(1, 0)->text(), QStringLiteral("cam 10"));
   QCOMPARE(table->item(2, 0)->text(), QStringLiteral("cam 1"));
   QCOMPARE(find<QLabel>("newCalibrationFile")->text(), QStringLiteral("calibration.toml"));
+}
+
+void NewPageTest::whatIsNoFootageIsRefused() {
+  QVERIFY(recordDemo(folder_.path().toStdString()));
+  QFile table(file("truth.csv"));
+  QVERIFY(table.open(QIODevice::WriteOnly));
+  table.write("frame,x,y,z\n0,1,2,3\n");
+  table.close();
+  QVERIFY(QDir().mkpath(file("no images")));
+  drop({file("left.mkv"), file("truth.csv"), file("calibration.toml"), file("no images")});
+  QCOMPARE(find<QTableWidget>("newCameras")->rowCount(), 1);
+  QCOMPARE(find<QTableWidget>("newCameras")->item(0, 0)->text(), QStringLiteral("left"));
+  const QString text = find<QLabel>("messageText")->text();
+  QVERIFY2(text.contains(QStringLiteral("truth.csv")) && text.contains(QStringLiteral("no images")),
+           qPrintable(text));
+}
+
+void NewPageTest::anErrorIsOverWhenAnotherProjectOpens() {
+  window_->openProject("gone.toml");
+  auto* message = find<QLabel>("messageText");
+  QVERIFY(waitFor([&] { return message->text().contains(QStringLiteral("gone.toml")); }));
+  openDemo();
+  QVERIFY(!message->isVisible());
 }
 
 void NewPageTest::cancelOfANewProjectChangesNothing() {

@@ -7,6 +7,7 @@
 #include "core/session/snapshot.h"
 #include "ui/birdseye/birds_eye_view.h"
 #include "ui/bridge/error_sentence.h"
+#include "ui/color/verdict_text.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/settings/language.h"
@@ -94,6 +95,7 @@ private Q_SLOTS:
   void methodsAreCalledTheSameEverywhere();
   void numbersFollowTheLanguage();
   void whatIsOpenFollowsToo();
+  void aVerdictSaysWhatItsScoreIsMadeOf();
   void titlesOfTheGapsAreWhole();
   void anErrorIsTranslatedButNotItsFileAndField();
 };
@@ -238,6 +240,23 @@ void TranslationTest::whatIsOpenFollowsToo() {
   QTRY_VERIFY_WITH_TIMEOUT(note->text() != english, kPatienceMs);
   window.setLanguage(QStringLiteral("en"));
   QTRY_COMPARE_WITH_TIMEOUT(note->text(), english, kPatienceMs);
+}
+
+void TranslationTest::aVerdictSaysWhatItsScoreIsMadeOf() {
+  useLanguage(QStringLiteral("en"));
+  ColorVerdict verdict;
+  verdict.separability = 0.04;
+  verdict.targetShare = 0.02;
+  verdict.backgroundShare = 0.0;
+  verdict.backgroundShareOfWhole = 0.015;
+  const QString missed = verdictText(verdict, {});
+  QVERIFY2(missed.contains(QStringLiteral("Only 2 % of the target and 0.00 % of the background")) &&
+               missed.contains(QStringLiteral("would match 1.50 % of the background")),
+           qPrintable(missed));
+  verdict.targetShare = 0.9;
+  verdict.backgroundShareOfWhole.reset();
+  const QString hit = verdictText(verdict, {});
+  QVERIFY2(hit.contains(QStringLiteral("0.00 % of the background matches too")), qPrintable(hit));
 }
 
 void TranslationTest::titlesOfTheGapsAreWhole() {

@@ -4,7 +4,6 @@
 #include "ui/birdseye/map_legend.h"
 #include "ui/birdseye/offscreen_vtk.h"
 
-#include <QEvent>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
@@ -53,7 +52,6 @@ BirdsEyeView::BirdsEyeView(QWidget* parent) : QWidget(parent) {
   makeButtons();
   retranslate();
   applyTheme();
-  applyLocale();
 }
 
 BirdsEyeView::~BirdsEyeView() = default;
@@ -91,6 +89,8 @@ void BirdsEyeView::checkButtons() {
 }
 
 void BirdsEyeView::retranslate() {
+  scene_.setDecimalPoint(locale().decimalPoint().toStdString());
+  requestPicture();
   setAccessibleName(tr("Bird's-eye view"));
   setAccessibleDescription(tr("The room in 3D: cameras, particles, estimates and their tracks"));
   const std::array<QString, 3> texts{tr("Above"), tr("Front"), tr("Free")};
@@ -280,18 +280,11 @@ void BirdsEyeView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) {
     applyTheme();
-  } else if (event->type() == QEvent::LanguageChange) {
+  } else if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange) {
     retranslate();
-  } else if (event->type() == QEvent::LocaleChange) {
-    applyLocale();
   } else if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
     placeButtons();
   }
-}
-
-void BirdsEyeView::applyLocale() {
-  scene_.setDecimalPoint(locale().decimalPoint().toStdString());
-  requestPicture();
 }
 
 void BirdsEyeView::applyTheme() {

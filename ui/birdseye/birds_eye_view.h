@@ -122,7 +122,6 @@ private:
   void requestPicture();
   void renderPicture();
   void applyTheme();
-  void applyLocale();
   void retranslate();
   void clickTail(QPointF position, bool extend);
   void clickFloor(QPointF position);
