@@ -5,6 +5,7 @@
 #include "core/observation/figure_box.h"
 #include "core/observation/figure_contrast.h"
 #include "core/observation/fine_histogram.h"
+#include "core/observation/target_colors.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -31,8 +32,10 @@ constexpr double kAim = 0.25;
 /// Of the best score: a smaller thing with so much is taken.
 constexpr double kEnough = 0.8;
 constexpr double kMargin = 1.3; ///< of the box in which the figure is sought, in its sides
-constexpr double kNearby = 3.0; ///< in its sides, where the color region is grown
-constexpr double kAgree = 0.5;  ///< overlap from which both mean the same thing
+constexpr double kAgree = 0.5;  ///< share in common from which two boxes mean the same thing
+/// How much less the pixels of a larger box may speak for the target than those of the best one;
+/// see docs/method-sugandi.md.
+constexpr double kLessTold = 0.09;
 
 struct Candidate {
   ImageBox box;
@@ -129,14 +132,46 @@ ImageBox boxOf(const cv::Rect& pixels) {
   return {double(pixels.x), double(pixels.y), double(pixels.width), double(pixels.height)};
 }
 
-/// The box of the color region at a pixel of a part of an image; nothing when it is not in it.
-std::optional<ImageBox> grownBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel,
-                                 const cv::Rect& part) {
+/// The box of the color region at a pixel.
+ImageBox grownBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel) {
   const cv::Point at(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
-  if (!part.contains(at)) {
-    return std::nullopt;
+  return boxOf(cv::boundingRect(growRegion(bgr, at)));
+}
+
+/// What is followed of a box that was found.
+ImageBox figureOf(const cv::Mat& bgr, const Candidate& found) {
+  return figureBox(bgr, boxOf(pixelsOf(enlarged(found.box, kMargin), bgr)));
+}
+
+bool holdsMost(const ImageBox& box, const ImageBox& part) {
+  return commonArea(box, part) >= kAgree * part.area();
+}
+
+/// How well what would be learned from a box tells it from its surroundings: what its pixels speak
+/// for the target on average, [0, 1].
+double toldBy(const cv::Mat& bgr, const ImageBox& box) {
+  TargetColors colors;
+  colors.learn(bgr, box);
+  return colors.likeness(bgr, box);
+}
+
+/// The largest figure that is told nearly as well as the best one: a hand around a ball, or what is
+/// behind it, is told less well than the ball alone. Where the color region is part of the thing,
+/// the figure holds it; none that does is told so well: then it is the region.
+ImageBox largestTold(const cv::Mat& bgr, const std::vector<ImageBox>& figures,
+                     const ImageBox& region, bool isPart) {
+  std::vector<double> told;
+  std::ranges::transform(figures, std::back_inserter(told),
+                         [&](const ImageBox& figure) { return toldBy(bgr, figure); });
+  const double most = std::max(std::ranges::max(told), isPart ? toldBy(bgr, region) : 0.0);
+  ImageBox largest = isPart ? region : ImageBox{};
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    if (told[i] >= most - kLessTold && figures[i].area() > largest.area() &&
+        (!isPart || holdsMost(figures[i], region))) {
+      largest = figures[i];
+    }
   }
-  return boxOf(cv::boundingRect(growRegion(bgr(part), at - part.tl())) + part.tl());
+  return largest;
 }
 
 } // namespace
@@ -147,9 +182,20 @@ std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixe
   if (chosen == nullptr) {
     return std::nullopt;
   }
-  const ImageBox figure = figureBox(bgr, boxOf(pixelsOf(enlarged(chosen->box, kMargin), bgr)));
-  const auto grown = grownBox(bgr, pixel, pixelsOf(enlarged(chosen->box, kNearby), bgr));
-  return grown && overlap(*grown, figure) >= kAgree ? grown : figure;
+  const ImageBox region = grownBox(bgr, pixel);
+  const ImageBox thing = figureOf(bgr, *chosen);
+  if (overlap(region, thing) >= kAgree) {
+    return region;
+  }
+  std::vector<ImageBox> figures;
+  for (const Candidate* one = found.data(); one < chosen; ++one) {
+    if (one->score > 0.0) {
+      figures.push_back(figureOf(bgr, *one));
+    }
+  }
+  figures.push_back(thing);
+  const ImageBox box = largestTold(bgr, figures, region, holdsMost(thing, region));
+  return overlap(region, box) >= kAgree ? region : box;
 }
 
 } // namespace dewpoint

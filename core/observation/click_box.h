@@ -17,8 +17,13 @@ namespace dewpoint {
 /// seams and noise average out). Taken is the one that differs most from its surroundings
 /// (FigureContrast), less the farther the click is from its middle; then the figure in it
 /// (figureBox()), or the box of the color region at the click (growRegion()) where it is about the
-/// same: its outline is the more exact one, where it is right. A thing of several colors may give
-/// the part of it that was clicked. Nothing where no box differs from what is around it.
+/// same: its outline is the more exact one, where it is right.
+///
+/// Where it is not, the box may hold more than what can be followed. Of the figures of all sizes up
+/// to it, the largest is taken whose colors, as TargetColors would learn them, tell it from its
+/// surroundings nearly as well as those of the best; it holds the region, where that is part of the
+/// thing, or is the region. A thing of several colors may give the part of it that was clicked.
+/// Nothing where no box differs from what is around it.
 std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel);
 
 } // namespace dewpoint

@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include <numeric>
+#include <utility>
 
 namespace dewpoint {
 namespace {
@@ -68,6 +69,32 @@ TEST(ClickBox, OfSomethingLongIsLong) {
   cv::Mat image(240, 320, CV_8UC3, cv::Scalar(150, 150, 150));
   cv::rectangle(image, {150, 90, 20, 60}, kPink, cv::FILLED);
   EXPECT_GT(overlap(*clickBox(image, {158.0, 112.0}), {150.0, 90.0, 20.0, 60.0}), 0.8);
+}
+
+/// A lit ball of radius 14 in a hand, whose color is between the ball's and the wall's.
+cv::Mat heldBall() {
+  cv::Mat image = ball(14.0);
+  const cv::Rect above(140, 100, 40, 26); // what the hand leaves to be seen
+  const cv::Mat held = image(above).clone();
+  cv::Mat disk = cv::Mat::zeros(image.size(), CV_8UC1);
+  cv::circle(disk, {160, 120}, 14, cv::Scalar(255), cv::FILLED);
+  cv::ellipse(image, {160, 134}, {24, 16}, 0.0, 0.0, 360.0, cv::Scalar(120, 110, 170), cv::FILLED);
+  held.copyTo(image(above), disk(above));
+  return image;
+}
+
+// Ball and hand stand out more than the ball, but what would be followed of them is the hand when
+// the ball is thrown.
+TEST(ClickBox, OfABallInAHandIsNotTheHand) {
+  const cv::Mat image = heldBall();
+  for (const auto& [x, y] :
+       {std::pair(160.0, 113.0), {153.0, 117.0}, {166.0, 120.0}, {160.0, 120.0}, {156.0, 122.0}}) {
+    const auto box = clickBox(image, {x, y});
+    ASSERT_TRUE(box);
+    EXPECT_GT(overlap(*box, {146.0, 106.0, 28.0, 20.0}), 0.5)
+        << x << ", " << y << ": " << box->x << ' ' << box->y << ' ' << box->width << ' '
+        << box->height;
+  }
 }
 
 TEST(ClickBox, LiesInTheImage) {
