@@ -230,6 +230,8 @@ void ScreenshotsTest::keepBoxes(MainWindow& window) {
   window.findChild<QDockWidget*>("targetDock")->raise();
   QTest::qWait(kSettleMs);
   keep(window.grab().toImage(), QStringLiteral("boxes"));
+  window.findChild<QAction*>("actionExportTrajectory")->trigger();
+  window.findChild<QLineEdit*>("boxExportFolder")->setText(QStringLiteral("boxes"));
   keepDialog(window, "actionExportTrajectory", "boxExportDialog");
 }
 
