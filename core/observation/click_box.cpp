@@ -32,7 +32,10 @@ constexpr double kAim = 0.25;
 /// Of the best score: a smaller thing with so much is taken.
 constexpr double kEnough = 0.8;
 constexpr double kMargin = 1.3; ///< of the box in which the figure is sought, in its sides
-constexpr double kAgree = 0.5;  ///< share in common from which two boxes mean the same thing
+/// Where the color region is grown: in sides of the thing's box, and at least so many pixels.
+constexpr double kNearby = 3.0;
+constexpr double kLeastNearby = 640.0;
+constexpr double kAgree = 0.5; ///< share in common from which two boxes mean the same thing
 /// How much less the pixels of a larger box may speak for the target than those of the best one;
 /// see docs/method-sugandi.md.
 constexpr double kLessTold = 0.09;
@@ -132,10 +135,12 @@ ImageBox boxOf(const cv::Rect& pixels) {
   return {double(pixels.x), double(pixels.y), double(pixels.width), double(pixels.height)};
 }
 
-/// The box of the color region at a pixel.
-ImageBox grownBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel) {
+/// The box of the color region at a pixel of a thing, grown in what is around it.
+ImageBox grownBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel, const ImageBox& thing) {
+  const double side = std::max(kLeastNearby, kNearby * std::max(thing.width, thing.height));
+  const cv::Rect part = pixelsOf(ImageBox::around(pixel, side, side), bgr);
   const cv::Point at(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
-  return boxOf(cv::boundingRect(growRegion(bgr, at)));
+  return boxOf(cv::boundingRect(growRegion(bgr(part), at - part.tl())) + part.tl());
 }
 
 /// What is followed of a box that was found.
@@ -182,8 +187,8 @@ std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixe
   if (chosen == nullptr) {
     return std::nullopt;
   }
-  const ImageBox region = grownBox(bgr, pixel);
   const ImageBox thing = figureOf(bgr, *chosen);
+  const ImageBox region = grownBox(bgr, pixel, thing);
   if (overlap(region, thing) >= kAgree) {
     return region;
   }
