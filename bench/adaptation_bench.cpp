@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 namespace {
 
 constexpr double kSteady = 4.0; ///< seconds before the light begins to change
@@ -209,7 +209,7 @@ void benchRun(const BallColor& color, const Ramp& ramp, std::uint64_t seed, doub
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
   using namespace dewpoint;

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 namespace {
 
 const Eigen::Vector3d kBall(0.35, 0.45, 0.15);
@@ -120,4 +120,4 @@ bool versionsAgree(const CameraRig& rig, Eigen::Index particles, int iterations)
   return true;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::bench

@@ -7,13 +7,13 @@
 #include "core/filter/multinomial_resampling.h"
 #include "core/filter/particle_filter.h"
 #include "core/geometry/camera.h"
-#include "core/observation/color_window.h"
+#include "core/observation/sphere/color_window.h"
 
 #include <opencv2/core.hpp>
 
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 
 /// The same rule as ColorWindow, written straight from the paper: per particle, and with an arc
 /// cosine for every pixel it looks at.
@@ -55,4 +55,4 @@ struct BallScene {
 /// True if both versions have the same outcome, or comparing their times means nothing.
 bool versionsAgree(const CameraRig& rig, Eigen::Index particles, int iterations);
 
-} // namespace dewpoint
+} // namespace dewpoint::bench

@@ -2,10 +2,10 @@
 // The bump sentinel on simulated scenes: how soon a turned camera is reported, how often one that
 // stands still, and what a check costs. Usage: bump_bench [bumps] [quiet minutes] [image width]
 #include "core/base/random.h"
-#include "core/calibration/resolve_camera.h"
+#include "core/calibration/manual/moved_camera_pose.h"
+#include "core/camera_motion/camera_motion_detector.h"
 #include "core/simulation/scene.h"
 #include "core/simulation/scene_renderer.h"
-#include "core/tracking/bump_sentinel.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
@@ -17,7 +17,7 @@
 #include <limits>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -67,7 +67,7 @@ struct Cost {
   std::int64_t frames = 0;
 };
 
-void watch(BumpSentinel& sentinel, const FrameSetPtr& frames, Cost& cost) {
+void watch(CameraMotionDetector& sentinel, const FrameSetPtr& frames, Cost& cost) {
   const std::clock_t begin = std::clock(); // of the processor, whatever else the machine does
   sentinel.watch(*frames);
   const double took = 1e3 * double(std::clock() - begin) / CLOCKS_PER_SEC;
@@ -88,7 +88,7 @@ double delayOf(int bump, double degrees, int width, Cost& cost, double& error) {
   const double at = 3.0 + 5.0 * random.uniform(std::uint32_t(bump), 9);
   const SceneRenderer before(sceneOf(bump, 20.0, Eigen::Vector3d::Zero(), width));
   const SceneRenderer after(sceneOf(bump, 20.0, turn, width));
-  BumpSentinel sentinel({before.scene().cameras[0]});
+  CameraMotionDetector sentinel({before.scene().cameras[0]});
   double delay = std::numeric_limits<double>::infinity();
   for (std::int64_t k = 0; k < std::int64_t((at + 4.0) * kRate); ++k) {
     const double time = double(k) / kRate;
@@ -143,7 +143,7 @@ void measureQuiet(double minutes, int width) {
   for (int number = 0; number < 4; ++number) {
     const double seconds = 60.0 * minutes / 4.0;
     const SceneRenderer renderer(sceneOf(number, seconds, Eigen::Vector3d::Zero(), width));
-    BumpSentinel sentinel({renderer.scene().cameras[0]});
+    CameraMotionDetector sentinel({renderer.scene().cameras[0]});
     for (std::int64_t k = 0; k < std::int64_t(seconds * kRate); k += 2) { // what it looks at
       cv::Mat image = renderer.render(0, k);
       relight(image, double(k) / kRate);
@@ -161,15 +161,15 @@ void measureQuiet(double minutes, int width) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
   const int bumps = argc > 1 ? std::atoi(argv[1]) : 20;
   const double minutes = argc > 2 ? std::atof(argv[2]) : 4.0;
   const int width = argc > 3 ? std::atoi(argv[3]) : 0;
   for (const double degrees : {0.1, 0.5, 3.0}) {
-    dewpoint::measureBumps(bumps, degrees, width);
+    dewpoint::bench::measureBumps(bumps, degrees, width);
   }
-  dewpoint::measureQuiet(minutes, width);
+  dewpoint::bench::measureQuiet(minutes, width);
   return 0;
 }

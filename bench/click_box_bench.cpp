@@ -9,9 +9,9 @@
 //   click_box_bench [FOLDER [STEP [region]]]    FOLDER: with juggle1, throws_pinkball and otb;
 //   STEP: px; region: the box of the color region at the click instead, for comparison
 #include "core/color/color_region.h"
-#include "core/experiment/box_clips.h"
-#include "core/experiment/box_follower.h"
-#include "core/tracking/box_tracker.h"
+#include "core/experiment/baselines/box_follower.h"
+#include "core/experiment/scenarios/box_clips.h"
+#include "core/tracking/boxes/box_tracker.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
@@ -21,7 +21,7 @@
 #include <cstdlib>
 #include <string_view>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 namespace {
 
 constexpr int kImages = 10;
@@ -184,8 +184,8 @@ int run(int count, char** arguments) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::bench
 
 int main(int count, char** arguments) {
-  return dewpoint::run(count, arguments);
+  return dewpoint::bench::run(count, arguments);
 }

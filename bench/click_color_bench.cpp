@@ -21,7 +21,7 @@
 #include <map>
 #include <sstream>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 namespace {
 
 constexpr double kNearby = 30.0; ///< pixels around the target within which matches count
@@ -251,7 +251,7 @@ void benchSimulation(const std::string& name, const Eigen::Vector3d& bgr) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
   using namespace dewpoint;

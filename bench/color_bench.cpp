@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 namespace {
 
 const ColorRange kPink{300.0, 350.0, 0.2, 1.0, 0.15, 0.9};
@@ -88,7 +88,7 @@ BENCHMARK(product)
     ->Unit(benchmark::kMicrosecond);
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
   using namespace dewpoint;

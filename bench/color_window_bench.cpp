@@ -10,7 +10,7 @@
 
 #include <benchmark/benchmark.h>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 namespace {
 
 constexpr int kPaperParticles = 200;
@@ -43,10 +43,10 @@ void productIteration(benchmark::State& state) {
 BENCHMARK(productIteration)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
-  return dewpoint::runBenchmarks(
+  return dewpoint::bench::runBenchmarks(
       argc, argv,
       {{"200 particles, 2 x QVGA, one iteration, whole", "productIteration/2"},
        {"the naive version", "naiveAcosIteration"}},

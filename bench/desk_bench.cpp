@@ -4,15 +4,15 @@
 // views with particles and the bird's-eye view achieve. Needs a display (xvfb-run will do).
 #include "app/wiring/open_project.h"
 #include "app/wiring/quiet_libraries.h"
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 #include "core/simulation/scene_renderer.h"
 #include "tests/ui/event_loop_probe.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/calibration/grid_layer.h"
-#include "ui/calibration/plan_desk.h"
-#include "ui/camera/camera_view.h"
+#include "ui/calibration/manual/grid_layer.h"
+#include "ui/calibration/planner/rig_planner.h"
+#include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QAction>
 #include <QApplication>
@@ -26,7 +26,7 @@
 #include <functional>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 namespace {
 
 constexpr int kCameras = 4;
@@ -237,9 +237,9 @@ private:
     PaintCounter birdsEye;
     window_.findChild<BirdsEyeView*>()->installEventFilter(&birdsEye);
     int maps = 0;
-    auto* desk = window_.findChild<PlanDesk*>();
+    auto* desk = window_.findChild<RigPlanner*>();
     const auto counting =
-        QObject::connect(desk, &PlanDesk::mapChanged, &window_, [&maps] { ++maps; });
+        QObject::connect(desk, &RigPlanner::mapChanged, &window_, [&maps] { ++maps; });
     probe_.takeLongest();
     QElapsedTimer clock;
     clock.start();
@@ -264,12 +264,12 @@ private:
 };
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
-  dewpoint::quietLibraries();
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::app::quietLibraries();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-bench"));
-  return dewpoint::Bench().run();
+  return dewpoint::bench::Bench().run();
 }

@@ -4,14 +4,14 @@
 // cameras at QVGA, on frames of the product's demo, in which a ball moves over a desk.
 #include "app/wiring/open_project.h"
 #include "bench/ratios.h"
-#include "core/session/tracking_run.h"
+#include "core/session/run/tracking_run.h"
 
 #include <benchmark/benchmark.h>
 
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 namespace {
 
 constexpr int kParticles = 200;
@@ -74,10 +74,10 @@ BENCHMARK_CAPTURE(follow, dewpoint, "dewpoint")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(follow, barrera, "barrera")->Unit(benchmark::kMicrosecond);
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
-  return dewpoint::runBenchmarks(
+  return dewpoint::bench::runBenchmarks(
       argc, argv,
       {{"method dewpoint, 200 particles, 2 x QVGA, a frame", "follow/dewpoint"},
        {"method barrera, the same", "follow/barrera"}},

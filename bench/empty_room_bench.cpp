@@ -7,7 +7,7 @@
 #include "core/color/color_learning.h"
 #include "core/color/hsi.h"
 #include "core/color/match_image.h"
-#include "core/observation/label_image.h"
+#include "core/observation/background/label_image.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 namespace {
 
 constexpr int kEmptyFrame = 10;
@@ -157,7 +157,7 @@ void benchBall(const std::string& name, const std::map<int, cv::Mat>& images, co
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
   using namespace dewpoint;

@@ -6,7 +6,7 @@
 #include "bench/ratios.h"
 #include "core/base/random.h"
 #include "core/color/rgb_bins.h"
-#include "core/observation/histogram_similarity.h"
+#include "core/observation/boxes/histogram_similarity.h"
 #include "tests/observation/naive_histogram.h"
 #include "tests/tracking/moving_patch.h"
 
@@ -14,7 +14,7 @@
 
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 namespace {
 
 constexpr int kSide = 30;
@@ -96,10 +96,10 @@ void productParticles(benchmark::State& state) {
 BENCHMARK(productParticles)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
-  return dewpoint::runBenchmarks(
+  return dewpoint::bench::runBenchmarks(
       argc, argv,
       {{"300 particles, 30 x 30 px, whole", "productParticles/300"},
        {"the naive version", "naiveParticles/300"}},

@@ -9,7 +9,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 namespace {
 
 /// The cloud has its typical size from the second iteration on.
@@ -71,7 +71,7 @@ std::string nameOf(int particles, int cameras) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
   using namespace dewpoint;

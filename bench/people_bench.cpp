@@ -3,9 +3,9 @@
 // Method `people`, whole frames, beside OpenCV's MOG2 alone on the same images: four cameras at
 // QVGA, two people who walk past each other in the simulated office, one thread each.
 #include "bench/ratios.h"
-#include "core/experiment/people_scenario.h"
-#include "core/tracking/people_tracker.h"
-#include "core/tracking/people_volume.h"
+#include "core/experiment/scenarios/people_scenario.h"
+#include "core/tracking/people/people_tracker.h"
+#include "core/tracking/people/people_volume.h"
 
 #include <benchmark/benchmark.h>
 #include <opencv2/core.hpp>
@@ -15,7 +15,7 @@
 #include <memory>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 namespace {
 
 /// All frames of a scene, rendered once.
@@ -106,7 +106,7 @@ void wholeFrame(benchmark::State& state, const char* method, double background, 
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
   using namespace dewpoint;

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 
 PixelScore pixelScore(const cv::Mat& match, const cv::Mat& truth) {
   PixelScore score;
@@ -29,4 +29,4 @@ cv::Mat ballMask(const Camera& camera, const Eigen::Vector3d& position, double r
   return mask;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::bench

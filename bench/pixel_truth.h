@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 
 /// Pixels that match, that are the target's, and that are both.
 struct PixelScore {
@@ -25,4 +25,4 @@ PixelScore pixelScore(const cv::Mat& match, const cv::Mat& truth);
 /// 255 where the ray of a pixel hits the ball: exact but for what moves during the exposure.
 cv::Mat ballMask(const Camera& camera, const Eigen::Vector3d& position, double radius);
 
-} // namespace dewpoint
+} // namespace dewpoint::bench

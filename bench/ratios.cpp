@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 namespace {
 
 struct Times {
@@ -100,4 +100,4 @@ int runBenchmarks(int argc, char** argv, const std::vector<Cost>& costs,
   return 0;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::bench

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <benchmark/benchmark.h>
 
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 
 /// What a benchmark program compares: "slow" takes so many times as long as "fast".
 struct Ratio {
@@ -34,4 +36,4 @@ struct Cost {
 int runBenchmarks(int argc, char** argv, const std::vector<Cost>& costs,
                   const std::vector<Ratio>& ratios);
 
-} // namespace dewpoint
+} // namespace dewpoint::bench

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rig planner's map of 30 x 24 x 12 cells and six cameras, on one core: a whole rig, and one
 // camera that is being moved. It must stay above ten updates per second.
-#include "core/calibration/uncertainty_map.h"
+#include "core/calibration/planning/uncertainty_map.h"
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::bench {
 namespace {
 
 CameraRig sixCameras(LensModel lens) {
@@ -54,6 +54,6 @@ BENCHMARK_CAPTURE(wholeRig, fisheye, LensModel::Fisheye, true)->Unit(benchmark::
 BENCHMARK(oneCamera)->Unit(benchmark::kMillisecond);
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::bench
 
 BENCHMARK_MAIN();

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en">
 <context>
-    <name>dewpoint::BoxPanel</name>
+    <name>dewpoint::ui::BoxPanel</name>
     <message numerus="yes">
         <source>%n boxes, in pixels of the image</source>
         <translation>
@@ -12,7 +12,7 @@
     </message>
 </context>
 <context>
-    <name>dewpoint::GapList</name>
+    <name>dewpoint::ui::GapList</name>
     <message numerus="yes">
         <source>%n frames</source>
         <translation>
@@ -22,7 +22,7 @@
     </message>
 </context>
 <context>
-    <name>dewpoint::TrajectoryPanel</name>
+    <name>dewpoint::ui::TrajectoryPanel</name>
     <message numerus="yes">
         <source>%n rows are on the clipboard as CSV.</source>
         <translation>

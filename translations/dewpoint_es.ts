@@ -830,7 +830,7 @@
     </message>
 </context>
 <context>
-    <name>ColorTeacher</name>
+    <name>ColorLearner</name>
     <message>
         <source>target %1</source>
         <translation>objetivo %1</translation>
@@ -2015,7 +2015,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>WandWish</name>
+    <name>WandSettings</name>
     <message>
         <source>touches the floor</source>
         <translation>toca el suelo</translation>
@@ -2062,7 +2062,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::BirdsEyeView</name>
+    <name>dewpoint::ui::BirdsEyeView</name>
     <message>
         <source>Bird&apos;s-eye view</source>
         <translation>Vista de pájaro</translation>
@@ -2109,7 +2109,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoardDesk</name>
+    <name>dewpoint::ui::BoardCalibrator</name>
     <message>
         <source>Stopped: the former calibration is kept.</source>
         <translation>Detenido: se conserva la calibración anterior.</translation>
@@ -2128,7 +2128,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoardFields</name>
+    <name>dewpoint::ui::BoardForm</name>
     <message>
         <source>Print the board</source>
         <translation>Imprimir el tablero</translation>
@@ -2251,7 +2251,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoardGoalFields</name>
+    <name>dewpoint::ui::BoardGoalForm</name>
     <message>
         <source>Find</source>
         <translation>Buscar</translation>
@@ -2346,7 +2346,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoardLive</name>
+    <name>dewpoint::ui::BoardLive</name>
     <message>
         <source>How long the board was held still before %1</source>
         <translation>Cuánto tiempo se mantuvo quieto el tablero ante %1</translation>
@@ -2413,7 +2413,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoardPage</name>
+    <name>dewpoint::ui::BoardCalibrationPage</name>
     <message>
         <source>Board</source>
         <translation>Tablero</translation>
@@ -2500,7 +2500,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoxExportDialog</name>
+    <name>dewpoint::ui::BoxExportDialog</name>
     <message>
         <source>Export boxes</source>
         <translation>Exportar recuadros</translation>
@@ -2559,7 +2559,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoxModel</name>
+    <name>dewpoint::ui::BoxModel</name>
     <message>
         <source>● held</source>
         <translation>● seguido</translation>
@@ -2650,7 +2650,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoxPanel</name>
+    <name>dewpoint::ui::BoxPanel</name>
     <message>
         <source>Boxes of the targets</source>
         <translation>Recuadros de los objetivos</translation>
@@ -2668,7 +2668,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoxTeacher</name>
+    <name>dewpoint::ui::BoxPicker</name>
     <message>
         <source>This camera shows no image to take a box from.</source>
         <translation>Esta cámara no muestra ninguna imagen de la que tomar un recuadro.</translation>
@@ -2679,7 +2679,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::BumpMessages</name>
+    <name>dewpoint::ui::CameraMotionAlerts</name>
     <message>
         <source>%1 was %2 (frame %3).</source>
         <translation>%1 fue %2 (fotograma %3).</translation>
@@ -2710,7 +2710,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::CalibrationExportDialog</name>
+    <name>dewpoint::ui::CalibrationExportDialog</name>
     <message>
         <source>Choose a folder</source>
         <translation>Elegir una carpeta</translation>
@@ -2785,7 +2785,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::CalibrationImportDialog</name>
+    <name>dewpoint::ui::CalibrationImportDialog</name>
     <message>
         <source>Choose a folder</source>
         <translation>Elegir una carpeta</translation>
@@ -2956,14 +2956,14 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::CalibrationPlace</name>
+    <name>dewpoint::ui::CalibrationDock</name>
     <message>
         <source>Ways to calibrate</source>
         <translation>Formas de calibrar</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::CameraFields</name>
+    <name>dewpoint::ui::CameraForm</name>
     <message>
         <source>Camera</source>
         <translation>Cámara</translation>
@@ -3170,7 +3170,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::CameraPanel</name>
+    <name>dewpoint::ui::CameraPanel</name>
     <message>
         <source>Rename camera</source>
         <translation>Renombrar la cámara</translation>
@@ -3331,7 +3331,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::CameraView</name>
+    <name>dewpoint::ui::CameraView</name>
     <message>
         <source>This camera delivered no image for this frame.</source>
         <translation>Esta cámara no entregó imagen para este fotograma.</translation>
@@ -3342,7 +3342,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ColorPanel</name>
+    <name>dewpoint::ui::ColorPanel</name>
     <message>
         <source>Looking at the images…</source>
         <translation>Mirando las imágenes…</translation>
@@ -3441,7 +3441,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ColorPicker</name>
+    <name>dewpoint::ui::ColorPicker</name>
     <message>
         <source>&amp;Hue</source>
         <translation>&amp;Tono</translation>
@@ -3496,7 +3496,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ColorTeacher</name>
+    <name>dewpoint::ui::ColorLearner</name>
     <message>
         <source>This camera shows no image to learn from.</source>
         <translation>Esta cámara no muestra ninguna imagen de la que aprender.</translation>
@@ -3523,7 +3523,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::CommandPalette</name>
+    <name>dewpoint::ui::CommandPalette</name>
     <message>
         <source>What do you want to do?</source>
         <translation>¿Qué quiere hacer?</translation>
@@ -3542,21 +3542,21 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::CoverageMap</name>
+    <name>dewpoint::ui::CoverageMap</name>
     <message>
         <source>%1: seen %2 times, in %3 of %4 regions of the image</source>
         <translation>%1: vista %2 veces, en %3 de %4 zonas de la imagen</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::DockTitle</name>
+    <name>dewpoint::ui::DockTitle</name>
     <message>
         <source>Float this view, or put it back (double click the title: whole window)</source>
         <translation>Soltar esta vista o devolverla a su sitio (doble clic en el título: toda la ventana)</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::Document</name>
+    <name>dewpoint::ui::Document</name>
     <message>
         <source>Change “%1”</source>
         <translation>Cambiar «%1»</translation>
@@ -3567,7 +3567,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ExchangeDialog</name>
+    <name>dewpoint::ui::ExchangeDialog</name>
     <message>
         <source>File</source>
         <translation>Archivo</translation>
@@ -3606,7 +3606,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ExperimentDialog</name>
+    <name>dewpoint::ui::ExperimentDialog</name>
     <message>
         <source>Cancelled.</source>
         <translation>Cancelado.</translation>
@@ -3733,7 +3733,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ExportDialog</name>
+    <name>dewpoint::ui::ExportDialog</name>
     <message>
         <source>Export trajectory</source>
         <translation>Exportar la trayectoria</translation>
@@ -3996,7 +3996,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::GapList</name>
+    <name>dewpoint::ui::GapList</name>
     <message>
         <source>Gaps of the trajectory</source>
         <translation>Huecos de la trayectoria</translation>
@@ -4038,7 +4038,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::GridFields</name>
+    <name>dewpoint::ui::GridForm</name>
     <message>
         <source>Change the reference grid</source>
         <translation>Cambiar la cuadrícula de referencia</translation>
@@ -4145,7 +4145,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::GridLayer</name>
+    <name>dewpoint::ui::GridLayer</name>
     <message>
         <source>Grid over the image of %1</source>
         <translation>Cuadrícula sobre la imagen de %1</translation>
@@ -4160,7 +4160,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::HandDesk</name>
+    <name>dewpoint::ui::ManualCalibration</name>
     <message>
         <source>camera %1</source>
         <translation>cámara %1</translation>
@@ -4227,7 +4227,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::HandPage</name>
+    <name>dewpoint::ui::ManualCalibrationPage</name>
     <message>
         <source>Drag the grid in an image until it lies on the real thing. Click a point of it to hold it there.</source>
         <translation>Arrastre la cuadrícula en una imagen hasta que coincida con lo real. Un clic en uno de sus puntos lo sujeta ahí.</translation>
@@ -4246,7 +4246,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::MainWindow</name>
+    <name>dewpoint::ui::MainWindow</name>
     <message>
         <source>Dewpoint</source>
         <translation>Dewpoint</translation>
@@ -4561,7 +4561,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::MapFields</name>
+    <name>dewpoint::ui::UncertaintyMapForm</name>
     <message>
         <source>Show the map in the bird&apos;s-eye view</source>
         <translation>Mostrar el mapa en la vista de pájaro</translation>
@@ -4672,14 +4672,14 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::MessageBar</name>
+    <name>dewpoint::ui::MessageBar</name>
     <message>
         <source>Close this message</source>
         <translation>Cerrar este mensaje</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::NewProjectPage</name>
+    <name>dewpoint::ui::NewProjectPage</name>
     <message>
         <source>New project</source>
         <translation>Proyecto nuevo</translation>
@@ -4842,7 +4842,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ParameterPanel</name>
+    <name>dewpoint::ui::ParameterPanel</name>
     <message>
         <source>The parameters appear here once a project is open.</source>
         <translation>Los parámetros aparecen aquí en cuanto se abre un proyecto.</translation>
@@ -4857,7 +4857,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::PeoplePanel</name>
+    <name>dewpoint::ui::PeoplePanel</name>
     <message>
         <source>People who are there</source>
         <translation>Personas presentes</translation>
@@ -4952,7 +4952,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::PersonPlacer</name>
+    <name>dewpoint::ui::AddPersonTool</name>
     <message>
         <source>Click the person</source>
         <translation>Haga clic en la persona</translation>
@@ -4963,7 +4963,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::PlanDesk</name>
+    <name>dewpoint::ui::RigPlanner</name>
     <message>
         <source>camera %1</source>
         <translation>cámara %1</translation>
@@ -4974,7 +4974,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::PlanFields</name>
+    <name>dewpoint::ui::PlannerForm</name>
     <message>
         <source>Add a camera to plan</source>
         <translation>Añadir una cámara al plan</translation>
@@ -5097,7 +5097,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::PlanPage</name>
+    <name>dewpoint::ui::PlanPage</name>
     <message>
         <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
         <translation>¿Qué tal medirán estas cámaras, y dónde ayudaría otra? Arrastre una cámara en la vista de pájaro: el mapa la sigue.</translation>
@@ -5116,7 +5116,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::PlotPanel</name>
+    <name>dewpoint::ui::PlotPanel</name>
     <message>
         <source>Plots of the run</source>
         <translation>Gráficos de la ejecución</translation>
@@ -5159,7 +5159,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::PlotStack</name>
+    <name>dewpoint::ui::PlotStack</name>
     <message>
         <source>frame %1, iteration %2, %3 s</source>
         <translation>fotograma %1, iteración %2, %3 s</translation>
@@ -5178,7 +5178,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::PointDesk</name>
+    <name>dewpoint::ui::PointCalibrator</name>
     <message>
         <source>%1 is rotated and mirrored: turn its images clockwise by %2 degrees, then mirror them</source>
         <translation>%1 está girada y reflejada: gire sus imágenes %2 grados en sentido horario y refléjelas</translation>
@@ -5269,7 +5269,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::PointsTable</name>
+    <name>dewpoint::ui::PointsTable</name>
     <message>
         <source>Measured points</source>
         <translation>Puntos medidos</translation>
@@ -5368,7 +5368,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ShortcutEditor</name>
+    <name>dewpoint::ui::ShortcutEditor</name>
     <message>
         <source>Shortcuts</source>
         <translation>Atajos</translation>
@@ -5443,7 +5443,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::StartPage</name>
+    <name>dewpoint::ui::StartPage</name>
     <message>
         <source>Dewpoint</source>
         <translation>Dewpoint</translation>
@@ -5494,7 +5494,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::StatusFigures</name>
+    <name>dewpoint::ui::StatusBarPanel</name>
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
@@ -5637,7 +5637,7 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::TargetPanel</name>
+    <name>dewpoint::ui::TargetPanel</name>
     <message>
         <source>Targets</source>
         <translation>Objetivos</translation>
@@ -5710,7 +5710,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::Timeline</name>
+    <name>dewpoint::ui::Timeline</name>
     <message>
         <source>Memory for going back in the run: images, particles and copies of the method. When it is full, older moments keep their estimates only.</source>
         <translation>Memoria para retroceder en la ejecución: imágenes, partículas y copias del método. Cuando se llena, los momentos antiguos solo conservan sus estimaciones.</translation>
@@ -5745,7 +5745,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::TrajectoryModel</name>
+    <name>dewpoint::ui::TrajectoryModel</name>
     <message>
         <source>● held</source>
         <translation>● seguido</translation>
@@ -5828,7 +5828,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::TrajectoryPanel</name>
+    <name>dewpoint::ui::TrajectoryPanel</name>
     <message>
         <source>Trajectory</source>
         <translation>Trayectoria</translation>
@@ -5880,7 +5880,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::WandDesk</name>
+    <name>dewpoint::ui::WandCalibrator</name>
     <message>
         <source>Press Start waving, and wave for half a minute where things are to be tracked.</source>
         <translation>Pulse «Empezar a agitar» y agite durante medio minuto donde se vaya a seguir.</translation>
@@ -5895,7 +5895,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::WandFields</name>
+    <name>dewpoint::ui::WandForm</name>
     <message>
         <source>the ball&apos;s diameter</source>
         <translation>el diámetro de la pelota</translation>
@@ -6042,7 +6042,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::WandMoments</name>
+    <name>dewpoint::ui::WandMoments</name>
     <message>
         <source>The ball %1</source>
         <translation>La pelota %1</translation>
@@ -6085,7 +6085,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::WandOutcome</name>
+    <name>dewpoint::ui::WandOutcome</name>
     <message>
         <source>Refine cameras</source>
         <translation>Refinar cámaras</translation>
@@ -6208,7 +6208,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::WandPage</name>
+    <name>dewpoint::ui::WandCalibrationPage</name>
     <message>
         <source>Nudge the cameras by hand until they are roughly right. Then wave the ball, or a stick with two balls, through the whole volume, and refine.</source>
         <translation>Ajuste las cámaras a mano hasta que estén más o menos bien. Después agite la pelota, o una vara con dos pelotas, por todo el volumen y refine.</translation>
@@ -6231,7 +6231,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::WandWaving</name>
+    <name>dewpoint::ui::WandWaving</name>
     <message>
         <source>Collect where every camera sees the ball; beginning again forgets what was collected before</source>
         <translation>Reunir dónde ve cada cámara la pelota; empezar de nuevo olvida lo reunido antes</translation>

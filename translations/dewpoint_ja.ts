@@ -830,7 +830,7 @@
     </message>
 </context>
 <context>
-    <name>ColorTeacher</name>
+    <name>ColorLearner</name>
     <message>
         <source>target %1</source>
         <translation>ターゲット %1</translation>
@@ -2015,7 +2015,7 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>WandWish</name>
+    <name>WandSettings</name>
     <message>
         <source>touches the floor</source>
         <translation>床に触れている</translation>
@@ -2062,7 +2062,7 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::BirdsEyeView</name>
+    <name>dewpoint::ui::BirdsEyeView</name>
     <message>
         <source>Bird&apos;s-eye view</source>
         <translation>鳥瞰図</translation>
@@ -2109,7 +2109,7 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoardDesk</name>
+    <name>dewpoint::ui::BoardCalibrator</name>
     <message>
         <source>Stopped: the former calibration is kept.</source>
         <translation>中止しました。以前のキャリブレーションはそのままです。</translation>
@@ -2128,7 +2128,7 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoardFields</name>
+    <name>dewpoint::ui::BoardForm</name>
     <message>
         <source>Print the board</source>
         <translation>ボードを印刷</translation>
@@ -2251,7 +2251,7 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoardGoalFields</name>
+    <name>dewpoint::ui::BoardGoalForm</name>
     <message>
         <source>Find</source>
         <translation>求めるもの</translation>
@@ -2346,7 +2346,7 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoardLive</name>
+    <name>dewpoint::ui::BoardLive</name>
     <message>
         <source>How long the board was held still before %1</source>
         <translation>%1の前でボードを静止させた時間</translation>
@@ -2413,7 +2413,7 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoardPage</name>
+    <name>dewpoint::ui::BoardCalibrationPage</name>
     <message>
         <source>Board</source>
         <translation>ボード</translation>
@@ -2500,7 +2500,7 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoxExportDialog</name>
+    <name>dewpoint::ui::BoxExportDialog</name>
     <message>
         <source>Export boxes</source>
         <translation>枠を書き出す</translation>
@@ -2559,7 +2559,7 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoxModel</name>
+    <name>dewpoint::ui::BoxModel</name>
     <message>
         <source>● held</source>
         <translation>● 追跡中</translation>
@@ -2650,7 +2650,7 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoxPanel</name>
+    <name>dewpoint::ui::BoxPanel</name>
     <message>
         <source>Boxes of the targets</source>
         <translation>目標の枠</translation>
@@ -2667,7 +2667,7 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::BoxTeacher</name>
+    <name>dewpoint::ui::BoxPicker</name>
     <message>
         <source>This camera shows no image to take a box from.</source>
         <translation>このカメラには、枠を取る画像が表示されていません。</translation>
@@ -2678,7 +2678,7 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::BumpMessages</name>
+    <name>dewpoint::ui::CameraMotionAlerts</name>
     <message>
         <source>%1 was %2 (frame %3).</source>
         <translation>%1 が %2 しました（フレーム %3）。</translation>
@@ -2709,7 +2709,7 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::CalibrationExportDialog</name>
+    <name>dewpoint::ui::CalibrationExportDialog</name>
     <message>
         <source>Choose a folder</source>
         <translation>フォルダーを選択</translation>
@@ -2784,7 +2784,7 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::CalibrationImportDialog</name>
+    <name>dewpoint::ui::CalibrationImportDialog</name>
     <message>
         <source>Choose a folder</source>
         <translation>フォルダーを選択</translation>
@@ -2955,14 +2955,14 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::CalibrationPlace</name>
+    <name>dewpoint::ui::CalibrationDock</name>
     <message>
         <source>Ways to calibrate</source>
         <translation>校正の方法</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::CameraFields</name>
+    <name>dewpoint::ui::CameraForm</name>
     <message>
         <source>Camera</source>
         <translation>カメラ</translation>
@@ -3169,7 +3169,7 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::CameraPanel</name>
+    <name>dewpoint::ui::CameraPanel</name>
     <message>
         <source>Rename camera</source>
         <translation>カメラの名前を変更</translation>
@@ -3330,7 +3330,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::CameraView</name>
+    <name>dewpoint::ui::CameraView</name>
     <message>
         <source>This camera delivered no image for this frame.</source>
         <translation>このフレームではカメラから画像が届きませんでした。</translation>
@@ -3341,7 +3341,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ColorPanel</name>
+    <name>dewpoint::ui::ColorPanel</name>
     <message>
         <source>Looking at the images…</source>
         <translation>画像を調べています…</translation>
@@ -3440,7 +3440,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ColorPicker</name>
+    <name>dewpoint::ui::ColorPicker</name>
     <message>
         <source>&amp;Hue</source>
         <translation>色相(&amp;H)</translation>
@@ -3495,7 +3495,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ColorTeacher</name>
+    <name>dewpoint::ui::ColorLearner</name>
     <message>
         <source>This camera shows no image to learn from.</source>
         <translation>このカメラには学習に使える画像がありません。</translation>
@@ -3522,7 +3522,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::CommandPalette</name>
+    <name>dewpoint::ui::CommandPalette</name>
     <message>
         <source>What do you want to do?</source>
         <translation>何をしますか？</translation>
@@ -3541,21 +3541,21 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::CoverageMap</name>
+    <name>dewpoint::ui::CoverageMap</name>
     <message>
         <source>%1: seen %2 times, in %3 of %4 regions of the image</source>
         <translation>%1: %2 回、画像の %4 区画のうち %3 区画で検出</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::DockTitle</name>
+    <name>dewpoint::ui::DockTitle</name>
     <message>
         <source>Float this view, or put it back (double click the title: whole window)</source>
         <translation>この表示を切り離す、または戻す（タイトルをダブルクリック：ウィンドウ全体）</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::Document</name>
+    <name>dewpoint::ui::Document</name>
     <message>
         <source>Change “%1”</source>
         <translation>「%1」を変更</translation>
@@ -3566,7 +3566,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ExchangeDialog</name>
+    <name>dewpoint::ui::ExchangeDialog</name>
     <message>
         <source>File</source>
         <translation>ファイル</translation>
@@ -3605,7 +3605,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ExperimentDialog</name>
+    <name>dewpoint::ui::ExperimentDialog</name>
     <message>
         <source>Cancelled.</source>
         <translation>中止しました。</translation>
@@ -3732,7 +3732,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ExportDialog</name>
+    <name>dewpoint::ui::ExportDialog</name>
     <message>
         <source>Export trajectory</source>
         <translation>軌跡の書き出し</translation>
@@ -3995,7 +3995,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::GapList</name>
+    <name>dewpoint::ui::GapList</name>
     <message>
         <source>Gaps of the trajectory</source>
         <translation>軌跡の途切れ</translation>
@@ -4036,7 +4036,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::GridFields</name>
+    <name>dewpoint::ui::GridForm</name>
     <message>
         <source>Change the reference grid</source>
         <translation>基準格子を変更</translation>
@@ -4143,7 +4143,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::GridLayer</name>
+    <name>dewpoint::ui::GridLayer</name>
     <message>
         <source>Grid over the image of %1</source>
         <translation>%1 の画像の格子</translation>
@@ -4158,7 +4158,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::HandDesk</name>
+    <name>dewpoint::ui::ManualCalibration</name>
     <message>
         <source>camera %1</source>
         <translation>カメラ %1</translation>
@@ -4225,7 +4225,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::HandPage</name>
+    <name>dewpoint::ui::ManualCalibrationPage</name>
     <message>
         <source>Drag the grid in an image until it lies on the real thing. Click a point of it to hold it there.</source>
         <translation>画像の中で格子を実物に重なるまでドラッグします。点をクリックするとそこに固定されます。</translation>
@@ -4244,7 +4244,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::MainWindow</name>
+    <name>dewpoint::ui::MainWindow</name>
     <message>
         <source>Dewpoint</source>
         <translation>Dewpoint</translation>
@@ -4559,7 +4559,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::MapFields</name>
+    <name>dewpoint::ui::UncertaintyMapForm</name>
     <message>
         <source>Show the map in the bird&apos;s-eye view</source>
         <translation>鳥瞰図にマップを表示</translation>
@@ -4670,14 +4670,14 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::MessageBar</name>
+    <name>dewpoint::ui::MessageBar</name>
     <message>
         <source>Close this message</source>
         <translation>このメッセージを閉じる</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::NewProjectPage</name>
+    <name>dewpoint::ui::NewProjectPage</name>
     <message>
         <source>New project</source>
         <translation>新しいプロジェクト</translation>
@@ -4840,7 +4840,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ParameterPanel</name>
+    <name>dewpoint::ui::ParameterPanel</name>
     <message>
         <source>The parameters appear here once a project is open.</source>
         <translation>プロジェクトを開くと、ここにパラメーターが表示されます。</translation>
@@ -4855,7 +4855,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::PeoplePanel</name>
+    <name>dewpoint::ui::PeoplePanel</name>
     <message>
         <source>People who are there</source>
         <translation>いまいる人物</translation>
@@ -4950,7 +4950,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::PersonPlacer</name>
+    <name>dewpoint::ui::AddPersonTool</name>
     <message>
         <source>Click the person</source>
         <translation>人物をクリック</translation>
@@ -4961,7 +4961,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::PlanDesk</name>
+    <name>dewpoint::ui::RigPlanner</name>
     <message>
         <source>camera %1</source>
         <translation>カメラ %1</translation>
@@ -4972,7 +4972,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::PlanFields</name>
+    <name>dewpoint::ui::PlannerForm</name>
     <message>
         <source>Add a camera to plan</source>
         <translation>計画にカメラを追加</translation>
@@ -5095,7 +5095,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::PlanPage</name>
+    <name>dewpoint::ui::PlanPage</name>
     <message>
         <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
         <translation>これらのカメラはどれだけ正確に測れるか、もう1台はどこで役立つか。鳥瞰図でカメラをドラッグすると、マップが追従します。</translation>
@@ -5114,7 +5114,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::PlotPanel</name>
+    <name>dewpoint::ui::PlotPanel</name>
     <message>
         <source>Plots of the run</source>
         <translation>実行のグラフ</translation>
@@ -5157,7 +5157,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::PlotStack</name>
+    <name>dewpoint::ui::PlotStack</name>
     <message>
         <source>frame %1, iteration %2, %3 s</source>
         <translation>フレーム %1、反復 %2、%3 s</translation>
@@ -5176,7 +5176,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::PointDesk</name>
+    <name>dewpoint::ui::PointCalibrator</name>
     <message>
         <source>%1 is rotated and mirrored: turn its images clockwise by %2 degrees, then mirror them</source>
         <translation>%1 は回転し、鏡像です: 画像を時計回りに %2 度回してから反転してください</translation>
@@ -5267,7 +5267,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::PointsTable</name>
+    <name>dewpoint::ui::PointsTable</name>
     <message>
         <source>Measured points</source>
         <translation>測定点</translation>
@@ -5366,7 +5366,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ShortcutEditor</name>
+    <name>dewpoint::ui::ShortcutEditor</name>
     <message>
         <source>Shortcuts</source>
         <translation>ショートカット</translation>
@@ -5441,7 +5441,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::StartPage</name>
+    <name>dewpoint::ui::StartPage</name>
     <message>
         <source>Dewpoint</source>
         <translation>Dewpoint</translation>
@@ -5492,7 +5492,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::StatusFigures</name>
+    <name>dewpoint::ui::StatusBarPanel</name>
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
@@ -5635,7 +5635,7 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::TargetPanel</name>
+    <name>dewpoint::ui::TargetPanel</name>
     <message>
         <source>Targets</source>
         <translation>ターゲット</translation>
@@ -5708,7 +5708,7 @@ Effective sample size %8 of %9</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::Timeline</name>
+    <name>dewpoint::ui::Timeline</name>
     <message>
         <source>Memory for going back in the run: images, particles and copies of the method. When it is full, older moments keep their estimates only.</source>
         <translation>実行をさかのぼるためのメモリ: 画像、パーティクル、手法の複製。いっぱいになると、古い時点は推定値だけが残ります。</translation>
@@ -5743,7 +5743,7 @@ Effective sample size %8 of %9</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::TrajectoryModel</name>
+    <name>dewpoint::ui::TrajectoryModel</name>
     <message>
         <source>● held</source>
         <translation>● 追跡中</translation>
@@ -5826,7 +5826,7 @@ Effective sample size %8 of %9</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::TrajectoryPanel</name>
+    <name>dewpoint::ui::TrajectoryPanel</name>
     <message>
         <source>Trajectory</source>
         <translation>軌跡</translation>
@@ -5875,7 +5875,7 @@ Effective sample size %8 of %9</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::WandDesk</name>
+    <name>dewpoint::ui::WandCalibrator</name>
     <message>
         <source>Press Start waving, and wave for half a minute where things are to be tracked.</source>
         <translation>「振り始める」を押し、追跡する場所で30秒ほど振ってください。</translation>
@@ -5890,7 +5890,7 @@ Effective sample size %8 of %9</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::WandFields</name>
+    <name>dewpoint::ui::WandForm</name>
     <message>
         <source>the ball&apos;s diameter</source>
         <translation>ボールの直径</translation>
@@ -6037,7 +6037,7 @@ Effective sample size %8 of %9</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::WandMoments</name>
+    <name>dewpoint::ui::WandMoments</name>
     <message>
         <source>The ball %1</source>
         <translation>ボールが%1</translation>
@@ -6080,7 +6080,7 @@ Effective sample size %8 of %9</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::WandOutcome</name>
+    <name>dewpoint::ui::WandOutcome</name>
     <message>
         <source>Refine cameras</source>
         <translation>カメラを精密化</translation>
@@ -6203,7 +6203,7 @@ Effective sample size %8 of %9</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::WandPage</name>
+    <name>dewpoint::ui::WandCalibrationPage</name>
     <message>
         <source>Nudge the cameras by hand until they are roughly right. Then wave the ball, or a stick with two balls, through the whole volume, and refine.</source>
         <translation>まず手作業でカメラをおおよそ合わせます。次にボール、または2つのボールの付いた棒を空間全体で振り、精密化します。</translation>
@@ -6226,7 +6226,7 @@ Effective sample size %8 of %9</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::WandWaving</name>
+    <name>dewpoint::ui::WandWaving</name>
     <message>
         <source>Collect where every camera sees the ball; beginning again forgets what was collected before</source>
         <translation>各カメラがボールを見る位置を集める。始め直すと前のものは消えます</translation>

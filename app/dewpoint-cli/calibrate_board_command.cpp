@@ -2,7 +2,7 @@
 #include "app/dewpoint-cli/calibrate_output.h"
 #include "app/dewpoint-cli/commands.h"
 #include "app/wiring/open_project.h"
-#include "core/session/board_outcome.h"
+#include "core/setup/board_outcome.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include <memory>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 struct BoardOptions {
@@ -20,7 +20,7 @@ struct BoardOptions {
   std::string model = "5";
   std::string pixels = "measured";
   std::string corners = "sample";
-  BoardWish wish;
+  BoardCalibrationRequest wish;
   CalibrateOutput output;
 };
 
@@ -276,4 +276,4 @@ void addCalibrateExtrinsicsCommand(CLI::App& group, int& exitCode) {
   command->callback([options, &exitCode] { exitCode = extrinsics(*options); });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

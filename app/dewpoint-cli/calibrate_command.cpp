@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 void addCalibrateCommand(CLI::App& app, int& exitCode) {
   auto* group = app.add_subcommand("calibrate", "Find out where the cameras are and how they see.");
@@ -14,4 +14,4 @@ void addCalibrateCommand(CLI::App& app, int& exitCode) {
   addCalibrateWandCommand(*group, exitCode);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -5,14 +5,14 @@
 #include "app/dewpoint-cli/interruption.h"
 #include "app/dewpoint-cli/progress.h"
 #include "core/base/text_file.h"
-#include "core/calibration/calibration_file.h"
+#include "core/calibration/formats/calibration_file.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 constexpr std::int64_t kSteps = 1000;
@@ -71,9 +71,9 @@ CalibrationProgress interruptibleProgress() {
   };
 }
 
-void sayVerdict(const std::optional<Verdict>& verdict, const std::string& sentence,
+void sayVerdict(const std::optional<CalibrationAccuracy>& verdict, const std::string& sentence,
                 const std::vector<NamedFault>& faults) {
-  fmt::print("Verdict: {}\n", sentence);
+  fmt::print("CalibrationAccuracy: {}\n", sentence);
   if (verdict && verdict->modelFactor > 1.0) {
     fmt::print("Solutions without a part of the recording differ {:.1f} times more than noise "
                "explains; the verdict includes that.\n",
@@ -92,4 +92,4 @@ int reportCalibration(const Error& error) {
   return report(error);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/calibration_progress.h"
-#include "core/calibration/fault.h"
-#include "core/calibration/verdict.h"
+#include "core/calibration/bundle/calibration_progress.h"
+#include "core/calibration/bundle/fault.h"
+#include "core/calibration/quality/calibration_accuracy.h"
 #include "core/project/project.h"
 
 #include <CLI/App.hpp>
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 /// What the commands below `calibrate` have in common.
 struct CalibrateOutput {
@@ -33,11 +33,11 @@ CalibrationProgress interruptibleProgress();
 
 /// The verdict's sentence (or why there is none), what it was widened by, and the faults that have
 /// a name.
-void sayVerdict(const std::optional<Verdict>& verdict, const std::string& sentence,
+void sayVerdict(const std::optional<CalibrationAccuracy>& verdict, const std::string& sentence,
                 const std::vector<NamedFault>& faults);
 
 /// What the process returns after an error: kExitInterrupted when it was Ctrl-C, without a word
 /// besides that nothing was changed.
 int reportCalibration(const Error& error);
 
-} // namespace dewpoint
+} // namespace dewpoint::app

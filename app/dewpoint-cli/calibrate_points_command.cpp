@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
 #include "app/wiring/open_project.h"
-#include "core/calibration/calibration_file.h"
-#include "core/session/tracking_run.h"
-#include "core/session/wand_views.h"
+#include "core/calibration/formats/calibration_file.h"
+#include "core/session/run/tracking_run.h"
+#include "core/setup/wand_views.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 struct PointsCommandOptions {
@@ -20,17 +20,17 @@ struct PointsCommandOptions {
   PointSettings points;
 };
 
-const char* troubleText(PoseTrouble trouble) {
+const char* troubleText(PoseStatus trouble) {
   switch (trouble) {
-  case PoseTrouble::None:
+  case PoseStatus::None:
     return "";
-  case PoseTrouble::TooFew:
+  case PoseStatus::TooFew:
     return "too few points, four or more are needed";
-  case PoseTrouble::Collinear:
+  case PoseStatus::Collinear:
     return "its points lie on one line";
-  case PoseTrouble::Ambiguous:
+  case PoseStatus::Ambiguous:
     return "a second pose fits as well: add a point outside the plane";
-  case PoseTrouble::NoPose:
+  case PoseStatus::NoPose:
     return "no pose shows the points there";
   }
   return "";
@@ -104,4 +104,4 @@ void addCalibratePointsCommand(CLI::App& group, int& exitCode) {
   command->callback([options, &exitCode] { exitCode = calibrate(*options); });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -6,8 +6,8 @@
 #include "app/dewpoint-cli/progress.h"
 #include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
-#include "core/calibration/calibration_file.h"
-#include "core/session/wand_refinement.h"
+#include "core/calibration/formats/calibration_file.h"
+#include "core/setup/wand_refinement.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 #include <numbers>
 #include <optional>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -239,4 +239,4 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
   command->callback([options, &exitCode] { exitCode = calibrate(*options); });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
-#include "core/calibration/convert_calibration.h"
+#include "core/calibration/formats/convert_calibration.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 struct ConvertOptions {
@@ -120,4 +120,4 @@ void addCalibrationCommand(CLI::App& app, int& exitCode) {
   convertCommand->callback([options, &exitCode] { exitCode = convert(*options); });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

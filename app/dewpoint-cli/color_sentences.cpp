@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 const char* separation(int score) {
@@ -89,4 +89,4 @@ std::vector<std::string> verdictSentences(const ColorVerdict& verdict,
   return sentences;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

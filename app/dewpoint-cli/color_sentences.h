@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 /// "Hue 321 to 353 degrees, saturation 0.20 to 1.00, intensity 0.10 to 0.93."
 std::string rangeSentence(const ColorRange& range);
@@ -16,4 +16,4 @@ std::string rangeSentence(const ColorRange& range);
 std::vector<std::string> verdictSentences(const ColorVerdict& verdict,
                                           const std::vector<std::string>& cameras);
 
-} // namespace dewpoint
+} // namespace dewpoint::app

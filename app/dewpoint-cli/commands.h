@@ -7,9 +7,11 @@
 
 #include <filesystem>
 
-namespace dewpoint {
-
+namespace dewpoint::simulation {
 struct OfficeScene;
+} // namespace dewpoint::simulation
+
+namespace dewpoint::app {
 
 /// What the process returns, as promised by --help.
 enum ExitCode {
@@ -57,4 +59,4 @@ int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
 /// Into the group `experiment`.
 void addPeopleExperiments(CLI::App& group, int& exitCode);
 
-} // namespace dewpoint
+} // namespace dewpoint::app

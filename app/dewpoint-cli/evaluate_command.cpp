@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
-#include "core/experiment/identity_evaluation.h"
+#include "core/experiment/metrics/identity_evaluation.h"
 #include "core/trajectory/evaluation_text.h"
 #include "core/trajectory/trajectory_export.h"
 #include "core/trajectory/trajectory_reader.h"
@@ -11,7 +11,7 @@
 
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 struct EvaluateOptions {
@@ -66,7 +66,10 @@ int evaluateFiles(const EvaluateOptions& options) {
 void addEvaluateCommand(CLI::App& app, int& exitCode) {
   auto* command = app.add_subcommand("evaluate", "Compare a trajectory with the truth.");
   auto options = std::make_shared<EvaluateOptions>();
-  command->add_option("TRAJECTORY", options->trajectory, "Trajectory (CSV) to judge, or the folder of a run")->required();
+  command
+      ->add_option("TRAJECTORY", options->trajectory,
+                   "Trajectory (CSV) to judge, or the folder of a run")
+      ->required();
   command->add_option("TRUTH", options->truth, "True positions (CSV)")->required();
   command->add_option("--gate", options->gate, "Error in metres above which a frame counts as lost")
       ->check(CLI::PositiveNumber)
@@ -78,4 +81,4 @@ void addEvaluateCommand(CLI::App& app, int& exitCode) {
   command->callback([options, &exitCode] { exitCode = evaluateFiles(*options); });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -2,8 +2,8 @@
 #include "app/dewpoint-cli/box_commands.h"
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/interruption.h"
-#include "core/experiment/convergence_study.h"
-#include "core/experiment/wand_study.h"
+#include "core/experiment/studies/convergence_study.h"
+#include "core/experiment/studies/wand_study.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include <map>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 int studyBarrera(int runs) {
@@ -124,4 +124,4 @@ void addExperimentCommand(CLI::App& app, int& exitCode) {
   addSugandiExperiment(*command, exitCode);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

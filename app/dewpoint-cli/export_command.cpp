@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 struct ExportCommand {
@@ -213,4 +213,4 @@ void addExportCommand(CLI::App& app, int& exitCode) {
   });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -3,7 +3,7 @@
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/interruption.h"
 #include "app/dewpoint-cli/progress.h"
-#include "core/experiment/figure_experiments.h"
+#include "core/experiment/studies/figure_experiments.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include <memory>
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 int makeFigure(const FigureExperiment& experiment, ExperimentOptions options) {
@@ -50,4 +50,4 @@ void addFigureCommands(CLI::App& group, int& exitCode) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

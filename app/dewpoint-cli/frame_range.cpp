@@ -4,7 +4,7 @@
 #include <charconv>
 #include <string_view>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 bool number(std::string_view part, std::int64_t& value) {
@@ -41,4 +41,4 @@ Result<FrameRange> parseFrames(const std::string& text) {
   return range;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 /// Frames `first` to `end` - 1; to the last one where there is no `end`.
 struct FrameRange {
@@ -19,4 +19,4 @@ struct FrameRange {
 /// --frames.
 Result<FrameRange> parseFrames(const std::string& text);
 
-} // namespace dewpoint
+} // namespace dewpoint::app

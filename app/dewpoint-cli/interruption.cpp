@@ -4,7 +4,7 @@
 #include <atomic>
 #include <csignal>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 std::atomic<bool> asked = false;
@@ -21,4 +21,4 @@ bool interruptionAsked() {
   return asked;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

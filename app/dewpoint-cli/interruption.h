@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace dewpoint {
+#include "core/base/floors.h"
+
+namespace dewpoint::app {
 
 /// From now on Ctrl-C (and a request to end) only asks for a stop.
 void heedInterruption();
 /// Whether it was pressed since.
 bool interruptionAsked();
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -4,7 +4,7 @@
 #include "app/dewpoint-cli/sample_place.h"
 #include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
-#include "core/color/familiar_color.h"
+#include "core/color/background_suppression.h"
 #include "core/color/match_image.h"
 
 #include <CLI/CLI.hpp>
@@ -16,7 +16,7 @@
 #include <memory>
 #include <optional>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 struct LearnColorOptions {
@@ -205,7 +205,7 @@ int learn(const LearnColorOptions& options) {
     return fail(images.error());
   }
   const auto& shown = images->at(options.frame);
-  const auto learned = learnInRooms(*samples, shown, inputs->emptyRooms);
+  const auto learned = learnColorWithBackground(*samples, shown, inputs->emptyRooms);
   if (!learned) {
     return fail(learned.error());
   }
@@ -242,4 +242,4 @@ void addLearnColorCommand(CLI::App& app, int& exitCode) {
   command->callback([options, &exitCode] { exitCode = learn(*options); });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

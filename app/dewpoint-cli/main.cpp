@@ -9,7 +9,7 @@
 
 #include <exception>
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 int report(const Error& error) {
   fmt::print(stderr, "dewpoint-cli: {}.\n", sentence(error));
@@ -61,15 +61,15 @@ int run(int argc, char** argv) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::app
 
 int main(int argc, char** argv) {
-  dewpoint::quietLibraries();
+  dewpoint::app::quietLibraries();
   try {
-    return dewpoint::run(argc, argv);
+    return dewpoint::app::run(argc, argv);
   } catch (const std::exception& error) {
     // Nothing below throws on purpose; this is memory running out and the like.
     fmt::print(stderr, "dewpoint-cli: stopped: {}.\n", error.what());
-    return dewpoint::kExitBadInput;
+    return dewpoint::app::kExitBadInput;
   }
 }

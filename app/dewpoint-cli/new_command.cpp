@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
-#include "core/session/empty_rooms.h"
-#include "core/session/new_project.h"
+#include "core/session/run/background_images.h"
+#include "core/setup/new_project.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include <memory>
 #include <system_error>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 struct NewOptions {
@@ -120,4 +120,4 @@ void addNewCommand(CLI::App& app, int& exitCode) {
   command->callback([options, &exitCode] { exitCode = makeNew(*options); });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

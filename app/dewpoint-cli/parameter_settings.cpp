@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/parameter_settings.h"
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 Status applySettings(const std::vector<std::string>& settings, ParameterValues& parameters) {
   for (const auto& setting : settings) {
@@ -18,4 +18,4 @@ Status applySettings(const std::vector<std::string>& settings, ParameterValues& 
   return {};
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 /// Sets the parameters named in the texts "key=value" of --set; errors name it.
 Status applySettings(const std::vector<std::string>& settings, ParameterValues& parameters);
 
-} // namespace dewpoint
+} // namespace dewpoint::app

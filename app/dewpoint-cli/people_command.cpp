@@ -5,11 +5,11 @@
 #include "app/dewpoint-cli/parameter_settings.h"
 #include "app/dewpoint-cli/progress.h"
 #include "app/wiring/open_project.h"
-#include "core/session/people_overlay.h"
-#include "core/session/people_writer.h"
-#include "core/session/tracking_run.h"
-#include "core/tracking/people_parameters.h"
-#include "core/tracking/people_tracker.h"
+#include "core/session/people/people_overlay.h"
+#include "core/session/people/people_writer.h"
+#include "core/session/run/tracking_run.h"
+#include "core/tracking/people/people_parameters.h"
+#include "core/tracking/people/people_tracker.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -18,7 +18,7 @@
 #include <chrono>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 struct PeopleOptions {
@@ -128,7 +128,7 @@ Status trackPeople(PeopleJob& job, const PeopleOptions& options, PeopleWriter& w
     job.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     job.most = std::max(job.most, static_cast<int>(job.tracker->people().size()));
     const auto written =
-        writer.write(*job.tracker, (*frames)->index, dewpoint::seconds((*frames)->time));
+        writer.write(*job.tracker, (*frames)->index, dewpoint::base::seconds((*frames)->time));
     if (!written) {
       progress.finish();
       return written;
@@ -242,4 +242,4 @@ void addPeopleCommand(CLI::App& app, int& exitCode) {
   });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

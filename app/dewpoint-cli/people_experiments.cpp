@@ -2,8 +2,8 @@
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/interruption.h"
 #include "app/dewpoint-cli/progress.h"
-#include "core/experiment/report_folder.h"
-#include "core/experiment/study_experiments.h"
+#include "core/experiment/report/report_folder.h"
+#include "core/experiment/studies/study_experiments.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 struct StudyOptions {
@@ -132,4 +132,4 @@ void addPeopleExperiments(CLI::App& group, int& exitCode) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

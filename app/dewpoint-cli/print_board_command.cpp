@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
-#include "core/calibration/board_print.h"
+#include "core/calibration/board/board_print.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 struct PrintOptions {
@@ -55,4 +55,4 @@ void addPrintBoardCommand(CLI::App& app, int& exitCode) {
   command->callback([options, &exitCode] { exitCode = print(*options); });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <unistd.h>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 constexpr int kBarWidth = 30;
 constexpr std::chrono::milliseconds kRefresh{100};
@@ -41,4 +41,4 @@ void Progress::finish() {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <chrono>
 #include <cstdint>
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 /// A progress bar on stderr; silent when stderr is not a terminal.
 class Progress {
@@ -24,4 +26,4 @@ private:
   std::chrono::steady_clock::time_point last_{};
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::app

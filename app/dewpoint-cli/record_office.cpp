@@ -2,15 +2,15 @@
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/progress.h"
 #include "app/wiring/open_office.h"
-#include "core/calibration/calibration_file.h"
+#include "core/calibration/formats/calibration_file.h"
 #include "core/capture/frame_writer.h"
-#include "core/session/tracking_run.h"
+#include "core/session/run/tracking_run.h"
 #include "core/simulation/office.h"
 #include "core/trajectory/trajectory_writer.h"
 
 #include <fmt/format.h>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 Status writeVideo(const OfficeRenderer& renderer, std::size_t camera, const std::string& file,
@@ -87,4 +87,4 @@ int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
   return kExitDone;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

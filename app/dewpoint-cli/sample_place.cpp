@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 template <class Number> std::optional<Number> numberIn(std::string_view text) {
@@ -106,4 +106,4 @@ Result<ColorSample> placeFrom(const Project& project, const std::string& text, c
   return place;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

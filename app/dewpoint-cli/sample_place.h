@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 /// The camera meant by a name, or by its number in the project, from 1. BadValue names `option`.
 Result<int> cameraNamed(const Project& project, const std::string& text, const char* option);
@@ -21,4 +21,4 @@ Result<ColorSample> boxFrom(const std::string& text, const char* option);
 /// A click elsewhere "CAMERA:FRAME:X,Y". BadValue names `option`.
 Result<ColorSample> placeFrom(const Project& project, const std::string& text, const char* option);
 
-} // namespace dewpoint
+} // namespace dewpoint::app

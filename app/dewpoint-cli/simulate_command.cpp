@@ -2,9 +2,9 @@
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/progress.h"
 #include "app/wiring/open_project.h"
-#include "core/calibration/calibration_file.h"
+#include "core/calibration/formats/calibration_file.h"
 #include "core/capture/frame_writer.h"
-#include "core/session/tracking_run.h"
+#include "core/session/run/tracking_run.h"
 #include "core/simulation/office_day.h"
 #include "core/simulation/scene_renderer.h"
 #include "core/trajectory/trajectory_writer.h"
@@ -17,7 +17,7 @@
 #include <memory>
 #include <optional>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 struct SimulateOptions {
@@ -160,4 +160,4 @@ void addSimulateCommand(CLI::App& app, int& exitCode) {
   command->callback([options, &exitCode] { exitCode = simulate(*options); });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -2,8 +2,8 @@
 #include "app/dewpoint-cli/box_commands.h"
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/interruption.h"
-#include "core/experiment/report_folder.h"
-#include "core/experiment/sugandi_study.h"
+#include "core/experiment/report/report_folder.h"
+#include "core/experiment/studies/sugandi_study.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include <iterator>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 struct SugandiOptions {
@@ -85,4 +85,4 @@ void addSugandiExperiment(CLI::App& group, int& exitCode) {
   command->callback([options, &exitCode] { exitCode = studySugandi(*options); });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -2,16 +2,16 @@
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/interruption.h"
 #include "app/dewpoint-cli/progress.h"
-#include "core/experiment/baseline_methods.h"
-#include "core/experiment/suite_report.h"
-#include "core/experiment/suite_runner.h"
+#include "core/experiment/baselines/baseline_methods.h"
+#include "core/experiment/suite/suite_report.h"
+#include "core/experiment/suite/suite_runner.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 struct SuiteOptions {
@@ -138,4 +138,4 @@ void addSuiteCommand(CLI::App& app, int& exitCode) {
   });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -9,8 +9,8 @@
 #include "core/base/random.h"
 #include "core/capture/frame_writer.h"
 #include "core/capture/recording.h"
-#include "core/session/box_track_file.h"
-#include "core/session/new_project.h"
+#include "core/session/run/box_track_file.h"
+#include "core/setup/new_project.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -22,7 +22,7 @@
 #include <optional>
 #include <span>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 struct TrackBoxOptions {
@@ -289,4 +289,4 @@ void addTrackBoxCommand(CLI::App& app, int& exitCode) {
   command->callback([options, &exitCode] { exitCode = trackBoxes(*options); });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

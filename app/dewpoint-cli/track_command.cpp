@@ -12,7 +12,7 @@
 #include <memory>
 #include <optional>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 struct TrackOptions {
@@ -111,4 +111,4 @@ void addTrackCommand(CLI::App& app, int& exitCode) {
   command->callback([options, &exitCode] { exitCode = track(*options); });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

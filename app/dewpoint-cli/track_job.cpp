@@ -5,9 +5,9 @@
 #include "app/dewpoint-cli/interruption.h"
 #include "app/dewpoint-cli/progress.h"
 #include "core/base/text_file.h"
-#include "core/session/bump_watch.h"
-#include "core/session/run_report.h"
-#include "core/session/tracking_run.h"
+#include "core/session/run/camera_motion_watch.h"
+#include "core/session/run/run_report.h"
+#include "core/session/run/tracking_run.h"
 #include "core/trajectory/evaluation.h"
 #include "core/trajectory/trajectory_writer.h"
 
@@ -18,7 +18,7 @@
 #include <iterator>
 #include <optional>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 /// Says each new notice of the source once.
@@ -33,7 +33,7 @@ void sayNotices(const FrameSetSource& source, RunFigures& figures) {
 }
 
 /// Says each new bump of a camera once.
-void sayBumps(const BumpWatch& bumps, std::size_t& said, RunFigures& figures) {
+void sayBumps(const CameraMotionWatch& bumps, std::size_t& said, RunFigures& figures) {
   if (said == bumps.reports().size()) {
     return;
   }
@@ -68,7 +68,7 @@ struct TrackOutput {
 /// The loop itself; what stopped it, if it was not the end.
 Status trackFrames(const TrackJob& job, FrameSetSource& source, TrackingRun& run,
                    const CameraRig& rig, TrackOutput& output, RunFigures& figures) {
-  BumpWatch bumps(rig);
+  CameraMotionWatch bumps(rig);
   std::size_t bumpsSaid = 0;
   if (job.firstFrame > 0) {
     if (const auto sought = source.seek(job.firstFrame); !sought) {
@@ -202,4 +202,4 @@ int TrackJob::run(SessionInputs inputs) const {
   return interruptionAsked() ? kExitInterrupted : kExitDone;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 /// `dewpoint-cli track`: runs a project from its first to its last frame and writes what it found.
 struct TrackJob {
@@ -20,4 +20,4 @@ struct TrackJob {
   int run(SessionInputs inputs) const;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
-#include "core/session/track_positions.h"
+#include "core/setup/track_positions.h"
 #include "core/trajectory/trajectory_reader.h"
 #include "core/trajectory/trajectory_writer.h"
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 struct TrackPositionsOptions {
@@ -103,4 +103,4 @@ void addTrackPositionsCommand(CLI::App& app, int& exitCode) {
   command->callback([options, &exitCode] { exitCode = trackPositionsIn(*options); });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

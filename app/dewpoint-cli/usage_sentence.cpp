@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <regex>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 /// The command that was chosen last: "export", or "experiment" and then "people".
@@ -107,4 +107,4 @@ std::string usageSentence(const CLI::App& app, const CLI::ParseError& error) {
                      pathOf(command));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <string>
 
 namespace CLI {
@@ -8,10 +10,10 @@ class App;
 class ParseError;
 } // namespace CLI
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 /// What is wrong with a command line, in one sentence: the option, what it may be, where help is.
 /// What is unknown is said before what is missing: it may be the same thing misspelt.
 std::string usageSentence(const CLI::App& app, const CLI::ParseError& error);
 
-} // namespace dewpoint
+} // namespace dewpoint::app

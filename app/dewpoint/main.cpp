@@ -5,10 +5,10 @@
 #include "app/wiring/quiet_libraries.h"
 #include "core/base/thread_precedence.h"
 #include "core/session/session.h"
-#include "ui/birdseye/birds_eye_view.h"
 #include "ui/document/recovery.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/settings/language.h"
+#include "ui/text/language.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
@@ -35,7 +35,7 @@ struct Options {
 
 std::vector<std::string> languageNames() {
   std::vector<std::string> names;
-  for (const QString& language : dewpoint::languages()) {
+  for (const QString& language : dewpoint::ui::languages()) {
     names.push_back(language.toStdString());
   }
   return names;
@@ -73,8 +73,8 @@ void describe(CLI::App& app, Options& options) {
 }
 
 int run(int argc, char** argv) {
-  dewpoint::setPrecedence(dewpoint::Precedence::Patient); // before any thread is made
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::base::setPrecedence(dewpoint::base::Precedence::Patient); // before any thread is made
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv); // takes its own options out of argv
   QApplication::setApplicationName(QStringLiteral("dewpoint"));
   QApplication::setOrganizationName(QStringLiteral("dewpoint"));
@@ -86,15 +86,15 @@ int run(int argc, char** argv) {
   Options options;
   describe(app, options);
   CLI11_PARSE(app, argc, argv);
-  dewpoint::useLanguage(options.language.empty()
-                            ? QSettings().value(QStringLiteral("language")).toString()
-                            : QString::fromStdString(options.language));
+  dewpoint::ui::useLanguage(options.language.empty()
+                                ? QSettings().value(QStringLiteral("language")).toString()
+                                : QString::fromStdString(options.language));
 
   const QString theme = options.theme.empty()
                             ? QSettings().value(QStringLiteral("theme")).toString()
                             : QString::fromStdString(options.theme);
-  dewpoint::MainWindow window(&dewpoint::openProject);
-  window.setTheme(dewpoint::themeFromName(theme));
+  dewpoint::ui::MainWindow window(&dewpoint::app::openProject);
+  window.setTheme(dewpoint::ui::themeFromName(theme));
   int width = 0;
   int height = 0;
   if (isSize(options.size, width, height)) {
@@ -102,15 +102,16 @@ int run(int argc, char** argv) {
   }
   window.setPlayOnOpen(!options.paused || !options.screenshot.empty());
   if (!options.screenshot.empty()) {
-    dewpoint::takeScreenshot(window, QString::fromStdString(options.screenshot), options.frames);
+    dewpoint::app::takeScreenshot(window, QString::fromStdString(options.screenshot),
+                                  options.frames);
   }
   if (!options.out.empty()) {
-    dewpoint::writeRunTo(window, options.out);
+    dewpoint::app::writeRunTo(window, options.out);
   }
   window.show();
   const bool unattended = !options.screenshot.empty() || !options.out.empty();
   if (!unattended) {
-    window.useRecovery(dewpoint::Recovery::standardFolder());
+    window.useRecovery(dewpoint::ui::Recovery::standardFolder());
   }
   if (unattended || !options.project.empty()) {
     window.openProject(options.project); // the demo when none is named
@@ -121,7 +122,7 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
-  dewpoint::quietLibraries();
+  dewpoint::app::quietLibraries();
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {

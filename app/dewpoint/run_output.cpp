@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint/run_output.h"
 
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 #include "ui/mainwindow/main_window.h"
 
 #include <QCoreApplication>
@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 void writeRunTo(MainWindow& window, const std::filesystem::path& folder) {
   const auto ended = std::make_shared<bool>(false);
@@ -28,4 +28,4 @@ void writeRunTo(MainWindow& window, const std::filesystem::path& folder) {
   });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint/screenshot.h"
 
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 #include "ui/mainwindow/main_window.h"
 
 #include <QAction>
@@ -13,7 +13,7 @@
 #include <cstdio>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 namespace {
 
@@ -55,4 +55,4 @@ void takeScreenshot(MainWindow& window, const QString& file, int frames) {
       });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

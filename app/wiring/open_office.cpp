@@ -4,12 +4,12 @@
 #include "core/capture/recording.h"
 #include "core/simulation/office_day.h"
 #include "core/simulation/view_cache.h"
-#include "core/tracking/people_tracker.h"
+#include "core/tracking/people/people_tracker.h"
 
 #include <memory>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 Project projectOfOffice() {
   const OfficeScene scene = officeDay();
@@ -69,4 +69,4 @@ Result<SessionInputs> openOffice(Project project) {
   return inputs;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -5,7 +5,7 @@
 #include "core/session/session.h"
 #include "core/simulation/office.h"
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 /// The project of the built-in scene of people (officeDay()).
 Project projectOfOffice();
@@ -14,4 +14,4 @@ Result<SessionInputs> openOffice(Project project);
 /// Where everybody truly is: middles of bodies, and whether they are inside the walls.
 Trajectory truthOfOffice(const OfficeRenderer& renderer);
 
-} // namespace dewpoint
+} // namespace dewpoint::app

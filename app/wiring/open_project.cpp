@@ -4,9 +4,9 @@
 #include "app/wiring/open_office.h"
 #include "core/capture/live_cameras.h"
 #include "core/capture/recording.h"
-#include "core/session/empty_rooms.h"
-#include "core/session/new_project.h"
-#include "core/session/tracking_run.h"
+#include "core/session/run/background_images.h"
+#include "core/session/run/tracking_run.h"
+#include "core/setup/new_project.h"
 #include "core/simulation/office_day.h"
 #include "core/simulation/scene_renderer.h"
 #include "core/trajectory/trajectory_reader.h"
@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::app {
 namespace {
 
 bool isLive(const ProjectCamera& camera) {
@@ -225,4 +225,4 @@ Result<SessionInputs> openProject(const SessionRequest& request) {
   });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 /// A project that tracks the balls of a simulated scene, with the paper's parameters.
 Project projectOfScene(const Scene& scene, const std::string& sceneName);
@@ -26,4 +26,4 @@ Result<SessionInputs> openInputs(Project project);
 /// Both in one: what the window's "Open" does.
 Result<SessionInputs> openProject(const SessionRequest& request);
 
-} // namespace dewpoint
+} // namespace dewpoint::app

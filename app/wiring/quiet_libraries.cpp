@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <glog/logging.h>
 
-namespace dewpoint {
+namespace dewpoint::app {
 
 void quietLibraries() {
   setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
@@ -16,4 +16,4 @@ void quietLibraries() {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::app

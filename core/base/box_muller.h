@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::base {
 
 struct NormalPair {
   double first;
@@ -41,4 +41,4 @@ struct NormalPairSingle {
   return 0.0F - logarithm(unitInterval(word)); // never minus zero
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::base

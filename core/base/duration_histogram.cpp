@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::base {
 namespace {
 
 constexpr double kShortest = 1e-9; // seconds
@@ -34,4 +34,4 @@ double DurationHistogram::quantile(double share) const {
   return longest_;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::base

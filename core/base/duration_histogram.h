@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <array>
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::base {
 
 /// Any number of durations in fixed memory, for quantiles that are off by at most half a percent.
 /// Buckets grow by one percent from 1 ns to 20 minutes; what lies outside falls into the first or
@@ -27,4 +29,4 @@ private:
   double longest_ = 0.0;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::base

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -10,7 +12,7 @@
 /// Elementary functions made of additions and multiplications in a fixed order, without branches:
 /// a loop over them becomes vector code, and every processor and library gives the same bits, which
 /// std::log, std::sin and std::exp do not promise. Errors are a few units in the last place.
-namespace dewpoint {
+namespace dewpoint::base {
 
 /// c[0] + c[1] x + c[2] x^2 + ...
 template <std::size_t Count>
@@ -111,4 +113,4 @@ struct CosineSine {
   return normal ? power * polynomial(r, kExp) : 0.0;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::base

@@ -12,7 +12,7 @@
 /// The functions of elementary.h in single precision, for random numbers by the million: half the
 /// size and half the terms, so that vector units take four times as many. Errors are a few units in
 /// the last place, and again every processor gives the same bits.
-namespace dewpoint {
+namespace dewpoint::base {
 
 /// c[0] + c[1] x + c[2] x^2 + ...
 template <std::size_t Count>
@@ -70,4 +70,4 @@ struct CosineSineSingle {
   return high * 0x1.0p-16F + (low + 0.5F) * 0x1.0p-32F;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::base

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
 
-namespace dewpoint {
+namespace dewpoint::base {
 
 const char* phrase(ErrorCode code) {
   switch (code) {
@@ -54,4 +54,4 @@ std::string sentence(const Error& error) {
   return text;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::base

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <tl/expected.hpp>
 
 #include <string>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::base {
 
 /// What went wrong, as far as a caller can act on it. Each code has one sentence of its own
 /// (phrase()), which the window translates.
@@ -53,4 +55,4 @@ const char* phrase(ErrorCode code);
 /// (a.mkv)".
 std::string sentence(const Error& error);
 
-} // namespace dewpoint
+} // namespace dewpoint::base

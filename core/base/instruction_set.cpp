@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <atomic>
 
-namespace dewpoint {
+namespace dewpoint::base {
 namespace {
 
 InstructionSet widest() {
@@ -37,4 +37,4 @@ InstructionSetLimit::~InstructionSetLimit() {
   limit = before_;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::base

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace dewpoint {
+#include "core/base/floors.h"
+
+namespace dewpoint::base {
 
 /// How wide the vector instructions are that a kernel may use. Every processor has the baseline of
 /// its architecture; the other two are 256 and 512 bit wide on x86-64.
@@ -22,4 +24,4 @@ private:
   InstructionSet before_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::base

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/markup.h"
 
-namespace dewpoint {
+namespace dewpoint::base {
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -26,4 +26,4 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::base

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <array>
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::base {
 
 /// Philox4x32-10 (Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC 2011): four
 /// random words that depend on nothing but counter and key, so that a number can be drawn by any
@@ -34,4 +36,4 @@ struct Philox {
   }
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::base

@@ -4,7 +4,7 @@
 #include "core/base/box_muller.h"
 #include "core/base/philox.h"
 
-namespace dewpoint {
+namespace dewpoint::base {
 namespace {
 
 constexpr double kTwoPowMinus32 = 1.0 / 4294967296.0;
@@ -66,4 +66,4 @@ std::uint64_t derivedSeed(std::uint64_t seed, std::uint32_t index) {
   return (std::uint64_t{word[0]} << 32U) | word[1];
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::base

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <array>
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::base {
 
 /// Four random words, a pure function of counter and key: see Philox.
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
@@ -67,4 +69,4 @@ private:
 /// A seed for part `index` of something seeded with `seed`; part 0 keeps the seed itself.
 std::uint64_t derivedSeed(std::uint64_t seed, std::uint32_t index);
 
-} // namespace dewpoint
+} // namespace dewpoint::base

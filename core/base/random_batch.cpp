@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::base {
 
 /// Random numbers in blocks: first the words of a block, then what is made of them.
 struct RandomBatch {
@@ -124,4 +124,4 @@ void RandomStream::exponentials(std::uint32_t firstIndex, std::int64_t count,
   RandomBatch::run<RandomBatch::Exponentials>(this, firstIndex, count, &columns);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::base

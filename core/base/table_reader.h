@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::base {
 
 /// Takes the known keys out of one TOML table and keeps the first thing that is wrong with it, with
 /// the line where it stands. Keys nobody asked for are an error: they are typing mistakes.
@@ -196,4 +196,4 @@ private:
   std::optional<Error> error_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::base

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <unistd.h>
 
-namespace dewpoint {
+namespace dewpoint::base {
 namespace {
 
 struct CloseFile {
@@ -57,4 +57,4 @@ Status writeTextFile(const std::filesystem::path& file, const std::string& text)
   return {};
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::base

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::base {
 
 /// Reads a whole text file: FileMissing or FileUnreadable.
 Result<std::string> readTextFile(const std::filesystem::path& file);
@@ -15,4 +15,4 @@ Result<std::string> readTextFile(const std::filesystem::path& file);
 /// text or the new one, never half of one. FileUnwritable says why.
 Status writeTextFile(const std::filesystem::path& file, const std::string& text);
 
-} // namespace dewpoint
+} // namespace dewpoint::base

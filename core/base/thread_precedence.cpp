@@ -5,7 +5,7 @@
 #include <sched.h>
 #endif
 
-namespace dewpoint {
+namespace dewpoint::base {
 
 void setPrecedence([[maybe_unused]] Precedence precedence) {
 #ifdef __linux__
@@ -16,4 +16,4 @@ void setPrecedence([[maybe_unused]] Precedence precedence) {
 #endif
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::base

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace dewpoint {
+#include "core/base/floors.h"
+
+namespace dewpoint::base {
 
 /// Who goes first where threads share a processor.
 enum class Precedence {
@@ -14,4 +16,4 @@ enum class Precedence {
 /// draw the one before.
 void setPrecedence(Precedence precedence);
 
-} // namespace dewpoint
+} // namespace dewpoint::base

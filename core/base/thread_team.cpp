@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::base {
 namespace {
 // Below this many elements waking the others costs more than the work.
 constexpr std::int64_t kSmallestShared = 2048;
@@ -92,4 +92,4 @@ void ThreadTeam::work(const std::stop_token& stop, int worker) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::base

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -8,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::base {
 
 /// A fixed number of threads that share loops over independent elements. Results must not depend
 /// on how the range is cut: then they do not depend on the number of threads either.
@@ -47,4 +49,4 @@ private:
   std::vector<std::jthread> workers_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::base

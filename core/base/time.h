@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <chrono>
 
-namespace dewpoint {
+namespace dewpoint::base {
 
 /// When a frame was taken: nanoseconds since the run's own zero (the first frame of a recording,
 /// the opening of a live session). Integer, so that times compare and print exactly.
@@ -19,4 +21,4 @@ inline TimeStamp timeStamp(double seconds) {
   return std::chrono::round<TimeStamp>(std::chrono::duration<double>(seconds));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::base

@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-namespace dewpoint {
+namespace dewpoint::base {
 
 Result<toml::table> parseToml(const std::string& text, const std::string& file) {
   try {
@@ -43,4 +43,4 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::base

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::base {
 
 /// Parses TOML; NotParsed with the line and what was expected there. `file` is for the message.
 Result<toml::table> parseToml(const std::string& text, const std::string& file);
@@ -19,4 +19,4 @@ Result<toml::table> readTomlFile(const std::filesystem::path& file);
 /// A text as TOML writes it.
 std::string quoted(const std::string& text);
 
-} // namespace dewpoint
+} // namespace dewpoint::base

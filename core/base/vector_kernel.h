@@ -14,7 +14,7 @@
 #endif
 #endif
 
-namespace dewpoint {
+namespace dewpoint::base {
 
 #if defined(__x86_64__)
 template <class Kernel, class... Arguments>
@@ -47,4 +47,4 @@ template <class Kernel, class... Arguments> void runKernel(Arguments... argument
   Kernel::run(arguments...);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::base

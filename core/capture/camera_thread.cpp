@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 using namespace std::chrono_literals;
 
@@ -198,4 +198,4 @@ void CameraThread::publish(Shared& shared, const cv::Mat& picture, Clock::time_p
   shared.bell->ring();
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

@@ -13,7 +13,7 @@
 #include <optional>
 #include <thread>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 /// Wakes the reader of several cameras whenever one of them has news.
 class Bell {
@@ -92,4 +92,4 @@ private:
   std::jthread thread_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 namespace {
 
 Result<PictureReaderPtr> openReader(const std::string& location, const std::string& field) {
@@ -79,4 +79,4 @@ Result<cv::Mat> readEmptyRoom(const std::string& location, const PictureShape& c
       .map([](const std::vector<cv::Mat>& pictures) { return medianOf(pictures); });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 /// What a camera shows when no target is there (CV_8UC3, turned): the picture in a file, or the
 /// median, pixel by pixel, of up to kEmptyRoomPictures evenly picked ones of a video or of a folder
@@ -16,4 +16,4 @@ Result<cv::Mat> readEmptyRoom(const std::string& location, const PictureShape& c
 
 inline constexpr int kEmptyRoomPictures = 15;
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 /// One image of one camera. It owns its pixels, and nobody writes them once it is published.
 struct Frame {
@@ -27,4 +27,4 @@ struct FrameSet {
 };
 using FrameSetPtr = std::shared_ptr<const FrameSet>;
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

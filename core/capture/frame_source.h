@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 /// Frame sets of all cameras, one after the other. Implementations turn every exception of the
 /// libraries they use into an Error. Used by one thread only.
@@ -30,4 +30,4 @@ public:
   virtual std::vector<Error> notices() const { return {}; }
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 namespace fs = std::filesystem;
 
@@ -114,4 +114,4 @@ Status FrameWriter::finish() {
   return {};
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

@@ -13,7 +13,7 @@ namespace cv {
 class VideoWriter;
 }
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 /// Writes one camera's pictures without loss, so that reading them back gives the same bytes.
 class FrameWriter {
@@ -46,4 +46,4 @@ private:
   bool finished_ = false;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

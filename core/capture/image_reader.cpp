@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 namespace {
 
@@ -162,4 +162,4 @@ Result<PictureReaderPtr> openGeneratedReader(const RecordedCamera& camera,
   return std::make_unique<GeneratedReader>(camera, field);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

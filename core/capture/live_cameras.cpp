@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 using namespace std::chrono_literals;
 
@@ -169,4 +169,4 @@ Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& 
   return openLive(cameras, makeVideoStream);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 /// One camera that delivers pictures as they happen.
 struct LiveCamera {
@@ -31,4 +31,4 @@ struct LiveCamera {
 /// their camera is late by.
 Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras);
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

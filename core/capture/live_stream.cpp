@@ -12,7 +12,7 @@
 #include <optional>
 #include <string_view>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 namespace {
 
@@ -110,4 +110,4 @@ LiveStreamPtr makeVideoStream(const LiveCamera& camera) {
   return std::make_unique<VideoStream>(camera);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

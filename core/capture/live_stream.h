@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 /// One connection to a device, used by one thread only. Any call may take long.
 class LiveStream {
@@ -38,4 +38,4 @@ LiveStreamPtr makeVideoStream(const LiveCamera& camera);
 Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras,
                                                  const LiveStreamFactory& factory);
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

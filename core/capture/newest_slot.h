@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <chrono>
 #include <cstdint>
 #include <mutex>
 #include <optional>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 /// Holds one value between two threads: a new one replaces one nobody took, which counts as
 /// dropped. Every function may be called from any thread.
@@ -49,4 +51,4 @@ private:
   std::int64_t dropped_ = 0;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

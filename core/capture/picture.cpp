@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 namespace {
 
@@ -83,4 +83,4 @@ Result<cv::Mat> shaped(const cv::Mat& picture, const PictureShape& shape, const 
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 /// What every picture of one camera has to be, and whom to name when it is not.
 struct PictureShape {
@@ -28,4 +28,4 @@ Status checkShape(const PictureShape& shape, const std::string& file);
 /// converted. The result shares the pixels of `picture` when nothing had to change.
 Result<cv::Mat> shaped(const cv::Mat& picture, const PictureShape& shape, const std::string& file);
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 /// The pictures of one recorded camera by number, as stored: not yet turned, size not yet checked.
 class PictureReader {
@@ -43,4 +43,4 @@ Result<PictureReaderPtr> openGeneratedReader(const RecordedCamera& camera,
 /// Whether `left` comes before `right` when numbers inside names count as numbers ("2" < "10").
 bool naturallyBefore(const std::string& left, const std::string& right);
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

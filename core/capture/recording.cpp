@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 namespace {
 
@@ -210,4 +210,4 @@ Result<std::unique_ptr<FrameSetSource>> openRecording(const std::vector<Recorded
   return std::make_unique<Recording>(std::move(opened), rate, std::move(notices));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

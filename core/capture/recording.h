@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 /// One camera of a recording: a video file, a folder of pictures, or a function that makes them.
 struct RecordedCamera {
@@ -40,4 +40,4 @@ struct RecordedCamera {
 Result<std::unique_ptr<FrameSetSource>> openRecording(const std::vector<RecordedCamera>& cameras,
                                                       double framesPerSecond);
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::capture {
 
 namespace {
 
@@ -190,4 +190,4 @@ Result<PictureReaderPtr> openVideoReader(const std::string& path, const std::str
   return reader;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::capture

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::color {
 namespace {
 
 constexpr double kSumOfWhite = 3.0 * 255.0;
@@ -69,4 +69,4 @@ ColorClassifier::RatioPlane ColorClassifier::RatioPlane::beyond(double bound, bo
   return {1, 0, ratioLine(1.0 / slope, RatioAxes::ExcessPerLeast), !greater};
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::color

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 /// Answers "does this pixel match the target color" without trigonometry, tables or divisions, and
 /// with the same answer as matches(hsiFromBgr(b, g, r), range).
@@ -94,4 +94,4 @@ private:
   HueRange hueRange_ = HueRange::Both;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::color

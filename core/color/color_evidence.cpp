@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::color {
 namespace {
 
 /// Pixels around a region that are neither: blur and compression mix the colors there.
@@ -212,4 +212,4 @@ ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
   return evidence;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::color

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 /// What samples and images say about a color: what is target, and what is not. Weights are pixels.
 struct ColorEvidence {
@@ -37,4 +37,4 @@ ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
 /// fuller, a little of another hue. The weight stays.
 std::vector<HsiColors> inOtherLight(const std::vector<HsiColors>& colors);
 
-} // namespace dewpoint
+} // namespace dewpoint::color

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 ColorHistogram histogramOf(const std::vector<cv::Mat>& images) {
   HsiCounts counts;
@@ -36,4 +36,4 @@ ColorHistogram histogramOf(const std::vector<cv::Mat>& images) {
   return histogram;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::color

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
                                 const std::vector<cv::Mat>& images) {
@@ -50,4 +50,4 @@ ColorVerdict judgeColor(const ColorRange& range, const std::vector<ColorSample>&
   return verdict;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::color

@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 enum class HorizontalPlace : std::uint8_t { Left, Center, Right };
 enum class VerticalPlace : std::uint8_t { Top, Middle, Bottom };
@@ -103,4 +103,4 @@ Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
 ColorVerdict judgeColor(const ColorRange& range, const std::vector<ColorSample>& samples,
                         const std::vector<cv::Mat>& images);
 
-} // namespace dewpoint
+} // namespace dewpoint::color

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::color {
 namespace {
 
 constexpr float kLightness = 0.5F; ///< weight: light and shade are on one thing
@@ -112,4 +112,4 @@ ColorPalette::Shares ColorPalette::softened(const Shares& counts) const {
   return soft;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::color

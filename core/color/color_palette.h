@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <opencv2/core/mat.hpp>
 
 #include <array>
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 /// The few colors that a picture is made of, and how alike they are to one who does not mind some
 /// shading. Colors lie in CIE L*a*b* with lightness counted half; alike is a Gauss function of
@@ -35,4 +37,4 @@ private:
   std::array<Shares, kColors> alike_{};
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::color

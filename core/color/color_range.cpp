@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::color {
 namespace {
 
 /// False for NaN too.
@@ -51,4 +51,4 @@ Status checkColorRange(const ColorRange& range) {
   return {};
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::color

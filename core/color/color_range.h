@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 /// A target color as ranges in HSI (Gonzalez & Woods). Hue in degrees [0, 360), circular: hueMin >
 /// hueMax wraps through 0. Saturation and intensity in [0, 1]. All bounds inclusive.
@@ -26,4 +26,4 @@ bool spansEveryHue(const ColorRange& range);
 /// or when no color could ever match. A hue bound of 360 is allowed: 0 to 360 is every hue.
 Status checkColorRange(const ColorRange& range);
 
-} // namespace dewpoint
+} // namespace dewpoint::color

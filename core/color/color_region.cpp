@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::color {
 namespace {
 
 constexpr int kLevels = 256;
@@ -333,4 +333,4 @@ Result<ColorSample> takeSample(const cv::Mat& bgr, ColorSample place) {
   return place;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::color

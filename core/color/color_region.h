@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 /// How unlike two colors are to something that is lit unevenly: in units of noise for what light
 /// does not change (the shares of red, green and blue), and of half a natural logarithm for what it
@@ -34,4 +34,4 @@ cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& place);
 /// The median per channel. At least one color.
 BgrColor medianColor(std::vector<BgrColor> colors);
 
-} // namespace dewpoint
+} // namespace dewpoint::color

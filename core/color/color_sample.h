@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 /// Blue, green, red.
 using BgrColor = std::array<std::uint8_t, 3>;
@@ -38,4 +38,4 @@ struct ColorSample {
 /// BadValue naming "pixel" or "box" where the place is not in the image, "image" for another type.
 Result<ColorSample> takeSample(const cv::Mat& bgr, ColorSample place);
 
-} // namespace dewpoint
+} // namespace dewpoint::color

@@ -14,7 +14,7 @@
 #include <functional>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::color {
 namespace {
 
 /// A thing that matters as a look-alike: this share of the target's size, and no speckle.
@@ -190,4 +190,4 @@ ColorVerdict verdictOn(const ColorRange& range, const ColorEvidence& evidence,
   return verdict;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::color

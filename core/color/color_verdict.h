@@ -4,10 +4,10 @@
 #include "core/color/color_evidence.h"
 #include "core/color/color_learning.h"
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 /// How well the range does on the evidence that was collected from these images.
 ColorVerdict verdictOn(const ColorRange& range, const ColorEvidence& evidence,
                        const std::vector<cv::Mat>& images);
 
-} // namespace dewpoint
+} // namespace dewpoint::color

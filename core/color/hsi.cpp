@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::color {
 namespace {
 
 bool hueWithin(double hue, const ColorRange& range) {
@@ -52,4 +52,4 @@ bool matches(const Hsi& color, const ColorRange& range) {
          fractionWithin(color.intensity, range.intensityMin, range.intensityMax);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::color

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 /// Slack of an inclusive bound, in degrees for the hue and as a fraction for saturation and
 /// intensity, so that rounding does not decide about colors that lie exactly on a bound. Far
@@ -27,4 +27,4 @@ Hsi hsiFromBgr(std::uint8_t b, std::uint8_t g, std::uint8_t r);
 /// True if the color lies in the range. Black never matches, gray only where every hue does.
 bool matches(const Hsi& color, const ColorRange& range);
 
-} // namespace dewpoint
+} // namespace dewpoint::color

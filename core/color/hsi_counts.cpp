@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 HsiCounts::HsiCounts() : cells_(std::size_t{1} << (3 * kBits)) {}
 
@@ -51,4 +51,4 @@ std::vector<HsiColors> HsiCounts::colors() const {
   return colors;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::color

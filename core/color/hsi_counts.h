@@ -9,7 +9,7 @@
 #include <array>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 /// Colors that are about the same, and how much of them there is.
 struct HsiColors {
@@ -39,4 +39,4 @@ private:
   double total_ = 0.0;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::color

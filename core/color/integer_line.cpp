@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::color {
 namespace {
 
 constexpr int kMaxScale = 64; // 64 * 255 fits into 15 bits
@@ -67,4 +67,4 @@ RatioLine ratioLine(double slope, RatioAxes axes) {
              : findLine<std::uint16_t>(slope, maxScale, {0, 255, 510, -2.0});
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::color

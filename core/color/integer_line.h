@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 /// The question "is y > slope * x?" for small integers x and y, answered by products of 16 bits:
 ///   scale * y > floor(factor * x / 65536).
@@ -34,4 +36,4 @@ enum class RatioAxes {
 using RatioLine = IntegerLine<std::uint16_t>;
 RatioLine ratioLine(double slope, RatioAxes axes);
 
-} // namespace dewpoint
+} // namespace dewpoint::color

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 void matchImage(const cv::Mat& bgr, const ColorClassifier& classifier, cv::Mat& match) {
   if (bgr.empty() || bgr.type() != CV_8UC3) {
@@ -27,4 +27,4 @@ cv::Mat matchImage(const cv::Mat& bgr, const ColorClassifier& classifier) {
   return match;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::color

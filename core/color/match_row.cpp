@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 /// How the channels of pixels side by side are taken apart.
 struct PlainSplit {
@@ -227,4 +227,4 @@ void ColorClassifier::matchRow(const std::uint8_t* bgr, std::int64_t count,
   MatchRowKernel{this, bgr, count, out}.choose();
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::color

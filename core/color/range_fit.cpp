@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::color {
 namespace {
 
 constexpr int kHues = 360;
@@ -243,4 +243,4 @@ ColorRange fitRange(const std::vector<HsiColors>& target, const std::vector<HsiC
   return best;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::color

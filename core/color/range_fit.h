@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 /// How much of two sets of colors a range takes in.
 struct RangeScore {
@@ -23,4 +23,4 @@ RangeScore scoreRange(const ColorRange& range, const std::vector<HsiColors>& tar
 /// colors. Weights are pixels on both sides. At least one color of the target that is not black.
 ColorRange fitRange(const std::vector<HsiColors>& target, const std::vector<HsiColors>& rest);
 
-} // namespace dewpoint
+} // namespace dewpoint::color

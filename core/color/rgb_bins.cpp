@@ -3,7 +3,7 @@
 
 #include "core/base/vector_kernel.h"
 
-namespace dewpoint {
+namespace dewpoint::color {
 namespace {
 
 struct BinKernel {
@@ -24,4 +24,4 @@ void findRgbBins(const cv::Mat& bgr, const cv::Rect& part, cv::Mat& bins) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::color

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <opencv2/core/mat.hpp>
 
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::color {
 
 /// The color histogram of Sugandi et al. 2009, section 2.2: RGB with 8 x 8 x 8 bins.
 inline constexpr int kRgbBinCount = 512;
@@ -27,4 +29,4 @@ inline std::uint16_t fineRgbBin(std::uint8_t blue, std::uint8_t green, std::uint
 /// made CV_16UC1 of the image's size when it is not; the rest of it stays as it was.
 void findRgbBins(const cv::Mat& bgr, const cv::Rect& part, cv::Mat& bins);
 
-} // namespace dewpoint
+} // namespace dewpoint::color

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 Eigen::Index kldSampleSize(std::int64_t occupiedBins, double error) {
   if (occupiedBins < 2 || !(error > 0.0)) {
@@ -32,4 +32,4 @@ std::int64_t occupiedBins(const Eigen::ArrayXXd& states, double binSize) {
   return std::unique(bins.begin(), bins.end()) - bins.begin();
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

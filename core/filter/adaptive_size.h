@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <Eigen/Core>
 
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// Particles needed so that, with 99 % confidence, the Kullback-Leibler distance between the
 /// sampled and the true distribution over `occupiedBins` bins stays below `error` (KLD-sampling:
@@ -15,4 +17,4 @@ Eigen::Index kldSampleSize(std::int64_t occupiedBins, double error);
 /// How many cubes of edge `binSize` (metres) the first three columns of `states` fall into.
 std::int64_t occupiedBins(const Eigen::ArrayXXd& states, double binSize);
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 namespace {
 
 constexpr int kTile = AncestorSearch::kTile;
@@ -107,4 +107,4 @@ void AncestorSearch::walk(std::int64_t drawCount, std::int32_t* found) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

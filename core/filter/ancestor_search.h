@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// The first particle whose cumulative weight is greater than a draw, for draws that rise: what
 /// std::upper_bound finds, in one walk along both. Made for one thread; several may walk over parts
@@ -42,4 +42,4 @@ private:
   std::array<double, SortedDraws::kBlock> block_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

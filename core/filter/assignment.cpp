@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 namespace {
 
 /// A cost that counts forbidden pairs first: they stay selectable, so that every row finds a path,
@@ -161,4 +161,4 @@ Assignment assignMinimumCost(const Eigen::MatrixXd& cost) {
   return result;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

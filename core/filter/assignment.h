@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <Eigen/Core>
 
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// Stands for "no column" in an Assignment.
 inline constexpr Eigen::Index kUnassigned = -1;
@@ -25,4 +27,4 @@ struct Assignment {
 /// shorter and l the longer side.
 Assignment assignMinimumCost(const Eigen::MatrixXd& cost);
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <array>
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// Particles that are summed up together: their columns fit into the first-level cache.
 inline constexpr std::int64_t kSumBlock = 1024;
@@ -58,4 +60,4 @@ template <class Term>
   return most;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

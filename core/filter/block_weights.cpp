@@ -9,7 +9,7 @@
 #include <limits>
 #include <numeric>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 static_assert(kPrefixBlock == kSumBlock);
 
@@ -70,4 +70,4 @@ Eigen::ArrayXd BlockWeights::all() const {
   return weights;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

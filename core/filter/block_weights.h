@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// Linear weights that sum to 1, by blocks of kSumBlock particles: within a block they are kept
 /// relative to its largest, so that they are written once, when only the block itself is known.
@@ -51,4 +51,4 @@ private:
   std::vector<Block> blocks_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// Nearly constant velocity: states are x y z vx vy vz (metres, metres per second); a constant,
 /// random acceleration acts from one step to the next (Bar-Shalom, Li and Kirubarajan 2001, section
@@ -48,4 +48,4 @@ struct ConstantVelocity {
   }
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

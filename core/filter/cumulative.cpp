@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 void CumulativeWeights::reset(const double* weights, std::int64_t count) {
   weights_ = weights;
@@ -55,4 +55,4 @@ std::int64_t CumulativeWeights::write(std::int64_t block, double* cumulative) co
   return length;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

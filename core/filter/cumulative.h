@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// Cumulative weights, in the stretches of prefix_sums.h. They never fall. With up to kStretch
 /// particles they are the plain sums.
@@ -36,4 +36,4 @@ private:
   std::vector<double> before_; ///< the weights before every stretch, kAbreast per block, and of all
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 StateEstimate estimateFrom(Moments moments) {
   StateEstimate result;
@@ -39,4 +39,4 @@ StateEstimate estimate(const Eigen::ArrayXXd& states, const Eigen::ArrayXd& weig
   return estimate(states, weights, alone);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// What a weighted particle set says about the state, in the state's own units.
 struct StateEstimate {
@@ -32,4 +32,4 @@ StateEstimate estimate(const Eigen::ArrayXXd& states, const Eigen::ArrayXd& weig
                        ThreadTeam& team);
 StateEstimate estimate(const Eigen::ArrayXXd& states, const Eigen::ArrayXd& weights);
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -8,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// A normal distribution of fixed dimension.
 template <int Dimension> struct Gaussian {
@@ -66,4 +68,4 @@ inline void condition(Gaussian6& belief, const Gaussian3& place) {
       belief.covariance.bottomLeftCorner<3, 3>().transpose().eval();
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

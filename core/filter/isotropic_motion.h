@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// Random walk of x, y and z, no direction privileged (Barrera et al. 2005, equations 1 to 3):
 /// each coordinate += N(0, sigma). Further state coordinates stay as they are.
@@ -41,4 +41,4 @@ struct IsotropicMotion {
   }
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -48,4 +48,4 @@ double relativeWeights(const double* logWeights, std::int64_t count, double larg
   return sum;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

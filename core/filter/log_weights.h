@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// The largest finite of `count` log weights; minus infinity if there is none.
 double largestLogWeight(const double* logWeights, std::int64_t count);
@@ -13,4 +15,4 @@ double largestLogWeight(const double* logWeights, std::int64_t count);
 double relativeWeights(const double* logWeights, std::int64_t count, double largest,
                        double* weights);
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

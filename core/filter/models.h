@@ -9,7 +9,7 @@
 #include <concepts>
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// Moves particles by p(X(t) | X(t-1)). `firstIndex` is the index of the first row within the whole
 /// set: random numbers are drawn by particle index, so that it does not matter how the set is cut.
@@ -54,4 +54,4 @@ template <MotionModel M> struct MotionProposal {
   }
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

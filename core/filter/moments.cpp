@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 namespace {
 
 struct WeightKernel {
@@ -93,4 +93,4 @@ Moments measureMoments(const Eigen::ArrayXXd& states, const double* weights, std
   return moments;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

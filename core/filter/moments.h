@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <Eigen/Core>
 
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// Weighted moments of some particles. Blocks are put together by the formulas of Chan, Golub and
 /// LeVeque (1983), which keep the digits that a sum of squares about a far origin would lose.
@@ -25,4 +27,4 @@ struct Moments {
 Moments measureMoments(const Eigen::ArrayXXd& states, const double* weights, std::int64_t begin,
                        std::int64_t end);
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

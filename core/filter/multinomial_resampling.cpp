@@ -5,7 +5,7 @@
 
 #include <cassert>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 namespace {
 
 // Kept for the next call of the same thread: fresh memory costs more than the work on it.
@@ -47,4 +47,4 @@ void MultinomialResampling::ancestors(const Eigen::ArrayXd& weights, Eigen::Inde
   lookUp(cumulative, count, stream, alone, picked);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// Resampling of CONDENSATION (Isard & Blake 1998): for each new particle an independent uniform
 /// draw, looked up in the cumulative weights. Unbiased; a particle of weight zero is never picked.
@@ -26,4 +26,4 @@ public:
                  ThreadTeam& team, Ancestors& picked) const;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

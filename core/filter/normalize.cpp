@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 bool normalize(const Eigen::ArrayXd& logWeights, Eigen::ArrayXd& weights, ThreadTeam& team) {
   const Eigen::Index count = logWeights.size();
@@ -41,4 +41,4 @@ bool normalize(const Eigen::ArrayXd& logWeights, Eigen::ArrayXd& weights, Thread
   return true;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

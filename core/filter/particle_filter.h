@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// Which random numbers an iteration draws.
 struct RandomKey {
@@ -171,4 +171,4 @@ private:
   std::vector<Moments> moments_; ///< of every block
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

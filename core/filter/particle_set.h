@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <Eigen/Core>
 
 #include <cstdint>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// Some consecutive particles of a set, writable: one row per particle, one contiguous column per
 /// coordinate. What a thread gets to work on.
@@ -19,4 +21,4 @@ using LogWeightSegment = Eigen::Ref<Eigen::ArrayXd>;
 /// 2^31.
 using Ancestors = std::vector<std::int32_t>;
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

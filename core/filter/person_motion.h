@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// The dynamic model of Mohedano et al. 2009, equations 14 and 15: constant velocity and, in states
 /// that have it, constant color, with normal noise of its own on position, velocity and color.
@@ -62,4 +62,4 @@ struct WalkingMotion {
   }
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

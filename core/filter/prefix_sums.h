@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// Cumulative sums are taken in order within stretches of kStretch elements, and each stretch is
 /// then moved by the sum of those before: threads and processors of any number give the same bits.
@@ -51,4 +53,4 @@ template <class Value, class Put>
   return sums;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 namespace {
 
 constexpr std::int64_t kBlock = SortedDraws::kBlock;
@@ -89,4 +89,4 @@ std::int64_t SortedDraws::write(std::int64_t block, double* draws) const {
   return length;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

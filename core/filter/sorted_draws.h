@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// Independent uniform draws from [0, total), in rising order, without sorting: n such draws lie
 /// like the partial sums of n + 1 independent exponential spacings, divided by their sum (Devroye
@@ -36,4 +36,4 @@ private:
   std::vector<double> begins_; ///< the spacings before every block, and of all
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::filter {
 
 /// Systematic resampling (Kitagawa 1996; Arulampalam et al. 2002, algorithm 2): one uniform draw
 /// and equal steps through the cumulative weights. Unbiased, and every particle is picked floor or
@@ -36,4 +36,4 @@ struct SystematicResampling {
   }
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::filter

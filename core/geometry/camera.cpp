@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 namespace {
 
 constexpr int kScanSteps = 8192;
@@ -122,4 +122,4 @@ Eigen::Isometry3d lookAt(const Eigen::Vector3d& position, const Eigen::Vector3d&
   return pose;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

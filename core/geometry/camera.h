@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 
 /// Pinhole intrinsics in pixels; pixel centers lie at integer coordinates.
 struct Intrinsics {
@@ -80,4 +80,4 @@ private:
 Eigen::Isometry3d lookAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target,
                          const Eigen::Vector3d& up = Eigen::Vector3d::UnitZ(), double roll = 0.0);
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
@@ -192,4 +192,4 @@ std::vector<Eigen::Vector2d> projectedHull(const Projector& projector, const Con
   return convexHull(std::move(pixels));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

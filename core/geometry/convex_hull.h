@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 
 /// A convex polyhedron. `faces` are triangles of indices into `vertices`, counterclockwise as seen
 /// from outside; none when the points lie in one plane. Metres, world frame.
@@ -36,4 +36,4 @@ std::vector<Eigen::Vector2d> convexHull(std::vector<Eigen::Vector2d> points);
 /// out.
 std::vector<Eigen::Vector2d> projectedHull(const Projector& projector, const ConvexHull& hull);
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 
 /// An upright rectangle in an image, in pixels from the image's upper left corner (not from the
 /// middle of its first pixel): pixel (column, row) covers [column, column + 1) x [row, row + 1).
@@ -40,4 +42,4 @@ inline double overlap(const ImageBox& one, const ImageBox& other) {
   return common > 0.0 ? common / (one.area() + other.area() - common) : 0.0;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 namespace {
 
 /// A quarter turn clockwise: what was at (u, v) from the center is at (-v, u) then. OpenCV's
@@ -73,4 +73,4 @@ ImageSymmetry combined(const ImageSymmetry& first, const ImageSymmetry& second) 
   return {(first.rotateDegrees + turn) % 360, first.mirrored != second.mirrored};
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

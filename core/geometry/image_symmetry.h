@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 
 /// One of the eight ways a picture can lie: turned clockwise by 0, 90, 180 or 270 degrees, and then
 /// perhaps mirrored left to right. The same two numbers say it of a camera's source.
@@ -33,4 +33,4 @@ Camera transformed(const ImageSymmetry& symmetry, const Camera& camera);
 /// What one symmetry does after another.
 ImageSymmetry combined(const ImageSymmetry& first, const ImageSymmetry& second);
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

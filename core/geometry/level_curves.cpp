@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 namespace {
 
 /// An edge of the grid: its first point's column and row, and whether it runs along the rows.
@@ -126,4 +126,4 @@ double levelHolding(const GroundGrid& grid, double probability) {
   return 0.0;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <Eigen/Core>
 
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 
 /// A function sampled on a grid of the ground plane: values(column, row) is that of the point
 /// origin + step * (column, row). Metres, world x and y.
@@ -26,4 +28,4 @@ std::vector<LevelCurve> levelCurves(const GroundGrid& grid, double level);
 /// smallest region that holds it); 0 when there is nothing.
 double levelHolding(const GroundGrid& grid, double probability);
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

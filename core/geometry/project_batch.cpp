@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
@@ -40,4 +40,4 @@ void Projector::projectBatch(std::int64_t count, const double* x, const double* 
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <array>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 
 /// How a lens bends the rays, apart from its coefficients.
 enum class LensModel {
@@ -78,4 +80,4 @@ struct Projection {
   }
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 namespace {
 
 constexpr int kNewtonSteps = 50;
@@ -168,4 +168,4 @@ double distanceToRay(const Ray& ray, const Eigen::Vector3d& point) {
   return (toPoint - along * ray.direction).norm();
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 
 /// A half-line in the world: `origin` in metres, `direction` of length 1.
 struct Ray {
@@ -53,4 +53,4 @@ std::optional<Eigen::Vector3d> nearestPoint(const std::vector<Ray>& rays);
 /// Distance of a point to the ray: to its origin where the point lies behind it. Metres.
 double distanceToRay(const Ray& ray, const Eigen::Vector3d& point);
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

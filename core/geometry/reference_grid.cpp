@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 namespace {
 
 constexpr double kLargest = 1e4;  ///< metres
@@ -335,4 +335,4 @@ std::optional<Eigen::Vector3d> gridPointAt(const Camera& camera, const Reference
   return ray->origin + nearest * ray->direction;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

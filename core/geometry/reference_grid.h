@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 
 /// Which thing of the room a reference grid lies on.
 enum class GridKind {
@@ -81,4 +81,4 @@ ProjectedGrid projectGrid(const Camera& camera, const ReferenceGrid& grid);
 std::optional<Eigen::Vector3d> gridPointAt(const Camera& camera, const ReferenceGrid& grid,
                                            const Eigen::Vector2d& pixel, double reach);
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

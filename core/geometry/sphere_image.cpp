@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 namespace {
 
 constexpr double kStep = 1e-4; ///< of the plane z = 1, for the lens's local magnification
@@ -50,4 +50,4 @@ std::optional<SphereImage> SphereProjector::project(const Eigen::Vector3d& cente
   return SphereImage{*center, magnification * radius * std::sqrt(area)};
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

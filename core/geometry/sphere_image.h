@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace dewpoint {
+namespace dewpoint::geometry {
 
 /// The outline of a sphere in an image: an ellipse, described by the circle of the same center and
 /// area. Pixels.
@@ -44,4 +44,4 @@ private:
   double focal_ = 0.0; ///< geometric mean of both focal lengths, pixels
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::geometry

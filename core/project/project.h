@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/measured_points.h"
+#include "core/calibration/manual/measured_points.h"
 #include "core/geometry/camera.h"
 #include "core/geometry/reference_grid.h"
 #include "core/tracking/parameters.h"
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::project {
 
 enum class SourceKind { Simulation, Video, Images, Device, Stream };
 
@@ -76,4 +76,4 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
 /// what they stand at still exists.
 Status saveProject(const Project& project, const std::filesystem::path& file);
 
-} // namespace dewpoint
+} // namespace dewpoint::project

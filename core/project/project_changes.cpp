@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::project {
 namespace {
 
 bool sameSource(const ProjectCamera& a, const ProjectCamera& b) {
@@ -42,4 +42,4 @@ ProjectChanges changesBetween(const Project& before, const Project& after) {
   return changes;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::project

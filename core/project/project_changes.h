@@ -3,7 +3,7 @@
 
 #include "core/project/project.h"
 
-namespace dewpoint {
+namespace dewpoint::project {
 
 /// What differs between two states of a project, as far as someone has to act on it.
 struct ProjectChanges {
@@ -29,4 +29,4 @@ struct ProjectChanges {
 /// Neither the file nor the layout of the window counts: they are no edits.
 ProjectChanges changesBetween(const Project& before, const Project& after);
 
-} // namespace dewpoint
+} // namespace dewpoint::project

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-namespace dewpoint {
+namespace dewpoint::project {
 namespace {
 
 constexpr double kLargestRadius = 1000.0; ///< metres
@@ -132,4 +132,4 @@ Status checkProject(const Project& project) {
   return checkRoom(project);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::project

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::project {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -212,4 +212,4 @@ std::string withComments(const std::string& fresh, const std::string& former) {
   return text;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::project

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::project {
 
 /// The TOML text `fresh` with the comments a person wrote into `former`, an earlier version of it:
 /// those directly above a table or key that still exists, those behind its value, and the ones at
@@ -12,4 +14,4 @@ namespace dewpoint {
 /// go over several lines are lost.
 std::string withComments(const std::string& fresh, const std::string& former);
 
-} // namespace dewpoint
+} // namespace dewpoint::project

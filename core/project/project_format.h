@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::project {
 
 /// The version of the project file that this program writes.
 inline constexpr std::int64_t kProjectFormat = 2;
@@ -23,4 +23,4 @@ inline constexpr std::array<std::pair<const char*, SourceKind>, 4> kSourceKeys{{
 /// The most that a camera may be late by, seconds.
 inline constexpr double kLatest = 3600.0;
 
-} // namespace dewpoint
+} // namespace dewpoint::project

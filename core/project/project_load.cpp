@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/table_reader.h"
 #include "core/base/toml_text.h"
-#include "core/calibration/calibration_file.h"
-#include "core/calibration/camera_calibration.h"
+#include "core/calibration/formats/calibration_file.h"
+#include "core/calibration/formats/camera_calibration.h"
 #include "core/project/project.h"
 #include "core/project/project_format.h"
 #include "core/project/project_migration.h"
 #include "core/project/project_room.h"
-#include "core/tracking/people_tracker.h"
+#include "core/tracking/people/people_tracker.h"
 
 #include <charconv>
 #include <cstdlib>
@@ -15,7 +15,7 @@
 #include <iterator>
 #include <sstream>
 
-namespace dewpoint {
+namespace dewpoint::project {
 namespace {
 
 using std::filesystem::path;
@@ -366,4 +366,4 @@ Result<Project> loadProject(const std::filesystem::path& file) {
   return project;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::project

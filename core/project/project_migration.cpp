@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace dewpoint {
+namespace dewpoint::project {
 namespace {
 
 /// From format 1: whatever says 1 and has a part of format 2 was edited by hand, and means it.
@@ -23,4 +23,4 @@ void migrateProject(toml::table& project, std::int64_t format) {
   project.insert_or_assign("format", kProjectFormat);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::project

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <toml++/toml.h>
 
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::project {
 
 /// Turns the tables of an older project file into those of the present format, step by step, so
 /// that only one format has to be read. Formats:
@@ -16,4 +18,4 @@ namespace dewpoint {
 /// tests. The format itself is changed to the present one.
 void migrateProject(toml::table& project, std::int64_t format);
 
-} // namespace dewpoint
+} // namespace dewpoint::project

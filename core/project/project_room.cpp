@@ -4,7 +4,7 @@
 #include <array>
 #include <set>
 
-namespace dewpoint {
+namespace dewpoint::project {
 namespace {
 
 constexpr std::array<std::pair<const char*, GridKind>, 3> kGridKeys{
@@ -139,4 +139,4 @@ Status checkRoom(const Project& project) {
   return {};
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::project

@@ -4,7 +4,7 @@
 #include "core/base/table_reader.h"
 #include "core/project/project.h"
 
-namespace dewpoint {
+namespace dewpoint::project {
 
 /// What a project knows of the room, as its file says it: [grid] and [[point]].
 void readRoom(TableReader& reader, const std::string& file, Project& project);
@@ -13,4 +13,4 @@ std::string roomText(const Project& project);
 /// at most once.
 Status checkRoom(const Project& project);
 
-} // namespace dewpoint
+} // namespace dewpoint::project

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/table_reader.h"
 #include "core/base/text_file.h"
-#include "core/calibration/camera_calibration.h"
+#include "core/calibration/formats/camera_calibration.h"
 #include "core/project/project.h"
 #include "core/project/project_comments.h"
 #include "core/project/project_format.h"
 #include "core/project/project_room.h"
 
-namespace dewpoint {
+namespace dewpoint::project {
 namespace {
 
 using std::filesystem::path;
@@ -146,4 +146,4 @@ Status saveProject(const Project& project, const std::filesystem::path& file) {
   return writeTextFile(file, former ? withComments(text, *former) : text);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::project

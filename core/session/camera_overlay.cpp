@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::session {
 namespace {
 
 constexpr double kChiSquared95TwoDof = 5.991464547; // 95 % quantile, 2 degrees of freedom
@@ -93,7 +93,7 @@ std::vector<ProposedOutline> proposedOutlines(const TrackSnapshot& snapshot, int
     return outlines;
   }
   const SphereProjector projector((*snapshot.rig)[static_cast<std::size_t>(camera)]);
-  for (const ProposedPlace& proposed : target.proposals) {
+  for (const ProposedPosition& proposed : target.proposals) {
     if (const auto outline = projector.project(proposed.place, proposed.radius)) {
       outlines.push_back({outline->center, outline->radius, proposed.kind, proposed.probability});
     }
@@ -101,4 +101,4 @@ std::vector<ProposedOutline> proposedOutlines(const TrackSnapshot& snapshot, int
   return outlines;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::session

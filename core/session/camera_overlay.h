@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 
 #include <Eigen/Core>
 
 #include <optional>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::session {
 
 /// An ellipse in an image, pixels; `angle` in radians from +column towards +row.
 struct ImageEllipse {
@@ -33,7 +33,7 @@ struct CameraOverlay {
 struct ProposedOutline {
   Eigen::Vector2d center;
   double radius = 0.0; ///< pixels
-  ProposedPlace::Kind kind = ProposedPlace::Kind::Believed;
+  ProposedPosition::Kind kind = ProposedPosition::Kind::Believed;
   double probability = 0.0;
 };
 std::vector<ProposedOutline> proposedOutlines(const TrackSnapshot& snapshot, int camera,
@@ -43,4 +43,4 @@ std::vector<ProposedOutline> proposedOutlines(const TrackSnapshot& snapshot, int
 CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
                             const TargetSnapshot& target);
 
-} // namespace dewpoint
+} // namespace dewpoint::session

@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::session {
 
 /// Wishes of the user, passed by value to the tracking thread.
 namespace command {
@@ -121,4 +121,4 @@ private:
   std::deque<Command> commands_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::session

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/run_log.h"
 
-#include "core/session/tracking_run.h"
+#include "core/session/run/tracking_run.h"
 
 #include <algorithm>
 #include <string_view>
 
-namespace dewpoint {
+namespace dewpoint::session {
 namespace {
 
 /// Key in the trajectory's header, before the number of the frame.
@@ -253,4 +253,4 @@ TrackSnapshotPtr SnapshotPublisher::newest() const {
   return newest_;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::session

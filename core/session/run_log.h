@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/box_track_file.h"
-#include "core/session/people_frame.h"
-#include "core/session/run_report.h"
-#include "core/session/snapshot.h"
+#include "core/session/people/people_frame.h"
+#include "core/session/run/box_track_file.h"
+#include "core/session/run/run_report.h"
+#include "core/session/run/snapshot.h"
 #include "core/session/thinned_log.h"
 #include "core/trajectory/trajectory.h"
 
@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::session {
 
 /// What happened since the (re)start, written by the tracking thread and copied out by others.
 class RunLog {
@@ -112,4 +112,4 @@ private:
   std::function<void()> wake_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::session

@@ -5,7 +5,7 @@
 #include "core/session/tracking_loop.h"
 #include "core/trajectory/trajectory_writer.h"
 
-namespace dewpoint {
+namespace dewpoint::session {
 
 class Session::Impl {
 public:
@@ -154,4 +154,4 @@ void Session::setMasksWanted(bool wanted) {
   impl_->loop.commands().push(command::ShowMasks{wanted});
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::session

@@ -3,10 +3,10 @@
 
 #include "core/capture/frame_source.h"
 #include "core/project/project.h"
-#include "core/session/box_track_file.h"
-#include "core/session/frame_tap.h"
-#include "core/session/people_frame.h"
-#include "core/session/snapshot.h"
+#include "core/session/frames/frame_tap.h"
+#include "core/session/people/people_frame.h"
+#include "core/session/run/box_track_file.h"
+#include "core/session/run/snapshot.h"
 #include "core/trajectory/trajectory.h"
 
 #include <opencv2/core/mat.hpp>
@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::session {
 
 /// What a run needs, chosen and wired by the application.
 struct SessionInputs {
@@ -146,4 +146,4 @@ private:
   std::unique_ptr<Impl> impl_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::session

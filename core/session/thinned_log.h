@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -8,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::session {
 
 /// Records in the order they came, at most `most` of them: when there are more, every second group
 /// of the older half is given up, again and again, so that what is long ago is there in ever
@@ -84,4 +86,4 @@ private:
   std::vector<Entry> entries_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::session

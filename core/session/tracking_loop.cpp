@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::session {
 namespace {
 
 constexpr std::size_t kTailLength = 256;
@@ -218,7 +218,7 @@ void TrackingLoop::recordFrame() {
   recordedFrame_ = run_->frames()->index;
   log_.append(run_->samples());
   log_.append(run_->boxSamples());
-  const Moment& moment = travel_->record(*run_);
+  const TrackedFrame& moment = travel_->record(*run_);
   log_.append(frameRecord(moment, *run_->frames()));
   if (run_->people() != nullptr && !moment.targets.empty()) {
     log_.append(peopleFrame(moment));
@@ -237,4 +237,4 @@ void TrackingLoop::recordFrame() {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::session

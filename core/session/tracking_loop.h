@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/bump_watch.h"
 #include "core/session/command_queue.h"
-#include "core/session/frame_tap.h"
+#include "core/session/frames/frame_tap.h"
+#include "core/session/history/time_travel.h"
+#include "core/session/run/camera_motion_watch.h"
+#include "core/session/run/tracking_run.h"
 #include "core/session/run_log.h"
 #include "core/session/session.h"
-#include "core/session/time_travel.h"
-#include "core/session/tracking_run.h"
 
 #include <chrono>
 #include <deque>
 
-namespace dewpoint {
+namespace dewpoint::session {
 
 /// What the tracking thread does: obey commands, take frame sets, iterate, publish.
 class TrackingLoop {
@@ -93,7 +93,7 @@ private:
   std::vector<cv::Mat> emptyRooms_;
   std::shared_ptr<const CameraRig> rig_;
   std::optional<TrackingRun> run_;
-  BumpWatch bumps_;                  ///< of the cameras as they were calibrated
+  CameraMotionWatch bumps_;          ///< of the cameras as they were calibrated
   std::optional<TimeTravel> travel_; ///< as long as there is a source
   CommandQueue commands_;
   FrameTapSlot tap_;
@@ -129,4 +129,4 @@ private:
   Clock::time_point nextFrameDue_ = Clock::now();
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::session

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::session {
 namespace {
 
 /// Which of `all` is the one with this place and name among as many as `count`: with the same
@@ -99,4 +99,4 @@ void TrackingLoop::showPresentBoxes(TrackSnapshot& snapshot) const {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::session

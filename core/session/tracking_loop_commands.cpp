@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::session {
 
 void TrackingLoop::obey(const Command& command) {
   if (!run_ || !source_) {
@@ -281,7 +281,7 @@ bool TrackingLoop::goBackTo(std::int64_t from, const command::SetMethod* method)
       errors_.push_back(run.error());
       return false;
     }
-    const Moment* before = travel_->history().before(from);
+    const TrackedFrame* before = travel_->history().before(from);
     run->countFrom(before != nullptr ? before->totalIterations : 0);
     project_ = std::move(changed);
     run_.emplace(std::move(*run));
@@ -385,4 +385,4 @@ void TrackingLoop::finishRerun() {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::session

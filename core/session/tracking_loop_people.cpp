@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Somebody stands somewhere, or is not there after all.
 #include "core/session/tracking_loop.h"
-#include "core/tracking/people_parameters.h"
-#include "core/tracking/people_targets.h"
-#include "core/tracking/person_at_pixel.h"
+#include "core/tracking/people/people_parameters.h"
+#include "core/tracking/people/people_targets.h"
+#include "core/tracking/people/person_at_pixel.h"
 
 #include <fmt/format.h>
 
-namespace dewpoint {
+namespace dewpoint::session {
 
 void TrackingLoop::changePeople(const command::ChangePeople& wish) {
   if (run_->people() == nullptr || !run_->frames()) {
@@ -47,4 +47,4 @@ void TrackingLoop::changePeople(const command::ChangePeople& wish) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::session

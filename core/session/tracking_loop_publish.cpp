@@ -2,12 +2,12 @@
 // What the tracking thread shows of itself.
 #include "core/color/match_image.h"
 #include "core/session/tracking_loop.h"
-#include "core/tracking/people_targets.h"
+#include "core/tracking/people/people_targets.h"
 
 #include <algorithm>
 #include <iterator>
 
-namespace dewpoint {
+namespace dewpoint::session {
 namespace {
 
 constexpr int kParticlesShown = 10000;
@@ -55,7 +55,7 @@ void TrackingLoop::showHead(TrackSnapshot& snapshot) {
   snapshot.frame = head();
   snapshot.iterations = run_->iterations();
   snapshot.targets = run_->snapshots(kParticlesShown);
-  const Moment* moment = travel_ ? travel_->history().at(snapshot.frame) : nullptr;
+  const TrackedFrame* moment = travel_ ? travel_->history().at(snapshot.frame) : nullptr;
   snapshot.tracked = moment != nullptr;
   if (run_->people() != nullptr) {
     snapshot.peopleCameras = run_->people()->tracker().cameraStates();
@@ -191,4 +191,4 @@ void TrackingLoop::addMaps(const std::stop_token& stop) {
   publisher_.publish(std::move(snapshot));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::session

@@ -9,7 +9,7 @@
 #include <array>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::simulation {
 namespace {
 
 constexpr double kHalfOffice = 3.5; ///< metres from the middle to the walls
@@ -69,4 +69,4 @@ Eigen::Vector3d OfficeRenderer::middle(std::size_t person, double time) const {
   return {place.x(), place.y(), 0.5 * walker.height};
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::simulation

@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::simulation {
 
 /// Four 320x240 cameras in the upper corners of the simulated office (7 x 7 x 2.7 m), 2.4 m high,
 /// looking at its middle.
@@ -51,4 +51,4 @@ private:
   std::vector<std::shared_ptr<const simulation::CameraView>> views_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::simulation

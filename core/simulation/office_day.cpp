@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/office_day.h"
 
-namespace dewpoint {
+namespace dewpoint::simulation {
 namespace {
 
 using simulation::rgb;
@@ -57,4 +57,4 @@ OfficeScene officeDay() {
   return scene;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::simulation

@@ -3,7 +3,7 @@
 
 #include "core/simulation/office.h"
 
-namespace dewpoint {
+namespace dewpoint::simulation {
 
 /// Name of the built-in scene of people: a project may name it as it names the scenes of balls.
 inline constexpr const char* kOfficeScene = "office";
@@ -12,4 +12,4 @@ inline constexpr const char* kOfficeScene = "office";
 /// two of them meet and talk, all cross, and leave. Nobody is there in the first 1.5 s.
 OfficeScene officeDay();
 
-} // namespace dewpoint
+} // namespace dewpoint::simulation

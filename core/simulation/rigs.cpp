@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::simulation {
 namespace {
 
 struct Picture {
@@ -68,4 +68,4 @@ CameraRig hallRig(int count) {
   return rig;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::simulation

@@ -3,7 +3,7 @@
 
 #include "core/geometry/camera.h"
 
-namespace dewpoint {
+namespace dewpoint::simulation {
 
 /// The demo's two cameras and a third, aside and above, that looks at the same place.
 CameraRig threeCameraDeskRig();
@@ -16,4 +16,4 @@ CameraRig deskRing(int count);
 /// looking at its middle; focal lengths 400 px.
 CameraRig hallRig(int count);
 
-} // namespace dewpoint
+} // namespace dewpoint::simulation

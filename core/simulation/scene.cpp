@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::simulation {
 namespace {
 
 constexpr double kFastFactor = 5.0;
@@ -170,4 +170,4 @@ double frameTime(const Scene& scene, std::int64_t frame) {
   return static_cast<double>(frame) / scene.framesPerSecond;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::simulation

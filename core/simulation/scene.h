@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::simulation {
 
 /// How a ball of the simulation moves.
 enum class Motion {
@@ -104,4 +104,4 @@ Eigen::Vector3d lightGain(const Scene& scene, double time);
 /// Seconds at which frame `frame` is taken.
 double frameTime(const Scene& scene, std::int64_t frame);
 
-} // namespace dewpoint
+} // namespace dewpoint::simulation

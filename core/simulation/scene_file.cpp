@@ -14,7 +14,7 @@
 #include <sstream>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::simulation {
 namespace {
 
 constexpr std::array<std::pair<Motion, const char*>, 4> kMotionNames{{{Motion::Still, "still"},
@@ -296,4 +296,4 @@ std::string sceneToml(const Scene& scene) {
   return stream.str();
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::simulation

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::simulation {
 namespace {
 
 using simulation::Body;
@@ -104,4 +104,4 @@ const Scene& SceneRenderer::scene() const {
   return parts_->scene;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::simulation

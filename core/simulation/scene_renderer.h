@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::simulation {
 
 /// Renders the images of a scene by ray casting. What does not move is rendered once per camera,
 /// at construction; a frame then costs little more than its moving parts and its noise.
@@ -32,4 +32,4 @@ private:
   std::unique_ptr<const Parts> parts_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::simulation

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::tracking {
 namespace {
 
 constexpr int kGrid = 8; ///< pixels between those looked at for the brightness
@@ -17,28 +17,28 @@ constexpr double kBrightShare = 0.002;
 
 std::string words(const CameraReport& report) {
   switch (report.trouble) {
-  case CameraTrouble::None:
+  case CameraStatus::None:
     break;
-  case CameraTrouble::NoImage:
+  case CameraStatus::NoImage:
     return "no image";
-  case CameraTrouble::Covered:
+  case CameraStatus::Covered:
     return "covered or moved";
-  case CameraTrouble::Dark:
+  case CameraStatus::Dark:
     return "too dark";
-  case CameraTrouble::OutOfView:
+  case CameraStatus::OutOfView:
     return "out of view";
-  case CameraTrouble::PartlyHidden:
+  case CameraStatus::PartlyHidden:
     return "partly hidden";
-  case CameraTrouble::Hidden:
+  case CameraStatus::Hidden:
     return "hidden";
-  case CameraTrouble::LookAlike:
+  case CameraStatus::LookAlike:
     return report.pixels >= 1.0 ? fmt::format("{:.0f} px beside a look-alike", report.pixels)
                                 : "at a look-alike";
-  case CameraTrouble::NoColor:
+  case CameraStatus::NoColor:
     return "no color matches";
-  case CameraTrouble::Elsewhere:
+  case CameraStatus::Elsewhere:
     return fmt::format("its color is {:.0f} px away", std::max(1.0, report.pixels));
-  case CameraTrouble::Unclear:
+  case CameraStatus::Unclear:
     return "its color is seen, but not its shape";
   }
   return {};
@@ -96,4 +96,4 @@ std::optional<double> distanceToNearest(const cv::Mat& mask, const Eigen::Vector
   return std::isfinite(nearest) ? std::optional(std::sqrt(nearest)) : std::nullopt;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tracking

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
@@ -8,10 +10,10 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tracking {
 
 /// Why a camera does not confirm a target.
-enum class CameraTrouble {
+enum class CameraStatus {
   None,         ///< it does: it sees the target's color where the target is believed to be
   NoImage,      ///< the camera delivered nothing
   Covered,      ///< hardly anything in the image is what it usually shows: covered, moved or blind
@@ -27,7 +29,7 @@ enum class CameraTrouble {
 
 /// One camera's part in why a target is held or not.
 struct CameraReport {
-  CameraTrouble trouble = CameraTrouble::None;
+  CameraStatus trouble = CameraStatus::None;
   double pixels = 0.0; ///< gap between the outlines, or to the color; 0 when they touch
 };
 
@@ -43,4 +45,4 @@ bool isDark(const cv::Mat& image);
 /// Distance in pixels from a point to the nearest nonzero pixel of a mask (CV_8UC1).
 std::optional<double> distanceToNearest(const cv::Mat& mask, const Eigen::Vector2d& point);
 
-} // namespace dewpoint
+} // namespace dewpoint::tracking

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::tracking {
 
 IndependentTrackers::IndependentTrackers(std::vector<std::unique_ptr<Tracker>> trackers)
     : trackers_(std::move(trackers)), estimates_(trackers_.size()) {}
@@ -85,4 +85,4 @@ std::vector<LikelihoodMap> IndependentTrackers::likelihoodMaps(std::size_t targe
   return trackers_.at(target)->likelihoodMaps(reach);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tracking

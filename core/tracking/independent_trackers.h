@@ -3,7 +3,7 @@
 
 #include "core/tracking/multi_tracker.h"
 
-namespace dewpoint {
+namespace dewpoint::tracking {
 
 /// One tracker per target, none knowing of the others. Target k starts from derivedSeed(seed, k).
 class IndependentTrackers final : public MultiTracker {
@@ -30,4 +30,4 @@ private:
   std::vector<TargetEstimate> estimates_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::tracking

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
-namespace dewpoint {
+namespace dewpoint::tracking {
 
 /// A place that a method considered for a target.
-struct ProposedPlace {
+struct ProposedPosition {
   enum class Kind {
     Believed,  ///< a place it believed in before
     New,       ///< proposed by the images of this frame
@@ -17,7 +19,7 @@ struct ProposedPlace {
   Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< metres, world
   double radius = 0.0;                             ///< metres
   double probability = 0.0;                        ///< that the target is here
-  double logRatio = 0.0;                           ///< evidence of all cameras
+  double logLikelihoodRatio = 0.0;                 ///< evidence of all cameras
 };
 
 /// What one camera says about places around a target: the log likelihood of a target whose middle
@@ -29,4 +31,4 @@ struct LikelihoodMap {
   double most = 0.0;     ///< what a fully visible target would have
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::tracking

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/multi_tracker.h"
 
-#include "core/tracking/box_targets.h"
-#include "core/tracking/dewpoint_tracker.h"
+#include "core/tracking/boxes/box_targets.h"
+#include "core/tracking/dewpoint/dewpoint_tracker.h"
 #include "core/tracking/independent_trackers.h"
-#include "core/tracking/people_targets.h"
+#include "core/tracking/people/people_targets.h"
 
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::tracking {
 
 Result<std::unique_ptr<MultiTracker>> makeMultiTracker(const std::string& method,
                                                        const ParameterValues& parameters,
@@ -43,4 +43,4 @@ Result<std::unique_ptr<MultiTracker>> makeMultiTracker(const std::string& method
   return std::make_unique<IndependentTrackers>(std::move(trackers));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tracking

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tracking/box_tracker.h"
+#include "core/tracking/boxes/box_tracker.h"
 #include "core/tracking/tracker.h"
 
 #include <opencv2/core/mat.hpp>
@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tracking {
 
 class PeopleTargets;
 
@@ -56,7 +56,7 @@ public:
   /// empty when the method cannot tell.
   virtual std::vector<CameraReport> explain(std::size_t) const { return {}; }
   /// Places that were considered at the last iteration; empty when the method considers none.
-  virtual std::vector<ProposedPlace> proposals(std::size_t) const { return {}; }
+  virtual std::vector<ProposedPosition> proposals(std::size_t) const { return {}; }
   /// Around the estimate of a target, up to `reach` pixels in each direction; one per camera, or
   /// none when the method cannot tell.
   virtual std::vector<LikelihoodMap> likelihoodMaps(std::size_t, int /*reach*/) const { return {}; }
@@ -73,4 +73,4 @@ Result<std::unique_ptr<MultiTracker>> makeMultiTracker(const std::string& method
                                                        const CameraRig& rig,
                                                        const std::vector<Target>& targets);
 
-} // namespace dewpoint
+} // namespace dewpoint::tracking

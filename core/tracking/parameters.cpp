@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/parameters.h"
 
-#include "core/tracking/barrera_parameters.h"
-#include "core/tracking/box_tracker.h"
-#include "core/tracking/dewpoint_parameters.h"
-#include "core/tracking/dynamics_parameters.h"
-#include "core/tracking/histogram_parameters.h"
-#include "core/tracking/people_tracker.h"
-#include "core/tracking/sugandi_parameters.h"
+#include "core/tracking/barrera/barrera_parameters.h"
+#include "core/tracking/barrera/dynamics_parameters.h"
+#include "core/tracking/boxes/box_tracker.h"
+#include "core/tracking/boxes/histogram_parameters.h"
+#include "core/tracking/boxes/sugandi_parameters.h"
+#include "core/tracking/dewpoint/dewpoint_parameters.h"
+#include "core/tracking/people/people_tracker.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace dewpoint {
+namespace dewpoint::tracking {
 namespace {
 
 const ParameterDeclaration* find(std::span<const ParameterDeclaration> declarations,
@@ -169,4 +169,4 @@ Status checkParameters(std::string_view method, const ParameterValues& parameter
   return {};
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tracking

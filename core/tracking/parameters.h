@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tracking {
 
 enum class ParameterKind { Integer, Real };
 
@@ -73,4 +73,4 @@ ParameterValues carriedOver(const ParameterValues& previous, std::string_view me
 /// MissingKey when the method has a parameter that `parameters` do not declare.
 Status checkParameters(std::string_view method, const ParameterValues& parameters);
 
-} // namespace dewpoint
+} // namespace dewpoint::tracking

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::tracking {
 namespace {
 
 const std::array<std::string, 3> kAxes{"x", "y", "z"};
@@ -62,4 +62,4 @@ StartVolume startVolume(const ParameterValues& parameters) {
   return volume;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tracking

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tracking {
 
 /// Where a method starts to look: a box around a point, metres, world frame.
 struct StartVolume {
@@ -20,4 +20,4 @@ std::vector<ParameterDeclaration> startParameters(const StartVolume& defaults);
 /// Their values.
 StartVolume startVolume(const ParameterValues& parameters);
 
-} // namespace dewpoint
+} // namespace dewpoint::tracking

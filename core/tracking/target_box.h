@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::tracking {
 
 /// Where the methods of family Boxes learn what a target looks like, and begin to follow it.
 struct TargetBox {
@@ -16,4 +16,4 @@ struct TargetBox {
   bool operator==(const TargetBox&) const = default;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::tracking

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/tracker.h"
 
-#include "core/tracking/barrera_tracker.h"
-#include "core/tracking/dynamics_tracker.h"
+#include "core/tracking/barrera/barrera_tracker.h"
+#include "core/tracking/barrera/dynamics_tracker.h"
 
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::tracking {
 double TargetEstimate::spread() const {
   return std::sqrt(covariance.trace());
 }
@@ -30,4 +30,4 @@ Result<std::unique_ptr<Tracker>> makeTracker(const std::string& method,
   return std::make_unique<BarreraTracker>(parameters, rig, target);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tracking

@@ -8,7 +8,7 @@
 #include "core/color/color_sample.h"
 #include "core/filter/gaussian.h"
 #include "core/geometry/camera.h"
-#include "core/observation/camera_evidence.h"
+#include "core/observation/sphere/camera_evidence.h"
 #include "core/tracking/camera_report.h"
 #include "core/tracking/insight.h"
 #include "core/tracking/parameters.h"
@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tracking {
 
 /// What is tracked.
 struct Target {
@@ -95,4 +95,4 @@ Result<std::unique_ptr<Tracker>> makeTracker(const std::string& method,
                                              const ParameterValues& parameters,
                                              const CameraRig& rig, const Target& target);
 
-} // namespace dewpoint
+} // namespace dewpoint::tracking

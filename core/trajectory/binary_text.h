@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <bit>
 #include <cstdint>
 #include <cstring>
 #include <string>
 #include <type_traits>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 /// Appends a number as little-endian bytes.
 template <class T> void putLittleEndian(std::string& bytes, T value) {
@@ -23,4 +25,4 @@ template <class T> void putLittleEndian(std::string& bytes, T value) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

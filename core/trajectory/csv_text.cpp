@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/csv_text.h"
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 std::string oneLine(std::string_view text) {
   std::string line(text);
@@ -24,4 +24,4 @@ std::string csvCell(std::string_view text) {
   return plain ? oneLine(text) : inQuotes(text);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 double quantile(const std::vector<double>& sorted, double fraction) {
   const double place = fraction * static_cast<double>(sorted.size() - 1);
@@ -54,4 +54,4 @@ CameraBias cameraBias(const TrajectoryCamera& camera, const std::vector<Eigen::V
   return bias;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 /// The error as one camera sees it, in metres: along its optical axis (depth) and across it.
 struct CameraBias {
@@ -41,4 +41,4 @@ double rootMeanSquare(const std::vector<Eigen::Vector3d>& errors);
 /// [0, 1].
 double quantile(const std::vector<double>& sorted, double fraction);
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

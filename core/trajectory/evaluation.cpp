@@ -10,7 +10,7 @@
 #include <limits>
 #include <map>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 namespace {
 
 using Samples = std::vector<const TrajectorySample*>;
@@ -197,4 +197,4 @@ Result<std::vector<Evaluation>> evaluate(const Trajectory& estimate, const Traje
   return evaluations;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 /// Estimate against truth for one target, in metres. The statistics cover the frames from
 /// convergence on (all, if it never converged); `rmseAll` covers every compared frame.
@@ -44,4 +44,4 @@ inline constexpr double kDefaultGate = 0.03;
 Result<std::vector<Evaluation>> evaluate(const Trajectory& estimate, const Trajectory& truth,
                                          double gate = kDefaultGate);
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

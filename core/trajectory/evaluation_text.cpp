@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 namespace {
 
 double millimetres(double metres) {
@@ -74,4 +74,4 @@ nlohmann::json evaluationJson(const std::vector<Evaluation>& evaluations) {
   return json;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

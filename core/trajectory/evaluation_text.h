@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 /// Some lines per target for people, in millimetres.
 std::string evaluationText(const std::vector<Evaluation>& evaluations);
 /// The same numbers for programs, in metres: {"unit": "m", "targets": [...]}.
 nlohmann::json evaluationJson(const std::vector<Evaluation>& evaluations);
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace dewpoint::encoders {
+namespace dewpoint::trajectory::encoders {
 namespace {
 
 constexpr std::size_t kBlock = 512;
@@ -214,4 +214,4 @@ Files c3d(const ExportTable& table, const std::string& /*name*/) {
   return std::vector{ExportFile{"", std::move(bytes)}};
 }
 
-} // namespace dewpoint::encoders
+} // namespace dewpoint::trajectory::encoders

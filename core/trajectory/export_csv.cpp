@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace dewpoint::encoders {
+namespace dewpoint::trajectory::encoders {
 namespace {
 
 std::string covarianceCells(const ExportCell& cell) {
@@ -73,4 +73,4 @@ Files wideCsv(const ExportTable& table, const std::string& /*name*/) {
   return std::vector{ExportFile{"", std::move(text)}};
 }
 
-} // namespace dewpoint::encoders
+} // namespace dewpoint::trajectory::encoders

@@ -4,7 +4,7 @@
 
 #include "core/trajectory/export_formats.h"
 
-namespace dewpoint::encoders {
+namespace dewpoint::trajectory::encoders {
 
 using Files = Result<std::vector<ExportFile>>;
 
@@ -33,4 +33,4 @@ std::string lengthText(double value);
 std::string timeText(double value);
 std::string covarianceText(double value);
 
-} // namespace dewpoint::encoders
+} // namespace dewpoint::trajectory::encoders

@@ -9,12 +9,12 @@
 #include <algorithm>
 #include <array>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 namespace {
 
-constexpr TableWishes kAsRecorded{};
-constexpr TableWishes kBiomechanics{WorldAxes::YUp, LengthUnit::Meter, true};
-constexpr TableWishes kMotionCapture{WorldAxes::ZUp, LengthUnit::Millimeter, true};
+constexpr TableRequest kAsRecorded{};
+constexpr TableRequest kBiomechanics{WorldAxes::YUp, LengthUnit::Meter, true};
+constexpr TableRequest kMotionCapture{WorldAxes::ZUp, LengthUnit::Millimeter, true};
 
 constexpr std::array kFormats{
     ExportFormat{"csv", "CSV, one row per target and time", ".csv",
@@ -96,4 +96,4 @@ std::string covarianceText(double value) {
 }
 
 } // namespace encoders
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 /// One file of an export. The main one is named as the person wants; others are named after it.
 struct ExportFile {
@@ -23,7 +23,7 @@ struct ExportFormat {
   std::string_view title;  ///< for people
   std::string_view suffix; ///< of the file name, with its dot
   std::string_view fields; ///< one sentence: what it holds
-  TableWishes wishes;
+  TableRequest wishes;
   bool covariance = false; ///< whether it can hold the whole of it
   bool binary = false;     ///< no text: the preview describes it
   /// The table as files, `name` (the chosen file's name without suffix) for those that hold one.
@@ -40,4 +40,4 @@ Result<const ExportFormat*> exportFormat(std::string_view id);
 /// Units and axes of a table in one sentence: "Lengths in mm, times in s; Y points up ...".
 std::string unitsSentence(const ExportTable& table);
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

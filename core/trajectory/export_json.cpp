@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace dewpoint::encoders {
+namespace dewpoint::trajectory::encoders {
 namespace {
 
 /// A name that is no UTF-8 gets replacement characters.
@@ -62,4 +62,4 @@ Files jsonLines(const ExportTable& table, const std::string& /*name*/) {
   return std::vector{ExportFile{"", std::move(text)}};
 }
 
-} // namespace dewpoint::encoders
+} // namespace dewpoint::trajectory::encoders

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dewpoint::encoders {
+namespace dewpoint::trajectory::encoders {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -152,4 +152,4 @@ Files npz(const ExportTable& table, const std::string& /*name*/) {
   return std::vector{ExportFile{"", std::move(*archive)}};
 }
 
-} // namespace dewpoint::encoders
+} // namespace dewpoint::trajectory::encoders

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 enum class GapRule {
   Leave, ///< what is not known stays empty
@@ -44,4 +46,4 @@ struct ExportOptions {
   bool replaces = true;    ///< false: files that are there already are left alone
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

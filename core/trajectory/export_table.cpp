@@ -10,7 +10,7 @@
 #include <cmath>
 #include <map>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 namespace {
 
 /// Rows farther apart than this many usual distances have others missing between them.
@@ -194,7 +194,7 @@ public:
   }
 
 private:
-  TimedPlace place(std::size_t row) const { return {times_[row], cells_[row].position}; }
+  TimedPosition place(std::size_t row) const { return {times_[row], cells_[row].position}; }
 
   ExportCell between(std::size_t a, std::size_t b, std::size_t before, std::size_t after,
                      double time) const {
@@ -308,7 +308,7 @@ std::size_t ExportTable::gapCount() const {
 }
 
 Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOptions& options,
-                                    const TableWishes& wishes,
+                                    const TableRequest& wishes,
                                     const std::function<bool(double)>& progress) {
   const Trajectory after = options.smooth
                                ? smoothed(trajectory, SmootherOptions{options.longestGap, progress})
@@ -342,4 +342,4 @@ Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOp
   return table;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 /// One target in one row: lengths in the unit, and along the axes, of the table.
 struct ExportCell {
@@ -49,7 +49,7 @@ struct ExportTable {
 };
 
 /// How a format wants a table to be where the person has not said.
-struct TableWishes {
+struct TableRequest {
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
   bool evenRows = false; ///< rows at equal distances in time
@@ -60,7 +60,7 @@ struct TableWishes {
 /// ball in flight). NotFound names an unknown target; BadValue what is empty or not a number. Once
 /// `progress` (0 to 1) has returned false, what is returned is of no use.
 Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOptions& options,
-                                    const TableWishes& wishes,
+                                    const TableRequest& wishes,
                                     const std::function<bool(double)>& progress = {});
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace dewpoint::encoders {
+namespace dewpoint::trajectory::encoders {
 
 Files trc(const ExportTable& table, const std::string& name) {
   const std::size_t rows = table.rowCount();
@@ -38,4 +38,4 @@ Files trc(const ExportTable& table, const std::string& name) {
   return std::vector{ExportFile{"", std::move(text)}};
 }
 
-} // namespace dewpoint::encoders
+} // namespace dewpoint::trajectory::encoders

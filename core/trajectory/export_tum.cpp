@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace dewpoint::encoders {
+namespace dewpoint::trajectory::encoders {
 namespace {
 
 /// A part of a file name: letters, digits, and what is harmless.
@@ -56,4 +56,4 @@ Files tum(const ExportTable& table, const std::string& /*name*/) {
   return files;
 }
 
-} // namespace dewpoint::encoders
+} // namespace dewpoint::trajectory::encoders

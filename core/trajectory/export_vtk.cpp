@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace dewpoint::encoders {
+namespace dewpoint::trajectory::encoders {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -217,4 +217,4 @@ Files pvd(const ExportTable& table, const std::string& name) {
   return files;
 }
 
-} // namespace dewpoint::encoders
+} // namespace dewpoint::trajectory::encoders

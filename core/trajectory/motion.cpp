@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 namespace {
 
 constexpr std::size_t kReach = 2; ///< samples on each side that a speed is of
@@ -170,4 +170,4 @@ std::vector<TrajectoryGap> MotionLog::gaps() const {
   return all;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 /// Frames in a row at which a target was not held, or of which there is no sample.
 struct TrajectoryGap {
@@ -74,4 +74,4 @@ private:
   std::map<std::string, Track> tracks_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 namespace {
 
 /// What is known of a path before anything is seen: little. Place in m (about the first seen one)
@@ -112,7 +112,8 @@ struct Innovation {
 /// The update of a Kalman filter in Joseph's form, which keeps the covariance positive. Beyond the
 /// gate the state stays as it is.
 template <int Order>
-Innovation update(State<Order>& state, const SeenPlace& seen, double noiseFactor, double gate) {
+Innovation update(State<Order>& state, const PositionMeasurement& seen, double noiseFactor,
+                  double gate) {
   const Eigen::Matrix3d noise = noiseFactor * seen.covariance;
   const Eigen::Matrix3d spread = state.covariance.template topLeftCorner<3, 3>() + noise;
   const Eigen::LLT<Eigen::Matrix3d> factor(spread);
@@ -282,4 +283,4 @@ std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const
   return effects;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

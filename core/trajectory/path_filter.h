@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 /// How a path is supposed to bend: its derivative of this order (2: the acceleration, 3: the jerk)
 /// is white noise of this strength, the same along each axis (Bar-Shalom, Li and Kirubarajan 2001,
@@ -25,7 +25,7 @@ inline constexpr int kMostPathOrder = 5;
 /// One instant of a path, and what was seen then.
 struct PathPoint {
   double time = 0.0; ///< seconds, ascending
-  std::optional<SeenPlace> seen;
+  std::optional<PositionMeasurement> seen;
 };
 
 /// A Gaussian of the place at one instant. m, m².
@@ -64,4 +64,4 @@ std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const Path
 std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const PathModel& model,
                                           const std::function<bool()>& goesOn = {});
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/path_interpolation.h"
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 namespace {
 
-Eigen::Vector3d slope(const TimedPlace& a, const TimedPlace& b) {
+Eigen::Vector3d slope(const TimedPosition& a, const TimedPosition& b) {
   return (b.place - a.place) / (b.time - a.time);
 }
 
 /// Slope at `b` of the parabola through three places.
-Eigen::Vector3d middleSlope(const TimedPlace& a, const TimedPlace& b, const TimedPlace& c) {
+Eigen::Vector3d middleSlope(const TimedPosition& a, const TimedPosition& b,
+                            const TimedPosition& c) {
   return (slope(a, b) * (c.time - b.time) + slope(b, c) * (b.time - a.time)) / (c.time - a.time);
 }
 
 } // namespace
 
-Eigen::Vector3d interpolated(const std::optional<TimedPlace>& before, const TimedPlace& begin,
-                             const TimedPlace& end, const std::optional<TimedPlace>& after,
+Eigen::Vector3d interpolated(const std::optional<TimedPosition>& before, const TimedPosition& begin,
+                             const TimedPosition& end, const std::optional<TimedPosition>& after,
                              double time) {
   const Eigen::Vector3d chord = slope(begin, end);
   std::optional<Eigen::Vector3d> first;
@@ -38,4 +39,4 @@ Eigen::Vector3d interpolated(const std::optional<TimedPlace>& before, const Time
          (3.0 * s2 - 2.0 * s3) * end.place + (s3 - s2) * length * atEnd;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

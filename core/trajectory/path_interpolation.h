@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <Eigen/Core>
 
 #include <array>
 #include <optional>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 /// A place at a time.
-struct TimedPlace {
+struct TimedPosition {
   double time = 0.0;
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
 };
@@ -17,8 +19,8 @@ struct TimedPlace {
 /// The place between `begin` and `end`, which have different times: a cubic Hermite polynomial
 /// whose slopes are those of the parabolas through three neighbors; `before` and `after` may be
 /// missing.
-Eigen::Vector3d interpolated(const std::optional<TimedPlace>& before, const TimedPlace& begin,
-                             const TimedPlace& end, const std::optional<TimedPlace>& after,
+Eigen::Vector3d interpolated(const std::optional<TimedPosition>& before, const TimedPosition& begin,
+                             const TimedPosition& end, const std::optional<TimedPosition>& after,
                              double time);
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <map>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 namespace {
 
 constexpr std::size_t kFewestLooks = 5;
@@ -83,19 +83,19 @@ Fitted fitOrder(std::span<const Path> paths, int order, const std::function<bool
   return {modelAt(logs), best};
 }
 
-bool isUsable(const SeenPlace& seen) {
+bool isUsable(const PositionMeasurement& seen) {
   return seen.position.allFinite() && seen.covariance.allFinite() &&
          seen.covariance.llt().info() == Eigen::Success;
 }
 
 /// What one sample says of its frame alone.
-std::optional<SeenPlace> lookOf(const TrajectorySample& sample, bool hasSeen) {
+std::optional<PositionMeasurement> lookOf(const TrajectorySample& sample, bool hasSeen) {
   if (!sample.valid) {
     return std::nullopt;
   }
-  std::optional<SeenPlace> look = sample.seen;
+  std::optional<PositionMeasurement> look = sample.seen;
   if (!hasSeen) {
-    look = SeenPlace{sample.position, sample.covariance};
+    look = PositionMeasurement{sample.position, sample.covariance};
     look->covariance.diagonal().array() += kLeastSigma * kLeastSigma;
   }
   return look && isUsable(*look) ? look : std::nullopt;
@@ -260,7 +260,8 @@ private:
     return agreeing == kLooksThatTell;
   }
 
-  static bool isOnPath(const SeenPlace& look, const PathEstimate& path, const PathModel& model) {
+  static bool isOnPath(const PositionMeasurement& look, const PathEstimate& path,
+                       const PathModel& model) {
     const Eigen::Vector3d off = look.position - path.position;
     const Eigen::Matrix3d spread = path.covariance + model.noiseFactor * look.covariance;
     return off.dot(spread.llt().solve(off)) <= kDoubtfulGate;
@@ -381,4 +382,4 @@ Trajectory smoothed(const Trajectory& live, const SmootherOptions& options) {
   return stopped ? live : result;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 struct SmootherOptions {
   /// Gaps up to this length are filled, seconds; behind a longer one a new path begins.
@@ -38,4 +38,4 @@ PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
 /// as they are; all do when `progress` ended it.
 Trajectory smoothed(const Trajectory& live, const SmootherOptions& options = {});
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 namespace {
 
 constexpr std::uint16_t kVersion = 20;
@@ -91,4 +91,4 @@ Result<std::string> storedZip(const std::vector<ZipEntry>& entries) {
   return archive;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

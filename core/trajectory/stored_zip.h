@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 /// A file within an archive.
 struct ZipEntry {
@@ -23,4 +23,4 @@ std::uint32_t crc32(std::string_view bytes);
 /// the same bytes. BadValue beyond 4 GiB or 65,535 entries.
 Result<std::string> storedZip(const std::vector<ZipEntry>& entries);
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

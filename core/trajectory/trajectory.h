@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -9,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 /// What the images of one frame alone say of a place, without what was known before: a measurement
 /// with errors of its own. World frame, metres; covariance in m².
-struct SeenPlace {
+struct PositionMeasurement {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
 };
@@ -28,8 +30,8 @@ struct TrajectorySample {
   double effectiveSampleSize = 0.0;
   int cameras = 0;
   bool valid = true;
-  std::optional<SeenPlace> seen; ///< nothing: not seen in this frame, or not known
-  double existence = 0.0;        ///< probability that the target is there; not in files
+  std::optional<PositionMeasurement> seen; ///< nothing: not seen in this frame, or not known
+  double existence = 0.0;                  ///< probability that the target is there; not in files
 };
 
 /// Where a camera stood, so that an error can be split along and across its optical axis.
@@ -51,4 +53,4 @@ struct Trajectory {
   std::vector<TrajectorySample> samples;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

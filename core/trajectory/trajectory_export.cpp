@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 namespace {
 
 constexpr double kShareOfTable = 0.5; ///< of the progress; smoothing is most of it
@@ -257,4 +257,4 @@ Result<Trajectory> readExportSource(const std::filesystem::path& fileOrFolder) {
                             : fileOrFolder);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

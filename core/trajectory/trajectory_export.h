@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 /// Called now and then with how much is done, 0 to 1; false ends the export.
 using ExportProgress = std::function<bool(double)>;
@@ -56,4 +56,4 @@ Result<ExportPreview> previewExport(const Trajectory& trajectory, const ExportOp
 /// Reads the trajectory of an export's source: a trajectory file, or a run's folder with one.
 Result<Trajectory> readExportSource(const std::filesystem::path& fileOrFolder);
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

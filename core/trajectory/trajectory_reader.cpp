@@ -12,7 +12,7 @@
 #include <string_view>
 #include <type_traits>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 namespace {
 
 using Cells = std::vector<std::string>;
@@ -197,7 +197,7 @@ private:
     number("cameras", sample.cameras);
     number("valid", valid);
     if (const auto index = column("seen_x_m"); index && !cells[*index].empty()) {
-      SeenPlace& seen = sample.seen.emplace();
+      PositionMeasurement& seen = sample.seen.emplace();
       place("seen_", seen.position, seen.covariance);
     }
     if (!status)
@@ -250,4 +250,4 @@ Result<Trajectory> readTrajectory(const std::filesystem::path& path) {
   return Reader(path.string()).read(text);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

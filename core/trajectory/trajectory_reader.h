@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 /// Frame of a sample whose file has no frame column.
 inline constexpr std::int64_t kNoFrame = -1;
@@ -17,4 +17,4 @@ inline constexpr std::int64_t kNoFrame = -1;
 /// Errors name line and column.
 Result<Trajectory> readTrajectory(const std::filesystem::path& path);
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 namespace {
 
 constexpr std::string_view kColumns =
@@ -105,4 +105,4 @@ Status writeTrajectory(const Trajectory& trajectory, const std::filesystem::path
   return writeTextFile(path, text);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

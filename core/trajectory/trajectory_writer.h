@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::trajectory {
 
 /// Writes a trajectory as tidy CSV: `#` header, a line of column names, one row per target and
 /// frame. Every row goes to the operating system at once, so that what a killed run wrote can be
@@ -44,4 +44,4 @@ private:
 /// Writes a whole trajectory at once; a file of that name is replaced, or stays as it was.
 Status writeTrajectory(const Trajectory& trajectory, const std::filesystem::path& path);
 
-} // namespace dewpoint
+} // namespace dewpoint::trajectory

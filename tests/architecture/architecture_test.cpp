@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,7 +76,7 @@ TEST(SourceRules, ArrowsDownPass) {
   EXPECT_EQ(complaints("core/observation/a.h", "\"core/filter/particles.h\""), 0U);
   EXPECT_EQ(complaints("core/filter/a.h", "\"core/base/random.h\""), 0U);
   EXPECT_EQ(complaints("core/tracking/tracker.h", "\"core/capture/frame.h\""), 0U);
-  EXPECT_EQ(complaints("ui/camera/view.h", "\"core/session/snapshot.h\""), 0U);
+  EXPECT_EQ(complaints("ui/camera/view.h", "\"core/session/run/snapshot.h\""), 0U);
   EXPECT_EQ(complaints("ui/camera/view.h", "<QWidget>"), 0U);
   EXPECT_EQ(complaints("ui/birdseye/view.cpp", "\"ui/scene3d/scene.h\""), 0U);
   EXPECT_EQ(complaints("ui/scene3d/scene.cpp", "<vtkActor.h>"), 0U);
@@ -117,4 +117,4 @@ TEST(SourceRules, LongFilesFail) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using Names = std::set<std::string, std::less<>>;
@@ -39,13 +39,13 @@ constexpr std::string_view kFrameHeader = "core/capture/frame.h";
 /// The value types that core/session hands out; besides core/session and core/base, the window
 /// sees nothing else of core.
 const Names& windowHeaders() {
-  static const Names kHeaders = {"core/calibration/board.h",
-                                 "core/calibration/board_print.h",
-                                 "core/calibration/camera_placement.h",
-                                 "core/calibration/click_aids.h",
-                                 "core/calibration/hand_adjustment.h",
-                                 "core/calibration/measured_points.h",
-                                 "core/calibration/rig_map.h",
+  static const Names kHeaders = {"core/calibration/board/board.h",
+                                 "core/calibration/board/board_print.h",
+                                 "core/calibration/planning/camera_placement.h",
+                                 "core/calibration/manual/click_aids.h",
+                                 "core/calibration/manual/interactive_pose.h",
+                                 "core/calibration/manual/measured_points.h",
+                                 "core/calibration/planning/rig_map.h",
                                  "core/geometry/image_symmetry.h",
                                  "core/geometry/reference_grid.h",
                                  "core/capture/frame.h",
@@ -55,7 +55,7 @@ const Names& windowHeaders() {
                                  "core/color/color_learning.h",
                                  "core/color/color_histogram.h",
                                  "core/geometry/camera.h",
-                                 "core/experiment/figure_experiments.h",
+                                 "core/experiment/studies/figure_experiments.h",
                                  "core/project/project.h",
                                  "core/project/project_changes.h",
                                  "core/tracking/parameters.h",
@@ -222,4 +222,4 @@ std::vector<std::string> violations(const std::string& path, std::string_view te
   return found;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests

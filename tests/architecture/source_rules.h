@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 /// Longest file the project allows, in lines.
 constexpr int kLineLimit = 400;
@@ -18,4 +20,4 @@ std::vector<std::string> includesOf(std::string_view text);
 /// each; empty when it is fine. `path` is relative to the repository, such as "core/base/time.h".
 std::vector<std::string> violations(const std::string& path, std::string_view text);
 
-} // namespace dewpoint
+} // namespace dewpoint::tests

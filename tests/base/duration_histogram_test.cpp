@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 TEST(DurationHistogram, IsZeroWhileEmpty) {
@@ -40,4 +40,4 @@ TEST(DurationHistogram, KeepsWhatLiesOutside) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

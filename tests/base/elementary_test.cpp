@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 // The standard library is right to half a unit in the last place, 1.1e-16; ours to a few of them.
@@ -133,4 +133,4 @@ TEST(RandomStream, NormalsInSinglePrecisionAreThoseInDouble) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 TEST(Error, SentenceNamesFileFieldAndDetail) {
@@ -22,4 +22,4 @@ TEST(Time, SecondsAndBack) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using Words = std::array<std::uint32_t, 4>;
@@ -118,4 +118,4 @@ TEST(DerivedSeed, PartZeroKeepsTheSeedAndOthersDiffer) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

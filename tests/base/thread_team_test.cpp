@@ -7,7 +7,7 @@
 #include <atomic>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 TEST(ThreadTeam, VisitsEveryElementOnceForAnySize) {
@@ -64,4 +64,4 @@ TEST(ThreadTeam, BlocksBeginAtMultiplesOfTheirSize) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -2,10 +2,10 @@
 // Nine real cameras and one steel ball: the points of ball9_arena, with their gaps and gross
 // errors. Truth is the authors' own calibration.
 #include "core/base/random.h"
-#include "core/calibration/bundle_cost.h"
-#include "core/calibration/wand_bundle.h"
-#include "core/calibration/wand_calibration.h"
-#include "core/calibration/wand_world.h"
+#include "core/calibration/bundle/bundle_cost.h"
+#include "core/calibration/wand/wand_bundle.h"
+#include "core/calibration/wand/wand_calibration.h"
+#include "core/calibration/wand/wand_gauge.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -19,7 +19,7 @@
 #include <numbers>
 #include <sstream>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 std::filesystem::path folder() {
@@ -50,8 +50,8 @@ CameraRig authorsRig() {
   return rig;
 }
 
-std::vector<std::vector<BallView>> detections() {
-  std::vector<std::vector<BallView>> views(9);
+std::vector<std::vector<MarkerObservation>> detections() {
+  std::vector<std::vector<MarkerObservation>> views(9);
   std::ifstream stream(folder() / "detections_single.csv");
   std::string line;
   std::getline(stream, line);
@@ -66,7 +66,7 @@ std::vector<std::vector<BallView>> detections() {
       if (u.empty() || u == "nan") {
         continue;
       }
-      BallView view;
+      MarkerObservation view;
       view.time = std::stod(cells[0]) / 30.0;
       view.pixel = {std::stod(u), std::stod(cells[3 + 3 * v])};
       view.sigma = 1.0;
@@ -94,12 +94,14 @@ CameraRig moved(CameraRig rig, double place, double turn, std::uint32_t seed) {
 
 /// Median over the views of every tenth frame, none left out, of how far each lies from the
 /// projection of the point that explains its instant best (least absolute distances, cameras held).
-double medianReprojection(const CameraRig& rig, const std::vector<std::vector<BallView>>& views) {
+double medianReprojection(const CameraRig& rig,
+                          const std::vector<std::vector<MarkerObservation>>& views) {
   WandProblem problem;
   problem.rough = rig;
   problem.views = views;
   for (auto& list : problem.views) {
-    std::erase_if(list, [](const BallView& v) { return std::lround(v.time * 30.0) % 10 != 0; });
+    std::erase_if(list,
+                  [](const MarkerObservation& v) { return std::lround(v.time * 30.0) % 10 != 0; });
   }
   BundleProblem bundle = *wandBundle(problem);
   for (BundleCamera& camera : bundle.cameras) {
@@ -142,4 +144,4 @@ TEST(Ball9Arena, WavingTheBallIsNoWorseThanTheAuthorsCalibration) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

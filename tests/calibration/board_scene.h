@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/board.h"
+#include "core/calibration/board/board.h"
 #include "core/geometry/camera.h"
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 /// A camera of a usual webcam's lens.
 inline Camera testCamera(int width = 640, int height = 480) {
@@ -27,4 +27,4 @@ inline Eigen::Isometry3d boardAt(const BoardDescription& board, const Eigen::Vec
   return pose;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/random.h"
-#include "core/calibration/board.h"
-#include "core/calibration/intrinsics_from_board.h"
+#include "core/calibration/board/board.h"
+#include "core/calibration/board/intrinsics_from_board.h"
 #include "tests/calibration/board_scene.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include <numbers>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 /// A folder of the real recordings; empty when they are not there.
 inline std::filesystem::path dataFolder(const char* name) {
@@ -80,4 +80,4 @@ inline BoardView viewOf(const BoardDescription& board, const Camera& camera,
   return view;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests

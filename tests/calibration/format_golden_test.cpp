@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files of other tools (golden/make_golden.py says who wrote which, and whose pixels these are).
-#include "core/calibration/calibration_file.h"
-#include "core/calibration/calibration_format.h"
+#include "core/calibration/formats/calibration_file.h"
+#include "core/calibration/formats/calibration_format.h"
 #include "tests/calibration/own_folder.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <map>
 #include <sstream>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 const std::filesystem::path kGolden =
@@ -206,4 +206,4 @@ TEST(FormatGolden, AFormatThatWasAskedForMustFit) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

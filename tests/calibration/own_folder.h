@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 /// A folder for the running test alone: tests run side by side.
 inline std::filesystem::path ownFolder() {
@@ -17,4 +19,4 @@ inline std::filesystem::path ownFolder() {
   return folder;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests

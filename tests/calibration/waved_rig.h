@@ -2,15 +2,15 @@
 #pragma once
 
 #include "core/base/random.h"
-#include "core/calibration/bundle_cost.h"
-#include "core/calibration/wand_calibration.h"
-#include "core/calibration/wand_world.h"
+#include "core/calibration/bundle/bundle_cost.h"
+#include "core/calibration/wand/wand_calibration.h"
+#include "core/calibration/wand/wand_gauge.h"
 
 #include <cmath>
 #include <string>
 #include <vector>
 
-namespace dewpoint::simulated {
+namespace dewpoint::tests::simulated {
 
 inline constexpr double kStick = 0.6; ///< metres
 inline constexpr double kRate = 15.0; ///< images per second
@@ -100,4 +100,4 @@ inline WandProblem wave(const CameraRig& cameras, std::uint32_t seed, double noi
   return problem;
 }
 
-} // namespace dewpoint::simulated
+} // namespace dewpoint::tests::simulated

@@ -8,7 +8,7 @@
 
 #include <fstream>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 const PictureShape kCamera{"left", 0, 12, 8};
@@ -67,4 +67,4 @@ TEST(EmptyRoom, WhatIsWrongNamesFileAndCamera) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

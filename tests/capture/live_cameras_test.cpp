@@ -14,7 +14,7 @@
 #include <set>
 #include <thread>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using namespace std::chrono_literals;
@@ -300,4 +300,4 @@ TEST(LiveCameras, aMissingDeviceIsANotice) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <opencv2/imgcodecs.hpp>
 
 #include <arpa/inet.h>
@@ -16,7 +18,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace dewpoint::test {
+namespace dewpoint::tests::test {
 
 /// A network camera on this machine: serves the pictures of a function as multipart MJPEG over
 /// HTTP, one every 20 ms, to everyone who connects. Stops, and cuts all connections, with its life.
@@ -119,4 +121,4 @@ private:
   std::jthread thread_;
 };
 
-} // namespace dewpoint::test
+} // namespace dewpoint::tests::test

@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using test::TemporaryFolder;
@@ -396,4 +396,4 @@ TEST(Recording, PicturesOfALateCameraAreMatchedByTime) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 
-namespace dewpoint::test {
+namespace dewpoint::tests::test {
 
 /// A fresh folder that disappears with its life.
 class TemporaryFolder {
@@ -31,4 +33,4 @@ private:
   std::filesystem::path path_;
 };
 
-} // namespace dewpoint::test
+} // namespace dewpoint::tests::test

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 constexpr std::size_t kColors = std::size_t{1} << 24U;
@@ -114,4 +114,4 @@ TEST(MatchRow, IsTheSameForEveryInstructionSetAndLength) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

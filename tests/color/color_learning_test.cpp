@@ -11,7 +11,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 constexpr double kRadius = 15.0;
@@ -259,4 +259,4 @@ TEST(ColorHistogram, SharesSumToOne) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -11,7 +11,7 @@
 #include <limits>
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 bool both(const ColorRange& range, int b, int g, int r) {
@@ -213,4 +213,4 @@ TEST(CheckColorRange, RefusesTheRest) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

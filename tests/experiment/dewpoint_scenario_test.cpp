@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs of the suite in which method dewpoint once failed. Seeds for tuning.
-#include "core/experiment/baseline_methods.h"
-#include "core/experiment/scenario.h"
+#include "core/experiment/baselines/baseline_methods.h"
+#include "core/experiment/scenarios/scenario.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 const ScenarioDeclaration& scenarioNamed(const std::string& name) {
@@ -54,4 +54,4 @@ TEST(DewpointScenario, ALookAlikeDoesNotTakeATargetThatIsPlainlySeen) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What method dewpoint says of why a target is not held, in scenarios of the suite.
-#include "core/experiment/scenario.h"
-#include "core/session/tracking_run.h"
+#include "core/experiment/scenarios/scenario.h"
+#include "core/session/run/tracking_run.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 ScenarioRun scenario(const std::string& name, std::uint64_t seed) {
@@ -28,7 +28,7 @@ ScenarioRun scenario(const std::string& name, std::uint64_t seed) {
 
 /// Tracks a scenario and hands out every moment.
 void track(const ScenarioRun& run, std::int64_t frames,
-           const std::function<void(const Moment&)>& look) {
+           const std::function<void(const TrackedFrame&)>& look) {
   Project project;
   project.method = "dewpoint";
   project.parameters = ParameterValues(methodParameters("dewpoint"));
@@ -45,7 +45,7 @@ void track(const ScenarioRun& run, std::int64_t frames,
   }
   auto tracking = TrackingRun::create(project, 1);
   ASSERT_TRUE(tracking);
-  std::optional<Moment> previous;
+  std::optional<TrackedFrame> previous;
   for (std::int64_t frame = 0; frame < frames; ++frame) {
     tracking->beginFrame(run.frames(frame));
     tracking->iterate();
@@ -55,11 +55,11 @@ void track(const ScenarioRun& run, std::int64_t frames,
 }
 
 /// Trouble of each camera with the first target, by frame.
-using Troubles = std::vector<std::vector<CameraTrouble>>;
+using Troubles = std::vector<std::vector<CameraStatus>>;
 Troubles troublesOf(const ScenarioRun& run, std::int64_t frames) {
   Troubles troubles;
-  track(run, frames, [&](const Moment& moment) {
-    std::vector<CameraTrouble>& all = troubles.emplace_back();
+  track(run, frames, [&](const TrackedFrame& moment) {
+    std::vector<CameraStatus>& all = troubles.emplace_back();
     for (const CameraReport& report : moment.targets[0].reasons) {
       all.push_back(report.trouble);
     }
@@ -83,7 +83,7 @@ TEST(Reasons, ABlindCameraIsTooDarkAndTheOtherHasNoTrouble) {
     for (int camera = 0; camera < 2; ++camera) {
       const bool dark = camera == blind && frame >= begin && frame < end;
       EXPECT_EQ(troubles[std::size_t(frame)][std::size_t(camera)],
-                dark ? CameraTrouble::Dark : CameraTrouble::None)
+                dark ? CameraStatus::Dark : CameraStatus::None)
           << "frame " << frame << " camera " << camera;
     }
   }
@@ -95,7 +95,7 @@ TEST(Reasons, WhenAllAreBlindAllAreTooDark) {
   const Troubles troubles = troublesOf(run, begin + 10);
   for (std::int64_t frame = begin; frame < begin + 10; ++frame) {
     EXPECT_EQ(troubles[std::size_t(frame)],
-              (std::vector<CameraTrouble>{CameraTrouble::Dark, CameraTrouble::Dark}));
+              (std::vector<CameraStatus>{CameraStatus::Dark, CameraStatus::Dark}));
   }
 }
 
@@ -104,15 +104,15 @@ TEST(Reasons, ATargetTakenAwayIsNotHeldAndEveryCameraSaysSo) {
   const std::int64_t gone = frameOf(run, ScenarioEvent::Kind::Vanish);
   const std::int64_t back = frameOf(run, ScenarioEvent::Kind::Return);
   ASSERT_GT(back, gone + 30); // it stays away for more than a second
-  std::vector<Moment> moments;
-  track(run, back, [&](const Moment& moment) { moments.push_back(moment); });
+  std::vector<TrackedFrame> moments;
+  track(run, back, [&](const TrackedFrame& moment) { moments.push_back(moment); });
   EXPECT_EQ(moments[std::size_t(gone) - 1].targets[0].status, TargetStatus::Held);
-  const TargetMoment& late = moments.back().targets[0];
+  const TrackedTarget& late = moments.back().targets[0];
   EXPECT_EQ(late.status, TargetStatus::Lost);
   for (const CameraReport& report : late.reasons) {
-    EXPECT_NE(report.trouble, CameraTrouble::None);
-    EXPECT_NE(report.trouble, CameraTrouble::Dark);
-    EXPECT_NE(report.trouble, CameraTrouble::NoImage);
+    EXPECT_NE(report.trouble, CameraStatus::None);
+    EXPECT_NE(report.trouble, CameraStatus::Dark);
+    EXPECT_NE(report.trouble, CameraStatus::NoImage);
   }
   EXPECT_FALSE(reasonSentence(late.reasons, {"left", "right"}).empty());
 }
@@ -124,9 +124,9 @@ TEST(Reasons, APlateInFrontOfOneCameraHidesAPart) {
   const std::size_t begin = troubles.size() / 2; // the plate has arrived
   for (std::size_t frame = begin; frame < troubles.size(); ++frame) {
     for (std::size_t camera = 0; camera < 2; ++camera) {
-      const CameraTrouble trouble = troubles[frame][camera];
+      const CameraStatus trouble = troubles[frame][camera];
       hidden[camera] +=
-          trouble == CameraTrouble::PartlyHidden || trouble == CameraTrouble::Hidden ? 1 : 0;
+          trouble == CameraStatus::PartlyHidden || trouble == CameraStatus::Hidden ? 1 : 0;
     }
   }
   const int frames = static_cast<int>(troubles.size() - begin);
@@ -136,4 +136,4 @@ TEST(Reasons, APlateInFrontOfOneCameraHidesAPart) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

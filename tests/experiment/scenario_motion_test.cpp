@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/time.h"
 #include "core/color/match_image.h"
-#include "core/experiment/baseline_blobs.h"
-#include "core/experiment/scenario.h"
+#include "core/experiment/baselines/baseline_blobs.h"
+#include "core/experiment/scenarios/scenario.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 ScenarioRun runOf(const std::string& name, std::uint64_t seed = 1) {
@@ -383,4 +383,4 @@ TEST(ScenarioBump, TheCameraNoLongerStandsWhereItIsBelieved) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

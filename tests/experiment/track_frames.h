@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/experiment/track_frame.h"
+#include "core/experiment/metrics/track_frame.h"
 
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 /// Points on the x axis, as (identity, x): distances can be read off.
 using PointsOnAxis = std::vector<std::pair<int, double>>;
@@ -24,4 +24,4 @@ inline TrackFrame frameOnAxis(const PointsOnAxis& truth, const PointsOnAxis& est
   return {frame, 0.01 * static_cast<double>(frame), pointsOnAxis(truth), pointsOnAxis(estimates)};
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 // Fox 2003: n = chi²(k - 1; 0.99) / (2 error). The quantiles are those of printed
@@ -69,4 +69,4 @@ TEST(OccupiedBins, SurvivesPlacesFarAway) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 constexpr double kForbidden = std::numeric_limits<double>::infinity();
@@ -143,4 +143,4 @@ TEST(Assignment, AgreesWithBruteForce) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 static_assert(MotionModel<ConstantVelocity>);
@@ -102,4 +102,4 @@ TEST(ConstantVelocity, NothingMovesWithoutTime) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

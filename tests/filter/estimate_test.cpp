@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -88,4 +88,4 @@ TEST(Estimate, EffectiveSampleSizeLimitsAndFirstOfEqualBest) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -15,7 +15,7 @@
 #include <numeric>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 /// Weights of many kinds: equal, a few heavy ones among light ones, rising over 200 decades, mostly
@@ -270,4 +270,4 @@ TEST(MultinomialResampling, LooksUpTheSortedDraws) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

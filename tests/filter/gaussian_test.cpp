@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using Matrix6 = Gaussian6::Matrix;
@@ -132,4 +132,4 @@ TEST(PreparedGaussian3, PlacesHaveTheMomentsOfTheGaussian) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

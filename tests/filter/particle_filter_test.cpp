@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
@@ -176,4 +176,4 @@ TEST(ParticleFilter, CountChangesAtResamplingOrAtOnce) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

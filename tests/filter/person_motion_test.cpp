@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 const RandomStream kStream(1, 2, 0, RandomPurpose::Motion);
@@ -55,4 +55,4 @@ TEST(WalkingMotion, DoesNotDependOnHowTheSetIsCut) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 TEST(MultinomialResampling, IsUnbiased) {
@@ -64,4 +64,4 @@ TEST(MultinomialResampling, OneParticleWithAllTheWeightIsAlwaysPicked) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

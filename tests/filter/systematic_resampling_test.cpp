@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 static_assert(Resampler<SystematicResampling>);
@@ -89,4 +89,4 @@ TEST(SystematicResampling, EqualWeightsKeepEveryParticle) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -8,7 +8,7 @@
 #include <map>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 TEST(ConvexHull, OfACubeIsTheCube) {
@@ -85,4 +85,4 @@ TEST(ConvexHull, ProjectsAsThePinholeDoes) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 Camera bentCamera() {
@@ -63,4 +63,4 @@ TEST(ImageSymmetry, CombinesAsTheOneAfterTheOther) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 /// A bell with standard deviation 0.2 m around (1, 2).
@@ -61,4 +61,4 @@ TEST(LevelCurves, LevelsHoldTheirShare) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
@@ -72,4 +72,4 @@ TEST(ProjectBatch, IsEqualToPointByPointForEveryInstructionSet) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

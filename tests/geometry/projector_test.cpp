@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 /// A webcam at QVGA, roughly as in method B's setup, turned and moved so that every axis counts.
@@ -202,4 +202,4 @@ TEST(LookAt, ChoosesAnAxisWhenLookingAlongUp) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 Camera webcam(const std::array<double, 8>& distortion) {
@@ -98,4 +98,4 @@ TEST(DistanceToRay, CountsFromTheOriginBehindIt) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 Camera above(const std::array<double, 8>& distortion = {}) {
@@ -145,4 +145,4 @@ TEST(ReferenceGrid, ChecksWhatCanBeDrawn) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 constexpr int kTangents = 10000;
@@ -156,4 +156,4 @@ TEST(SphereProjector, DepthIsAlongTheOpticalAxis) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

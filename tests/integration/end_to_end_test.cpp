@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/wiring/open_project.h"
 #include "core/capture/frame_writer.h"
-#include "core/session/tracking_run.h"
+#include "core/session/run/tracking_run.h"
 #include "core/simulation/scene_renderer.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <unistd.h>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 Trajectory tracked(SessionInputs inputs, int frames, int threads = 1) {
@@ -134,4 +134,4 @@ INSTANTIATE_TEST_SUITE_P(Sources, DiskTest, testing::Values(SourceKind::Video, S
                          });
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -4,12 +4,12 @@
 // compiler's rounding does to single runs. "Measured" is `dewpoint-cli experiment convergence`:
 // 1500 runs per case.
 #include "app/wiring/open_project.h"
-#include "core/experiment/convergence_study.h"
-#include "core/session/tracking_run.h"
+#include "core/experiment/studies/convergence_study.h"
+#include "core/session/run/tracking_run.h"
 
 #include <gtest/gtest.h>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 constexpr int kRuns = 40; // a share of p has a standard error of at most 8 %
@@ -106,4 +106,4 @@ TEST(Fidelity, OnItsWayTheCloudIsLongestAlongCamera1sAxis) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -2,13 +2,13 @@
 // The documented project of a real recording: two videos of a hand over a desk, real calibration.
 #include "app/wiring/open_project.h"
 #include "core/color/color_classifier.h"
-#include "core/session/tracking_run.h"
+#include "core/session/run/tracking_run.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 // The desk plane of the recording, Z = +0.5 board squares of 0.03 m in the author's frame (its
@@ -51,4 +51,4 @@ TEST(Hand2Desk, FollowsTheArmInBothViewsAndNeverDivesBelowTheDesk) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

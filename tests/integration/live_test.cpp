@@ -9,7 +9,7 @@
 #include <chrono>
 #include <thread>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 TEST(Live, TwoLoopbackStreamsAreTrackedToTheBall) {
@@ -44,4 +44,4 @@ TEST(Live, TwoLoopbackStreamsAreTrackedToTheBall) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

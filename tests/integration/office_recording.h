@@ -10,7 +10,7 @@
 #include <map>
 #include <memory>
 
-namespace dewpoint::test {
+namespace dewpoint::tests::test {
 
 /// The first frames of the simulated office day, rendered once for all tests of a program. Two
 /// people come in within the first 100 frames.
@@ -54,4 +54,4 @@ private:
   std::int64_t position_ = 0;
 };
 
-} // namespace dewpoint::test
+} // namespace dewpoint::tests::test

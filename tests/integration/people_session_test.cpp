@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Methods for people in a session: targets that come and go.
-#include "core/session/people_writer.h"
+#include "core/session/people/people_writer.h"
+#include "core/session/run/tracking_run.h"
 #include "core/session/session.h"
-#include "core/session/tracking_run.h"
-#include "core/tracking/people_targets.h"
+#include "core/tracking/people/people_targets.h"
 #include "tests/integration/office_recording.h"
 #include "tests/session/fake_recording.h"
 
@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using test::eventually;
@@ -295,4 +295,4 @@ TEST(PeopleNames, AreReadAsTheyAreWritten) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

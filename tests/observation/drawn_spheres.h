@@ -14,7 +14,7 @@
 #include <numbers>
 #include <vector>
 
-namespace dewpoint::drawn {
+namespace dewpoint::tests::drawn {
 
 /// A ball of one flat color.
 struct Ball {
@@ -141,4 +141,4 @@ inline Eigen::Vector3d directionOf(std::uint32_t index, std::uint64_t seed = 6) 
   return Eigen::Vector3d(normal[0], normal[1], normal[2]).normalized();
 }
 
-} // namespace dewpoint::drawn
+} // namespace dewpoint::tests::drawn

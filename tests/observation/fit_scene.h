@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/observation/outline_fit.h"
+#include "core/observation/sphere/outline_fit.h"
 #include "tests/observation/drawn_spheres.h"
 
 #include <memory>
 #include <vector>
 
-namespace dewpoint::drawn {
+namespace dewpoint::tests::drawn {
 
 /// Cameras with what they see of some balls, before a wall they know.
 class FitScene {
@@ -57,4 +57,4 @@ private:
   std::vector<LabelImage> labels_;
 };
 
-} // namespace dewpoint::drawn
+} // namespace dewpoint::tests::drawn

@@ -4,14 +4,14 @@
 #include "core/filter/models.h"
 #include "core/filter/multinomial_resampling.h"
 #include "core/filter/particle_filter.h"
-#include "core/observation/color_window.h"
+#include "core/observation/sphere/color_window.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 const Eigen::Vector3d kTarget(0.0, 0.0, 0.3);
@@ -76,4 +76,4 @@ TEST(WholeIteration, HasTheSameBitsForThreadsAndInstructionSets) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

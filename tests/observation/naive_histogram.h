@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <opencv2/core.hpp>
 
 #include <algorithm>
@@ -8,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 /// Equations 6 to 8 of Sugandi et al. 2009 written down as they stand, for tests and benchmarks:
 /// the histogram of a rectangle of whole size whose upper left corner is a whole pixel.
@@ -46,4 +48,4 @@ inline double naiveSimilarity(const std::array<double, 512>& p, const std::array
   return rho;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <regex>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 vtkSmartPointer<vtkPolyData> readPolyData(const std::filesystem::path& file) {
@@ -84,4 +84,4 @@ TEST(ExportPvd, ItsFilesAreReadByVtk) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

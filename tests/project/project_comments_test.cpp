@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 constexpr const char* kByHand = R"(# Balls in the gym, March.
@@ -146,4 +146,4 @@ TEST(ProjectComments, GoToAnotherFileWithTheProject) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

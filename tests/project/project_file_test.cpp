@@ -7,7 +7,7 @@
 
 #include <cstdlib>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 constexpr const char* kGood = R"(format = 1
@@ -276,4 +276,4 @@ TEST(ProjectFile, AnUnwritablePlaceIsSaid) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 constexpr const char* kRoom = R"(format = 2
@@ -147,4 +147,4 @@ TEST(ProjectRoom, ASceneCanHaveAnotherCalibration) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/rig_map.h"
-#include "ui/birdseye/birds_eye_view.h"
+#include "core/calibration/planning/rig_map.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QApplication>
 #include <QFile>
@@ -12,7 +12,7 @@
 #include <limits>
 #include <random>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 const Eigen::Vector3d kBall(0.5, -0.3, 1.1);
@@ -383,13 +383,13 @@ private:
   std::unique_ptr<BirdsEyeView> view_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setStyle(QStringLiteral("Fusion"));
-  dewpoint::BirdsEyeViewTest test;
+  dewpoint::tests::BirdsEyeViewTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

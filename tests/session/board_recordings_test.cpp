@@ -2,10 +2,10 @@
 // Calibration from a board on real recordings. The bars are those of issue 5, the published figures
 // those beside the recordings.
 #include "core/base/toml_text.h"
-#include "core/calibration/board_judgement.h"
+#include "core/calibration/quality/board_judgement.h"
 #include "core/capture/recording.h"
 #include "core/geometry/ray.h"
-#include "core/session/board_calibration.h"
+#include "core/setup/board_calibration.h"
 #include "tests/calibration/board_views.h"
 
 #include <opencv2/imgcodecs.hpp>
@@ -16,7 +16,7 @@
 #include <map>
 #include <sstream>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -133,7 +133,7 @@ std::vector<fs::path> picturesIn(const fs::path& folder, const std::string& pref
 /// Intrinsics from stills of one camera.
 Result<IntrinsicsResult> lensFrom(const std::vector<fs::path>& files,
                                   const BoardDescription& board) {
-  BoardWish wish;
+  BoardCalibrationRequest wish;
   wish.board = board;
   return lookForBoards(files, board, DetectionEffort::Exact)
       .and_then([&](const SeenBoards& seen) { return intrinsicsFromBoards(seen, wish); })
@@ -145,7 +145,7 @@ TEST(BoardRecordings, Charuco4) {
   if (folder.empty()) {
     GTEST_SKIP() << "DEWPOINT_DATA has no charuco4";
   }
-  BoardWish wish;
+  BoardCalibrationRequest wish;
   wish.board = boardOf("charuco:4x5:0.054:0.0405:DICT_4X4_1000:inverted");
   Project project;
   std::vector<RecordedCamera> recorded;
@@ -278,4 +278,4 @@ TEST(BoardRecordings, Ball9Arena) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

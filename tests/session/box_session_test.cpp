@@ -8,7 +8,7 @@
 
 #include <filesystem>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using test::boxTarget;
@@ -250,10 +250,10 @@ TEST(BoxSession, AHiddenTargetIsHeldAndSaysSo) {
   EXPECT_FALSE(hidden.box->estimate.visible);
   EXPECT_EQ(hidden.status, TargetStatus::Searching);
   ASSERT_EQ(hidden.reasons.size(), 1U);
-  EXPECT_EQ(hidden.reasons[0].trouble, CameraTrouble::Hidden);
+  EXPECT_EQ(hidden.reasons[0].trouble, CameraStatus::Hidden);
   stepTo(session, 40);
   EXPECT_EQ(session.newest()->targets[0].status, TargetStatus::Held);
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -8,7 +8,7 @@
 
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 TrackSnapshot snapshotWithRig() {
@@ -124,4 +124,4 @@ TEST(CameraOverlay, NoEllipseWithoutAFiniteCovarianceOrBehindTheCamera) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

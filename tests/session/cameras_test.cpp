@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run/tracking_run.h"
 #include "core/session/session.h"
-#include "core/session/tracking_run.h"
 #include "tests/session/fake_recording.h"
 
 #include <gtest/gtest.h>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using test::eventually;
@@ -91,4 +91,4 @@ TEST(OtherCameras, OtherImagesAreAnotherRun) {
 INSTANTIATE_TEST_SUITE_P(Methods, Cameras, testing::Values("dewpoint", "barrera"));
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

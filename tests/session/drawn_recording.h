@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace dewpoint::test {
+namespace dewpoint::tests::test {
 
 /// A red ball on a circle before a wall, with noise; one camera loses it for some frames. A pure
 /// function of the frame number.
@@ -71,4 +71,4 @@ inline SessionInputs drawnInputs(const std::string& method, std::int64_t frames,
   return result;
 }
 
-} // namespace dewpoint::test
+} // namespace dewpoint::tests::test

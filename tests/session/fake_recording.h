@@ -12,7 +12,7 @@
 #include <memory>
 #include <thread>
 
-namespace dewpoint::test {
+namespace dewpoint::tests::test {
 
 inline const Eigen::Vector3d kBall(0.0, 0.0, 0.1);
 inline constexpr double kBallRadius = 0.04;
@@ -147,4 +147,4 @@ inline bool sameBits(const Trajectory& a, const Trajectory& b) {
   return same;
 }
 
-} // namespace dewpoint::test
+} // namespace dewpoint::tests::test

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-namespace dewpoint::test {
+namespace dewpoint::tests::test {
 
 /// One camera without a calibration that shows a moving patch, hidden in some frames.
 class PatchRecording final : public FrameSetSource {
@@ -72,4 +72,4 @@ inline SessionInputs patchInputs(const char* method, std::vector<Target> targets
   return result;
 }
 
-} // namespace dewpoint::test
+} // namespace dewpoint::tests::test

@@ -10,7 +10,7 @@
 
 #include <fstream>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using test::inputs;
@@ -77,4 +77,4 @@ TEST_F(SavedRun, AFolderThatIsAFileIsSaid) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using test::eventually;
@@ -85,4 +85,4 @@ TEST(Session, SamplesAreReadInPiecesAndTheLastFrameComesAgain) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

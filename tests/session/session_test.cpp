@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using test::eventually;
@@ -378,4 +378,4 @@ TEST(Session, IsDestroyedCleanlyWhilePlaying) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 TEST(CommandQueue, KeepsOrderAndLosesNothing) {
@@ -170,4 +170,4 @@ TEST(RunLog, IsReadWhileItIsWritten) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

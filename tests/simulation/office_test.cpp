@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 OfficeScene oneWalker() {
@@ -59,4 +59,4 @@ TEST(Office, NobodyIsThereBeforeTheBeginningOrBehindTheWalls) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

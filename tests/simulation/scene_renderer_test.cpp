@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 /// Pixels of the pink ball, in ratios so that its dark underside counts too. Nothing else in the
@@ -176,4 +176,4 @@ TEST(Scene, TheDemoBallRestsFirstAndThenMoves) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using drawn::Ball;
@@ -18,15 +18,15 @@ Ball cover(const Camera& camera, double radius = 0.05) {
   return {camera.center() + 0.5 * (kTarget.center - camera.center()), radius, {140, 140, 140}};
 }
 
-std::vector<CameraTrouble> troubles(DrawnRun& run) {
-  std::vector<CameraTrouble> all;
+std::vector<CameraStatus> troubles(DrawnRun& run) {
+  std::vector<CameraStatus> all;
   for (const CameraReport& report : run.tracker().explain(0)) {
     all.push_back(report.trouble);
   }
   return all;
 }
 
-using All = std::vector<CameraTrouble>;
+using All = std::vector<CameraStatus>;
 
 class CameraReportTest : public ::testing::Test {
 protected:
@@ -40,13 +40,13 @@ protected:
 };
 
 TEST_F(CameraReportTest, NoTroubleWhileItIsSeen) {
-  EXPECT_EQ(troubles(run_), (All{CameraTrouble::None, CameraTrouble::None}));
+  EXPECT_EQ(troubles(run_), (All{CameraStatus::None, CameraStatus::None}));
   EXPECT_EQ(reasonSentence(run_.tracker().explain(0), {"left", "right"}), "");
 }
 
 TEST_F(CameraReportTest, HiddenFromOneCamera) {
   run_.show({kTarget, cover(run_.rig()[1])});
-  EXPECT_EQ(troubles(run_), (All{CameraTrouble::None, CameraTrouble::Hidden}));
+  EXPECT_EQ(troubles(run_), (All{CameraStatus::None, CameraStatus::Hidden}));
   EXPECT_EQ(reasonSentence(run_.tracker().explain(0), {"left", "right"}), "camera right: hidden");
 }
 
@@ -56,7 +56,7 @@ TEST_F(CameraReportTest, NoImageAndTooDark) {
   black->image = cv::Mat(240, 320, CV_8UC3, cv::Scalar(9, 4, 7)); // all below 24
   set->frames[1] = black;
   run_.showSet(set);
-  EXPECT_EQ(troubles(run_), (All{CameraTrouble::NoImage, CameraTrouble::Dark}));
+  EXPECT_EQ(troubles(run_), (All{CameraStatus::NoImage, CameraStatus::Dark}));
 }
 
 TEST_F(CameraReportTest, BesideALookAlike) {
@@ -69,7 +69,7 @@ TEST_F(CameraReportTest, BesideALookAlike) {
   run_.show({other});
   const auto reports = run_.tracker().explain(0);
   for (std::size_t k = 0; k < 2; ++k) {
-    EXPECT_EQ(reports[k].trouble, CameraTrouble::LookAlike);
+    EXPECT_EQ(reports[k].trouble, CameraStatus::LookAlike);
     const SphereProjector projector(run_.rig()[k]);
     const auto a = projector.project(kTarget.center, kTarget.radius).value();
     const auto b = projector.project(other.center, other.radius).value();
@@ -82,7 +82,7 @@ TEST_F(CameraReportTest, GoneWithoutATraceAndNoColorAtAll) {
   for (int frame = 0; frame < 100; ++frame) {
     run_.show({});
   }
-  EXPECT_EQ(troubles(run_), (All{CameraTrouble::NoColor, CameraTrouble::NoColor}));
+  EXPECT_EQ(troubles(run_), (All{CameraStatus::NoColor, CameraStatus::NoColor}));
 }
 
 TEST_F(CameraReportTest, OutOfView) {
@@ -93,7 +93,7 @@ TEST_F(CameraReportTest, OutOfView) {
     place += 0.02 * right;
     run_.show({{place}});
   }
-  EXPECT_EQ(run_.tracker().explain(0)[0].trouble, CameraTrouble::OutOfView);
+  EXPECT_EQ(run_.tracker().explain(0)[0].trouble, CameraStatus::OutOfView);
 }
 
 TEST(BarreraReports, SayWhereTheColorIs) {
@@ -113,7 +113,7 @@ TEST(BarreraReports, SayWhereTheColorIs) {
   (*tracker)->iterate(team);
   for (std::size_t k = 0; k < 2; ++k) {
     const CameraReport report = (*tracker)->explain(0)[k];
-    EXPECT_EQ(report.trouble, CameraTrouble::Elsewhere);
+    EXPECT_EQ(report.trouble, CameraStatus::Elsewhere);
     const Projector projector(rig[k]);
     const auto middle = projector.project((*tracker)->estimates()[0].mean).value();
     const auto ball = SphereProjector(rig[k]).project(far.center, far.radius).value();
@@ -121,11 +121,11 @@ TEST(BarreraReports, SayWhereTheColorIs) {
   }
   (*tracker)->beginFrame(drawn::framesOf(rig, {}, 11));
   (*tracker)->iterate(team);
-  EXPECT_EQ((*tracker)->explain(0)[1].trouble, CameraTrouble::NoColor);
+  EXPECT_EQ((*tracker)->explain(0)[1].trouble, CameraStatus::NoColor);
 }
 
 TEST(ReasonSentence, NamesCamerasAndRounds) {
-  EXPECT_EQ(reasonSentence({{CameraTrouble::LookAlike, 3.4}, {CameraTrouble::Hidden, 0.0}}, {"a"}),
+  EXPECT_EQ(reasonSentence({{CameraStatus::LookAlike, 3.4}, {CameraStatus::Hidden, 0.0}}, {"a"}),
             "camera a: 3 px beside a look-alike; camera 2: hidden");
   EXPECT_EQ(reasonSentence({}, {}), "");
 }
@@ -139,4 +139,4 @@ TEST(DistanceToNearest, IsThatOfTheNearestPixel) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using drawn::Ball;
@@ -102,4 +102,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, Clone,
                          });
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

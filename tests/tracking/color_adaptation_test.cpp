@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using drawn::Ball;
@@ -125,4 +125,4 @@ TEST(ColorAdaptation, CopiesAndThreadsGiveTheSameBits) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using drawn::Ball;
@@ -394,4 +394,4 @@ TEST(DewpointRobustness, TheSameFrameTimeAgain) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using drawn::Ball;
@@ -113,4 +113,4 @@ TEST(DewpointTargets, FiveIdenticalOnesAreAllFound) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace dewpoint::drawn {
+namespace dewpoint::tests::drawn {
 
 using Changes = std::initializer_list<std::pair<const char*, double>>;
 
@@ -99,4 +99,4 @@ private:
   std::int64_t index_ = 0;
 };
 
-} // namespace dewpoint::drawn
+} // namespace dewpoint::tests::drawn

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 /// A two-colored patch that moves over a background of grays and browns with noise: pictures with
 /// known boxes.
@@ -62,4 +62,4 @@ private:
   }
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using drawn::Ball;
@@ -102,4 +102,4 @@ TEST(StartParameters, DeclareAVolumeAndGiveItBack) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 ParameterValues barrera() {
@@ -98,4 +98,4 @@ TEST(MakeTracker, UnknownMethodOrParametersOfAnotherAreRefused) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -3,6 +3,8 @@
 // user guide, Motion Lab Systems) and not from the writer: it follows the pointers of the file.
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -10,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 class C3dReader {
 public:
@@ -135,4 +137,4 @@ private:
   std::vector<std::vector<Point>> frames_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::tests

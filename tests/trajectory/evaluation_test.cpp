@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 TrajectorySample at(std::int64_t frame, const Eigen::Vector3d& position,
@@ -172,4 +172,4 @@ TEST(Evaluation, TextIsInMillimetresAndJsonInMetres) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

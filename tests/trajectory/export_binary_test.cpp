@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 TEST(ExportC3d, IsReadByAnotherReader) {
@@ -163,4 +163,4 @@ assert 'right-handed' in str(a['units']) and 'seed: 7' in str(a['about'])
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

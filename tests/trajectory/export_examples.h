@@ -12,7 +12,7 @@
 #include <string>
 #include <unistd.h>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 inline TrajectorySample exportSample(std::int64_t frame, const std::string& target,
                                      const Eigen::Vector3d& position) {
@@ -79,4 +79,4 @@ inline std::string exported(const Trajectory& trajectory, const ExportOptions& o
   return bytesOf(folder / name);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 Result<ExportTable> tableOf(const ExportOptions& options,
@@ -82,8 +82,8 @@ TEST(ExportOptions, ResamplingLeavesGaps) {
 }
 
 TEST(ExportOptions, InterpolatesWithoutNeighborsAlongTheChord) {
-  const TimedPlace a{1.0, {0, 0, 0}};
-  const TimedPlace b{3.0, {2, 4, 6}};
+  const TimedPosition a{1.0, {0, 0, 0}};
+  const TimedPosition b{3.0, {2, 4, 6}};
   EXPECT_LT((interpolated({}, a, b, {}, 1.5) - Eigen::Vector3d(0.5, 1.0, 1.5)).norm(), 1e-15);
 }
 
@@ -177,4 +177,4 @@ TEST(ExportReplaces, OnlyWhatItMay) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

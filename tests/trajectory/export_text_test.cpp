@@ -6,7 +6,7 @@
 
 #include <clocale>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 TEST(ExportText, TidyCsvAsWrittenByHand) {
@@ -149,4 +149,4 @@ TEST(ExportText, IsTheSameInALocaleWithDecimalCommas) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

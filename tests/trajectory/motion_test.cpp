@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 constexpr double kPeriod = 1.0 / 30.0;
@@ -153,4 +153,4 @@ TEST(MotionLog, isBounded) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

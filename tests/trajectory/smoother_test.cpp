@@ -9,10 +9,10 @@
 #include <cmath>
 #include <cstring>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
-SeenPlace seenAt(const Eigen::Vector3d& place, double sigma) {
+PositionMeasurement seenAt(const Eigen::Vector3d& place, double sigma) {
   return {place, sigma * sigma * Eigen::Matrix3d::Identity()};
 }
 
@@ -40,7 +40,7 @@ std::vector<PathPoint> unevenPath() {
   for (int k = 0; k < 6; ++k) {
     path.push_back({times[k], std::nullopt});
     if (k != 2 && k != 3) {
-      SeenPlace seen = seenAt({0.1 * k, std::sin(k), 0.02 * k * k}, 0.01 * (k + 1));
+      PositionMeasurement seen = seenAt({0.1 * k, std::sin(k), 0.02 * k * k}, 0.01 * (k + 1));
       seen.covariance(0, 1) = seen.covariance(1, 0) = 0.5e-4 * (k + 1);
       path.back().seen = seen;
     }
@@ -345,4 +345,4 @@ TEST(Smoothed, TakesEstimatesWhereAFileHasNoLooks) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

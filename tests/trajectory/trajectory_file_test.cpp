@@ -10,7 +10,7 @@
 #include <sstream>
 #include <unistd.h>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 std::filesystem::path temporary(const std::string& name) {
@@ -168,4 +168,4 @@ TEST(TrajectoryFile, ErrorsNameLineAndColumn) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every catalog holds exactly the texts of the sources, all of them translated. The texts are found
 // by lupdate itself, run as script/translate runs it, on copies of the catalogs.
+#include "core/base/floors.h"
+
 #include <QDir>
 #include <QFile>
 #include <QProcess>
@@ -16,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 using Key = std::pair<QString, QString>; ///< context, text
@@ -154,4 +156,4 @@ TEST(Catalogs, MenusHaveLettersOfTheirOwn) {
 }
 
 } // namespace
-} // namespace dewpoint
+} // namespace dewpoint::tests

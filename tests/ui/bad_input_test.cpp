@@ -4,11 +4,11 @@
 #include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
 #include "core/capture/frame_writer.h"
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 #include "core/simulation/scene_renderer.h"
-#include "ui/birdseye/birds_eye_view.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QAction>
 #include <QApplication>
@@ -23,7 +23,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 namespace {
 
@@ -218,13 +218,13 @@ void BadInputTest::aFileThatCannotBeSavedLosesNothing() {
   window_->findChild<QAction*>("actionUndo")->trigger(); // closing asks no question
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  dewpoint::BadInputTest test;
+  dewpoint::tests::BadInputTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calibrating with a board in the real window: a recording, and live cameras.
 #include "app/wiring/open_project.h"
-#include "core/session/board_outcome.h"
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
+#include "core/setup/board_outcome.h"
 #include "tests/ui/shown_board.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/calibration/board_desk.h"
-#include "ui/calibration/board_map.h"
+#include "ui/calibration/board/board_calibrator.h"
+#include "ui/calibration/board/board_map.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -27,7 +27,7 @@
 #include <memory>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 class BoardPageTest : public QObject {
   Q_OBJECT
@@ -58,7 +58,7 @@ private:
   }
   const Project& project() { return window_->document().project(); }
   QUndoStack& history() { return *window_->document().undoStack(); }
-  BoardDesk& desk() { return *window_->findChild<BoardDesk*>(); }
+  BoardCalibrator& desk() { return *window_->findChild<BoardCalibrator*>(); }
   QString result() { return find<QLabel>(QStringLiteral("boardResult"))->text(); }
   QString file(const char* name) const { return folder_.filePath(QLatin1String(name)); }
 
@@ -109,7 +109,7 @@ void BoardPageTest::openWindow(const ProjectOpener& opener, const std::filesyste
 }
 
 void BoardPageTest::setBoard(const BoardGoal& goal) {
-  BoardGuideWish wish = desk().wish();
+  BoardGuideRequest wish = desk().wish();
   wish.board.board = shown_.board;
   wish.goal = goal;
   desk().setWish(wish);
@@ -135,7 +135,7 @@ void BoardPageTest::openLive(const BoardGoal& goal) {
 }
 
 bool BoardPageTest::calibrate() {
-  QSignalSpy over(&desk(), &BoardDesk::calibrated);
+  QSignalSpy over(&desk(), &BoardCalibrator::calibrated);
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCalibrate")), Qt::LeftButton);
   return over.wait(kPatienceMs);
 }
@@ -191,7 +191,7 @@ void BoardPageTest::aRecordingCalibratesInOneStep() {
 void BoardPageTest::theCommandLineGivesTheSameBits() {
   openRecording();
   QVERIFY(calibrate());
-  auto inputs = dewpoint::openProject(std::filesystem::path(file("board.toml").toStdString()));
+  auto inputs = dewpoint::app::openProject(std::filesystem::path(file("board.toml").toStdString()));
   QVERIFY(inputs.has_value());
   const auto& wish = desk().wish();
   const auto seen = lookForBoards(inputs->project, *inputs->source, wish.board);
@@ -204,7 +204,7 @@ void BoardPageTest::theCommandLineGivesTheSameBits() {
 void BoardPageTest::cancelKeepsWhatWas() {
   openRecording();
   const auto before = project().cameras;
-  QSignalSpy over(&desk(), &BoardDesk::calibrated);
+  QSignalSpy over(&desk(), &BoardCalibrator::calibrated);
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCalibrate")), Qt::LeftButton);
   QVERIFY(find<QPushButton>(QStringLiteral("boardCancel"))->isVisible());
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCancel")), Qt::LeftButton);
@@ -231,7 +231,7 @@ void BoardPageTest::aWrongBoardIsSaid() {
 
 void BoardPageTest::printsAndReports() {
   openRecording();
-  QSignalSpy saved(&desk(), &BoardDesk::saved);
+  QSignalSpy saved(&desk(), &BoardCalibrator::saved);
   desk().printBoard(QStringLiteral("A4"), file("board.pdf"));
   QVERIFY(saved.wait(kPatienceMs));
   QFile pdf(file("board.pdf"));
@@ -245,7 +245,7 @@ void BoardPageTest::printsAndReports() {
   const QByteArray text = html.readAll();
   QVERIFY(text.contains("<svg"));
   QVERIFY(text.contains("In this volume"));
-  QSignalSpy failed(&desk(), &BoardDesk::failed);
+  QSignalSpy failed(&desk(), &BoardCalibrator::failed);
   desk().printBoard(QStringLiteral("A4"), file("nowhere/board.pdf"));
   QVERIFY(failed.wait(kPatienceMs));
 }
@@ -259,18 +259,18 @@ void BoardPageTest::theBoardIsRemembered() {
 
 void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
   openLive({true, true});
-  BoardGuideWish wish = desk().wish();
+  BoardGuideRequest wish = desk().wish();
   wish.lenses.requestedProjectionPx = 20.0; // coarse: it ends after the fewest views
   wish.requestedPlace = 0.05;
   wish.places.instantsPerPair = 4;
   desk().setWish(wish);
   const auto before = project().cameras;
-  QSignalSpy over(&desk(), &BoardDesk::calibrated);
+  QSignalSpy over(&desk(), &BoardCalibrator::calibrated);
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton);
   // The board is moved on when a view was taken, or when this one gives nothing new.
   std::size_t taken = 0;
   int images = 0;
-  connect(&desk(), &BoardDesk::guideChanged, this, [&] {
+  connect(&desk(), &BoardCalibrator::guideChanged, this, [&] {
     const auto state = desk().guide();
     std::size_t now = 0;
     for (const auto& camera : state->cameras) {
@@ -283,7 +283,7 @@ void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
     }
   });
   QVERIFY(QTest::qWaitFor([&] { return over.count() > 0; }, kPatienceMs));
-  disconnect(&desk(), &BoardDesk::guideChanged, this, nullptr);
+  disconnect(&desk(), &BoardCalibrator::guideChanged, this, nullptr);
   QVERIFY2(desk().outcome() != nullptr, qPrintable(result()));
   QVERIFY(!desk().isWatching());
   QVERIFY(project().cameras == before); // until it is wanted
@@ -316,7 +316,7 @@ void BoardPageTest::liveViewsCanBeTakenByHand() {
   // Something is drawn in the coverage: not what an empty one shows.
   auto* map = find<BoardMap>(QStringLiteral("boardMap0"));
   const QImage full = map->grab().toImage();
-  QSignalSpy guide(&desk(), &BoardDesk::guideChanged);
+  QSignalSpy guide(&desk(), &BoardCalibrator::guideChanged);
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton); // over
   QVERIFY(desk().guide()->cameras[0].taken.empty());
   QVERIFY(map->grab().toImage() != full);
@@ -339,14 +339,14 @@ void BoardPageTest::everythingHasAName() {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("board-page"));
-  dewpoint::BoardPageTest test;
+  dewpoint::tests::BoardPageTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

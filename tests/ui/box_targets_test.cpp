@@ -2,14 +2,14 @@
 // Methods that follow boxes, in the window: several targets, edges, and beginning again.
 #include "core/base/text_file.h"
 #include "tests/ui/box_window.h"
-#include "ui/birdseye/birds_eye_view.h"
 #include "ui/selection/selection.h"
-#include "ui/settings/theme.h"
+#include "ui/style/theme.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QApplication>
 #include <QComboBox>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 class BoxTargetTest : public QObject, private BoxWindow {
   Q_OBJECT
@@ -117,15 +117,15 @@ void BoxTargetTest::aBoxOutsideTheImageIsRefused() {
   QVERIFY(message().contains(QStringLiteral("far.toml")));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("box targets"));
-  dewpoint::BoxTargetTest test;
+  dewpoint::tests::BoxTargetTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

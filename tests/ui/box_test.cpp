@@ -3,14 +3,14 @@
 #include "core/base/text_file.h"
 #include "tests/tracking/moving_patch.h"
 #include "tests/ui/box_window.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/camera/camera_view.h"
+#include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
 #include "ui/selection/selection.h"
-#include "ui/settings/theme.h"
+#include "ui/style/theme.h"
 #include "ui/trajectory/box_model.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAbstractItemView>
 #include <QAction>
@@ -25,7 +25,7 @@
 #include <QTest>
 #include <QUndoStack>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 class BoxTest : public QObject, private BoxWindow {
   Q_OBJECT
@@ -207,15 +207,15 @@ void BoxTest::anExperimentIsRefusedAtOnceAndLeftAloneWhileItRuns() {
   QVERIFY(list->isEnabled());
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("box"));
-  dewpoint::BoxTest test;
+  dewpoint::tests::BoxTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

@@ -3,11 +3,11 @@
 
 #include "app/wiring/open_project.h"
 #include "core/capture/frame_writer.h"
-#include "core/session/new_project.h"
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
+#include "core/setup/new_project.h"
 #include "tests/tracking/moving_patch.h"
-#include "ui/camera/camera_view.h"
-#include "ui/camera/pick_layer.h"
+#include "ui/cameraview/camera_view.h"
+#include "ui/cameraview/image_pick_overlay.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
 
@@ -21,7 +21,7 @@
 #include <functional>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 /// The window with one video without a calibration, 320 x 240, that shows a moving patch.
 class BoxWindow {
@@ -77,11 +77,11 @@ protected:
     return (placement.corner + QPointF(pixel.x(), pixel.y()) * placement.scale).toPoint();
   }
   void clickAt(const Eigen::Vector2d& pixel) {
-    QTest::mouseClick(find<PickLayer>("cameraView0Pick"), Qt::LeftButton, Qt::NoModifier,
+    QTest::mouseClick(find<ImagePickOverlay>("cameraView0Pick"), Qt::LeftButton, Qt::NoModifier,
                       placeOf(pixel));
   }
   void dragTo(const QPoint& from, const QPoint& to) {
-    auto* layer = find<PickLayer>("cameraView0Pick");
+    auto* layer = find<ImagePickOverlay>("cameraView0Pick");
     QTest::mousePress(layer, Qt::LeftButton, Qt::NoModifier, from);
     QTest::mouseMove(layer, (from + to) / 2);
     QTest::mouseRelease(layer, Qt::LeftButton, Qt::NoModifier, to);
@@ -102,4 +102,4 @@ protected:
   std::unique_ptr<MainWindow> window_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::tests

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A camera is turned during a run: the window says so, and one click puts it right.
 #include "app/wiring/open_project.h"
-#include "core/calibration/resolve_camera.h"
+#include "core/calibration/manual/moved_camera_pose.h"
 #include "core/capture/recording.h"
 #include "core/simulation/scene_renderer.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/bridge/bump_text.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
+#include "ui/text/camera_motion_text.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAction>
 #include <QApplication>
@@ -22,7 +22,7 @@
 #include <memory>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -149,14 +149,14 @@ void BumpMessageTest::aClickSolvesTheCameraAgain() {
   QVERIFY(camera() == before);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("bump"));
-  dewpoint::BumpMessageTest test;
+  dewpoint::tests::BumpMessageTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calibrations of other tools in the real window: the golden files in, the project's cameras out
 // and in again.
-#include "core/session/calibration_exchange.h"
+#include "core/setup/calibration_exchange.h"
 #include "tests/ui/calibration_window.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/calibration/calibration_export.h"
-#include "ui/calibration/calibration_import.h"
-#include "ui/mainwindow/message_bar.h"
+#include "ui/calibration/exchange/calibration_export.h"
+#include "ui/calibration/exchange/calibration_import.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -16,7 +16,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 const QString kGolden = QStringLiteral(DEWPOINT_SOURCE_DIR "/tests/calibration/golden/");
 }
@@ -264,14 +264,14 @@ void CalibrationImportTest::whatIsExportedComesBack() {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("calibration-import"));
-  dewpoint::CalibrationImportTest test;
+  dewpoint::tests::CalibrationImportTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Adjusting cameras by hand in the real window: mouse and keys as a person would use them.
 #include "tests/ui/calibration_window.h"
-#include "ui/birdseye/birds_eye_view.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -16,7 +16,7 @@
 
 #include <set>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 class CalibrationTest : public QObject, private test::CalibrationWindow {
   Q_OBJECT
@@ -354,14 +354,14 @@ void CalibrationTest::everythingHasAName() {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("calibration"));
-  dewpoint::CalibrationTest test;
+  dewpoint::tests::CalibrationTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

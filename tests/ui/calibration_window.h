@@ -2,11 +2,11 @@
 #pragma once
 
 #include "app/wiring/open_project.h"
-#include "core/calibration/hand_adjustment.h"
-#include "core/session/snapshot.h"
-#include "ui/calibration/grid_layer.h"
-#include "ui/calibration/grid_painter.h"
-#include "ui/camera/camera_view.h"
+#include "core/calibration/manual/interactive_pose.h"
+#include "core/session/run/snapshot.h"
+#include "ui/calibration/manual/grid_layer.h"
+#include "ui/calibration/manual/grid_painter.h"
+#include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
 
@@ -20,7 +20,7 @@
 #include <memory>
 #include <vector>
 
-namespace dewpoint::test {
+namespace dewpoint::tests::test {
 
 /// The window with the demo, paused, and its calibration place open; mouse and keys for it.
 class CalibrationWindow {
@@ -136,4 +136,4 @@ inline std::vector<Eigen::Vector3d> CalibrationWindow::crossings(int k) {
   return found;
 }
 
-} // namespace dewpoint::test
+} // namespace dewpoint::tests::test

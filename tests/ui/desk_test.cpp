@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Beginning, finding one's way and coming back: start page, new projects, actions, recovery.
 #include "app/wiring/open_project.h"
-#include "core/session/snapshot.h"
-#include "core/session/tracking_run.h"
+#include "core/session/run/snapshot.h"
+#include "core/session/run/tracking_run.h"
 #include "tests/ui/recorded_demo.h"
 #include "ui/actions/action_registry.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/camera/camera_view.h"
-#include "ui/camera/pick_layer.h"
-#include "ui/color/hue_ring.h"
-#include "ui/color/range_bar.h"
+#include "ui/cameraview/camera_view.h"
+#include "ui/cameraview/image_pick_overlay.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/selection/selection.h"
 #include "ui/start/recent_projects.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/widgets/hue_ring.h"
+#include "ui/widgets/range_bar.h"
 
 #include <QAction>
 #include <QApplication>
@@ -36,7 +36,7 @@
 #include <map>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 namespace {
 
@@ -294,7 +294,7 @@ void DeskTest::oneClickLearnsAColorAndTracksIt() {
   QVERIFY(waitFor([&] { return !view->imageSize().isEmpty(); }));
   const QPointF place = view->placement().corner +
                         (QPointF(at->x(), at->y()) + QPointF(0.5, 0.5)) * view->placement().scale;
-  auto* layer = find<PickLayer>("cameraView0Pick");
+  auto* layer = find<ImagePickOverlay>("cameraView0Pick");
   QTest::mouseClick(layer, Qt::LeftButton, Qt::NoModifier, place.toPoint());
   QVERIFY(waitFor([this] { return window_->document().project().targets.size() == 1; }));
   QVERIFY(action("actionShowMask")->isChecked()); // all cameras show what was learned
@@ -380,14 +380,14 @@ void DeskTest::thePickerIsDraggedByHandAndByKeys() {
   QVERIFY(std::abs(color().saturationMax - (before.saturationMax - 0.1)) < 1e-9);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("desk"));
-  dewpoint::DeskTest test;
+  dewpoint::tests::DeskTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

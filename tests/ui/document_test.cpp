@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 namespace {
 
@@ -310,14 +310,14 @@ void DocumentTest::whatIsSavedOrGivenUpLeavesNothingBehind() {
   QCOMPARE(copies(), 0);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
   QCoreApplication application(argc, argv);
   if (argc == 3 && QByteArrayView(argv[1]) == "--edit-forever") {
-    return dewpoint::editForever(argv[2]);
+    return dewpoint::tests::editForever(argv[2]);
   }
-  dewpoint::DocumentTest test;
+  dewpoint::tests::DocumentTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

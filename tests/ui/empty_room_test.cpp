@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the empty room, given to a camera in the window.
 #include "app/wiring/open_project.h"
-#include "core/session/new_project.h"
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
+#include "core/setup/new_project.h"
 #include "tests/ui/recorded_demo.h"
-#include "ui/birdseye/birds_eye_view.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QApplication>
 #include <QLabel>
@@ -22,7 +22,7 @@
 #include <functional>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 class EmptyRoomTest : public QObject {
   Q_OBJECT
@@ -98,14 +98,14 @@ void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
   QVERIFY(find<QLabel>("messageText")->text().contains(QStringLiteral("right")));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("empty-room"));
-  dewpoint::EmptyRoomTest test;
+  dewpoint::tests::EmptyRoomTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

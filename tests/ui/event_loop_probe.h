@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <QElapsedTimer>
 #include <QTimer>
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 /// Measures how long the event loop lets a timer wait: a stall is what a person feels when the
 /// window does not answer. Milliseconds.
@@ -40,4 +42,4 @@ private:
   double longest_ = 0.0;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::tests

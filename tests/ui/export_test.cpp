@@ -3,15 +3,15 @@
 #include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
 #include "core/project/project.h"
-#include "core/session/snapshot.h"
-#include "ui/birdseye/birds_eye_view.h"
+#include "core/session/run/snapshot.h"
 #include "ui/export/export_dialog.h"
-#include "ui/export/export_words.h"
+#include "ui/export/export_text.h"
 #include "ui/export/trajectory_figure.h"
 #include "ui/export/view_picture.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
 #include "ui/selection/selection.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAction>
 #include <QApplication>
@@ -29,7 +29,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 class ExportTest : public QObject {
   Q_OBJECT
@@ -87,7 +87,7 @@ Trajectory smallRun() {
 } // namespace
 
 void ExportTest::initTestCase() {
-  window_ = std::make_unique<MainWindow>(dewpoint::openProject);
+  window_ = std::make_unique<MainWindow>(dewpoint::app::openProject);
   window_->resize(1400, 900);
   window_->show();
   window_->openProject({});
@@ -342,13 +342,13 @@ void ExportTest::takesPicturesOfEveryView() {
   QVERIFY(taken >= 4); // two cameras, the bird's-eye view, the plot
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  dewpoint::ExportTest test;
+  dewpoint::tests::ExportTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

@@ -2,15 +2,15 @@
 // The first minutes of a new user, by mouse alone, with every press counted: from launch to a 3D
 // track and a CSV file of the demo, and from two videos and a calibration file to a track.
 #include "app/wiring/open_project.h"
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 #include "core/trajectory/trajectory_reader.h"
 #include "tests/ui/event_loop_probe.h"
 #include "tests/ui/recorded_demo.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/camera/camera_view.h"
-#include "ui/camera/pick_layer.h"
+#include "ui/cameraview/camera_view.h"
+#include "ui/cameraview/image_pick_overlay.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QAction>
 #include <QApplication>
@@ -30,7 +30,7 @@
 
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 namespace {
 
@@ -176,21 +176,21 @@ void FirstRunTest::fromTwoVideosAndACalibrationToATrack() {
   const ImagePlacement& placement = view->placement();
   const QPointF place =
       placement.corner + (QPointF(at->x(), at->y()) + QPointF(0.5, 0.5)) * placement.scale;
-  QTest::mouseClick(find<PickLayer>("cameraView0Pick"), Qt::LeftButton, Qt::NoModifier,
+  QTest::mouseClick(find<ImagePickOverlay>("cameraView0Pick"), Qt::LeftButton, Qt::NoModifier,
                     place.toPoint());
   QVERIFY(isHeld());
   QVERIFY2(counter_->clicks <= 15, "two videos and a calibration file to a track");
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("first-run"));
-  dewpoint::FirstRunTest test;
+  dewpoint::tests::FirstRunTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/bridge/late_images.h"
+#include "ui/session/live_frame_filler.h"
 
 #include <QTest>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 class LateImagesTest : public QObject {
   Q_OBJECT
@@ -37,7 +37,7 @@ FramePtr frameOf(const TrackSnapshotPtr& snapshot, std::size_t camera) {
 } // namespace
 
 void LateImagesTest::aLateCameraShowsItsLastImage() {
-  LateImages late;
+  LiveFrameFiller late;
   const auto both = moment(1.0, true, true);
   QCOMPARE(late.filled(both).get(), both.get()); // nothing to fill: no copy
   auto one = moment(1.05, true, false);
@@ -50,15 +50,16 @@ void LateImagesTest::aLateCameraShowsItsLastImage() {
 }
 
 void LateImagesTest::aSilentCameraIsMissing() {
-  LateImages late;
+  LiveFrameFiller late;
   late.filled(moment(1.0, true, true));
-  QVERIFY(frameOf(late.filled(moment(1.0 + 0.9 * LateImages::kYoung, true, false)), 1) != nullptr);
-  QVERIFY(frameOf(late.filled(moment(1.0 + LateImages::kYoung, true, false)), 1) == nullptr);
+  QVERIFY(frameOf(late.filled(moment(1.0 + 0.9 * LiveFrameFiller::kYoung, true, false)), 1) !=
+          nullptr);
+  QVERIFY(frameOf(late.filled(moment(1.0 + LiveFrameFiller::kYoung, true, false)), 1) == nullptr);
   QVERIFY(frameOf(late.filled(moment(0.5, true, false)), 1) == nullptr); // begun anew
 }
 
 void LateImagesTest::recordingsAndThePastAreShownAsTheyAre() {
-  LateImages late;
+  LiveFrameFiller late;
   late.filled(moment(1.0, true, true));
   auto recorded = moment(1.05, true, false);
   recorded->frameCount = 100;
@@ -69,7 +70,7 @@ void LateImagesTest::recordingsAndThePastAreShownAsTheyAre() {
   QVERIFY(late.filled(nullptr) == nullptr);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
-QTEST_GUILESS_MAIN(dewpoint::LateImagesTest)
+QTEST_GUILESS_MAIN(dewpoint::tests::LateImagesTest)
 #include "late_images_test.moc"

@@ -2,13 +2,13 @@
 // Two network cameras on this machine's loopback, opened from a project file and tracked live in
 // the real window.
 #include "app/wiring/open_project.h"
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 #include "core/simulation/scene_renderer.h"
 #include "tests/capture/mjpeg_server.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/bridge/image.h"
-#include "ui/camera/camera_view.h"
+#include "ui/cameraview/camera_view.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/style/image.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QApplication>
 #include <QLabel>
@@ -21,7 +21,7 @@
 #include <functional>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 namespace {
 
@@ -150,13 +150,13 @@ void LiveWindowTest::saysWhichCameraDoesNotAnswer() {
       QTest::qWaitFor([&] { return difference(*view, pictures_[0]) < kSamePicture; }, kPatienceMs));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  dewpoint::LiveWindowTest test;
+  dewpoint::tests::LiveWindowTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

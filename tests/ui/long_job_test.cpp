@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/bridge/long_job.h"
+#include "ui/jobs/long_job.h"
 
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 class LongJobTest : public QObject {
   Q_OBJECT
@@ -64,7 +64,7 @@ void LongJobTest::runsAnotherOneAfterwards() {
   QCOMPARE(sum, 6);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
-QTEST_GUILESS_MAIN(dewpoint::LongJobTest)
+QTEST_GUILESS_MAIN(dewpoint::tests::LongJobTest)
 #include "long_job_test.moc"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The real window with the built-in demo, driven by actions, mouse and keyboard as a person would.
 #include "app/wiring/open_project.h"
+#include "core/session/run/snapshot.h"
 #include "core/session/session.h"
-#include "core/session/snapshot.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/camera/camera_view.h"
+#include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/plots/plot_panel.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -25,7 +25,7 @@
 #include <memory>
 #include <optional>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 namespace {
 constexpr int kPatienceMs =
@@ -330,13 +330,13 @@ void MainWindowTest::noQt5InTheProcess() {
   QVERIFY(!maps.readAll().contains("libQt5"));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  dewpoint::MainWindowTest test;
+  dewpoint::tests::MainWindowTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

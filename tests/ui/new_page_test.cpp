@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of a new project: what is dropped onto it, what it makes, and how one gets away again.
 #include "app/wiring/open_project.h"
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 #include "tests/ui/recorded_demo.h"
-#include "ui/birdseye/birds_eye_view.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QAction>
 #include <QApplication>
@@ -25,7 +25,7 @@
 
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 namespace {
 constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
@@ -184,14 +184,14 @@ void NewPageTest::cancelOfANewProjectChangesNothing() {
   QVERIFY(window_->document().project() == before);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("new-page"));
-  dewpoint::NewPageTest test;
+  dewpoint::tests::NewPageTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

@@ -2,13 +2,13 @@
 // Methods for people in the window, on the simulated office.
 #include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
-#include "core/session/people_overlay.h"
-#include "core/session/snapshot.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/camera/camera_view.h"
+#include "core/session/people/people_overlay.h"
+#include "core/session/run/snapshot.h"
+#include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/selection/selection.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QAction>
 #include <QApplication>
@@ -26,7 +26,7 @@
 #include <functional>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 namespace {
 
@@ -243,14 +243,14 @@ void PeopleTest::peopleAreTakenAwayAndPlacedByKeys() {
   QVERIFY(!action("actionPlacePerson")->isChecked());
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("people"));
-  dewpoint::PeopleTest test;
+  dewpoint::tests::PeopleTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

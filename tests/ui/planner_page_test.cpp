@@ -2,9 +2,9 @@
 // Planning a rig in the real window: the map of expected errors, and cameras that are thought of.
 #include "tests/ui/calibration_window.h"
 #include "tests/ui/event_loop_probe.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/calibration/calibration_place.h"
-#include "ui/calibration/plan_desk.h"
+#include "ui/calibration/calibration_dock.h"
+#include "ui/calibration/planner/rig_planner.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -15,7 +15,7 @@
 #include <QPushButton>
 #include <QSlider>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 class PlannerPageTest : public QObject, private test::CalibrationWindow {
   Q_OBJECT
@@ -34,7 +34,7 @@ private Q_SLOTS:
   void draggingStaysFluid();
 
 private:
-  PlanDesk& plan() { return *window_->findChild<PlanDesk*>(); }
+  RigPlanner& plan() { return *window_->findChild<RigPlanner*>(); }
   BirdsEyeView& view() { return *find<BirdsEyeView>("birdsEyeView"); }
   bool waitForMap(const std::function<void()>& act);
   void showMap();
@@ -84,7 +84,7 @@ void PlannerPageTest::dragInView(const QPointF& from, const QPointF& by, int ste
 }
 
 void PlannerPageTest::opensByItsAction() {
-  QCOMPARE(find<CalibrationPlace>("calibrationPlace")->shownPage(), QStringLiteral("planPage"));
+  QCOMPARE(find<CalibrationDock>("calibrationPlace")->shownPage(), QStringLiteral("planPage"));
   QVERIFY(find<QWidget>("planPage")->isVisible());
   QVERIFY(!find<QCheckBox>("mapShown")->isChecked());
   QVERIFY(view().map() == nullptr);
@@ -244,7 +244,7 @@ void PlannerPageTest::draggingStaysFluid() {
   find<QPushButton>("planAdd")->click();
   (void)view().currentPicture();
   int maps = 0;
-  connect(&plan(), &PlanDesk::mapChanged, this, [&] { ++maps; });
+  connect(&plan(), &RigPlanner::mapChanged, this, [&] { ++maps; });
   for (const bool volume : {false, true}) {
     MapLook look = plan().look();
     look.volume = volume;
@@ -277,14 +277,14 @@ void PlannerPageTest::draggingStaysFluid() {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("planner"));
-  dewpoint::PlannerPageTest test;
+  dewpoint::tests::PlannerPageTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

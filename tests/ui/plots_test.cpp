@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plots and trajectory of the demo in the real window: data, cursor, span, table, pictures.
 #include "app/wiring/open_project.h"
+#include "core/session/run/snapshot.h"
 #include "core/session/session.h"
-#include "core/session/snapshot.h"
-#include "ui/birdseye/birds_eye_view.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_row.h"
@@ -11,6 +10,7 @@
 #include "ui/selection/selection.h"
 #include "ui/timeline/timeline.h"
 #include "ui/trajectory/trajectory_panel.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QAction>
 #include <QApplication>
@@ -27,7 +27,7 @@
 
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 namespace {
 constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
@@ -386,14 +386,14 @@ void PlotsTest::restartBeginsAnew() {
            static_cast<int>(window_->shown()->iterations));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("PlotsTest"));
-  dewpoint::PlotsTest test;
+  dewpoint::tests::PlotsTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

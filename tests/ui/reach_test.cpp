@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Beginning, finding one's way and coming back: start page, new projects, actions, recovery.
 #include "app/wiring/open_project.h"
-#include "core/session/snapshot.h"
-#include "core/session/tracking_run.h"
+#include "core/session/run/snapshot.h"
+#include "core/session/run/tracking_run.h"
 #include "tests/ui/recorded_demo.h"
 #include "ui/actions/action_registry.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/camera/camera_view.h"
-#include "ui/camera/pick_layer.h"
-#include "ui/color/hue_ring.h"
-#include "ui/color/range_bar.h"
+#include "ui/cameraview/camera_view.h"
+#include "ui/cameraview/image_pick_overlay.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
 #include "ui/selection/selection.h"
 #include "ui/start/recent_projects.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/widgets/hue_ring.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/widgets/range_bar.h"
 
 #include <QAction>
 #include <QApplication>
@@ -38,7 +38,7 @@
 #include <map>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 namespace {
 
@@ -184,14 +184,14 @@ void ReachTest::aNoticeMovesNothingAndGoes() {
   QVERIFY(QTest::qWaitFor([&] { return !message->isVisible(); }, 10 * kPatienceMs));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("reach"));
-  dewpoint::ReachTest test;
+  dewpoint::tests::ReachTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/calibration_file.h"
+#include "core/calibration/formats/calibration_file.h"
 #include "core/capture/frame_writer.h"
 #include "core/simulation/scene_renderer.h"
 
 #include <filesystem>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 /// The first frames of the demo as a person would have them: left.mkv, right.mkv and
 /// calibration.toml. False when they cannot be written.
@@ -30,4 +30,4 @@ inline bool recordDemo(const std::filesystem::path& folder, int frames = 8) {
   return saveCalibration(scene.cameras, folder / "calibration.toml").has_value();
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests

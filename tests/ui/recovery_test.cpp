@@ -2,12 +2,12 @@
 // Work that a killed window left behind: offered, with its layout; asked for again; thrown away.
 #include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
-#include "core/session/snapshot.h"
-#include "ui/birdseye/birds_eye_view.h"
+#include "core/session/run/snapshot.h"
 #include "ui/document/document.h"
 #include "ui/document/recovery.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAction>
 #include <QApplication>
@@ -30,7 +30,7 @@
 #include <functional>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 namespace {
 constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
@@ -267,14 +267,14 @@ void RecoveryTest::locksOfTheDeadGo() {
   QVERIFY(message().contains(QStringLiteral("half done")));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("recovery"));
-  dewpoint::RecoveryTest test;
+  dewpoint::tests::RecoveryTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

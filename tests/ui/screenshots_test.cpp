@@ -2,17 +2,17 @@
 // A picture of every view in both themes, as the manual shows them: into the folder that
 // DEWPOINT_SCREENSHOTS names, or beside the test.
 #include "app/wiring/open_project.h"
-#include "core/session/snapshot.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/calibration/calibration_import.h"
-#include "ui/camera/camera_view.h"
+#include "core/session/run/snapshot.h"
+#include "ui/calibration/exchange/calibration_import.h"
+#include "ui/cameraview/camera_view.h"
 #include "ui/color/color_panel.h"
 #include "ui/document/document.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/view_picture.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
 #include "ui/selection/selection.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAction>
 #include <QApplication>
@@ -34,7 +34,7 @@
 #include <memory>
 #include <set>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 namespace {
 
@@ -283,14 +283,14 @@ void ScreenshotsTest::everyView() {
   keepBoxes(window);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("screenshots"));
-  dewpoint::ScreenshotsTest test;
+  dewpoint::tests::ScreenshotsTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/board_picture.h"
+#include "core/calibration/board/board_picture.h"
 #include "core/capture/frame_source.h"
 #include "core/capture/frame_writer.h"
 #include "core/project/project.h"
@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-namespace dewpoint::test {
+namespace dewpoint::tests::test {
 
 /// Two cameras and a ChArUco board that somebody shows them.
 struct ShownBoard {
@@ -126,4 +126,4 @@ private:
   std::int64_t index_ = 0;
 };
 
-} // namespace dewpoint::test
+} // namespace dewpoint::tests::test

@@ -2,14 +2,14 @@
 // Going through time in the real window: scrubbing with mouse and keys, marks, spans, tracking
 // again.
 #include "app/wiring/open_project.h"
+#include "core/session/run/snapshot.h"
 #include "core/session/session.h"
-#include "core/session/snapshot.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/camera/camera_view.h"
+#include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/selection/selection.h"
 #include "ui/timeline/timeline.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QAction>
 #include <QLabel>
@@ -21,7 +21,7 @@
 #include <map>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 namespace {
 constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
@@ -216,17 +216,17 @@ void TimelineTest::titleSaysWhy() {
     const auto* reason =
         window_->findChild<QLabel*>(QStringLiteral("cameraDock%1TitleReason").arg(k));
     QVERIFY(reason != nullptr);
-    QCOMPARE(reason->text().isEmpty(), target.reasons[k].trouble == CameraTrouble::None);
+    QCOMPARE(reason->text().isEmpty(), target.reasons[k].trouble == CameraStatus::None);
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  dewpoint::TimelineTest test;
+  dewpoint::tests::TimelineTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The trajectory panel and the plots' numbers on made-up runs, also long ones.
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 #include "ui/actions/action_registry.h"
 #include "ui/actions/window_actions.h"
 #include "ui/plots/plot_stack.h"
@@ -18,7 +18,7 @@
 #include <cmath>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 namespace {
 
@@ -235,13 +235,13 @@ void TrajectoryPanelTest::longRunsAreDrawnFromFewPoints() {
         stack.lastDrawingMs());
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("TrajectoryPanelTest"));
-  dewpoint::TrajectoryPanelTest test;
+  dewpoint::tests::TrajectoryPanelTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

@@ -4,14 +4,14 @@
 #include "app/wiring/open_project.h"
 #include "core/base/error.h"
 #include "core/project/project.h"
-#include "core/session/snapshot.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/bridge/error_sentence.h"
-#include "ui/color/verdict_text.h"
+#include "core/session/run/snapshot.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/settings/language.h"
+#include "ui/text/error_sentence.h"
+#include "ui/text/language.h"
+#include "ui/text/verdict_text.h"
 #include "ui/trajectory/gap_list.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -32,7 +32,7 @@
 
 #include <set>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 
 namespace {
 
@@ -283,13 +283,13 @@ void TranslationTest::anErrorIsTranslatedButNotItsFileAndField() {
            QStringLiteral("a.toml: flavor: clave desconocida (line 3)"));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  dewpoint::TranslationTest test;
+  dewpoint::tests::TranslationTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Refining cameras with a waved ball in the real window: the demo's ball as a recording, and as
 // live cameras.
-#include "core/session/wand_refinement.h"
+#include "core/setup/wand_refinement.h"
 #include "tests/ui/calibration_window.h"
-#include "ui/birdseye/birds_eye_view.h"
 #include "ui/selection/selection.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -17,7 +17,7 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 
-namespace dewpoint {
+namespace dewpoint::tests {
 namespace {
 
 /// The frames in which the demo's ball moves well enough: as the test of the command line has them.
@@ -268,14 +268,14 @@ void WandPageTest::everythingHasAName() {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::BirdsEyeView::prepareSurfaceFormat();
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
   QApplication::setApplicationName(QStringLiteral("wand-page"));
-  dewpoint::WandPageTest test;
+  dewpoint::tests::WandPageTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions/action_registry.h"
 
-#include "ui/settings/symbolic_icon.h"
+#include "ui/style/symbolic_icon.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -15,7 +15,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -178,4 +178,4 @@ bool ActionRegistry::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <QKeySequence>
 #include <QObject>
 #include <QString>
@@ -10,7 +12,7 @@
 class QAction;
 class QPalette;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// What an action is, said once. Texts are marked with QT_TRANSLATE_NOOP("Actions", "...").
 struct ActionDeclaration {
@@ -78,4 +80,4 @@ private:
 /// Tooltip of an action: its sentence and its shortcut.
 QString tooltipWithShortcut(const QString& sentence, const QKeySequence& shortcut);
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

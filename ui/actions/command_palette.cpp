@@ -2,7 +2,7 @@
 #include "ui/actions/command_palette.h"
 
 #include "ui/actions/action_registry.h"
-#include "ui/settings/retranslation.h"
+#include "ui/text/retranslation.h"
 
 #include <QAction>
 #include <QKeyEvent>
@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -117,7 +117,7 @@ CommandPalette::CommandPalette(ActionRegistry& registry, QWidget* window)
   layout->setSpacing(8);
   layout->addWidget(search_);
   layout->addWidget(list_);
-  inEveryLanguage(this, [this] {
+  onRetranslate(this, [this] {
     search_->setPlaceholderText(tr("What do you want to do?"));
     search_->setAccessibleName(tr("Search actions"));
     list_->setAccessibleName(tr("Actions found"));
@@ -159,12 +159,12 @@ void CommandPalette::open() {
 /// The name counts most, then the group it is in, then what else is known of an action.
 int CommandPalette::fitOf(const QString& search, const Entry& entry) {
   const QString path = entry.group + QLatin1Char(' ') + entry.name;
-  const int byName = dewpoint::fitOf(search, entry.name);
-  const int byPath = dewpoint::fitOf(search, path);
+  const int byName = dewpoint::ui::fitOf(search, entry.name);
+  const int byPath = dewpoint::ui::fitOf(search, path);
   if (byPath >= 0) {
     return std::max(3 * byName, 2 * byPath);
   }
-  const int byHint = dewpoint::fitOf(search, path + QLatin1Char(' ') + entry.hint);
+  const int byHint = dewpoint::ui::fitOf(search, path + QLatin1Char(' ') + entry.hint);
   // Of a whole sentence beginnings of words count, no letters in the midst of one ("this").
   return byHint >= kAtStart ? byHint : byPath;
 }
@@ -233,4 +233,4 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
   return QFrame::eventFilter(watched, event);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

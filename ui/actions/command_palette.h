@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <QFrame>
 #include <QIcon>
 #include <QString>
@@ -11,7 +13,7 @@
 class QLineEdit;
 class QListWidget;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 class ActionRegistry;
 
@@ -63,4 +65,4 @@ int fitOf(const QString& search, const QString& text);
 /// Where words were found, scattered letters are no fit.
 void dropScattered(std::vector<int>& fits);
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

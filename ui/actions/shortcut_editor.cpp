@@ -3,7 +3,7 @@
 
 #include "ui/actions/action_registry.h"
 #include "ui/actions/command_palette.h"
-#include "ui/settings/retranslation.h"
+#include "ui/text/retranslation.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -57,7 +57,7 @@ ShortcutEditor::ShortcutEditor(ActionRegistry& registry, QWidget* parent)
   layout->addWidget(tree_, 1);
   layout->addLayout(row);
   layout->addWidget(note_);
-  inEveryLanguage(this, [this] {
+  onRetranslate(this, [this] {
     setWindowTitle(tr("Shortcuts"));
     search_->setPlaceholderText(tr("Search"));
     search_->setAccessibleName(tr("Search actions"));
@@ -158,4 +158,4 @@ void ShortcutEditor::assign() {
   });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

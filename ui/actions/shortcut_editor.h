@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <QDialog>
 
 #include <functional>
@@ -13,7 +15,7 @@ class QTreeWidget;
 class QTreeWidgetItem;
 class QAction;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 class ActionRegistry;
 
@@ -42,4 +44,4 @@ private:
   std::function<QString()> noteWords_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

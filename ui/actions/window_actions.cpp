@@ -9,7 +9,7 @@
 
 #include <iterator>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -265,4 +265,4 @@ void declareWindowActions(ActionRegistry& registry) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace dewpoint {
+#include "core/base/floors.h"
+
+namespace dewpoint::ui {
 
 class ActionRegistry;
 
@@ -9,4 +11,4 @@ class ActionRegistry;
 /// connection.
 void declareWindowActions(ActionRegistry& registry);
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -3,15 +3,15 @@
 
 #include "core/color/color_histogram.h"
 #include "core/project/project.h"
-#include "ui/camera/camera_view.h"
-#include "ui/camera/pick_layer.h"
-#include "ui/color/box_teacher.h"
+#include "ui/cameraview/camera_view.h"
+#include "ui/cameraview/image_pick_overlay.h"
+#include "ui/color/box_picker.h"
+#include "ui/color/color_learner.h"
 #include "ui/color/color_picker.h"
-#include "ui/color/color_teacher.h"
-#include "ui/color/verdict_text.h"
 #include "ui/document/document.h"
-#include "ui/settings/retranslation.h"
-#include "ui/settings/theme.h"
+#include "ui/style/theme.h"
+#include "ui/text/retranslation.h"
+#include "ui/text/verdict_text.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -27,7 +27,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -38,11 +38,11 @@ constexpr std::int64_t kOutlinedFrames = 10; ///< an outline stays so long over 
 } // namespace
 
 ColorPanel::ColorPanel(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), teacher_(new ColorTeacher(document, this)),
-      boxes_(new BoxTeacher(document, this)), name_(new QLabel(this)),
-      learn_(new QToolButton(this)), picker_(new ColorPicker(this)), verdict_(new QLabel(this)),
-      samplesTitle_(new QLabel(this)), samples_(new QListWidget(this)),
-      remove_(new QPushButton(this)), judgeSoon_(new QTimer(this)) {
+    : QWidget(parent), document_(document), teacher_(new ColorLearner(document, this)),
+      boxes_(new BoxPicker(document, this)), name_(new QLabel(this)), learn_(new QToolButton(this)),
+      picker_(new ColorPicker(this)), verdict_(new QLabel(this)), samplesTitle_(new QLabel(this)),
+      samples_(new QListWidget(this)), remove_(new QPushButton(this)),
+      judgeSoon_(new QTimer(this)) {
   setObjectName(QStringLiteral("colorPanel"));
   learn_->setObjectName(QStringLiteral("colorLearn"));
   learn_->setCheckable(true);
@@ -92,7 +92,7 @@ ColorPanel::ColorPanel(Document& document, QWidget* parent)
   connect(&document_, &Document::targetsChanged, this, &ColorPanel::refresh);
   connect(&document_, &Document::methodChanged, this, &ColorPanel::say);
   connectTeacher();
-  inEveryLanguage(this, [this] { say(); });
+  onRetranslate(this, [this] { say(); });
 }
 
 void ColorPanel::connectTeacher() {
@@ -102,15 +102,15 @@ void ColorPanel::connectTeacher() {
     refresh();
     Q_EMIT learned(target, isNew);
   };
-  connect(teacher_, &ColorTeacher::learned, this, adopt);
-  connect(boxes_, &BoxTeacher::learned, this, adopt);
-  connect(boxes_, &BoxTeacher::failed, this, &ColorPanel::failed);
-  connect(teacher_, &ColorTeacher::judged, this, &ColorPanel::showVerdict);
+  connect(teacher_, &ColorLearner::learned, this, adopt);
+  connect(boxes_, &BoxPicker::learned, this, adopt);
+  connect(boxes_, &BoxPicker::failed, this, &ColorPanel::failed);
+  connect(teacher_, &ColorLearner::judged, this, &ColorPanel::showVerdict);
   judgeSoon_->setSingleShot(true);
   judgeSoon_->setInterval(kJudgeMs);
   connect(judgeSoon_, &QTimer::timeout, this, &ColorPanel::judgeNow);
-  connect(teacher_, &ColorTeacher::failed, this, &ColorPanel::failed);
-  connect(teacher_, &ColorTeacher::busyChanged, this, [this](bool busy) {
+  connect(teacher_, &ColorLearner::failed, this, &ColorPanel::failed);
+  connect(teacher_, &ColorLearner::busyChanged, this, [this](bool busy) {
     if (busy && !judged_) {
       verdict_->setText(tr("Looking at the images…"));
     }
@@ -136,8 +136,8 @@ void ColorPanel::say() {
 }
 
 void ColorPanel::attach(int camera, CameraView* view) {
-  auto* layer = new PickLayer(view);
-  inEveryLanguage(layer, [layer, camera] {
+  auto* layer = new ImagePickOverlay(view);
+  onRetranslate(layer, [layer, camera] {
     layer->setAccessibleName(
         tr("Image of camera %1: arrow keys move a cross, Enter points there").arg(camera + 1));
   });
@@ -145,11 +145,11 @@ void ColorPanel::attach(int camera, CameraView* view) {
   connect(layer, &QObject::destroyed, this, [this, layer] {
     std::erase_if(layers_, [layer](const auto& one) { return one.second == layer; });
   });
-  connect(layer, &PickLayer::chosen, this, [this, camera] { Q_EMIT cameraChosen(camera); });
-  connect(layer, &PickLayer::pointed, this,
+  connect(layer, &ImagePickOverlay::chosen, this, [this, camera] { Q_EMIT cameraChosen(camera); });
+  connect(layer, &ImagePickOverlay::pointed, this,
           [this, camera](const QPointF& pixel) { Q_EMIT pointed(camera, pixel); });
-  connect(layer, &PickLayer::cancelled, this, [this] { setPicking(false); });
-  connect(layer, &PickLayer::picked, this,
+  connect(layer, &ImagePickOverlay::cancelled, this, [this] { setPicking(false); });
+  connect(layer, &ImagePickOverlay::picked, this,
           [this, camera](const QRectF& region, Qt::KeyboardModifiers modifiers) {
             pickedIn(camera, region, modifiers);
           });
@@ -175,9 +175,9 @@ void ColorPanel::pickedIn(int camera, const QRectF& region, Qt::KeyboardModifier
                      region.bottomRight())
             : region;
   teacher_->point(camera, place,
-                  excludes ? ColorTeacher::Lesson::Exclude
-                  : shift  ? ColorTeacher::Lesson::Add
-                           : ColorTeacher::Lesson::Replace);
+                  excludes ? ColorLearner::SampleAction::Exclude
+                  : shift  ? ColorLearner::SampleAction::Add
+                           : ColorLearner::SampleAction::Replace);
 }
 
 void ColorPanel::setPicking(bool picking) {
@@ -340,7 +340,7 @@ void ColorPanel::showVerdict(const ColorVerdict& verdict) {
   said_ = verdict;
   sayVerdict();
   for (const auto& [camera, layer] : layers_) {
-    std::vector<PickLayer::Region> regions;
+    std::vector<ImagePickOverlay::Region> regions;
     for (const LookAlikeRegion& region : verdict.lookAlikes) {
       if (region.camera == camera) {
         QPolygonF outline;
@@ -389,4 +389,4 @@ void ColorPanel::surveyImages() {
   });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/color/color_learning.h"
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 
 #include <QElapsedTimer>
 #include <QWidget>
@@ -17,15 +17,18 @@ class QPushButton;
 class QTimer;
 class QToolButton;
 
-namespace dewpoint {
+namespace dewpoint::color {
+struct ColorHistogram;
+} // namespace dewpoint::color
 
-class BoxTeacher;
+namespace dewpoint::ui {
+
+class BoxPicker;
 class CameraView;
 class ColorPicker;
-class ColorTeacher;
+class ColorLearner;
 class Document;
-class PickLayer;
-struct ColorHistogram;
+class ImagePickOverlay;
 
 /// The color of the chosen target: picker, samples it was learned from, and what to expect of it.
 class ColorPanel : public QWidget {
@@ -74,8 +77,8 @@ private:
   void removeSample();
 
   Document& document_;
-  ColorTeacher* teacher_;
-  BoxTeacher* boxes_;
+  ColorLearner* teacher_;
+  BoxPicker* boxes_;
   QLabel* name_;
   QToolButton* learn_;
   ColorPicker* picker_;
@@ -83,7 +86,7 @@ private:
   QLabel* samplesTitle_;
   QListWidget* samples_;
   QPushButton* remove_;
-  std::vector<std::pair<int, PickLayer*>> layers_;
+  std::vector<std::pair<int, ImagePickOverlay*>> layers_;
   TrackSnapshotPtr snapshot_;
   int target_ = 0;
   bool picking_ = false;
@@ -98,4 +101,4 @@ private:
   std::jthread survey_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

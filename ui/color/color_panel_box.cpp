@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 bool ColorPanel::takesBoxes() const {
   return methodFamily(document_.project().method) == MethodFamily::Boxes;
@@ -56,4 +56,4 @@ void ColorPanel::showBox() {
   setPicking(picking_);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

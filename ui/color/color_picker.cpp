@@ -2,17 +2,17 @@
 #include "ui/color/color_picker.h"
 
 #include "core/color/color_histogram.h"
-#include "ui/color/hue_ring.h"
-#include "ui/color/range_bar.h"
-#include "ui/settings/decimal_field.h"
-#include "ui/settings/retranslation.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/decimal_field.h"
+#include "ui/widgets/hue_ring.h"
+#include "ui/widgets/range_bar.h"
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -86,7 +86,7 @@ ColorPicker::ColorPicker(QWidget* parent)
   connect(ring_, &HueRing::editingFinished, this, &ColorPicker::editingFinished);
   connect(saturation_, &RangeBar::editingFinished, this, &ColorPicker::editingFinished);
   connect(intensity_, &RangeBar::editingFinished, this, &ColorPicker::editingFinished);
-  inEveryLanguage(this, [this] { say(); });
+  onRetranslate(this, [this] { say(); });
 }
 
 QDoubleSpinBox* ColorPicker::addBox(const char* name, double maximum, double step, int decimals,
@@ -163,4 +163,4 @@ void ColorPicker::setHistogram(const ColorHistogram& histogram) {
   intensity_->setHistogram({histogram.intensity.begin(), histogram.intensity.end()});
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

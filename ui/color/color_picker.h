@@ -10,11 +10,14 @@
 class QDoubleSpinBox;
 class QLabel;
 
-namespace dewpoint {
+namespace dewpoint::color {
+struct ColorHistogram;
+} // namespace dewpoint::color
+
+namespace dewpoint::ui {
 
 class HueRing;
 class RangeBar;
-struct ColorHistogram;
 
 /// A color range to be looked at and changed: by hand on ring and bars, exactly by numbers.
 class ColorPicker : public QWidget {
@@ -28,7 +31,7 @@ public:
   void setHistogram(const ColorHistogram& histogram);
 
 Q_SIGNALS:
-  void rangeEdited(const dewpoint::ColorRange& range);
+  void rangeEdited(const dewpoint::color::ColorRange& range);
   /// A drag has ended: what comes next is another step.
   void editingFinished();
 
@@ -47,4 +50,4 @@ private:
   std::array<QDoubleSpinBox*, 6> boxes_{}; ///< hue, saturation, intensity: from, to
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -2,15 +2,15 @@
 #include "ui/color/fresh_target.h"
 
 #include "core/project/project.h"
-#include "ui/color/color_teacher.h"
+#include "ui/color/color_learner.h"
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 std::string freshTargetName(const Project& project) {
   for (std::size_t number = project.targets.size() + 1;; ++number) {
-    const std::string name = ColorTeacher::tr("target %1").arg(number).toStdString();
+    const std::string name = ColorLearner::tr("target %1").arg(number).toStdString();
     const auto taken = [&](const Target& target) { return target.name == name; };
     if (std::ranges::none_of(project.targets, taken)) {
       return name;
@@ -18,4 +18,4 @@ std::string freshTargetName(const Project& project) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <string>
 
-namespace dewpoint {
-
+namespace dewpoint::project {
 struct Project;
+} // namespace dewpoint::project
+
+namespace dewpoint::ui {
 
 /// A name that no target has yet, in the person's language: "target 1", "target 2", ...
 std::string freshTargetName(const Project& project);
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -144,4 +144,4 @@ Status Document::saveAs(std::filesystem::path file) {
   return {};
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -14,7 +14,7 @@
 
 class QUndoStack;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// The project and its history: the only door through which the window changes it. Every edit is a
 /// named step that can be undone, and announces what changed.
@@ -57,7 +57,7 @@ Q_SIGNALS:
   /// Another project is there.
   void replaced();
   /// An edit, an undo or a redo; the more special signals follow.
-  void changed(const dewpoint::ProjectChanges& changes);
+  void changed(const dewpoint::project::ProjectChanges& changes);
   void parameterChanged(const QString& key);
   void methodChanged();
   void targetsChanged();
@@ -79,4 +79,4 @@ private:
   bool unsaved_ = false; ///< whatever the history says
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

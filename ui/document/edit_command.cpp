@@ -4,7 +4,7 @@
 #include "core/project/project_changes.h"
 #include "ui/document/document.h"
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 EditCommand::EditCommand(Document& document, const QString& name, State before, State after,
                          std::string mergeKey)
@@ -30,4 +30,4 @@ bool EditCommand::mergeWith(const QUndoCommand* other) {
   return true;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <QUndoCommand>
 
 #include <memory>
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::project {
+struct Project;
+} // namespace dewpoint::project
+
+namespace dewpoint::ui {
 
 class Document;
-struct Project;
 
 /// One step of the history: a state of the project takes the place of another. States are
 /// immutable and shared between neighboring steps.
@@ -33,4 +38,4 @@ private:
   std::string mergeKey_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

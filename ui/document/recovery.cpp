@@ -2,8 +2,8 @@
 #include "ui/document/recovery.h"
 
 #include "core/base/text_file.h"
-#include "ui/bridge/error_sentence.h"
 #include "ui/document/document.h"
+#include "ui/text/error_sentence.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -16,7 +16,7 @@
 
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -209,4 +209,4 @@ void Recovery::discard(const RecoverableWork& work) {
   removeFile(std::filesystem::path(work.file).replace_extension(kLock.toStdString()));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -15,7 +15,7 @@
 
 class QLockFile;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 class Document;
 
@@ -79,4 +79,4 @@ private:
   std::jthread writer_; ///< flushing takes long on some disks
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/experiments/experiment_dialog.h"
 
-#include "core/experiment/figure_experiments.h"
-#include "ui/bridge/error_sentence.h"
-#include "ui/bridge/long_job.h"
-#include "ui/settings/retranslation.h"
+#include "core/experiment/studies/figure_experiments.h"
+#include "ui/jobs/long_job.h"
+#include "ui/text/error_sentence.h"
+#include "ui/text/retranslation.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
@@ -23,7 +23,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -72,7 +72,7 @@ ExperimentDialog::ExperimentDialog(QWidget* parent)
   });
   showRunning(false);
   list_->setCurrentRow(0);
-  inEveryLanguage(this, [this] { say(); });
+  onRetranslate(this, [this] { say(); });
 }
 
 void ExperimentDialog::showRunning(bool running) {
@@ -256,4 +256,4 @@ void ExperimentDialog::openReport() {
   QDesktopServices::openUrl(QUrl::fromLocalFile(report_));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <QDialog>
 #include <QString>
 
@@ -15,10 +17,13 @@ class QProgressBar;
 class QPushButton;
 class QSpinBox;
 
-namespace dewpoint {
+namespace dewpoint::experiment {
+struct FigureExperiment;
+} // namespace dewpoint::experiment
+
+namespace dewpoint::ui {
 
 class LongJob;
-struct FigureExperiment;
 
 /// The papers' figures, made anew: choose one, see how far it is, open its report. Work goes on
 /// while the window is used.
@@ -64,4 +69,4 @@ private:
   QString report_; ///< the last one made
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/box_export_dialog.h"
 
-#include "ui/bridge/error_sentence.h"
-#include "ui/bridge/long_job.h"
-#include "ui/settings/retranslation.h"
+#include "ui/jobs/long_job.h"
+#include "ui/text/error_sentence.h"
+#include "ui/text/retranslation.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -19,7 +19,7 @@
 #include <memory>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -69,7 +69,7 @@ BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* paren
   connect(folder_, &QLineEdit::textChanged, this, [this] { askToReplace(false); });
   connect(export_, &QPushButton::clicked, this, &BoxExportDialog::start);
   connect(job_, &LongJob::ended, this, [this] { export_->setEnabled(true); });
-  inEveryLanguage(this, [this] { say(); });
+  onRetranslate(this, [this] { say(); });
 }
 
 void BoxExportDialog::say() {
@@ -142,4 +142,4 @@ void BoxExportDialog::start() {
   export_->setEnabled(!begun && export_->isEnabled());
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

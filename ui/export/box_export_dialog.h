@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/box_track_file.h"
+#include "core/session/run/box_track_file.h"
 
 #include <QDialog>
 
@@ -12,7 +12,7 @@ class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 class LongJob;
 
@@ -53,4 +53,4 @@ private:
   bool mayReplace_ = false; ///< was asked, and nothing changed since
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/export_dialog.h"
 
-#include "ui/export/export_words.h"
+#include "ui/export/export_text.h"
 #include "ui/export/trajectory_figure.h"
-#include "ui/settings/retranslation.h"
+#include "ui/text/retranslation.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -24,7 +24,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -57,7 +57,7 @@ ExportDialog::ExportDialog(std::function<Trajectory()> trajectory, QWidget* pare
   long_->setInterval(kSoonDoneMs);
   makeFields();
   arrangeFields();
-  inEveryLanguage(this, [this] { retranslate(); });
+  onRetranslate(this, [this] { retranslate(); });
   connectFields();
   setRunning(false);
   proposeIn(QDir::homePath());
@@ -375,4 +375,4 @@ void ExportDialog::showFinished(const ExportSummary& summary) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -23,7 +23,7 @@ class QProgressBar;
 class QPushButton;
 class QTimer;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// Takes the trajectory home: what, how, and what the file will look like. Not modal: tracking goes
 /// on, and the preview follows it. Exports run in the background; the result is said by signals.
@@ -111,4 +111,4 @@ private:
   bool mayReplace_ = false;         ///< was asked, and nothing changed since
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

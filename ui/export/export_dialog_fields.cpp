@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The fields of the export dialog: which there are, where they stand, what they say.
 #include "ui/export/export_dialog.h"
-#include "ui/export/export_words.h"
-#include "ui/settings/decimal_field.h"
+#include "ui/export/export_text.h"
+#include "ui/widgets/decimal_field.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -20,7 +20,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -198,4 +198,4 @@ void ExportDialog::fillChoices() {
   setChoices(unit_, {tr("as usual in the format"), tr("meters"), tr("millimeters")});
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/export_worker.h"
 
-#include "ui/bridge/error_sentence.h"
+#include "ui/text/error_sentence.h"
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 ExportWorker::ExportWorker(QObject* parent)
     : QObject(parent), thread_([this](const std::stop_token& stop) { work(stop); }) {}
@@ -105,4 +105,4 @@ void ExportWorker::run(std::function<Status()> task, const std::filesystem::path
   });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -15,7 +15,7 @@
 #include <optional>
 #include <thread>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// Previews and exports in a thread of its own, one after the other. Of several previews that were
 /// asked for only the last one is made.
@@ -39,10 +39,10 @@ public:
 Q_SIGNALS:
   /// How far a preview is that takes long.
   void previewing(int percent);
-  void previewReady(const dewpoint::ExportPreview& preview);
+  void previewReady(const dewpoint::trajectory::ExportPreview& preview);
   void previewFailed(const QString& sentence);
   void progressChanged(int percent);
-  void finished(const dewpoint::ExportSummary& summary);
+  void finished(const dewpoint::trajectory::ExportSummary& summary);
   void failed(const QString& sentence);
 
 private:
@@ -61,4 +61,4 @@ private:
   std::jthread thread_;            // last: it uses the rest
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

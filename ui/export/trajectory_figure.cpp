@@ -2,7 +2,7 @@
 #include "ui/export/trajectory_figure.h"
 
 #include "core/base/text_file.h"
-#include "ui/settings/theme.h"
+#include "ui/style/theme.h"
 
 #include <QBuffer>
 #include <QPageSize>
@@ -15,7 +15,7 @@
 #include <cmath>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -300,4 +300,4 @@ Status writeTrajectoryFigure(const ExportTable& table, const FigureWords& words,
   return writeTextFile(file, buffer.data().toStdString());
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -11,7 +11,7 @@
 class QPainter;
 class QRectF;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// Words of a figure, in the person's language.
 struct FigureWords {
@@ -30,4 +30,4 @@ void drawTrajectoryFigure(QPainter& painter, const QRectF& page, const ExportTab
 Status writeTrajectoryFigure(const ExportTable& table, const FigureWords& words,
                              const std::filesystem::path& file);
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -2,13 +2,13 @@
 #include "ui/export/view_picture.h"
 
 #include "core/base/text_file.h"
-#include "ui/birdseye/birds_eye_view.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QBuffer>
 #include <QPixmap>
 #include <QWidget>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 QImage pictureOf(QWidget* view) {
   auto* birdsEye = qobject_cast<BirdsEyeView*>(view);
@@ -25,4 +25,4 @@ Status writePicture(const QImage& picture, const std::filesystem::path& file) {
   return writeTextFile(file, buffer.data().toStdString());
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -9,7 +9,7 @@
 
 class QWidget;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// A view as it is shown now, in device pixels; the bird's-eye view without its buttons.
 QImage pictureOf(QWidget* view);
@@ -17,4 +17,4 @@ QImage pictureOf(QWidget* view);
 /// Writes a picture as PNG, beside and renamed. Any thread.
 Status writePicture(const QImage& picture, const std::filesystem::path& file);
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

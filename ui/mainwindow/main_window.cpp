@@ -5,26 +5,26 @@
 #include "core/session/session.h"
 #include "ui/actions/action_registry.h"
 #include "ui/actions/window_actions.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/bridge/error_sentence.h"
-#include "ui/bridge/session_bridge.h"
-#include "ui/calibration/grid_layer.h"
-#include "ui/camera/camera_view.h"
+#include "ui/calibration/manual/grid_layer.h"
+#include "ui/cameraview/camera_view.h"
 #include "ui/color/color_panel.h"
 #include "ui/document/document.h"
-#include "ui/inspector/camera_panel.h"
-#include "ui/inspector/target_panel.h"
-#include "ui/mainwindow/bump_messages.h"
-#include "ui/mainwindow/message_bar.h"
-#include "ui/mainwindow/status_figures.h"
+#include "ui/mainwindow/camera_motion_alerts.h"
+#include "ui/mainwindow/status_bar_panel.h"
+#include "ui/panels/camera_panel.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/panels/target_panel.h"
 #include "ui/people/people_panel.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/selection/selection.h"
-#include "ui/settings/parameter_panel.h"
+#include "ui/session/session_bridge.h"
 #include "ui/start/recent_projects.h"
+#include "ui/text/error_sentence.h"
 #include "ui/timeline/timeline.h"
 #include "ui/trajectory/box_panel.h"
 #include "ui/trajectory/trajectory_panel.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -35,7 +35,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -387,4 +387,4 @@ void MainWindow::setTheme(Theme theme) {
   chosen->setChecked(true);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

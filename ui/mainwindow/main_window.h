@@ -3,8 +3,8 @@
 
 #include "ui/actions/command_palette.h"
 #include "ui/document/recovery.h"
-#include "ui/mainwindow/project_loader.h"
-#include "ui/settings/theme.h"
+#include "ui/session/project_loader.h"
+#include "ui/style/theme.h"
 
 #include <QMainWindow>
 
@@ -19,38 +19,43 @@ class QDockWidget;
 class QMenu;
 class QStackedWidget;
 
-namespace dewpoint {
+namespace dewpoint::project {
+struct Project;
+} // namespace dewpoint::project
+namespace dewpoint::session {
+struct TrackSnapshot;
+} // namespace dewpoint::session
+
+namespace dewpoint::ui {
 
 class BirdsEyeView;
-class BoardDesk;
-class BumpMessages;
-class CalibrationPlace;
+class BoardCalibrator;
+class CameraMotionAlerts;
+class CalibrationDock;
 class CameraView;
 class CameraPanel;
 class ColorPanel;
 class ConvergencePlot;
 class Document;
 class GridLayer;
-class HandDesk;
+class ManualCalibration;
 class LongJob;
 class MessageBar;
 class NewProjectPage;
 class ParameterPanel;
-class PlanDesk;
+class RigPlanner;
 class PeoplePanel;
-class PersonPlacer;
+class AddPersonTool;
 class PlotPanel;
-class PointDesk;
+class PointCalibrator;
 class Selection;
 class StartPage;
-struct Project;
 class SessionBridge;
-class StatusFigures;
+class StatusBarPanel;
 class TargetPanel;
 class Timeline;
 class ActionRegistry;
 class TrajectoryPanel;
-struct TrackSnapshot;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
 /// The window: it only assembles views, actions, document and session.
@@ -189,8 +194,8 @@ private:
   SessionBridge* bridge_ = nullptr;
   ActionRegistry* actions_;
   MessageBar* messages_ = nullptr;
-  BumpMessages* bumps_ = nullptr;
-  StatusFigures* figures_ = nullptr;
+  CameraMotionAlerts* bumps_ = nullptr;
+  StatusBarPanel* figures_ = nullptr;
   BirdsEyeView* birdsEye_ = nullptr;
   PlotPanel* plot_ = nullptr;
   TrajectoryPanel* trajectory_ = nullptr;
@@ -203,16 +208,16 @@ private:
   TargetPanel* targets_ = nullptr;
   ColorPanel* color_ = nullptr;
   PeoplePanel* people_ = nullptr;
-  PersonPlacer* placer_ = nullptr;
+  AddPersonTool* placer_ = nullptr;
   LongJob* peopleJob_ = nullptr;
   QDockWidget* peopleDock_ = nullptr;
   QDockWidget* colorDock_ = nullptr;
   CameraPanel* cameras_ = nullptr;
-  HandDesk* hand_ = nullptr;
-  PointDesk* points_ = nullptr;
-  PlanDesk* plan_ = nullptr;
-  BoardDesk* board_ = nullptr;
-  CalibrationPlace* calibration_ = nullptr;
+  ManualCalibration* hand_ = nullptr;
+  PointCalibrator* points_ = nullptr;
+  RigPlanner* plan_ = nullptr;
+  BoardCalibrator* board_ = nullptr;
+  CalibrationDock* calibration_ = nullptr;
   QDockWidget* calibrationDock_ = nullptr;
   std::vector<GridLayer*> gridLayers_; ///< one per camera view
   QDockWidget* targetDock_ = nullptr;
@@ -249,4 +254,4 @@ private:
   bool offered_ = false; ///< unsaved work of an earlier window
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -4,14 +4,14 @@
 #include "ui/actions/action_registry.h"
 #include "ui/actions/command_palette.h"
 #include "ui/actions/shortcut_editor.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/bridge/session_bridge.h"
-#include "ui/camera/camera_view.h"
+#include "ui/cameraview/camera_view.h"
 #include "ui/color/color_panel.h"
 #include "ui/document/document.h"
-#include "ui/inspector/target_panel.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/settings/language.h"
+#include "ui/panels/target_panel.h"
+#include "ui/session/session_bridge.h"
+#include "ui/text/language.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -22,7 +22,7 @@
 #include <QSettings>
 #include <QUndoStack>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 void MainWindow::makeMenus() {
   qDeleteAll(menuBar()->findChildren<QMenu*>(Qt::FindDirectChildrenOnly));
@@ -232,4 +232,4 @@ void MainWindow::changeEvent(QEvent* event) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

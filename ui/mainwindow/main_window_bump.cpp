@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cameras that are bumped during a run: what is said, and what a click does about it.
-#include "core/calibration/hand_adjustment.h"
+#include "core/calibration/manual/interactive_pose.h"
 #include "ui/actions/action_registry.h"
-#include "ui/bridge/bump_text.h"
-#include "ui/calibration/hand_desk.h"
-#include "ui/mainwindow/bump_messages.h"
+#include "ui/calibration/manual_calibration.h"
+#include "ui/mainwindow/camera_motion_alerts.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
+#include "ui/text/camera_motion_text.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAction>
 #include <QLocale>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 void MainWindow::makeBumps() {
-  bumps_ = new BumpMessages(*messages_, this);
-  connect(bumps_, &BumpMessages::resolveWanted, this, &MainWindow::resolveCamera);
+  bumps_ = new CameraMotionAlerts(*messages_, this);
+  connect(bumps_, &CameraMotionAlerts::resolveWanted, this, &MainWindow::resolveCamera);
   connect(action("actionResolveCamera"), &QAction::triggered, this, [this] {
     for (int k = 0; k < hand_->cameraCount(); ++k) {
       if (shown_ && bumpOf(*shown_, k) != nullptr) {
@@ -25,14 +25,14 @@ void MainWindow::makeBumps() {
     }
     messages_->showNotice(tr("No camera was bumped."));
   });
-  connect(bumps_, &BumpMessages::calibrateWanted, this, [this](int camera) {
+  connect(bumps_, &CameraMotionAlerts::calibrateWanted, this, [this](int camera) {
     action("actionCalibrateByHand")->setChecked(true);
     hand_->selectCamera(camera);
   });
 }
 
 void MainWindow::resolveCamera(int camera) {
-  const BumpReport* report = shown_ ? bumpOf(*shown_, camera) : nullptr;
+  const CameraMotionReport* report = shown_ ? bumpOf(*shown_, camera) : nullptr;
   const QString name = hand_->nameOf(camera);
   if (report == nullptr || !report->resolved) {
     messages_->showNotice(tr("%1 cannot be solved again now.").arg(name));
@@ -53,4 +53,4 @@ void MainWindow::resolveCamera(int camera) {
   messages_->showNotice(sentence);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

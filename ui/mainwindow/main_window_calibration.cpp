@@ -1,43 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The calibration place: a mode of the window, beside views that stay live.
+#include "core/session/run/tracking_run.h"
 #include "core/session/session.h"
-#include "core/session/tracking_run.h"
 #include "ui/actions/action_registry.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/bridge/session_bridge.h"
-#include "ui/calibration/board_desk.h"
-#include "ui/calibration/board_page.h"
-#include "ui/calibration/calibration_place.h"
-#include "ui/calibration/grid_layer.h"
-#include "ui/calibration/hand_desk.h"
-#include "ui/calibration/hand_page.h"
-#include "ui/calibration/plan_desk.h"
-#include "ui/calibration/point_desk.h"
-#include "ui/calibration/wand_desk.h"
-#include "ui/calibration/wand_page.h"
+#include "ui/calibration/board/board_calibration_page.h"
+#include "ui/calibration/board/board_calibrator.h"
+#include "ui/calibration/calibration_dock.h"
+#include "ui/calibration/manual/grid_layer.h"
+#include "ui/calibration/manual/manual_calibration_page.h"
+#include "ui/calibration/manual_calibration.h"
+#include "ui/calibration/planner/rig_planner.h"
+#include "ui/calibration/points/point_calibrator.h"
+#include "ui/calibration/wand/wand_calibration_page.h"
+#include "ui/calibration/wand/wand_calibrator.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
+#include "ui/session/session_bridge.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAction>
 #include <QDockWidget>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 void MainWindow::makeCalibration() {
-  hand_ = new HandDesk(*document_, this);
-  points_ = new PointDesk(*document_, *hand_, this);
-  calibration_ = new CalibrationPlace(this);
-  calibration_->addPage(new HandPage(*hand_, *points_), [] { return tr("By hand"); });
+  hand_ = new ManualCalibration(*document_, this);
+  points_ = new PointCalibrator(*document_, *hand_, this);
+  calibration_ = new CalibrationDock(this);
+  calibration_->addPage(new ManualCalibrationPage(*hand_, *points_), [] { return tr("By hand"); });
   makeBoardPage();
-  auto* wand = new WandDesk({*document_, *hand_, *selection_, loader_->opener(),
-                             [this] { return bridge_ ? &bridge_->session() : nullptr; }},
-                            this);
-  calibration_->addPage(new WandPage(*wand), [] { return tr("Wave"); });
-  connect(this, &MainWindow::snapshotShown, wand, &WandDesk::setSnapshot);
-  connect(wand, &WandDesk::failed, this,
+  auto* wand = new WandCalibrator({*document_, *hand_, *selection_, loader_->opener(),
+                                   [this] { return bridge_ ? &bridge_->session() : nullptr; }},
+                                  this);
+  calibration_->addPage(new WandCalibrationPage(*wand), [] { return tr("Wave"); });
+  connect(this, &MainWindow::snapshotShown, wand, &WandCalibrator::setSnapshot);
+  connect(wand, &WandCalibrator::failed, this,
           [this](const QString& sentence) { messages_->showError(sentence); });
-  connect(wand, &WandDesk::saved, this,
+  connect(wand, &WandCalibrator::saved, this,
           [this](const QString& file) { messages_->showNotice(tr("Saved %1.").arg(file)); });
   makePlan();
   calibrationDock_ = makeDock(
@@ -62,8 +62,8 @@ void MainWindow::makeCalibration() {
   makeCalibrationFiles();
   connect(calibrationDock_->toggleViewAction(), &QAction::triggered,
           action("actionCalibrateByHand"), &QAction::setChecked);
-  connect(hand_, &HandDesk::changed, this, &MainWindow::showHandles);
-  connect(birdsEye_, &BirdsEyeView::cameraChosen, hand_, &HandDesk::selectCamera);
+  connect(hand_, &ManualCalibration::changed, this, &MainWindow::showHandles);
+  connect(birdsEye_, &BirdsEyeView::cameraChosen, hand_, &ManualCalibration::selectCamera);
   connect(birdsEye_, &BirdsEyeView::cameraDragged, this,
           [this](int camera, const Eigen::Vector3d& center) {
             hand_->change(camera, tr("Move %1 in the bird's-eye view").arg(hand_->nameOf(camera)),
@@ -74,32 +74,32 @@ void MainWindow::makeCalibration() {
             hand_->change(camera, tr("Turn %1 in the bird's-eye view").arg(hand_->nameOf(camera)),
                           lookingAt(hand_->cameraAt(camera), target), "drag target");
           });
-  connect(birdsEye_, &BirdsEyeView::cameraDropped, hand_, &HandDesk::endMerging);
+  connect(birdsEye_, &BirdsEyeView::cameraDropped, hand_, &ManualCalibration::endMerging);
 }
 
 void MainWindow::makeBoardPage() {
-  board_ = new BoardDesk(*document_, loader_->opener(), this);
-  auto* page = new BoardPage(*board_);
+  board_ = new BoardCalibrator(*document_, loader_->opener(), this);
+  auto* page = new BoardCalibrationPage(*board_);
   calibration_->addPage(page, [] { return tr("Board"); });
   const auto open = [this] {
     action("actionCalibrateByHand")->setChecked(true);
     calibration_->showPage(QStringLiteral("boardPage"));
   };
   connect(action("actionCalibrateBoard"), &QAction::triggered, this, open);
-  connect(action("actionPrintBoard"), &QAction::triggered, page, &BoardPage::print);
-  connect(calibration_, &CalibrationPlace::pageChanged, this, [this] {
+  connect(action("actionPrintBoard"), &QAction::triggered, page, &BoardCalibrationPage::print);
+  connect(calibration_, &CalibrationDock::pageChanged, this, [this] {
     points_->setClicking(false); // its magnifier belongs to the page that was left
     showCalibration(action("actionCalibrateByHand")->isChecked());
   });
-  connect(this, &MainWindow::snapshotShown, board_, &BoardDesk::setSnapshot);
-  connect(board_, &BoardDesk::playWanted, this, [this] {
+  connect(this, &MainWindow::snapshotShown, board_, &BoardCalibrator::setSnapshot);
+  connect(board_, &BoardCalibrator::playWanted, this, [this] {
     if (bridge_ != nullptr && shown_ && shown_->state != PlayState::Playing) {
       bridge_->session().play();
     }
   });
-  connect(board_, &BoardDesk::failed, this,
+  connect(board_, &BoardCalibrator::failed, this,
           [this](const QString& sentence) { messages_->showError(sentence); });
-  connect(board_, &BoardDesk::saved, this,
+  connect(board_, &BoardCalibrator::saved, this,
           [this](const QString& file) { messages_->showNotice(tr("Saved %1.").arg(file)); });
 }
 
@@ -141,4 +141,4 @@ void MainWindow::takeCalibration() {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

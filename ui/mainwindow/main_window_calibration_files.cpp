@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calibrations of other tools: in and out.
 #include "ui/actions/action_registry.h"
-#include "ui/calibration/calibration_export.h"
-#include "ui/calibration/calibration_import.h"
+#include "ui/calibration/exchange/calibration_export.h"
+#include "ui/calibration/exchange/calibration_import.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAction>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 void MainWindow::makeCalibrationFiles() {
   const auto open = [this]<class Dialog>(Dialog* dialog) {
@@ -29,4 +29,4 @@ void MainWindow::makeCalibrationFiles() {
           [this, open] { open(findChild<CalibrationExportDialog*>()); });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -2,17 +2,17 @@
 // What leaves the window: the trajectory, and pictures of views.
 #include "core/project/project.h"
 #include "core/session/session.h"
-#include "ui/bridge/error_sentence.h"
-#include "ui/bridge/session_bridge.h"
 #include "ui/document/document.h"
 #include "ui/experiments/experiment_dialog.h"
 #include "ui/export/box_export_dialog.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/view_picture.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
 #include "ui/selection/selection.h"
+#include "ui/session/session_bridge.h"
+#include "ui/text/error_sentence.h"
 #include "ui/timeline/timeline.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAction>
 #include <QApplication>
@@ -22,7 +22,7 @@
 #include <QFileDialog>
 #include <QMenu>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 void MainWindow::exportBoxes() {
   auto* dialog = findChild<BoxExportDialog*>();
@@ -128,4 +128,4 @@ void MainWindow::savePictureOf(QDockWidget* dock) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

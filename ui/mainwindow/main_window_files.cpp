@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/session/session.h"
-#include "ui/bridge/error_sentence.h"
-#include "ui/bridge/session_bridge.h"
 #include "ui/document/document.h"
 #include "ui/document/recovery.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
+#include "ui/session/session_bridge.h"
 #include "ui/start/recent_projects.h"
+#include "ui/text/error_sentence.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QCloseEvent>
 #include <QFileDialog>
 #include <QMessageBox>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -100,4 +100,4 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -3,26 +3,26 @@
 #include "core/session/session.h"
 #include "ui/actions/action_registry.h"
 #include "ui/actions/command_palette.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/bridge/session_bridge.h"
-#include "ui/calibration/board_layer.h"
-#include "ui/calibration/grid_layer.h"
-#include "ui/camera/camera_view.h"
+#include "ui/calibration/board/board_layer.h"
+#include "ui/calibration/manual/grid_layer.h"
+#include "ui/cameraview/camera_view.h"
 #include "ui/color/color_panel.h"
 #include "ui/document/document.h"
-#include "ui/inspector/camera_panel.h"
-#include "ui/inspector/target_panel.h"
-#include "ui/mainwindow/dock_title.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
-#include "ui/mainwindow/status_figures.h"
+#include "ui/mainwindow/status_bar_panel.h"
+#include "ui/panels/camera_panel.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/panels/target_panel.h"
+#include "ui/people/add_person_tool.h"
 #include "ui/people/people_panel.h"
-#include "ui/people/person_placer.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/selection/selection.h"
-#include "ui/settings/parameter_panel.h"
-#include "ui/settings/retranslation.h"
+#include "ui/session/session_bridge.h"
+#include "ui/text/retranslation.h"
 #include "ui/trajectory/trajectory_panel.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/widgets/dock_title.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -35,7 +35,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 /// Property of docks: nothing of them is seen, because they lie behind another tab.
@@ -62,7 +62,7 @@ bool MainWindow::focusNextPrevChild(bool next) {
 QDockWidget* MainWindow::makeDock(const QString& name, const std::function<QString()>& title,
                                   QWidget* content) {
   auto* dock = new QDockWidget(this);
-  inEveryLanguage(dock, [dock, title] { dock->setWindowTitle(title()); });
+  onRetranslate(dock, [dock, title] { dock->setWindowTitle(title()); });
   dock->setObjectName(name);
   dock->setWidget(content);
   dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable |
@@ -99,7 +99,7 @@ void MainWindow::makeDocks() {
   auto* history = new QUndoView(document_->undoStack(), this);
   history->setObjectName(QStringLiteral("historyList"));
   history->setFrameShape(QFrame::NoFrame);
-  inEveryLanguage(history, [history] {
+  onRetranslate(history, [history] {
     history->setEmptyLabel(tr("As it was opened"));
     history->setAccessibleName(tr("History of changes"));
   });
@@ -109,8 +109,8 @@ void MainWindow::makeDocks() {
 
   palette_ = new CommandPalette(*actions_, this);
   palette_->setMore([this] { return moreForPalette(); });
-  figures_ = new StatusFigures(this);
-  inEveryLanguage(figures_, [this] {
+  figures_ = new StatusBarPanel(this);
+  onRetranslate(figures_, [this] {
     if (shown_) {
       figures_->show(*shown_, selection_->target());
     }
@@ -295,7 +295,7 @@ void MainWindow::toggleMaximized(QDockWidget* dock) {
 
 void MainWindow::makeToolBar() {
   QToolBar* bar = addToolBar(QString());
-  inEveryLanguage(bar, [bar] { bar->setWindowTitle(tr("Transport")); });
+  onRetranslate(bar, [bar] { bar->setWindowTitle(tr("Transport")); });
   bar->setObjectName(QStringLiteral("transportBar"));
   bar->setMovable(false);
   bar->setIconSize({20, 20});
@@ -344,4 +344,4 @@ void MainWindow::makeToolBar() {
   messages_->keepBelow(bar);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What plots, trajectory and bird's-eye view tell each other beyond the selection.
-#include "core/session/new_project.h"
+#include "core/setup/new_project.h"
 #include "ui/actions/action_registry.h"
-#include "ui/birdseye/birds_eye_view.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/timeline/timeline.h"
 #include "ui/trajectory/trajectory_panel.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAction>
 #include <QDockWidget>
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 void MainWindow::linkViews() {
   connect(plot_, &PlotPanel::notice, messages_, &MessageBar::showNotice);
@@ -69,4 +69,4 @@ void MainWindow::sayWhatMethodNeeds() {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -3,19 +3,19 @@
 #include "core/project/project.h"
 #include "core/session/session.h"
 #include "ui/actions/action_registry.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/bridge/error_sentence.h"
-#include "ui/bridge/long_job.h"
-#include "ui/bridge/session_bridge.h"
-#include "ui/camera/camera_view.h"
-#include "ui/camera/people_painter.h"
+#include "ui/cameraview/camera_view.h"
+#include "ui/cameraview/people_painter.h"
 #include "ui/color/color_panel.h"
 #include "ui/document/document.h"
+#include "ui/jobs/long_job.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
+#include "ui/people/add_person_tool.h"
 #include "ui/people/people_panel.h"
-#include "ui/people/person_placer.h"
 #include "ui/selection/selection.h"
+#include "ui/session/session_bridge.h"
+#include "ui/text/error_sentence.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAction>
 #include <QDir>
@@ -24,7 +24,7 @@
 
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -41,24 +41,24 @@ void MainWindow::makePeople() {
       QStringLiteral("peopleDock"), [] { return tr("People"); }, people_);
   peopleDock_->setMinimumWidth(384);                // room for all columns
   peopleDock_->setProperty("closedByChoice", true); // until a method for people is chosen
-  placer_ = new PersonPlacer(birdsEye_, this);
+  placer_ = new AddPersonTool(birdsEye_, this);
   peopleJob_ = new LongJob(this);
 }
 
 void MainWindow::connectPeople() {
-  connect(placer_, &PersonPlacer::seen, this, [this](int camera, const Eigen::Vector2d& pixel) {
+  connect(placer_, &AddPersonTool::seen, this, [this](int camera, const Eigen::Vector2d& pixel) {
     if (bridge_ != nullptr) {
       bridge_->session().addPersonSeen(camera, pixel);
     }
     action("actionPlacePerson")->setChecked(false);
   });
-  connect(placer_, &PersonPlacer::placed, this, [this](const Eigen::Vector2d& place) {
+  connect(placer_, &AddPersonTool::placed, this, [this](const Eigen::Vector2d& place) {
     if (bridge_ != nullptr) {
       bridge_->session().addPerson(place);
     }
     action("actionPlacePerson")->setChecked(false);
   });
-  connect(placer_, &PersonPlacer::cancelled, action("actionPlacePerson"),
+  connect(placer_, &AddPersonTool::cancelled, action("actionPlacePerson"),
           [this] { action("actionPlacePerson")->setChecked(false); });
   connect(action("actionPlacePerson"), &QAction::toggled, this, &MainWindow::placePeople);
   connect(action("actionRemovePerson"), &QAction::triggered, this, [this] {
@@ -166,4 +166,4 @@ void MainWindow::writePeople(const QString& folder) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

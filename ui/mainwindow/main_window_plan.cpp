@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rig planner: its page, the map in the bird's-eye view, and planned cameras dragged there.
-#include "core/calibration/hand_adjustment.h"
+#include "core/calibration/manual/interactive_pose.h"
 #include "ui/actions/action_registry.h"
-#include "ui/birdseye/birds_eye_view.h"
-#include "ui/calibration/calibration_place.h"
-#include "ui/calibration/hand_desk.h"
-#include "ui/calibration/plan_desk.h"
-#include "ui/calibration/plan_page.h"
+#include "ui/calibration/calibration_dock.h"
+#include "ui/calibration/manual_calibration.h"
+#include "ui/calibration/planner/plan_page.h"
+#include "ui/calibration/planner/rig_planner.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/view3d/birds_eye_view.h"
 
 #include <QAction>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 void MainWindow::makePlan() {
-  plan_ = new PlanDesk(*document_, *hand_, this);
+  plan_ = new RigPlanner(*document_, *hand_, this);
   calibration_->addPage(new PlanPage(*plan_), [] { return tr("Plan"); });
-  connect(plan_, &PlanDesk::mapChanged, this, [this] {
+  connect(plan_, &RigPlanner::mapChanged, this, [this] {
     const bool shown = plan_->isMapShown() && hand_->isActive();
     birdsEye_->showMap(shown ? plan_->map() : nullptr, plan_->look());
   });
-  connect(plan_, &PlanDesk::changed, this, [this] {
+  connect(plan_, &RigPlanner::changed, this, [this] {
     birdsEye_->showPlanned(hand_->isActive() ? plan_->planned() : CameraRig());
     action("actionShowMap")->setChecked(plan_->isMapShown());
     showHandles();
@@ -62,4 +62,4 @@ void MainWindow::openPlan() {
   calibration_->showPage(QStringLiteral("planPage"));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Empty rooms: read beside the window, and given to the run, which goes on.
-#include "core/session/empty_rooms.h"
+#include "core/session/run/background_images.h"
 #include "core/session/session.h"
-#include "ui/bridge/error_sentence.h"
-#include "ui/bridge/long_job.h"
-#include "ui/bridge/session_bridge.h"
 #include "ui/document/document.h"
-#include "ui/inspector/camera_panel.h"
+#include "ui/jobs/long_job.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
+#include "ui/panels/camera_panel.h"
+#include "ui/session/session_bridge.h"
+#include "ui/text/error_sentence.h"
+#include "ui/widgets/message_bar.h"
 
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 void MainWindow::connectRooms() {
   emptyRoomJob_ = new LongJob(this);
@@ -54,4 +54,4 @@ void MainWindow::takeEmptyRooms() {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -3,16 +3,16 @@
 #include "core/project/project.h"
 #include "core/session/session.h"
 #include "ui/actions/action_registry.h"
-#include "ui/bridge/error_sentence.h"
-#include "ui/bridge/session_bridge.h"
 #include "ui/document/document.h"
 #include "ui/document/recovery.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
-#include "ui/mainwindow/status_figures.h"
+#include "ui/mainwindow/status_bar_panel.h"
+#include "ui/session/session_bridge.h"
 #include "ui/start/new_project_page.h"
 #include "ui/start/recent_projects.h"
 #include "ui/start/start_page.h"
+#include "ui/text/error_sentence.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -25,7 +25,7 @@
 
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 constexpr int kUntilGoneMs = 8000;
@@ -260,4 +260,4 @@ void MainWindow::recover(const RecoverableWork& work) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -2,23 +2,23 @@
 // Going through time: timeline, moments, marks, tracking again.
 #include "core/session/session.h"
 #include "ui/actions/action_registry.h"
-#include "ui/bridge/bump_text.h"
-#include "ui/bridge/reason_text.h"
-#include "ui/bridge/session_bridge.h"
-#include "ui/camera/camera_view.h"
+#include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/dock_title.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/message_bar.h"
-#include "ui/mainwindow/status_figures.h"
+#include "ui/mainwindow/status_bar_panel.h"
 #include "ui/selection/selection.h"
+#include "ui/session/session_bridge.h"
+#include "ui/text/camera_motion_text.h"
+#include "ui/text/reason_text.h"
 #include "ui/timeline/timeline.h"
+#include "ui/widgets/dock_title.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QAction>
 #include <QDockWidget>
 #include <QMenu>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 void MainWindow::makeTimeline() {
   timeline_ = new Timeline(*selection_, *document_, this);
@@ -98,11 +98,11 @@ void MainWindow::showMoment(const TrackSnapshot& snapshot) {
   for (std::size_t k = 0; k < cameraDocks_.size(); ++k) {
     // That a box is hidden is its state already.
     const bool known = target != nullptr && k < target->reasons.size() &&
-                       (!target->box || target->reasons[k].trouble != CameraTrouble::Hidden);
+                       (!target->box || target->reasons[k].trouble != CameraStatus::Hidden);
     auto* title = static_cast<DockTitle*>(cameraDocks_[k]->titleBarWidget());
     const QString bump = bumpText(bumpOf(snapshot, static_cast<int>(k)));
     title->setReason(!bump.isEmpty() ? bump : known ? troubleText(target->reasons[k]) : QString());
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/people/people_panel.h"
 
-#include "ui/bridge/people_text.h"
-#include "ui/bridge/reason_text.h"
 #include "ui/selection/selection.h"
-#include "ui/settings/retranslation.h"
-#include "ui/settings/theme.h"
+#include "ui/style/theme.h"
+#include "ui/text/people_text.h"
+#include "ui/text/reason_text.h"
+#include "ui/text/retranslation.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -22,7 +22,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -80,7 +80,7 @@ PeoplePanel::PeoplePanel(Selection& selection, QAction* place, QAction* remove, 
   column->addWidget(table_, 1);
   column->addWidget(place_);
   column->addWidget(remove_);
-  inEveryLanguage(this, [this] { say(); });
+  onRetranslate(this, [this] { say(); });
   connect(&selection_, &Selection::targetSelected, this, &PeoplePanel::follow);
   connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
     if (!following_ && row >= 0) {
@@ -236,4 +236,4 @@ void PeoplePanel::follow(int target) {
   table_->setCurrentCell(-1, -1);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 
 #include <QElapsedTimer>
 #include <QWidget>
@@ -12,7 +12,7 @@ class QProgressBar;
 class QTableWidget;
 class QToolButton;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 class Selection;
 
@@ -51,4 +51,4 @@ private:
   bool following_ = false; ///< the table is told what is selected
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

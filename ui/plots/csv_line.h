@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <QByteArray>
 
 #include <array>
@@ -8,7 +10,7 @@
 #include <cmath>
 #include <type_traits>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// One line of a CSV table, ended when it goes. Numbers have a point in any language; what is not
 /// a number is an empty cell.
@@ -58,4 +60,4 @@ private:
   bool first_ = true;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

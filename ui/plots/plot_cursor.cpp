@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 void PlotCursor::applyDefaultAntialiasingHint(QCPPainter* painter) const {
   painter->setAntialiasing(false);
@@ -48,4 +48,4 @@ void PlotCursor::draw(QCPPainter* painter) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

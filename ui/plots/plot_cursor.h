@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <qcustomplot.h>
 
 #include <optional>
 #include <utility>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// Lines and a span across all plots of a stack, on a layer of their own: they move without any
 /// curve being drawn anew. Places are those of the shared axis.
@@ -26,4 +28,4 @@ protected:
   void draw(QCPPainter* painter) override;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

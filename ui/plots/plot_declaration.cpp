@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -96,4 +96,4 @@ QColor curveColor(int index, const QColor& text) {
   return QColor(colors[static_cast<std::size_t>(index) % colors.size()]);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <QColor>
 #include <QString>
 
 #include <cstddef>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// What the numbers of a plot are: how they are written, and how the axis fits them.
 enum class PlotQuantity {
@@ -46,4 +48,4 @@ double drawnValue(PlotQuantity quantity, double value);
 /// Color-blind-safe (Okabe-Ito, darker on light ground). Negative: the color of text.
 QColor curveColor(int index, const QColor& text);
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

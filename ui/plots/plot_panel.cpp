@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_panel.h"
 
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 #include "ui/actions/action_registry.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/run_plots.h"
-#include "ui/settings/retranslation.h"
+#include "ui/text/retranslation.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -20,7 +20,7 @@
 
 #include <array>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -58,7 +58,7 @@ PlotPanel::PlotPanel(ActionRegistry& actions, Selection& selection, QWidget* par
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(scroll);
-  inEveryLanguage(this, [this] {
+  onRetranslate(this, [this] {
     useCameras();
     stack_->setAccessibleName(tr("Plots of the run"));
     stack_->focusProxy()->setAccessibleName(tr("Plots of the run"));
@@ -152,7 +152,7 @@ QWidget* PlotPanel::makeTools(QWidget* parent) {
   menu->setToolTipsVisible(true);
   fillMenu(menu);
   choice->setMenu(menu);
-  inEveryLanguage(choice, [choice] {
+  onRetranslate(choice, [choice] {
     choice->setText(tr("Plots"));
     choice->setToolTip(tr("Choose the plots shown; copy or save them"));
     choice->setAccessibleName(tr("Choose the plots shown"));
@@ -259,4 +259,4 @@ bool PlotPanel::savePicture(const QString& file) {
   return saved;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

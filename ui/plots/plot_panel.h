@@ -12,13 +12,16 @@
 class QAction;
 class QMenu;
 
-namespace dewpoint {
+namespace dewpoint::session {
+struct IterationRecord;
+struct TrackSnapshot;
+} // namespace dewpoint::session
+
+namespace dewpoint::ui {
 
 class ActionRegistry;
 class PlotStack;
 class Selection;
-struct IterationRecord;
-struct TrackSnapshot;
 
 /// The plots of a run: spread per axis, effective sample size, likelihood and existence per camera,
 /// error against truth and time per step of one target, over iterations or time. Which are shown is
@@ -71,4 +74,4 @@ private:
   int target_ = 0;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

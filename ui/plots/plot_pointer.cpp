@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 constexpr double kWheelZoom = 1.25; ///< per notch
@@ -204,4 +204,4 @@ void PlotPointer::walk(std::int64_t frames, bool choosing) {
   Q_EMIT stack_.spanChosen(first, last);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <QObject>
 #include <QPoint>
 
@@ -11,7 +13,7 @@ class QCustomPlot;
 class QKeyEvent;
 class QMouseEvent;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 class PlotStack;
 
@@ -44,4 +46,4 @@ private:
   std::optional<std::int64_t> anchor_; ///< where a span chosen by keys began
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

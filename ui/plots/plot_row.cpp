@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -302,4 +302,4 @@ int PlotRow::pointCount() const {
   return count;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// Names, colors and values of the curves of one plot, beside it. Drawn on the cursor's layer, so
 /// that moving the cursor draws no curve anew.
@@ -63,4 +63,4 @@ private:
   std::vector<QCPGraph*> graphs_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -170,4 +170,4 @@ PlotSeries::Line PlotSeries::line(std::size_t column, PlotAxis axis, double lowe
   return line;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

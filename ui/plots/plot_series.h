@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// What the plots are drawn over.
 enum class PlotAxis { Iterations, Time };
@@ -67,4 +69,4 @@ private:
   std::vector<bool> known_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

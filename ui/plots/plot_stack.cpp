@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -348,4 +348,4 @@ void PlotStack::applyPalette() {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -15,7 +15,7 @@
 
 class QCustomPlot;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 class PlotCursor;
 class PlotRow;
@@ -126,4 +126,4 @@ private:
   double lastDrawingMs_ = 0.0;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

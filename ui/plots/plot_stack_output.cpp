@@ -9,7 +9,7 @@
 #include <QSaveFile>
 #include <QSvgGenerator>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -122,4 +122,4 @@ bool PlotStack::savePicture(const QString& file) {
   return written && out.commit();
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/run_plots.h"
 
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 
 #include <QCoreApplication>
 
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -142,4 +142,4 @@ void appendTo(PlotSeries& series, const IterationRecord& record) {
   series.append({record.iteration, record.frame, record.time}, values);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

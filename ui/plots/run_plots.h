@@ -8,9 +8,11 @@
 
 #include <vector>
 
-namespace dewpoint {
-
+namespace dewpoint::session {
 struct IterationRecord;
+} // namespace dewpoint::session
+
+namespace dewpoint::ui {
 
 /// The plots of a run, in the person's language: spread, sampleSize, likelihood, existence, error,
 /// duration. Likelihood and existence have one curve per camera.
@@ -23,4 +25,4 @@ std::size_t runPlotColumns(int cameraCount);
 /// Adds one iteration to the series of its target.
 void appendTo(PlotSeries& series, const IterationRecord& record);
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -4,7 +4,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 namespace {
 
 bool usable(const Camera& camera) {
@@ -69,4 +69,4 @@ void CameraFrusta::prepareFrame(const ScreenScale& scale) {
   labels_.prepareFrame(scale);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

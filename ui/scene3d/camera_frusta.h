@@ -6,7 +6,7 @@
 
 #include <vtkPolyData.h>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// Every camera of a rig as the pyramid it looks through, with its name.
 class CameraFrusta {
@@ -26,4 +26,4 @@ private:
   SceneLabels labels_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 namespace {
 
 constexpr const char* kAxisNames[3] = {"x", "y", "z"};
@@ -209,4 +209,4 @@ void Ground::prepareFrame(const ScreenScale& scale) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

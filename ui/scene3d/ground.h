@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// The floor z = 0: a faint plane, lines every 0.1 m or 1 m, numbers in metres along two edges, and
 /// the axes at the origin. Seen from the front, where the floor is a line, a wall in the plane of x
@@ -57,4 +57,4 @@ private:
   std::string decimalPoint_ = ".";
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

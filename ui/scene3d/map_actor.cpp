@@ -17,7 +17,7 @@
 #include <cmath>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 namespace {
 
 constexpr double kSliceOpacity = 0.72;
@@ -199,4 +199,4 @@ void MapActor::prepareFrame(const ScreenScale& scale) {
   box_->GetProperty()->SetLineWidth(static_cast<float>(1.2 * scale.pixelRatio));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

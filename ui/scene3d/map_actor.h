@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/rig_map.h"
+#include "core/calibration/planning/rig_map.h"
 #include "ui/scene3d/map_look.h"
 #include "ui/scene3d/scene_actors.h"
 
@@ -13,7 +13,7 @@
 
 class vtkImageData;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// A map of a rig in the room: the box of its volume, a layer of colored cells, and surfaces around
 /// what is good and what is measured at all.
@@ -55,4 +55,4 @@ private:
   MapLook look_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 namespace {
 
 SceneColor hex(unsigned rgb) {
@@ -39,4 +39,4 @@ std::size_t classOf(const std::vector<MapClass>& classes, double value) {
   return k;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

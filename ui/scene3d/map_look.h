@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// What a map of a rig shows of each place.
 enum class MapQuantity {
@@ -39,4 +39,4 @@ std::vector<MapClass> mapClasses(const MapLook& look);
 /// Index into the classes; their number when a value is not drawn (NaN, no camera).
 std::size_t classOf(const std::vector<MapClass>& classes, double value);
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -4,7 +4,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 namespace {
 
 constexpr double kAboveFloor = 0.004; ///< metres, so that curves are not drawn into the floor
@@ -113,4 +113,4 @@ void PersonActors::prepareFrame(const ScreenScale& scale) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/person_shape.h"
+#include "core/session/people/person_shape.h"
 #include "ui/scene3d/scene_actors.h"
 
 #include <vtkActor.h>
@@ -14,7 +14,7 @@
 
 class vtkRenderer;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// The body of a person: the translucent hull of the 95 % volume, and on the floor the level curves
 /// of the density (Mohedano et al. 2009, figures 1 and 2c).
@@ -46,4 +46,4 @@ private:
   std::array<vtkSmartPointer<vtkActor>, std::size(kGroundShares)> curves_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

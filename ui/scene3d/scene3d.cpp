@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 Scene3d::Scene3d() : parts_(std::make_unique<Parts>()) {
   parts_->coverGround();
@@ -179,4 +179,4 @@ double Scene3d::metresPerPixel() const {
   return parts_->scale.metresPerPixel;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/rig_map.h"
-#include "core/session/snapshot.h"
+#include "core/calibration/planning/rig_map.h"
+#include "core/session/run/snapshot.h"
 #include "ui/scene3d/map_look.h"
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 class vtkRenderer;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// The room as a scene: ground grid and axes, cameras, particles, estimates, tails, truths.
 /// VTK without Qt: whoever owns a render window adds `renderer()` to it. World frame, metres, Z up.
@@ -83,4 +83,4 @@ private:
   std::unique_ptr<Parts> parts_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

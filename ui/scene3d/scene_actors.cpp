@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 namespace {
 
 void appendCells(const std::vector<std::vector<Eigen::Vector3d>>& shapes, vtkPoints* points,
@@ -172,4 +172,4 @@ void SceneLabels::prepareFrame(const ScreenScale& scale) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -16,7 +16,7 @@
 class vtkPolyData;
 class vtkRenderer;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// Where lines and texts of constant size on the screen are.
 struct ScreenScale {
@@ -94,4 +94,4 @@ private:
   SceneColor background_ = SceneColor::Ones();
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

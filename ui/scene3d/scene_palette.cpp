@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene3d/scene_palette.h"
 
-#include "core/session/people_overlay.h"
+#include "core/session/people/people_overlay.h"
 
 #include <array>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 namespace {
 
 SceneColor hex(unsigned rgb) {
@@ -23,7 +23,7 @@ const ScenePalette& scenePalette(bool dark) {
 }
 
 SceneColor targetColor(std::size_t index) {
-  // The hues of the images' strokes (ui/settings/theme.h), dark enough for a light ground.
+  // The hues of the images' strokes (ui/style/theme.h), dark enough for a light ground.
   static const std::array<unsigned, 6> kColors{0xd55e00, 0x0072b2, 0x009e73,
                                                0xcc79a7, 0xe69f00, 0xb8a500};
   return hex(kColors[index % kColors.size()]);
@@ -42,4 +42,4 @@ SceneColor axisColor(int axis) {
   return hex(kColors[static_cast<std::size_t>(axis) % kColors.size()]);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

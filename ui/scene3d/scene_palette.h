@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <string>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// RGB, 0 to 1.
 using SceneColor = Eigen::Vector3d;
@@ -36,4 +38,4 @@ inline SceneColor mix(const SceneColor& from, const SceneColor& to, double share
   return from + (to - from) * share;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 namespace {
 
 constexpr double kViewAngle = 35.0 * std::numbers::pi / 180.0; ///< vertical, free view
@@ -241,4 +241,4 @@ void Scene3d::Parts::measure() {
                                         : scale.slope * (focal - scale.eye).norm();
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -16,7 +16,7 @@
 #include <memory>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// What a Scene3d consists of, and how it is framed.
 class Scene3d::Parts {
@@ -64,4 +64,4 @@ public:
   Eigen::Vector3d uprightPosition = Eigen::Vector3d::Zero();
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

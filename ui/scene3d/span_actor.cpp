@@ -4,7 +4,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 constexpr double kWidthPx = 7.0;
@@ -44,4 +44,4 @@ void SpanActor::prepareFrame(const ScreenScale& scale) {
   actor_->GetProperty()->SetLineWidth(static_cast<float>(kWidthPx * scale.pixelRatio));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

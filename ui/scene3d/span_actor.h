@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// A chosen part of a trajectory: a broad stroke under the tail.
 class SpanActor {
@@ -28,4 +28,4 @@ private:
   vtkSmartPointer<vtkActor> actor_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

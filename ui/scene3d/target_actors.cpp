@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 namespace {
 
 /// 95 % quantile of chi² with 3 degrees of freedom.
@@ -319,4 +319,4 @@ void TargetActors::prepareFrame(const ScreenScale& scale) {
   truthMark_->GetProperty()->SetLineWidth(width(1.6));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

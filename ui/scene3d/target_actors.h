@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 #include "ui/scene3d/person_actors.h"
 #include "ui/scene3d/scene_actors.h"
 
@@ -14,7 +14,7 @@
 
 #include <array>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// One target: particles, estimate with the ellipsoid that holds 95 % of the belief, tail, truth,
 /// and the plumb line to the floor that tells its height.
@@ -71,4 +71,4 @@ private:
   PersonActors person_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

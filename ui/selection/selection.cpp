@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 void Selection::setMoment(qint64 frame, double seconds, bool past) {
   const bool changed = frame != moment_ || seconds != seconds_ || past != past_;
@@ -44,4 +44,4 @@ void Selection::clear() {
   setMoment(-1, 0.0, false);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <QObject>
 
 #include <optional>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// A stretch of frames, both ends included.
 struct FrameSpan {
@@ -64,4 +66,4 @@ private:
   int camera_ = -1;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/new_project_page.h"
 
-#include "ui/bridge/error_sentence.h"
-#include "ui/settings/decimal_field.h"
-#include "ui/settings/retranslation.h"
+#include "ui/text/error_sentence.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/decimal_field.h"
 
 #include <QCollator>
 #include <QDir>
@@ -24,7 +24,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -106,7 +106,7 @@ NewProjectPage::NewProjectPage(QWidget* parent)
   calibration_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   makeTable();
   makeRows();
-  inEveryLanguage(this, [this] { say(); });
+  onRetranslate(this, [this] { say(); });
   update();
 }
 
@@ -360,4 +360,4 @@ void NewProjectPage::finish(const Result<MadeProject>& result) {
   Q_EMIT made(result->project, note);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/new_project.h"
+#include "core/setup/new_project.h"
 
 #include <QWidget>
 
@@ -14,7 +14,7 @@ class QLineEdit;
 class QPushButton;
 class QTableWidget;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// Puts a project together: cameras with their sources, and a calibration file.
 class NewProjectPage : public QWidget {
@@ -33,7 +33,7 @@ public:
 
 Q_SIGNALS:
   /// It is made; the note says what the person should know of it, or is empty.
-  void made(const dewpoint::Project& project, const QString& note);
+  void made(const dewpoint::project::Project& project, const QString& note);
   void failed(const QString& sentence);
   void cancelled();
 
@@ -76,4 +76,4 @@ private:
   std::jthread worker_; ///< reading the first image of a video may take long
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

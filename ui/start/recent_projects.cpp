@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <QSettings>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -35,4 +35,4 @@ void clearRecentProjects() {
   QSettings().remove(kKey);
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/start_page.h"
 
-#include "ui/settings/retranslation.h"
-#include "ui/settings/symbolic_icon.h"
 #include "ui/start/recent_projects.h"
+#include "ui/style/symbolic_icon.h"
+#include "ui/text/retranslation.h"
 
 #include <QEvent>
 #include <QFileInfo>
@@ -13,7 +13,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -72,7 +72,7 @@ StartPage::StartPage(QWidget* parent)
   all->addStretch(1);
   all->addWidget(middle, 8);
   all->addStretch(1);
-  inEveryLanguage(this, [this] { say(); });
+  onRetranslate(this, [this] { say(); });
   drawIcons();
   refresh();
 }
@@ -134,4 +134,4 @@ void StartPage::changeEvent(QEvent* event) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

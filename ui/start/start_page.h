@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <QWidget>
 
 class QLabel;
 class QListWidget;
 class QToolButton;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// What a person sees while no project is open: the ways to begin, and where they were last.
 class StartPage : public QWidget {
@@ -41,4 +43,4 @@ private:
   QLabel* hint_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/timeline/timeline.h"
 
-#include "ui/bridge/reason_text.h"
+#include "ui/text/reason_text.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -307,4 +307,4 @@ void Timeline::contextMenuEvent(QContextMenuEvent* event) {
                         : mapToGlobal(positionOf(selection_.moment())));
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -13,7 +13,7 @@
 
 class QLineEdit;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 class Document;
 
@@ -100,4 +100,4 @@ private:
   int leastHeight_ = 0; ///< in which all rows can be read
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

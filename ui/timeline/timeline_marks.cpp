@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The marks of a timeline: steps of the document, named on the spot.
 #include "ui/document/document.h"
-#include "ui/settings/retranslation.h"
+#include "ui/text/retranslation.h"
 #include "ui/timeline/timeline.h"
 
 #include <QAccessible>
@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 Timeline::Timeline(Selection& selection, Document& document, QWidget* parent)
     : QWidget(parent), selection_(selection), document_(document), editor_(new QLineEdit(this)) {
@@ -19,7 +19,7 @@ Timeline::Timeline(Selection& selection, Document& document, QWidget* parent)
   setMouseTracking(true);
   editor_->setObjectName(QStringLiteral("markName"));
   editor_->hide();
-  inEveryLanguage(this, [this] {
+  onRetranslate(this, [this] {
     setAccessibleName(tr("Timeline"));
     editor_->setAccessibleName(tr("Name of the mark"));
     update();
@@ -137,4 +137,4 @@ void Timeline::rename(qint64 frame, const QString& from, const QString& name) {
   });
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/timeline/timeline_model.h"
 
-#include "ui/bridge/reason_text.h"
-#include "ui/settings/theme.h"
+#include "ui/style/theme.h"
+#include "ui/text/reason_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {} // namespace
 
@@ -91,4 +91,4 @@ QString TimelineModel::describe(qint64 frame) const {
   return text;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

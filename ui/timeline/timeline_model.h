@@ -2,14 +2,14 @@
 #pragma once
 
 #include "core/project/project.h"
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 
 #include <QString>
 #include <QStringList>
 
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// What a timeline shows, apart from the selection.
 struct TimelineModel {
@@ -41,4 +41,4 @@ private:
   std::uint64_t missing_ = 0;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

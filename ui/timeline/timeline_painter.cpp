@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/timeline/timeline_painter.h"
 
-#include "ui/bridge/reason_text.h"
-#include "ui/settings/theme.h"
+#include "ui/style/theme.h"
+#include "ui/text/reason_text.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -14,7 +14,7 @@
 #include <array>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -397,4 +397,4 @@ void paintTimeline(QPainter& painter, const TimelineModel& model, const Timeline
   painter.restore();
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

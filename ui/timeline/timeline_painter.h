@@ -11,7 +11,7 @@
 
 class QPainter;
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// Where the rows of a timeline lie, in the units of the widget.
 struct TimelineRows {
@@ -41,4 +41,4 @@ void paintTimeline(QPainter& painter, const TimelineModel& model, const Timeline
 QRectF markFlag(const ProjectMark& mark, const TimelineScale& scale, const TimelineRows& rows,
                 const QFontMetricsF& metrics);
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/floors.h"
+
 #include <QtGlobal>
 
 #include <algorithm>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// Which frames lie where along a timeline: frame k takes the stretch from x(k) to x(k + 1).
 class TimelineScale {
@@ -87,4 +89,4 @@ private:
   double width_ = 1.0;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -124,4 +124,4 @@ QVariant BoxModel::headerData(int section, Qt::Orientation orientation, int role
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/box_track_file.h"
+#include "core/session/run/box_track_file.h"
 
 #include <QAbstractTableModel>
 #include <QStringList>
 
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// The boxes of a run as a table, one row per target and frame, pixels. Grows with the run.
 class BoxModel : public QAbstractTableModel {
@@ -35,4 +35,4 @@ private:
   QStringList names_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trajectory/box_panel.h"
 
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 #include "ui/selection/selection.h"
-#include "ui/settings/retranslation.h"
+#include "ui/text/retranslation.h"
 #include "ui/trajectory/box_model.h"
 
 #include <QHeaderView>
@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 constexpr int kIntervalMs = 150;
@@ -56,7 +56,7 @@ BoxPanel::BoxPanel(Selection& selection, QWidget* parent)
   connect(table_, &QWidget::customContextMenuRequested, this, [this](const QPoint& place) {
     Q_EMIT contextMenuWanted(table_->viewport()->mapToGlobal(place));
   });
-  inEveryLanguage(this, [this] {
+  onRetranslate(this, [this] {
     table_->setAccessibleName(tr("Boxes of the targets"));
     const QFontMetrics metrics = table_->fontMetrics();
     for (int part = 0; part < BoxModel::ColumnCount; ++part) {
@@ -134,4 +134,4 @@ void BoxPanel::showEvent(QShowEvent* event) {
   refresh();
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -11,11 +11,14 @@
 class QLabel;
 class QTableView;
 
-namespace dewpoint {
+namespace dewpoint::session {
+struct TrackSnapshot;
+} // namespace dewpoint::session
+
+namespace dewpoint::ui {
 
 class BoxModel;
 class Selection;
-struct TrackSnapshot;
 
 /// The boxes of a run whose method follows boxes in images: a table that follows it.
 class BoxPanel : public QWidget {
@@ -56,4 +59,4 @@ private:
   QTimer timer_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 GapList::GapList(QWidget* parent) : QTableWidget(0, 4, parent) {
   setObjectName(QStringLiteral("gapList"));
@@ -104,4 +104,4 @@ void GapList::changeEvent(QEvent* event) {
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// The gaps of a trajectory: from, to, length. The newest kMostGaps.
 class GapList : public QTableWidget {
@@ -35,4 +35,4 @@ private:
   std::vector<TrajectoryGap> gaps_;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

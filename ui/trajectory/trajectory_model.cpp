@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -163,4 +163,4 @@ QByteArray trajectoryCsv(const std::vector<MotionLog::Row>& rows) {
   return text;
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -8,7 +8,7 @@
 
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 /// The trajectory of a run as a table, one row per target and frame. Grows with the run.
 class TrajectoryModel : public QAbstractTableModel {
@@ -53,4 +53,4 @@ private:
 /// Rows as CSV: the columns of the table, under the names that a trajectory's file has for them.
 QByteArray trajectoryCsv(const std::vector<MotionLog::Row>& rows);
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

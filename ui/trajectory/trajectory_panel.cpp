@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trajectory/trajectory_panel.h"
 
-#include "core/session/snapshot.h"
+#include "core/session/run/snapshot.h"
 #include "ui/actions/action_registry.h"
 #include "ui/plots/plot_stack.h"
-#include "ui/settings/retranslation.h"
+#include "ui/text/retranslation.h"
 #include "ui/trajectory/box_panel.h"
 #include "ui/trajectory/gap_list.h"
 #include "ui/trajectory/trajectory_model.h"
@@ -29,7 +29,7 @@
 #include <limits>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 
@@ -110,7 +110,7 @@ void TrajectoryPanel::makeTable() {
       bar->setValue(end);
     }
   });
-  inEveryLanguage(table_, [this] {
+  onRetranslate(table_, [this] {
     table_->setAccessibleName(tr("Trajectory"));
     const QFontMetrics metrics = table_->fontMetrics();
     for (int column = 0; column < TrajectoryModel::ColumnCount; ++column) {
@@ -129,7 +129,7 @@ void TrajectoryPanel::makePlots() {
   plots_->setAxis(PlotAxis::Time);
   plots_->setShown({QStringLiteral("speed"), QStringLiteral("height")});
   series_.reset(kColumns);
-  inEveryLanguage(plots_, [this] {
+  onRetranslate(plots_, [this] {
     plots_->focusProxy()->setAccessibleName(tr("Speed and height over time"));
     plots_->setPlots({{QStringLiteral("speed"),
                        tr("Speed"),
@@ -323,4 +323,4 @@ void TrajectoryPanel::showEvent(QShowEvent* event) {
   refresh();
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -19,14 +19,17 @@ class QLabel;
 class QStackedLayout;
 class QTableView;
 
-namespace dewpoint {
+namespace dewpoint::session {
+struct TrackSnapshot;
+} // namespace dewpoint::session
+
+namespace dewpoint::ui {
 
 class ActionRegistry;
 class BoxPanel;
 class GapList;
 class PlotStack;
 class TrajectoryModel;
-struct TrackSnapshot;
 
 /// The trajectory of the run: a table that follows it, speed and height over time, and the gaps. A
 /// span chosen in any of them is chosen in all. Of a run that follows boxes in images: its boxes.
@@ -106,4 +109,4 @@ private:
   double lastRefreshMs_ = 0.0;
 };
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace dewpoint {
+namespace dewpoint::ui {
 
 namespace {
 constexpr std::size_t kMostPlaces = 4000; ///< of a span in the room
@@ -123,4 +123,4 @@ void TrajectoryPanel::choosePlace(int target, const Eigen::Vector3d& place, bool
   }
 }
 
-} // namespace dewpoint
+} // namespace dewpoint::ui

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/board/board.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace dewpoint::calibration {
+namespace {
+
+constexpr int kMostSquares = 200;
+constexpr double kLargestSquare = 10.0; // metres: anything above was meant in millimetres
+
+std::vector<std::string> partsOf(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char letter : text) {
+    if (letter == separator) {
+      parts.emplace_back();
+    } else {
+      parts.back() += letter;
+    }
+  }
+  return parts;
+}
+
+template <class Number> bool readNumber(const std::string& text, Number& number) {
+  const char* end = text.data() + text.size();
+  const auto [stop, problem] = std::from_chars(text.data(), end, number);
+  return problem == std::errc() && stop == end && !text.empty();
+}
+
+/// What is wrong with "9x6", or nothing.
+std::string readCounts(const std::string& text, int least, BoardDescription& board) {
+  const auto counts = partsOf(text, 'x');
+  if (counts.size() != 2 || !readNumber(counts[0], board.columns) ||
+      !readNumber(counts[1], board.rows)) {
+    return fmt::format("COLUMNSxROWS is expected, as 9x6, found '{}'", text);
+  }
+  if (std::min(board.columns, board.rows) < least ||
+      std::max(board.columns, board.rows) > kMostSquares) {
+    return fmt::format("{} to {} columns and rows are possible, found {}", least, kMostSquares,
+                       text);
+  }
+  return {};
+}
+
+std::string readLength(const std::string& text, const char* what, double& length) {
+  if (!readNumber(text, length) || !std::isfinite(length) || length <= 0.0) {
+    return fmt::format("the {} size in metres is expected, as 0.025, found '{}'", what, text);
+  }
+  if (length > kLargestSquare) {
+    return fmt::format("the {} size is in metres; {} m is meant in millimetres?", what, length);
+  }
+  return {};
+}
+
+std::string readMarkers(const std::vector<std::string>& parts, BoardDescription& board) {
+  if (auto wrong = readLength(parts[3], "marker", board.markerSize); !wrong.empty()) {
+    return wrong;
+  }
+  if (board.markerSize >= board.squareSize) {
+    return fmt::format("the marker ({} m) must be smaller than the square ({} m)", board.markerSize,
+                       board.squareSize);
+  }
+  board.dictionary = parts[4];
+  const auto& known = markerDictionaries();
+  if (std::ranges::find(known, board.dictionary) == known.end()) {
+    return fmt::format("unknown dictionary '{}'; known are {}", board.dictionary,
+                       fmt::join(known, ", "));
+  }
+  const int markers = board.columns * board.rows / 2;
+  const auto words = partsOf(board.dictionary, '_');
+  int size = 1024; // of the dictionary without a number, DICT_ARUCO_ORIGINAL
+  readNumber(words.back(), size);
+  if (markers > size) {
+    return fmt::format("{} has too few markers: the board has {}", board.dictionary, markers);
+  }
+  return {};
+}
+
+std::string readFlags(const std::vector<std::string>& parts, std::size_t first,
+                      BoardDescription& board) {
+  for (std::size_t k = first; k < parts.size(); ++k) {
+    if (parts[k] == "legacy" && board.kind == BoardDescription::Kind::Charuco) {
+      board.legacy = true;
+    } else if (parts[k] == "inverted") {
+      board.inverted = true;
+    } else {
+      return fmt::format("'{}' is not known there", parts[k]);
+    }
+  }
+  return {};
+}
+
+std::string readBoard(const std::string& text, BoardDescription& board) {
+  const auto parts = partsOf(text, ':');
+  const bool chessboard = parts[0] == "chessboard";
+  if (!chessboard && parts[0] != "charuco") {
+    return fmt::format("chessboard:... or charuco:... is expected, found '{}'", text);
+  }
+  board.kind = chessboard ? BoardDescription::Kind::Chessboard : BoardDescription::Kind::Charuco;
+  const std::size_t needed = chessboard ? 3 : 5;
+  if (parts.size() < needed) {
+    return fmt::format("{} is expected, found '{}'",
+                       chessboard ? "chessboard:COLUMNSxROWS:SQUARE"
+                                  : "charuco:COLUMNSxROWS:SQUARE:MARKER:DICTIONARY[:legacy]",
+                       text);
+  }
+  auto wrong = readCounts(parts[1], chessboard ? 3 : 2, board);
+  wrong = wrong.empty() ? readLength(parts[2], "square", board.squareSize) : wrong;
+  wrong = wrong.empty() && !chessboard ? readMarkers(parts, board) : wrong;
+  wrong = wrong.empty() ? readFlags(parts, needed, board) : wrong;
+  if (wrong.empty() && board.cornerCount() < 4) {
+    return "at least four inner corners are needed";
+  }
+  return wrong;
+}
+
+} // namespace
+
+Eigen::Vector3d BoardDescription::corner(int id) const {
+  const int offset = kind == Kind::Chessboard ? 0 : 1;
+  return squareSize *
+         Eigen::Vector3d(id % cornerColumns() + offset, id / cornerColumns() + offset, 0.0);
+}
+
+Eigen::Vector3d BoardDescription::middle() const {
+  return 0.5 * (corner(0) + corner(cornerCount() - 1));
+}
+
+bool BoardDescription::isBlack(int column, int row) const {
+  const bool whiteFirst = legacy && kind == Kind::Charuco && rows % 2 == 0;
+  return ((column + row) % 2 == 0) != whiteFirst;
+}
+
+int BoardDescription::symmetry() const {
+  if (kind == Kind::Charuco) {
+    return 1;
+  }
+  if (columns != rows) {
+    return (columns + rows) % 2 == 0 ? 2 : 1;
+  }
+  return columns % 2 == 0 ? 4 : 2;
+}
+
+Result<BoardDescription> parseBoard(const std::string& text, const std::string& field) {
+  BoardDescription board;
+  if (auto wrong = readBoard(text, board); !wrong.empty()) {
+    return failure(ErrorCode::BadValue, "", field, wrong);
+  }
+  return board;
+}
+
+std::string boardText(const BoardDescription& board) {
+  const bool chessboard = board.kind == BoardDescription::Kind::Chessboard;
+  std::string text = fmt::format("{}:{}x{}:{}", chessboard ? "chessboard" : "charuco",
+                                 board.columns, board.rows, board.squareSize);
+  if (!chessboard) {
+    text +=
+        fmt::format(":{}:{}{}", board.markerSize, board.dictionary, board.legacy ? ":legacy" : "");
+  }
+  return text + (board.inverted ? ":inverted" : "");
+}
+
+const std::vector<std::string>& markerDictionaries() {
+  // In the order of OpenCV's enumeration, which gives them their numbers.
+  static const std::vector<std::string> kNames = [] {
+    std::vector<std::string> names;
+    for (const char* bits : {"4X4", "5X5", "6X6", "7X7"}) {
+      for (const char* size : {"50", "100", "250", "1000"}) {
+        names.push_back(fmt::format("DICT_{}_{}", bits, size));
+      }
+    }
+    names.emplace_back("DICT_ARUCO_ORIGINAL");
+    return names;
+  }();
+  return kNames;
+}
+
+Eigen::Isometry3d worldFromFlatBoard() {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
+  return pose;
+}
+
+} // namespace dewpoint::calibration

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/board/board_coverage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint::calibration {
+namespace {
+constexpr double kFlat = 15.0 * std::numbers::pi / 180.0;
+}
+
+BoardTilt tiltOf(const Eigen::Isometry3d& cameraFromBoard) {
+  const Eigen::Vector3d away = cameraFromBoard.linear().col(2); // into the board
+  if (std::acos(std::clamp(away.z(), -1.0, 1.0)) < kFlat) {
+    return BoardTilt::Flat;
+  }
+  if (std::abs(away.x()) > std::abs(away.y())) {
+    return away.x() > 0.0 ? BoardTilt::RightNear : BoardTilt::LeftNear;
+  }
+  return away.y() > 0.0 ? BoardTilt::BottomNear : BoardTilt::TopNear;
+}
+
+double tiltAngle(const Eigen::Isometry3d& cameraFromBoard, const Eigen::Vector3d& middle) {
+  const Eigen::Vector3d direction = (cameraFromBoard * middle).normalized();
+  return std::acos(std::clamp(direction.dot(cameraFromBoard.linear().col(2)), -1.0, 1.0));
+}
+
+int BoardCoverage::regionOf(const Eigen::Vector2d& pixel, int width, int height) {
+  const auto cell = [](double place, int size, int count) {
+    return std::clamp(static_cast<int>((place + 0.5) / size * count), 0, count - 1);
+  };
+  return cell(pixel.y(), height, kRows) * kColumns + cell(pixel.x(), width, kColumns);
+}
+
+void BoardCoverage::add(const std::vector<Eigen::Vector2d>& pixels, BoardTilt tilt, int width,
+                        int height) {
+  for (const auto& pixel : pixels) {
+    ++corners[static_cast<std::size_t>(regionOf(pixel, width, height))];
+  }
+  ++tilts[static_cast<std::size_t>(tilt)];
+}
+
+double BoardCoverage::imagePart() const {
+  const auto seen = std::ranges::count_if(corners, [](int count) { return count > 0; });
+  return static_cast<double>(seen) / static_cast<double>(corners.size());
+}
+
+} // namespace dewpoint::calibration

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/board/board_guidance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::calibration {
+namespace {
+
+constexpr double kAnotherPlacePart = 0.08; // of the image's width: nearer is the same view again
+constexpr std::size_t kViewsPerCalibration = 3;
+constexpr std::size_t kViewsBeforeNear = 4;
+
+/// Part of the image's area that the corners span.
+double areaPart(const BoardDetection& detection, const Intrinsics& image) {
+  Eigen::Vector2d least = detection.pixels.front();
+  Eigen::Vector2d most = least;
+  for (const Eigen::Vector2d& pixel : detection.pixels) {
+    least = least.cwiseMin(pixel);
+    most = most.cwiseMax(pixel);
+  }
+  return (most - least).prod() / (static_cast<double>(image.width) * image.height);
+}
+
+Eigen::Vector2d middleOf(const BoardDetection& detection) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& pixel : detection.pixels) {
+    sum += pixel;
+  }
+  return sum / static_cast<double>(detection.pixels.size());
+}
+
+} // namespace
+
+BoardGuidance::BoardGuidance(const BoardDescription& board, int width, int height,
+                             GuidanceSettings settings)
+    : board_(board), settings_(settings), camera_(guessedCamera(width, height)) {}
+
+BoardTilt BoardGuidance::tiltNow(const BoardDetection& detection) const {
+  const auto pose = boardPose(board_, detection, camera_);
+  return pose ? tiltOf(*pose) : BoardTilt::Flat;
+}
+
+void BoardGuidance::follow(double seconds, const BoardDetection& detection) {
+  const auto moved = last_ ? motionBetween(*last_, detection) : std::nullopt;
+  const double allowed =
+      settings_.stillPerSecond * camera_.intrinsics.width * (seconds - lastSeconds_);
+  if (!moved || *moved > allowed) {
+    stillSince_ = seconds;
+  }
+  last_ = detection;
+  lastSeconds_ = seconds;
+}
+
+bool BoardGuidance::addsSomething(const BoardDetection& detection) const {
+  const BoardTilt tilt = tiltNow(detection);
+  for (std::size_t k = 0; k < views_.size(); ++k) {
+    const auto apart = motionBetween(views_[k].detection, detection);
+    const bool samePlace = apart && *apart < kAnotherPlacePart * camera_.intrinsics.width;
+    if (samePlace && tilts_[k] == tilt) {
+      return false;
+    }
+  }
+  return true;
+}
+
+int BoardGuidance::emptiestRegion(const Eigen::Vector2d& middle) const {
+  // Among equals the one farthest from where the board is.
+  const auto& in = camera_.intrinsics;
+  int emptiest = 0;
+  std::pair<int, double> best;
+  for (int k = 0; k < static_cast<int>(coverage_.corners.size()); ++k) {
+    const int column = k % BoardCoverage::kColumns;
+    const int row = k / BoardCoverage::kColumns;
+    const Eigen::Vector2d place((column + 0.5) / BoardCoverage::kColumns * in.width,
+                                (row + 0.5) / BoardCoverage::kRows * in.height);
+    const std::pair rank(coverage_.corners[static_cast<std::size_t>(k)], -(place - middle).norm());
+    if (k == 0 || rank < best) {
+      best = rank;
+      emptiest = k;
+    }
+  }
+  return emptiest;
+}
+
+GuidanceAdvice BoardGuidance::lacking(const BoardDetection& detection, GuidanceState& state) const {
+  const Eigen::Vector2d middle = middleOf(detection);
+  if (views_.empty()) {
+    state.region =
+        BoardCoverage::regionOf(middle, camera_.intrinsics.width, camera_.intrinsics.height);
+    return GuidanceAdvice::HoldStill;
+  }
+  state.region = emptiestRegion(middle);
+  // Tilts and places alternate, so that neither is all that is ever shown.
+  if (views_.size() % 2 == 0) {
+    const auto& tilts = coverage_.tilts;
+    state.tilt = static_cast<BoardTilt>(std::ranges::min_element(tilts) - tilts.begin());
+    return GuidanceAdvice::TiltTo;
+  }
+  if (largestPart_ < settings_.nearPart && views_.size() >= kViewsBeforeNear &&
+      areaPart(detection, camera_.intrinsics) < settings_.nearPart) {
+    return GuidanceAdvice::ComeNearer;
+  }
+  return GuidanceAdvice::MoveTo;
+}
+
+void BoardGuidance::advise(const BoardDetection& detection, GuidanceState& state) {
+  if (!wanted_) {
+    wanted_.emplace();
+    wanted_->advice = lacking(detection, *wanted_);
+  }
+  state.advice = wanted_->advice;
+  state.region = wanted_->region;
+  state.tilt = wanted_->tilt;
+}
+
+GuidanceState BoardGuidance::summary() const {
+  GuidanceState state;
+  state.coverage = coverage_;
+  state.views = static_cast<int>(views_.size());
+  state.projectionPx = projectionPx_;
+  return state;
+}
+
+void BoardGuidance::capture(GuidanceState& state) {
+  BoardView view;
+  view.instant = static_cast<std::int64_t>(views_.size());
+  view.name = "view " + std::to_string(views_.size() + 1);
+  view.detection = *last_;
+  tilts_.push_back(tiltNow(*last_));
+  coverage_.add(last_->pixels, tilts_.back(), camera_.intrinsics.width, camera_.intrinsics.height);
+  largestPart_ = std::max(largestPart_, areaPart(*last_, camera_.intrinsics));
+  views_.push_back(std::move(view));
+  stillSince_ = lastSeconds_;
+  wanted_.reset();
+  state = summary();
+  state.captured = true;
+}
+
+GuidanceState BoardGuidance::step(double seconds, const std::optional<BoardDetection>& detection) {
+  GuidanceState state = summary();
+  const bool enough = views_.size() >= static_cast<std::size_t>(settings_.leastViews) &&
+                      projectionPx_ && *projectionPx_ <= settings_.requestedProjectionPx;
+  if (enough || views_.size() >= static_cast<std::size_t>(settings_.mostViews)) {
+    state.advice = GuidanceAdvice::Finished;
+    return state;
+  }
+  if (!detection) {
+    last_.reset();
+    return state;
+  }
+  follow(seconds, *detection);
+  if (addsSomething(*detection)) {
+    state.held = std::clamp((seconds - stillSince_) / settings_.holdSeconds, 0.0, 1.0);
+    const bool soft = detection->edgeWidthPx > settings_.softEdgePart * camera_.intrinsics.width;
+    if (state.held >= 1.0 && !soft) {
+      capture(state);
+    } else if (state.held > 0.0) {
+      state.advice = soft ? GuidanceAdvice::Sharpen : GuidanceAdvice::HoldStill;
+      return state;
+    }
+  }
+  advise(*detection, state);
+  return state;
+}
+
+GuidanceState BoardGuidance::captureNow() {
+  GuidanceState state = summary();
+  if (last_) {
+    capture(state);
+    advise(*last_, state);
+  }
+  return state;
+}
+
+void BoardGuidance::learn(const IntrinsicsResult& result) {
+  const auto width = camera_.intrinsics.width;
+  const auto height = camera_.intrinsics.height;
+  camera_ = result.camera;
+  camera_.intrinsics.width = width;
+  camera_.intrinsics.height = height;
+  projectionPx_ = result.worstProjectionPx;
+  learned_ = result.views.size();
+}
+
+bool BoardGuidance::wantsCalibration() const {
+  const auto least = static_cast<std::size_t>(settings_.leastViews);
+  return views_.size() >= std::max(least, learned_ + kViewsPerCalibration);
+}
+
+} // namespace dewpoint::calibration

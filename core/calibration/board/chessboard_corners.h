@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/board/board_detection.h"
+
+#include <opencv2/core/types.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace dewpoint::calibration {
+
+/// All corners of a chessboard in a gray image, in the order of the board; nothing when it is not
+/// seen whole.
+std::optional<std::vector<cv::Point2f>>
+chessboardCorners(const cv::Mat& gray, const BoardDescription& board, DetectionEffort effort);
+
+/// For each corner of a grid, counted after quarter turns of the board, its number before.
+std::vector<std::size_t> turnedOrder(std::size_t cornerCount, int columns, int quarterTurns);
+
+/// The corners of a ChArUco board that are seen: their numbers and places. `markerSquares`: column
+/// and row of the square of each marker.
+void charucoCorners(const cv::Mat& gray, const BoardDescription& board,
+                    const std::vector<std::pair<int, int>>& markerSquares, std::vector<int>& ids,
+                    std::vector<cv::Point2f>& corners);
+
+} // namespace dewpoint::calibration

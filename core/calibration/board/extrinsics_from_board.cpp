@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/board/extrinsics_from_board.h"
+
+#include "core/calibration/board/board_chain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace dewpoint::calibration {
+namespace {
+
+constexpr int kMostRounds = 5;
+constexpr double kFirstLossWidth = 3.0; // pixels: corners of a wrong view must not pull
+constexpr double kLossSigmas = 3.0;
+constexpr double kLeastLossWidth = 0.3; // pixels
+
+/// Columns of the covariance after the world was turned: the places of the cameras turn with it.
+Eigen::MatrixXd turnedColumns(const std::vector<CameraColumn>& columns,
+                              const Eigen::Matrix3d& turn) {
+  const auto count = static_cast<Eigen::Index>(columns.size());
+  Eigen::MatrixXd change = Eigen::MatrixXd::Identity(count, count);
+  for (Eigen::Index k = 0; k + 2 < count; ++k) {
+    if (columns[static_cast<std::size_t>(k)].quantity == CameraQuantity::CenterX) {
+      change.block<3, 3>(k, k) = turn;
+    }
+  }
+  return change;
+}
+
+/// Another world for everything that was adjusted.
+void putIntoWorld(const Eigen::Isometry3d& worldFromFirst, BundleProblem& problem,
+                  BundleResult& result) {
+  const Eigen::Isometry3d firstFromWorld = worldFromFirst.inverse();
+  for (BundleCamera& camera : problem.cameras) {
+    camera.camera.cameraFromWorld = camera.camera.cameraFromWorld * firstFromWorld;
+  }
+  for (Camera& camera : result.cameras) {
+    camera.cameraFromWorld = camera.cameraFromWorld * firstFromWorld;
+  }
+  for (auto* states : {&problem.states, &result.states}) {
+    for (BundleState& state : *states) {
+      state.worldFromBoard = worldFromFirst * state.worldFromBoard;
+    }
+  }
+  BundleCovariance& covariance = result.covariance;
+  const Eigen::MatrixXd change = turnedColumns(covariance.columns, worldFromFirst.linear());
+  covariance.matrix = change * covariance.matrix * change.transpose();
+}
+
+/// Adjusts, leaves out the views that fit badly, and adjusts again until all fit.
+class Extrinsics {
+public:
+  Extrinsics(const ExtrinsicsRequest& request, const CalibrationProgress& progress,
+             BoardChain chain)
+      : request_(request), progress_(progress), chain_(std::move(chain)) {}
+
+  Result<ExtrinsicsResult> run() {
+    double lossWidth = kFirstLossWidth;
+    for (int round = 0; round < kMostRounds; ++round) {
+      if (!goesOn(progress_, "adjusting", static_cast<double>(round) / kMostRounds)) {
+        return cancelled();
+      }
+      if (auto adjusted = adjust(RobustLoss::Huber, lossWidth); !adjusted) {
+        return tl::make_unexpected(adjusted.error());
+      }
+      const bool fewer = leaveOutBad();
+      const double width = std::max(kLeastLossWidth, kLossSigmas * typicalResidual());
+      const bool settled = !fewer && round > 0;
+      lossWidth = width;
+      if (settled) {
+        break;
+      }
+    }
+    markDoubtful(fits_);
+    if (std::ranges::none_of(fits_, &ViewFit::doubtful)) {
+      // Nothing is to be feared any more: plain least squares are the better estimate.
+      if (auto adjusted = adjust(RobustLoss::None, lossWidth); !adjusted) {
+        return tl::make_unexpected(adjusted.error());
+      }
+    }
+    return finished();
+  }
+
+private:
+  /// The problem with the views in use; what was found becomes the start of the next round.
+  Status adjust(RobustLoss loss, double lossWidth) {
+    BundleProblem problem;
+    problem.loss = loss;
+    problem.lossWidth = lossWidth;
+    for (std::size_t k = 0; k < request_.cameras.size(); ++k) {
+      BundleCamera camera;
+      camera.camera = adjusted_.empty() ? request_.cameras[k].camera : adjusted_[k];
+      camera.camera.cameraFromWorld = chain_.cameraFromFirst[k];
+      camera.poseFixed = k == 0;
+      camera.focalFree = request_.refineIntrinsics;
+      camera.centerFree = request_.refineIntrinsics;
+      const auto& in = camera.camera.intrinsics;
+      camera.aspectFree = request_.refineIntrinsics && in.focalX != in.focalY;
+      for (std::size_t c = 0; c < camera.distortionFree.size(); ++c) {
+        camera.distortionFree[c] = request_.refineIntrinsics && camera.camera.distortion[c] != 0.0;
+      }
+      problem.cameras.push_back(camera);
+    }
+    BundleBody body{"board", BundleBody::Kind::Board};
+    for (int id = 0; id < request_.board.cornerCount(); ++id) {
+      body.points.push_back(request_.board.corner(id));
+    }
+    problem.bodies.push_back(body);
+    std::map<std::int64_t, std::size_t> states;
+    for (const PosedView& view : chain_.views) {
+      const std::int64_t instant = view.view->instant;
+      if (!states.contains(instant)) {
+        states[instant] = problem.states.size();
+        BundleState state;
+        state.time = static_cast<double>(problem.states.size());
+        state.known = true;
+        state.worldFromBoard = chain_.firstFromBoard[instant];
+        problem.states.push_back(state);
+      }
+      for (std::size_t k = 0; k < view.detection.ids.size(); ++k) {
+        problem.observations.push_back({view.camera, states[instant],
+                                        static_cast<std::size_t>(view.detection.ids[k]),
+                                        view.detection.pixels[k]});
+      }
+    }
+    auto result = adjustBundle(
+        problem, [&](const BundleProgress&) { return goesOn(progress_, "adjusting", 0.5); });
+    if (!result) {
+      return tl::make_unexpected(result.error());
+    }
+    adjusted_ = result->cameras;
+    for (std::size_t k = 0; k < adjusted_.size(); ++k) {
+      chain_.cameraFromFirst[k] = adjusted_[k].cameraFromWorld;
+    }
+    for (const auto& [instant, state] : states) {
+      chain_.firstFromBoard[instant] = result->states[state].worldFromBoard;
+    }
+    iterations_ += result->iterations;
+    problem_ = std::move(problem);
+    bundle_ = std::move(*result);
+    refit();
+    return {};
+  }
+
+  void refit() {
+    fits_.clear();
+    for (const PosedView& view : chain_.views) {
+      BoardView counted = *view.view;
+      counted.detection = view.detection;
+      fits_.push_back(
+          fitView(request_.board, counted, adjusted_[view.camera],
+                  chain_.cameraFromFirst[view.camera] * chain_.firstFromBoard[view.view->instant]));
+    }
+  }
+
+  bool leaveOutBad() {
+    const double median = medianRms(fits_);
+    std::vector<PosedView> good;
+    std::vector<ViewFit> goodFits;
+    for (std::size_t k = 0; k < chain_.views.size(); ++k) {
+      const PosedView& view = chain_.views[k];
+      if (fits_[k].rmsPx <= badViewLimit(median, adjusted_[view.camera].intrinsics)) {
+        good.push_back(view);
+        goodFits.push_back(fits_[k]);
+        continue;
+      }
+      auto left = leftOutView(*view.view, fmt::format("its corners are {:.2f} px off, those of the "
+                                                      "others {:.2f} px",
+                                                      fits_[k].rmsPx, median));
+      left.rmsPx = fits_[k].rmsPx;
+      chain_.leftOut[view.camera].push_back(std::move(left));
+    }
+    const bool fewer = good.size() < chain_.views.size();
+    chain_.views = std::move(good);
+    fits_ = std::move(goodFits);
+    return fewer;
+  }
+
+  /// Robust standard deviation of a coordinate of a corner: 1.48 times the median deviation.
+  double typicalResidual() const {
+    std::vector<double> sizes;
+    for (const ViewFit& fit : fits_) {
+      for (const Eigen::Vector2d& residual : fit.residuals) {
+        sizes.push_back(std::abs(residual.x()));
+        sizes.push_back(std::abs(residual.y()));
+      }
+    }
+    if (sizes.empty()) {
+      return 0.0;
+    }
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::ranges::nth_element(sizes, middle);
+    return 1.4826 * *middle;
+  }
+
+  Result<Eigen::Isometry3d> worldFromFirst() const {
+    if (!request_.worldInstant) {
+      return request_.cameras.front().camera.cameraFromWorld.inverse();
+    }
+    std::set<std::int64_t> seen;
+    for (const PosedView& view : chain_.views) {
+      seen.insert(view.view->instant);
+    }
+    if (!seen.contains(*request_.worldInstant)) {
+      return failure(
+          ErrorCode::Undetermined, "", "world",
+          fmt::format("no camera saw the board well at {}, where it is to make the world",
+                      *request_.worldInstant));
+    }
+    return request_.worldFromBoard * chain_.firstFromBoard.at(*request_.worldInstant).inverse();
+  }
+
+  Result<ExtrinsicsResult> finished() {
+    const auto world = worldFromFirst();
+    if (!world) {
+      return tl::make_unexpected(world.error());
+    }
+    markDoubtful(fits_);
+    ExtrinsicsResult result;
+    result.rmsPx = overallRms(fits_);
+    result.iterations = iterations_;
+    result.notices = chain_.notices;
+    result.fits.resize(adjusted_.size());
+    for (std::size_t k = 0; k < adjusted_.size(); ++k) {
+      Camera camera = adjusted_[k];
+      camera.cameraFromWorld = chain_.cameraFromFirst[k] * world->inverse();
+      result.cameras.push_back(camera);
+    }
+    std::set<std::int64_t> seen;
+    for (std::size_t k = 0; k < fits_.size(); ++k) {
+      CameraFit& fit = result.fits[chain_.views[k].camera];
+      const auto& in = adjusted_[chain_.views[k].camera].intrinsics;
+      fit.coverage.add(fits_[k].pixels, tiltOf(fits_[k].cameraFromBoard), in.width, in.height);
+      fit.views.push_back(std::move(fits_[k]));
+      seen.insert(fit.views.back().instant);
+    }
+    for (const std::int64_t instant : seen) {
+      result.places.push_back({instant, *world * chain_.firstFromBoard[instant]});
+    }
+    putIntoWorld(*world, problem_, bundle_);
+    result.covariance = bundle_.covariance;
+    result.covariance.matrix *= bundle_.noiseFactor * bundle_.noiseFactor;
+    for (std::size_t k = 0; k < result.fits.size(); ++k) {
+      CameraFit& fit = result.fits[k];
+      fit.rmsPx = overallRms(fit.views);
+      fit.views.insert(fit.views.end(), chain_.leftOut[k].begin(), chain_.leftOut[k].end());
+      const auto& known = result.covariance;
+      fit.centerSigma = spread(known, k, CameraQuantity::CenterX, CameraQuantity::CenterZ);
+      fit.turnSigma = spread(known, k, CameraQuantity::TurnX, CameraQuantity::TurnZ);
+    }
+    result.problem = std::move(problem_);
+    result.bundle = std::move(bundle_);
+    return result;
+  }
+
+  /// Root of the summed variances of three quantities of a camera.
+  static double spread(const BundleCovariance& covariance, std::size_t camera, CameraQuantity from,
+                       CameraQuantity to) {
+    double variance = 0.0;
+    for (std::size_t k = 0; k < covariance.columns.size(); ++k) {
+      const CameraColumn& column = covariance.columns[k];
+      if (column.camera == camera && column.quantity >= from && column.quantity <= to) {
+        const auto at = static_cast<Eigen::Index>(k);
+        variance += covariance.matrix(at, at);
+      }
+    }
+    return std::sqrt(variance);
+  }
+
+  const ExtrinsicsRequest& request_;
+  const CalibrationProgress& progress_;
+  BoardChain chain_;
+  CameraRig adjusted_;
+  std::vector<ViewFit> fits_; ///< of chain_.views, in their order
+  BundleProblem problem_;     ///< of the last adjustment, in the first camera's frame
+  BundleResult bundle_;
+  int iterations_ = 0;
+};
+
+} // namespace
+
+Result<ExtrinsicsResult> calibrateExtrinsics(const ExtrinsicsRequest& request,
+                                             const CalibrationProgress& progress) {
+  if (request.cameras.empty()) {
+    return failure(ErrorCode::NotFound, "", "cameras", "there is none");
+  }
+  if (!goesOn(progress, "chaining", 0.0)) {
+    return cancelled();
+  }
+  auto chain = chainCameras(request);
+  if (!chain) {
+    return tl::make_unexpected(chain.error());
+  }
+  return Extrinsics(request, progress, std::move(*chain)).run();
+}
+
+} // namespace dewpoint::calibration

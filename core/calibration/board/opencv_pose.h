@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <Eigen/Geometry>
+#include <opencv2/core/mat.hpp>
+
+namespace dewpoint::calibration {
+
+/// OpenCV's rotation vector and translation (three doubles each) as a pose.
+Eigen::Isometry3d boardPoseOf(const cv::Mat& rotationVector, const cv::Mat& translation);
+
+} // namespace dewpoint::calibration

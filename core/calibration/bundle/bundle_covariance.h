@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dewpoint::calibration {
+
+/// A number of a camera that an adjustment may find.
+enum class CameraQuantity {
+  TurnX, ///< rotation vector about the camera's own axes: true rotation = exp(turn) * estimate, rad
+  TurnY,
+  TurnZ,
+  CenterX, ///< optical center in the world, metres
+  CenterY,
+  CenterZ,
+  Focal,  ///< focalX, pixels; focalY keeps its ratio to it
+  Aspect, ///< focalY / focalX
+  PrincipalX,
+  PrincipalY,
+  Distortion0, ///< the eight coefficients, in the order of the lens model
+  Distortion1,
+  Distortion2,
+  Distortion3,
+  Distortion4,
+  Distortion5,
+  Distortion6,
+  Distortion7,
+  TimeOffset, ///< seconds
+};
+
+/// What a row and column of the covariance is about.
+struct CameraColumn {
+  std::size_t camera = 0;
+  CameraQuantity quantity = CameraQuantity::TurnX;
+};
+
+/// The name of a quantity: "turn x", "focal", "k1" ...
+std::string quantityName(CameraQuantity quantity);
+
+/// Joint covariance of everything that was free about the cameras, the bodies eliminated.
+///
+/// Where nothing ties the world down, its place (6 freedoms) and its size (1) are free of errors by
+/// convention: the covariance is the pseudo-inverse in units of each column's own precision.
+/// What does not depend on the choice of the world may be computed from it.
+struct BundleCovariance {
+  std::vector<CameraColumn> columns;
+  Eigen::MatrixXd matrix;
+  int gaugeFreedoms = 0; ///< 0, 1 (size), 6 (place) or 7
+};
+
+/// The covariance of the first `cameraColumns` parameters from the Jacobian of weighted residuals
+/// (rows) by all parameters: inverse of the Schur complement, without its `gaugeFreedoms` weakest
+/// directions. Nothing when further directions are undetermined.
+std::optional<Eigen::MatrixXd> reducedCovariance(const Eigen::SparseMatrix<double>& jacobian,
+                                                 Eigen::Index cameraColumns, int gaugeFreedoms);
+
+} // namespace dewpoint::calibration

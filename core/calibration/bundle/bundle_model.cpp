@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/bundle/bundle_model.h"
+
+#include <ceres/manifold.h>
+#include <utility>
+
+namespace dewpoint::calibration {
+namespace {
+
+using Kind = BundleBody::Kind;
+
+int stateSize(Kind kind) {
+  return kind == Kind::Point ? 3 : 6;
+}
+
+ceres::Problem::Options problemOptions() {
+  ceres::Problem::Options options;
+  options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  return options;
+}
+
+} // namespace
+
+BundleModel::BundleModel(const BundleProblem& problem, BundleStart usable)
+    : given(problem), start(std::move(usable)), solver(problemOptions()) {
+  makeBlocks();
+  addObservations();
+  addSticks();
+  addPriors();
+  holdWhatIsKnown();
+}
+
+std::vector<int> BundleModel::heldLensEntries(const BundleCamera& camera) {
+  std::vector<int> held;
+  for (int i = 0; i < kLensSize; ++i) {
+    const bool isFree = i == 0   ? camera.focalFree
+                        : i == 1 ? camera.aspectFree
+                        : i < 4  ? camera.centerFree
+                                 : camera.distortionFree[std::size_t(i - 4)];
+    if (!isFree) {
+      held.push_back(i);
+    }
+  }
+  return held;
+}
+
+void BundleModel::makeBlocks() {
+  for (const BundleCamera& wanted : given.cameras) {
+    CameraBlocks blocks;
+    blocks.rotation = wanted.camera.cameraFromWorld.linear();
+    Eigen::Map<Eigen::Vector3d>(blocks.pose.data() + 3) = wanted.camera.center();
+    blocks.lens = lensBlock(wanted.camera);
+    blocks.offset = wanted.offset;
+    cameras.push_back(blocks);
+  }
+  for (const BundleState& wanted : start.states) {
+    StateBlock block;
+    Eigen::Map<Eigen::Vector3d> first(block.values.data());
+    Eigen::Map<Eigen::Vector3d> second(block.values.data() + 3);
+    if (given.bodies[wanted.body].kind == Kind::Board) {
+      block.rotation = wanted.worldFromBoard.linear();
+      second = wanted.worldFromBoard.translation();
+    } else {
+      first = wanted.ends[0];
+      second = wanted.ends[1];
+    }
+    states.push_back(block);
+  }
+}
+
+ceres::LossFunction* BundleModel::lossFor(double sigma) {
+  if (given.loss == RobustLoss::None) {
+    return nullptr;
+  }
+  auto& loss = losses[sigma];
+  if (!loss) {
+    const double width = given.lossWidth / sigma;
+    switch (given.loss) {
+    case RobustLoss::Huber:
+      loss = std::make_unique<ceres::HuberLoss>(width);
+      break;
+    case RobustLoss::SoftL1:
+      loss = std::make_unique<ceres::SoftLOneLoss>(width);
+      break;
+    default:
+      loss = std::make_unique<ceres::CauchyLoss>(width);
+    }
+  }
+  return loss.get();
+}
+
+void BundleModel::addObservations() {
+  costs.resize(given.observations.size(), nullptr);
+  for (std::size_t i = 0; i < given.observations.size(); ++i) {
+    if (!start.observationUsed[i]) {
+      continue;
+    }
+    auto cost = std::make_unique<PixelCost>(setupOf(i));
+    std::vector<double*> blocks = blocksOf(i);
+    std::array<double, 2> residual{};
+    if (!cost->Evaluate(blocks.data(), residual.data(), nullptr)) {
+      start.observationUsed[i] = false; // behind the camera
+      continue;
+    }
+    solver.AddResidualBlock(cost.get(), lossFor(given.observations[i].sigma), blocks);
+    costs[i] = cost.release(); // the solver owns it
+    ++used;
+  }
+}
+
+PixelCostSetup BundleModel::setupOf(std::size_t i) const {
+  const BundleObservation& seen = given.observations[i];
+  const BundleState& state = start.states[seen.state];
+  const BundleBody& body = given.bodies[state.body];
+  PixelCostSetup setup;
+  setup.lens = given.cameras[seen.camera].camera.lens;
+  setup.cameraRotation = cameras[seen.camera].rotation;
+  setup.pixel = seen.pixel;
+  setup.sigma = seen.sigma;
+  setup.outlineShift = seen.outlineShift;
+  setup.stateSize = stateSize(body.kind);
+  setup.time = state.time + seen.lag;
+  if (body.kind == Kind::Board) {
+    setup.boardRotation = states[seen.state].rotation;
+    setup.boardPoint = body.points[seen.point];
+  } else {
+    setup.pointAt = 3 * static_cast<int>(seen.point);
+  }
+  for (const std::size_t knot : start.knots[i]) {
+    setup.knots.push_back(start.states[knot].time);
+  }
+  return setup;
+}
+
+std::vector<double*> BundleModel::blocksOf(std::size_t i) {
+  const BundleObservation& seen = given.observations[i];
+  CameraBlocks& camera = cameras[seen.camera];
+  std::vector<double*> blocks{camera.pose.data(), camera.lens.data(), &camera.offset};
+  for (const std::size_t knot : start.knots[i]) {
+    blocks.push_back(states[knot].values.data());
+  }
+  if (start.knots[i].empty()) {
+    blocks.push_back(states[seen.state].values.data());
+  }
+  return blocks;
+}
+
+void BundleModel::addSticks() {
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    const BundleBody& body = given.bodies[start.states[s].body];
+    if (body.kind == Kind::Stick && solver.HasParameterBlock(states[s].values.data())) {
+      solver.AddResidualBlock(new StickCost(body.length, body.lengthSigma), nullptr,
+                              states[s].values.data());
+    }
+  }
+}
+
+void BundleModel::addPriors() {
+  for (std::size_t c = 0; c < cameras.size(); ++c) {
+    const BundleCamera& wanted = given.cameras[c];
+    CameraBlocks& blocks = cameras[c];
+    if (wanted.posePrior && solver.HasParameterBlock(blocks.pose.data())) {
+      const double turn = wanted.posePrior->turnSigma;
+      const double place = wanted.posePrior->centerSigma;
+      solver.AddResidualBlock(new PriorCost({blocks.pose.begin(), blocks.pose.end()},
+                                            {turn, turn, turn, place, place, place}),
+                              nullptr, blocks.pose.data());
+    }
+    if (wanted.focalPriorSigma > 0.0 && wanted.focalFree &&
+        solver.HasParameterBlock(blocks.lens.data())) {
+      std::vector<double> sigmas(kLensSize, 0.0);
+      sigmas[0] = wanted.focalPriorSigma * blocks.lens[0];
+      solver.AddResidualBlock(new PriorCost({blocks.lens.begin(), blocks.lens.end()}, sigmas),
+                              nullptr, blocks.lens.data());
+    }
+  }
+}
+
+void BundleModel::holdWhatIsKnown() {
+  const auto hold = [&](double* block, bool held) {
+    if (held && solver.HasParameterBlock(block)) {
+      solver.SetParameterBlockConstant(block);
+    }
+  };
+  for (std::size_t c = 0; c < cameras.size(); ++c) {
+    const BundleCamera& wanted = given.cameras[c];
+    const std::vector<int> held = heldLensEntries(wanted);
+    double* lens = cameras[c].lens.data();
+    hold(cameras[c].pose.data(), wanted.poseFixed);
+    hold(lens, held.size() == kLensSize);
+    hold(&cameras[c].offset, !wanted.offsetFree);
+    if (!held.empty() && held.size() < kLensSize && solver.HasParameterBlock(lens)) {
+      solver.SetManifold(lens, new ceres::SubsetManifold(kLensSize, held));
+    }
+  }
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    hold(states[s].values.data(), start.states[s].fixed);
+  }
+}
+
+} // namespace dewpoint::calibration

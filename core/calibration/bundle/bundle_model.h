@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/bundle/bundle_adjustment.h"
+#include "core/calibration/bundle/bundle_cost.h"
+#include "core/calibration/bundle/bundle_start.h"
+
+#include <ceres/loss_function.h>
+#include <ceres/problem.h>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace dewpoint::calibration {
+
+/// A bundle problem in the solver's terms: the numbers that change, and what is computed from them.
+/// Not moved once made: the solver points into it.
+class BundleModel {
+public:
+  /// A camera's numbers: see PixelCost.
+  struct CameraBlocks {
+    Eigen::Matrix3d rotation; ///< that the turn of `pose` is against
+    std::array<double, kPoseSize> pose{};
+    std::array<double, kLensSize> lens{};
+    double offset = 0.0;
+  };
+  /// A state's numbers: a point, both ends of a stick, or a board's turn and place.
+  struct StateBlock {
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    std::array<double, 6> values{};
+  };
+
+  BundleModel(const BundleProblem& problem, BundleStart start);
+  BundleModel(const BundleModel&) = delete;
+  BundleModel& operator=(const BundleModel&) = delete;
+
+  /// The parameter blocks of an observation, as PixelCost takes them.
+  std::vector<double*> blocksOf(std::size_t observation);
+  bool takesPart(const double* block) const { return solver.HasParameterBlock(block); }
+  bool varies(const double* block) const {
+    return takesPart(block) && !solver.IsParameterBlockConstant(block);
+  }
+  /// Entries of a camera's lens block that do not change, rising.
+  static std::vector<int> heldLensEntries(const BundleCamera& camera);
+
+  const BundleProblem& given;
+  BundleStart start;
+  std::vector<CameraBlocks> cameras;
+  std::vector<StateBlock> states;
+  std::vector<ceres::CostFunction*> costs; ///< one per observation; null where it is not used
+  std::size_t used = 0;                    ///< observations
+  std::map<double, std::unique_ptr<ceres::LossFunction>> losses; ///< by the observations' sigma
+  ceres::Problem solver;
+
+private:
+  void makeBlocks();
+  void addObservations();
+  void addSticks();
+  void addPriors();
+  void holdWhatIsKnown();
+  PixelCostSetup setupOf(std::size_t observation) const;
+  ceres::LossFunction* lossFor(double sigma);
+};
+
+} // namespace dewpoint::calibration

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/bundle/bundle_start.h"
+
+#include "core/geometry/ray.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace dewpoint::calibration {
+namespace {
+
+constexpr std::size_t kFewestOfCamera = 6; ///< observations of a camera that is not fully known
+constexpr std::size_t kFewestOfBoard = 4;  ///< points that make a board's pose
+constexpr std::size_t kMostKnots = 5;
+constexpr std::size_t kFewestKnots = 3;
+
+using Kind = BundleBody::Kind;
+
+tl::unexpected<Error> wrong(const std::string& field, const std::string& detail) {
+  return failure(ErrorCode::BadValue, "", field, detail);
+}
+
+std::size_t pointCount(const BundleBody& body) {
+  return body.kind == Kind::Point ? 1 : body.kind == Kind::Stick ? 2 : body.points.size();
+}
+
+Status checkIndices(const BundleProblem& problem) {
+  for (const BundleState& state : problem.states) {
+    if (state.body >= problem.bodies.size() || !std::isfinite(state.time)) {
+      return wrong("states", "a state is of no body or no time");
+    }
+    if (problem.bodies[state.body].kind == Kind::Board && !state.known && !state.fixed) {
+      return wrong(problem.bodies[state.body].name, "a board needs a pose to start from");
+    }
+  }
+  for (const BundleObservation& seen : problem.observations) {
+    if (seen.camera >= problem.cameras.size() || seen.state >= problem.states.size() ||
+        seen.point >= pointCount(problem.bodies[problem.states[seen.state].body])) {
+      return wrong("observations", "an observation is of no camera, no state or no point");
+    }
+    if (!seen.pixel.allFinite() || !(seen.sigma > 0.0) || !std::isfinite(seen.lag)) {
+      return wrong("observations", "a pixel or its sigma is not a number");
+    }
+  }
+  return {};
+}
+
+/// Finds what is usable by dropping, round after round, what lost its support.
+class SupportPruning {
+public:
+  explicit SupportPruning(const BundleProblem& problem) : problem_(problem) {
+    start_.states = problem.states;
+    start_.stateUsed.assign(problem.states.size(), true);
+    start_.observationUsed.assign(problem.observations.size(), true);
+    start_.knots.resize(problem.observations.size());
+    ofState_.resize(problem.states.size());
+    for (std::size_t i = 0; i < problem.observations.size(); ++i) {
+      ofState_[problem.observations[i].state].push_back(i);
+    }
+    for (const BundleCamera& camera : problem.cameras) {
+      unprojectors_.emplace_back(camera.camera);
+    }
+  }
+
+  Result<BundleStart> run() {
+    for (std::size_t s = 0; s < start_.states.size(); ++s) {
+      start_.stateUsed[s] = supported(s) && placed(s);
+    }
+    for (bool changed = true; changed;) {
+      chooseKnots();
+      changed = dropUnsupported();
+    }
+    for (std::size_t i = 0; i < start_.observationUsed.size(); ++i) {
+      start_.moving = start_.moving || (start_.observationUsed[i] && !start_.knots[i].empty());
+    }
+    return enough().map([&] { return std::move(start_); });
+  }
+
+private:
+  const BundleBody& bodyOf(std::size_t state) const {
+    return problem_.bodies[start_.states[state].body];
+  }
+
+  bool supported(std::size_t state) const {
+    if (start_.states[state].fixed) {
+      return true;
+    }
+    const BundleBody& body = bodyOf(state);
+    if (body.kind == Kind::Board) {
+      std::set<std::size_t> points;
+      for (const std::size_t i : ofState_[state]) {
+        if (start_.observationUsed[i]) {
+          points.insert(problem_.observations[i].point);
+        }
+      }
+      return points.size() >= kFewestOfBoard;
+    }
+    for (std::size_t point = 0; point < pointCount(body); ++point) {
+      std::set<std::size_t> cameras;
+      for (const std::size_t i : ofState_[state]) {
+        const BundleObservation& seen = problem_.observations[i];
+        if (start_.observationUsed[i] && seen.point == point) {
+          cameras.insert(seen.camera);
+        }
+      }
+      if (cameras.size() < 2) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Triangulates the free points of a state that has no start.
+  bool placed(std::size_t state) {
+    BundleState& there = start_.states[state];
+    const BundleBody& body = bodyOf(state);
+    if (there.known || there.fixed || body.kind == Kind::Board) {
+      return true;
+    }
+    for (std::size_t point = 0; point < pointCount(body); ++point) {
+      std::vector<Ray> rays;
+      for (const std::size_t i : ofState_[state]) {
+        const BundleObservation& seen = problem_.observations[i];
+        if (seen.point == point) {
+          if (const auto ray = unprojectors_[seen.camera].ray(seen.pixel)) {
+            rays.push_back(*ray);
+          }
+        }
+      }
+      const auto place = nearestPoint(rays);
+      if (!place) {
+        return false;
+      }
+      there.ends[point] = *place;
+    }
+    return true;
+  }
+
+  /// Whether a camera's images can be of other instants than the states.
+  bool betweenInstants(const BundleObservation& seen) const {
+    const BundleCamera& camera = problem_.cameras[seen.camera];
+    return camera.offsetFree || camera.offset + seen.lag != 0.0;
+  }
+
+  void chooseKnots() {
+    std::vector<std::vector<std::size_t>> paths(problem_.bodies.size());
+    for (std::size_t s = 0; s < start_.states.size(); ++s) {
+      if (start_.stateUsed[s] && bodyOf(s).kind != Kind::Board) {
+        paths[start_.states[s].body].push_back(s);
+      }
+    }
+    std::vector<std::vector<std::size_t>> around(start_.states.size());
+    for (std::vector<std::size_t>& path : paths) {
+      std::stable_sort(path.begin(), path.end(), [&](std::size_t a, std::size_t b) {
+        return start_.states[a].time < start_.states[b].time;
+      });
+      for (std::size_t k = 0; k < path.size(); ++k) {
+        around[path[k]] = neighbors(path, k);
+      }
+    }
+    for (std::size_t i = 0; i < problem_.observations.size(); ++i) {
+      const BundleObservation& seen = problem_.observations[i];
+      const bool used = start_.observationUsed[i] && start_.stateUsed[seen.state];
+      start_.observationUsed[i] = used;
+      start_.knots[i].clear();
+      if (used && betweenInstants(seen) && bodyOf(seen.state).kind != Kind::Board) {
+        start_.knots[i] = around[seen.state];
+        start_.observationUsed[i] = start_.knots[i].size() >= kFewestKnots;
+      }
+    }
+  }
+
+  /// The states around the k-th of a path, up to kMostKnots, without a long gap between them.
+  std::vector<std::size_t> neighbors(const std::vector<std::size_t>& path, std::size_t k) const {
+    const auto joined = [&](std::size_t early) {
+      const double gap = start_.states[path[early + 1]].time - start_.states[path[early]].time;
+      return gap > 0.0 && gap <= problem_.longestGap;
+    };
+    std::size_t first = k;
+    std::size_t last = k;
+    while (last - first + 1 < kMostKnots) {
+      const bool before = first > 0 && joined(first - 1);
+      const bool after = last + 1 < path.size() && joined(last);
+      if (!before && !after) {
+        break;
+      }
+      if (before && (!after || k - first <= last - k)) {
+        --first;
+      } else {
+        ++last;
+      }
+    }
+    return {path.begin() + std::ptrdiff_t(first), path.begin() + std::ptrdiff_t(last + 1)};
+  }
+
+  bool dropUnsupported() {
+    bool changed = false;
+    for (std::size_t s = 0; s < start_.states.size(); ++s) {
+      if (start_.stateUsed[s] && !supported(s)) {
+        start_.stateUsed[s] = false;
+        changed = true;
+      }
+    }
+    return changed;
+  }
+
+  Status enough() const {
+    std::vector<std::size_t> counts(problem_.cameras.size(), 0);
+    for (std::size_t i = 0; i < problem_.observations.size(); ++i) {
+      counts[problem_.observations[i].camera] += start_.observationUsed[i] ? 1 : 0;
+    }
+    for (std::size_t c = 0; c < counts.size(); ++c) {
+      const BundleCamera& camera = problem_.cameras[c];
+      const bool known = camera.poseFixed || camera.posePrior;
+      if (counts[c] < kFewestOfCamera && !known) {
+        return failure(ErrorCode::Undetermined, "", camera.camera.name,
+                       fmt::format("{} usable observations, at least {} are needed", counts[c],
+                                   kFewestOfCamera));
+      }
+    }
+    if (std::accumulate(counts.begin(), counts.end(), std::size_t{0}) == 0) {
+      return failure(ErrorCode::Undetermined, "", "observations", "none of them can be used");
+    }
+    return {};
+  }
+
+  const BundleProblem& problem_;
+  BundleStart start_;
+  std::vector<std::vector<std::size_t>> ofState_;
+  std::vector<Unprojector> unprojectors_;
+};
+
+} // namespace
+
+Result<BundleStart> startBundle(const BundleProblem& problem) {
+  return checkIndices(problem).and_then([&] { return SupportPruning(problem).run(); });
+}
+
+} // namespace dewpoint::calibration

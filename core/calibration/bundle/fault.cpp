@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/bundle/fault.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace dewpoint::calibration {
+
+const char* faultName(CalibrationFault fault) {
+  static constexpr std::array<const char*, 12> kNames{
+      "mirrored-board",     "millimetres-mixed", "inches-mixed", "cameras-swapped",
+      "wrong-square-count", "wrong-square-size", "half-pixel",   "camera-late",
+      "camera-moved",       "video-flipped",     "zoom-changed", "wrong-resolution"};
+  return kNames.at(static_cast<std::size_t>(fault));
+}
+
+std::string faultSentence(const NamedFault& fault, const std::vector<std::string>& cameraNames) {
+  const auto name = [&](std::size_t k) {
+    return k < fault.cameras.size() ? cameraNames.at(fault.cameras[k]) : std::string("all cameras");
+  };
+  switch (fault.fault) {
+  case CalibrationFault::MirroredBoard:
+    return "The cameras would all look at the back of the board or floor: its points are likely "
+           "mirrored; check the direction of its axes, and that the print is not reversed.";
+  case CalibrationFault::MillimetresMixed:
+    return fmt::format("The given length is {:.3g} times what the cameras see: millimetres and "
+                       "metres are likely mixed up; give all lengths in metres.",
+                       fault.value);
+  case CalibrationFault::InchesMixed:
+    return fmt::format("The given length is {:.3g} times what the cameras see: it is likely in "
+                       "inches; give it in metres (1 inch = 0.0254 m).",
+                       fault.value);
+  case CalibrationFault::CamerasSwapped:
+    return fmt::format("Everything fits when {} and {} are exchanged: their videos are likely "
+                       "swapped; exchange the two files.",
+                       name(0), name(1));
+  case CalibrationFault::WrongSquareCount:
+    return fmt::format("The corners form a board with {:.0f} in a row: the number of squares is "
+                       "likely wrong; count them and correct the board.",
+                       fault.value);
+  case CalibrationFault::WrongSquareSize:
+    return fmt::format("The board's squares are given {:.3g} times as large as the cameras see "
+                       "them: measure a row with a ruler (prints are often rescaled).",
+                       fault.value);
+  case CalibrationFault::HalfPixel:
+    return fmt::format(
+        "The images fit when shifted by {:+.1f} px along both axes: a program likely "
+        "counts pixels from their corners; convert the principal points.",
+        fault.value);
+  case CalibrationFault::CameraLate:
+    return fmt::format(
+        "{} fits when its video is shifted: it likely shows everything {:.0f} frames "
+        "{}; synchronize the videos or set its offset.",
+        name(0), std::abs(fault.value), fault.value > 0.0 ? "late" : "early");
+  case CalibrationFault::CameraMoved:
+    return fmt::format("{} fits one place before {:.1f} s and another after: it was likely "
+                       "moved or bumped then; calibrate with the part after it.",
+                       name(0), fault.value);
+  case CalibrationFault::VideoFlipped:
+    return fmt::format("{} fits only with flipped images: its video is likely mirrored or upside "
+                       "down; set rotation and mirroring of its source.",
+                       name(0));
+  case CalibrationFault::ZoomChanged:
+    return fmt::format("{} fits with a focal length {:.3g} times the given one: its zoom (or a "
+                       "crop) was likely changed; calibrate its lens again.",
+                       name(0), fault.value);
+  case CalibrationFault::WrongResolution:
+    return fmt::format("The lens data of {} are likely for another resolution: its images are "
+                       "{:.3g} times as large; convert them or record at the calibrated size.",
+                       name(0), fault.value);
+  }
+  return {};
+}
+
+} // namespace dewpoint::calibration

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/geometry/camera.h"
+
+#include <filesystem>
+#include <string>
+
+namespace dewpoint::calibration {
+
+/// Reads a calibration file, ours or any other tool's that leaves nothing open (readCalibration()
+/// without hints); also a folder with a file per camera. Metres. Files without a pose are an error.
+///
+/// Ours is TOML in the manner of anipose: one table per camera, with the keys of cameraFromToml();
+/// a camera without `name` is called as its table. `[metadata]` is passed over. Metres, unless a
+/// camera says `unit`.
+Result<CameraRig> loadCalibration(const std::filesystem::path& file);
+
+/// Writes that, in metres: sections [cam_0], [cam_1], ...
+Status saveCalibration(const CameraRig& rig, const std::filesystem::path& file);
+
+/// The text of such a file.
+std::string calibrationText(const CameraRig& rig);
+
+} // namespace dewpoint::calibration

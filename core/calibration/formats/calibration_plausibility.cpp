@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/formats/calibration_plausibility.h"
+
+#include "core/geometry/ray.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dewpoint::calibration {
+namespace {
+
+constexpr double kWidestRoom = 100.0;   // metres
+constexpr double kNarrowestRoom = 0.02; // metres: two cameras cannot stand closer
+constexpr double kCertainlyMillimetres = 50.0;
+constexpr double kSameDirection = 0.94; // cosine of 20 degrees
+constexpr double kClearlyBetter = 3.0;
+
+/// How well the cameras of a rig look at one place: the root mean square of the angles' tangents by
+/// which their axes miss it. Infinite when there is no such place before all cameras, when one does
+/// not have it in its image, or when all look into nearly the same direction.
+double missedBy(const CameraRig& rig) {
+  constexpr double kNowhere = std::numeric_limits<double>::infinity();
+  std::vector<Ray> axes;
+  double leastCosine = 1.0;
+  for (const Camera& camera : rig) {
+    axes.push_back({camera.center(), camera.opticalAxis()});
+    leastCosine = std::min(leastCosine, axes.back().direction.dot(axes.front().direction));
+  }
+  const auto middle = nearestPoint(axes);
+  if (!middle || leastCosine > kSameDirection) {
+    return kNowhere;
+  }
+  double sum = 0.0;
+  for (std::size_t k = 0; k < rig.size(); ++k) {
+    const auto& in = rig[k].intrinsics;
+    const auto pixel = Projector(rig[k]).project(*middle);
+    if (!pixel || pixel->x() < 0.0 || pixel->y() < 0.0 || pixel->x() > in.width ||
+        pixel->y() > in.height) {
+      return kNowhere;
+    }
+    const double ratio = distanceToRay(axes[k], *middle) / (*middle - axes[k].origin).norm();
+    sum += ratio * ratio;
+  }
+  return std::sqrt(sum / double(rig.size()));
+}
+
+Status doubtPrincipalPoint(const CameraRig& rig, const std::string& file) {
+  for (const Camera& camera : rig) {
+    const auto& in = camera.intrinsics;
+    if (in.centerX < 0.0 || in.centerY < 0.0 || in.centerX > in.width || in.centerY > in.height) {
+      return failure(
+          ErrorCode::Mismatch, file, camera.name + ".matrix",
+          fmt::format("the principal point {:.1f}, {:.1f} lies outside the image of {} x "
+                      "{} pixels; matrix and size are likely of different resolutions",
+                      in.centerX, in.centerY, in.width, in.height));
+    }
+  }
+  return {};
+}
+
+Status doubtUnit(const CameraRig& rig, const std::string& file) {
+  const double spread = cameraSpread(rig);
+  if (spread > kWidestRoom) {
+    return failure(ErrorCode::BadValue, file, "translation",
+                   fmt::format("the cameras would be {:.0f} m apart; the lengths are likely in mm, "
+                               "then convert with --unit mm",
+                               spread));
+  }
+  if (rig.size() > 1 && spread < kNarrowestRoom && spread > 0.0) {
+    return failure(ErrorCode::BadValue, file, "translation",
+                   fmt::format("the cameras would be {:.2g} mm apart; the lengths are likely in "
+                               "metres already, then convert with --unit m",
+                               1e3 * spread));
+  }
+  return {};
+}
+
+Status doubtDirection(const CameraRig& rig, const std::string& file) {
+  if (rig.size() >= 2 && kClearlyBetter * missedBy(withInvertedPoses(rig)) < missedBy(rig)) {
+    return failure(ErrorCode::BadValue, file, "rotation",
+                   "the cameras look past each other, but with inverted poses all look at one "
+                   "place: the poses are likely world from camera; convert with --poses "
+                   "world-from-camera, or with --poses camera-from-world if they are right");
+  }
+  return {};
+}
+
+} // namespace
+
+double cameraSpread(const CameraRig& rig) {
+  double spread = 0.0;
+  if (rig.size() == 1) {
+    return rig.front().center().norm();
+  }
+  for (std::size_t i = 0; i < rig.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      spread = std::max(spread, (rig[i].center() - rig[j].center()).norm());
+    }
+  }
+  return spread;
+}
+
+const char* likelyUnit(double spread) {
+  return spread > kCertainlyMillimetres ? "mm" : "m";
+}
+
+CameraRig withInvertedPoses(CameraRig rig) {
+  for (Camera& camera : rig) {
+    camera.cameraFromWorld = camera.cameraFromWorld.inverse();
+  }
+  return rig;
+}
+
+Status doubts(const ReadCalibration& calibration, const CalibrationHints& hints,
+              const std::string& file) {
+  const CameraRig& rig = calibration.rig;
+  Status status = doubtPrincipalPoint(rig, file);
+  if (status && !hints.unit && calibration.hasPoses) {
+    status = doubtUnit(rig, file);
+  }
+  if (status && !hints.posesAreWorldFromCamera && calibration.hasPoses) {
+    status = doubtDirection(rig, file);
+  }
+  return status;
+}
+
+} // namespace dewpoint::calibration

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/formats/convert_calibration.h"
+
+#include "core/base/text_file.h"
+#include "core/calibration/formats/lens_refit.h"
+#include "core/geometry/ray.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dewpoint::calibration {
+namespace {
+
+constexpr int kGrid = 9;
+constexpr double kDepths[] = {0.3, 1.0, 3.0, 10.0}; // metres along the ray
+
+/// The format a person named, or the only one with the path's ending.
+Result<const CalibrationFormat*> targetFormat(const CalibrationTarget& target) {
+  if (!target.format.empty()) {
+    return calibrationFormat(target.format);
+  }
+  const std::string name = target.path.filename().string();
+  const CalibrationFormat* only = nullptr;
+  for (const CalibrationFormat& format : calibrationFormats()) {
+    if (format.write != nullptr && name.ends_with(format.extension)) {
+      // .toml is ours unless asked otherwise
+      if (std::string(format.name) == "dewpoint") {
+        return &format;
+      }
+      if (only != nullptr) {
+        return failure(ErrorCode::BadValue, target.path.string(), "",
+                       fmt::format("several formats have the ending {}; say --to {} or another",
+                                   format.extension, only->name));
+      }
+      only = &format;
+    }
+  }
+  if (only == nullptr) {
+    return failure(ErrorCode::BadValue, target.path.string(), "",
+                   "its ending is that of no format; say --to FORMAT");
+  }
+  return only;
+}
+
+Status holdsRig(const CalibrationFormat& format, const CameraRig& rig, const std::string& file) {
+  if (format.write == nullptr) {
+    return failure(ErrorCode::BadValue, file, "",
+                   fmt::format("{} is only read here, not written", format.title));
+  }
+  if (rig.empty()) {
+    return failure(ErrorCode::MissingKey, file, "", "there is no camera to write");
+  }
+  const auto size = [](const Camera& camera) {
+    return std::pair(camera.intrinsics.width, camera.intrinsics.height);
+  };
+  if (format.layout == FileLayout::CameraPair &&
+      (rig.size() != 2 || size(rig[0]) != size(rig[1]))) {
+    return failure(ErrorCode::Mismatch, file, "",
+                   fmt::format("{} holds two cameras with images of one size; here are {} cameras",
+                               format.title, rig.size()));
+  }
+  return {};
+}
+
+/// The rig as the format holds it, in metres, with what had to be changed as sentences.
+CameraRig fitted(const CalibrationFormat& format, const CameraRig& rig,
+                 CalibrationConversion& conversion) {
+  CameraRig result;
+  const Eigen::Isometry3d worldFromNew = format.firstCameraIsWorld
+                                             ? rig.front().cameraFromWorld.inverse()
+                                             : Eigen::Isometry3d::Identity();
+  for (const Camera& camera : rig) {
+    const LensRefit refit = refitLens(camera, format.lenses);
+    result.push_back(refit.camera);
+    result.back().cameraFromWorld = camera.cameraFromWorld * worldFromNew;
+    conversion.cameras.push_back({camera.name, refit.refitted, 0.0, 0});
+    if (refit.refitted) {
+      conversion.decisions.push_back(
+          fmt::format("{} has no such lens as that of {}: focal lengths, principal point and {} "
+                      "coefficients were fitted to it by least squares over the image (RMS "
+                      "{:.3g} px).",
+                      format.title, camera.name, format.lenses.pinholeCoefficients,
+                      refit.rootMeanSquarePixels));
+    }
+  }
+  if (format.firstCameraIsWorld) {
+    result.front().cameraFromWorld.setIdentity(); // exactly
+    conversion.decisions.push_back(
+        fmt::format("{} has no world: the axes of the first camera take its place.", format.title));
+  }
+  return result;
+}
+
+CameraRig inUnit(CameraRig rig, double unit) {
+  for (Camera& camera : rig) {
+    camera.cameraFromWorld.translation() /= unit;
+  }
+  return rig;
+}
+
+/// Anipose's own projection passes over p1 and p2 (its source says so): how much that is.
+void warnOfTangential(const CalibrationFormat& format, const CameraRig& rig,
+                      CalibrationConversion& conversion) {
+  if (std::string(format.name) != "anipose") {
+    return;
+  }
+  for (const Camera& camera : rig) {
+    if (camera.lens == LensModel::Pinhole &&
+        (camera.distortion[2] != 0.0 || camera.distortion[3] != 0.0)) {
+      Camera plain = camera;
+      plain.distortion[2] = plain.distortion[3] = 0.0;
+      conversion.decisions.push_back(fmt::format(
+          "Anipose passes over p1 and p2 when it projects: up to {:.3g} px in {}.",
+          difference(camera, plain, Eigen::Isometry3d::Identity()).largestPixels, camera.name));
+    }
+  }
+}
+
+Status writeFiles(const std::vector<CalibrationText>& files, const CalibrationTarget& target,
+                  CalibrationConversion& conversion) {
+  std::error_code problem;
+  for (const CalibrationText& file : files) {
+    if (!target.replace && std::filesystem::exists(file.file, problem)) {
+      return failure(ErrorCode::FileUnwritable, file.file.string(), "",
+                     "it exists already; --force replaces it");
+    }
+  }
+  for (const CalibrationText& file : files) {
+    if (file.file.has_parent_path()) {
+      std::filesystem::create_directories(file.file.parent_path(), problem);
+    }
+    if (auto status = writeTextFile(file.file, file.text); !status) {
+      return status;
+    }
+    conversion.written.push_back(file.file);
+  }
+  return {};
+}
+
+/// Reads what was written, each camera from a file of its own where it has one: a folder may hold
+/// other calibrations too.
+Result<CameraRig> readAgain(const CalibrationFormat& format,
+                            const std::vector<CalibrationText>& files, const CameraRig& rig,
+                            double unit) {
+  CalibrationHints hints;
+  hints.format = format.name;
+  hints.unit = unit;
+  hints.posesAreWorldFromCamera = false;
+  hints.size = {rig.front().intrinsics.width, rig.front().intrinsics.height};
+  CameraRig again;
+  const std::size_t count = format.layout == FileLayout::FilePerCamera ? rig.size() : 1;
+  for (std::size_t k = 0; k < count; ++k) {
+    auto part = readCalibration(files[k].file, hints);
+    if (!part) {
+      return tl::make_unexpected(part.error());
+    }
+    std::ranges::move(part->rig, std::back_inserter(again));
+  }
+  return again;
+}
+
+} // namespace
+
+CameraDifference difference(const Camera& camera, const Camera& other,
+                            const Eigen::Isometry3d& otherFromWorld) {
+  CameraDifference result;
+  result.camera = camera.name;
+  const Unprojector unprojector(camera);
+  const Projector mine(camera);
+  const Projector theirs(other);
+  for (int i = 0; i < kGrid * kGrid; ++i) {
+    const Eigen::Vector2d pixel(i % kGrid * (camera.intrinsics.width - 1.0) / (kGrid - 1),
+                                int(i / kGrid) * (camera.intrinsics.height - 1.0) / (kGrid - 1));
+    const auto ray = unprojector.ray(pixel);
+    for (const double depth : kDepths) {
+      const Eigen::Vector3d point =
+          ray ? Eigen::Vector3d(ray->origin + depth * ray->direction) : Eigen::Vector3d::Zero();
+      const auto expected = ray ? mine.project(point) : std::nullopt;
+      if (!expected) {
+        continue;
+      }
+      if (const auto found = theirs.project(otherFromWorld * point)) {
+        result.largestPixels = std::max(result.largestPixels, (*found - *expected).norm());
+      } else if (depth == kDepths[0]) {
+        ++result.lostDirections;
+      }
+    }
+  }
+  return result;
+}
+
+Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
+                                               const CalibrationTarget& target) {
+  const auto known = targetFormat(target);
+  if (!known) {
+    return tl::make_unexpected(known.error());
+  }
+  const CalibrationFormat& format = **known;
+  if (const auto status = holdsRig(format, rig, target.path.string()); !status) {
+    return tl::make_unexpected(status.error());
+  }
+  if (target.unit && format.unit && *target.unit != *format.unit) {
+    return failure(ErrorCode::Mismatch, target.path.string(), "unit",
+                   fmt::format("{} files are always in units of {} m", format.title, *format.unit));
+  }
+  CalibrationConversion conversion;
+  conversion.to = format.name;
+  const double unit = target.unit.value_or(format.unit.value_or(format.usualUnit));
+  const CameraRig held = fitted(format, rig, conversion);
+  warnOfTangential(format, rig, conversion);
+  conversion.decisions.push_back(fmt::format("Written as {}: {}.", format.title, format.holds));
+  conversion.decisions.push_back(unit == 1.0
+                                     ? "Lengths are written in metres."
+                                     : fmt::format("Lengths are written in units of {} m.", unit));
+  const auto files = format.write(inUnit(held, unit), target.path);
+  if (const auto status = writeFiles(files, target, conversion); !status) {
+    return tl::make_unexpected(status.error());
+  }
+  const auto again = readAgain(format, files, held, unit);
+  if (!again) {
+    return tl::make_unexpected(again.error());
+  }
+  const Eigen::Isometry3d newFromWorld =
+      held.front().cameraFromWorld.inverse() * rig.front().cameraFromWorld;
+  for (std::size_t k = 0; k < rig.size(); ++k) {
+    auto& camera = conversion.cameras[k];
+    const auto found = difference(rig[k], again->at(k), newFromWorld);
+    camera.largestPixels = found.largestPixels;
+    camera.lostDirections = found.lostDirections;
+    conversion.largestPixels = std::max(conversion.largestPixels, camera.largestPixels);
+  }
+  return conversion;
+}
+
+Result<CalibrationConversion> convertCalibration(const std::filesystem::path& in,
+                                                 const CalibrationHints& hints,
+                                                 const CalibrationTarget& target) {
+  const auto read = readCalibration(in, hints);
+  if (!read) {
+    return tl::make_unexpected(read.error());
+  }
+  auto conversion = writeCalibration(read->rig, target);
+  if (conversion) {
+    conversion->from = read->format;
+    conversion->decisions.insert(conversion->decisions.begin(), read->decisions.begin(),
+                                 read->decisions.end());
+  }
+  return conversion;
+}
+
+} // namespace dewpoint::calibration

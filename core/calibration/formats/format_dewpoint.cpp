@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/formats/format_dewpoint.h"
+
+#include "core/base/toml_text.h"
+#include "core/calibration/formats/calibration_file.h"
+#include "core/calibration/formats/camera_calibration.h"
+#include "core/calibration/formats/number_text.h"
+#include "core/calibration/formats/toml_cameras.h"
+
+#include <fmt/format.h>
+
+namespace dewpoint::calibration {
+namespace {
+
+std::string recognize(const CalibrationText& source) {
+  const TomlDialect dialect = tomlDialect(source);
+  if (dialect == TomlDialect::Dewpoint) {
+    return "camera tables with size, matrix, rotation and translation, and no other tool's keys";
+  }
+  // So that a broken file gets its own error.
+  return dialect == TomlDialect::None && source.file.extension() == ".toml" &&
+                 !hasLine(source.text, "[cameras.")
+             ? "its ending"
+             : "";
+}
+
+/// The metres of `[metadata] unit`; nothing when there is none.
+Result<std::optional<double>> metadataUnit(const CalibrationText& source) {
+  const std::string file = source.file.string();
+  const auto table = parseToml(source.text, file);
+  const toml::node* unit = table ? table->at_path("metadata.unit").node() : nullptr;
+  if (unit == nullptr) {
+    return std::optional<double>();
+  }
+  const std::string name = unit->value_or(std::string());
+  if (const auto metres = metresOfUnit(name)) {
+    return metres;
+  }
+  return failure(ErrorCode::BadValue, file, "metadata.unit",
+                 fmt::format("\"{}\" is no unit of length; m, mm, cm, in or ft is expected", name));
+}
+
+Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+  auto cameras = camerasFromToml(source, {});
+  if (!cameras) {
+    return tl::make_unexpected(cameras.error());
+  }
+  const auto unit = metadataUnit(source);
+  if (!unit) {
+    return tl::make_unexpected(unit.error());
+  }
+  ReadCalibration calibration;
+  calibration.rig = std::move(*cameras);
+  calibration.unit = *unit;
+  calibration.decisions = {"Poses are camera from world, as here."};
+  return calibration;
+}
+
+std::vector<CalibrationText> write(const CameraRig& rig, const std::filesystem::path& out) {
+  return {{out, calibrationText(rig)}};
+}
+
+} // namespace
+
+CalibrationFormat dewpointFormat() {
+  CalibrationFormat format;
+  format.name = "dewpoint";
+  format.title = "Dewpoint";
+  format.extension = ".toml";
+  format.holds = "every lens and pose; metres, camera from world";
+  format.lenses = {8, true};
+  format.unit = 1.0;
+  format.sharesKeys = true;
+  format.recognize = recognize;
+  format.read = read;
+  format.write = write;
+  return format;
+}
+
+} // namespace dewpoint::calibration

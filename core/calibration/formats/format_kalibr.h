@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/formats/calibration_format.h"
+
+namespace dewpoint::calibration {
+
+/// camchain YAML of Kalibr: a chain of poses, metres.
+CalibrationFormat kalibrFormat();
+
+} // namespace dewpoint::calibration

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/formats/format_mccalib.h"
+
+#include "core/calibration/formats/camera_parts.h"
+#include "core/calibration/formats/filestorage_text.h"
+#include "core/calibration/formats/number_text.h"
+#include "core/calibration/formats/yaml_reader.h"
+
+#include <fmt/format.h>
+
+namespace dewpoint::calibration {
+namespace {
+
+std::string recognize(const CalibrationText& source) {
+  return hasLine(source.text, "nb_camera:") ? "\"nb_camera\" and sections camera_0, camera_1, ..."
+                                            : "";
+}
+
+Result<Camera> readCamera(const YamlReader& section, const std::string& name,
+                          const std::string& file) {
+  CameraParts parts;
+  parts.name = name;
+  parts.width = section.number("img_width");
+  parts.height = section.number("img_height");
+  parts.matrix = section.matrix("camera_matrix", 3, 3);
+  parts.lens = section.number("distortion_type") == 1.0 ? LensModel::Fisheye : LensModel::Pinhole;
+  parts.distortion = section.numbers("distortion_vector", {4, 5, 8});
+  Eigen::Isometry3d rigFromCamera;
+  rigFromCamera.matrix() = section.matrix("camera_pose_matrix", 4, 4);
+  parts.rotation = rigFromCamera.linear().transpose();
+  parts.translation = -(parts.rotation * rigFromCamera.translation());
+  if (section.error()) {
+    return tl::make_unexpected(*section.error());
+  }
+  return checkedCamera(parts, file,
+                       {section.field("img_width"), section.field("camera_matrix"),
+                        section.field("distortion_vector"), section.field("camera_pose_matrix"),
+                        section.field("camera_pose_matrix")});
+}
+
+Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHints&) {
+  const std::string file = source.file.string();
+  const auto node = parseYaml(source.text, file);
+  if (!node) {
+    return tl::make_unexpected(node.error());
+  }
+  const YamlReader reader(*node, file);
+  const double count = reader.number("nb_camera");
+  if (reader.error()) {
+    return tl::make_unexpected(*reader.error());
+  }
+  ReadCalibration calibration;
+  calibration.decisions = {"camera_pose_matrix is rig from camera: inverted."};
+  std::string group;
+  for (int k = 0; k < count; ++k) {
+    const std::string name = fmt::format("camera_{}", k);
+    const YamlReader section = reader.child(name);
+    auto camera = readCamera(section, name, file);
+    if (!camera) {
+      return tl::make_unexpected(camera.error());
+    }
+    const std::string ownGroup = section.text("camera_group", "0");
+    if (k > 0 && ownGroup != group) {
+      return failure(ErrorCode::Mismatch, file, section.field("camera_group"),
+                     "the cameras are in several groups, whose poses do not belong together");
+    }
+    group = ownGroup;
+    calibration.rig.push_back(std::move(*camera));
+  }
+  if (calibration.rig.empty()) {
+    return failure(ErrorCode::BadValue, file, "nb_camera", "the file holds no camera");
+  }
+  return calibration;
+}
+
+std::vector<CalibrationText> write(const CameraRig& rig, const std::filesystem::path& out) {
+  std::string text = fmt::format("%YAML:1.0\n---\nnb_camera: {}\n", rig.size());
+  for (std::size_t k = 0; k < rig.size(); ++k) {
+    const Camera& camera = rig[k];
+    const auto coefficients = coefficientsOf(camera, 5);
+    const bool fisheye = camera.lens == LensModel::Fisheye;
+    text += fmt::format("camera_{}:\n", k) +
+            matrixNode("   ", "camera_matrix", matrixOf(camera.intrinsics)) +
+            matrixNode("   ", "distortion_vector", rowOf(coefficients)) +
+            fmt::format("   distortion_type: {}\n   camera_group: 0\n   img_width: {}\n"
+                        "   img_height: {}\n",
+                        int(fisheye), camera.intrinsics.width, camera.intrinsics.height) +
+            matrixNode("   ", "camera_pose_matrix", camera.cameraFromWorld.inverse().matrix());
+  }
+  return {{out, text}};
+}
+
+} // namespace
+
+CalibrationFormat mcCalibFormat() {
+  CalibrationFormat format;
+  format.name = "mc-calib";
+  format.title = "MC-Calib";
+  format.extension = ".yml";
+  format.holds =
+      "5 coefficients or fisheye, poses as rig (the first camera) from camera, in the unit "
+      "of its board; no names, no world";
+  format.lenses = {5, true};
+  format.firstCameraIsWorld = true;
+  format.recognize = recognize;
+  format.read = read;
+  format.write = write;
+  return format;
+}
+
+} // namespace dewpoint::calibration

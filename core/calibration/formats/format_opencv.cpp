@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/formats/format_opencv.h"
+
+#include "core/base/text_file.h"
+#include "core/calibration/formats/camera_parts.h"
+#include "core/calibration/formats/filestorage_text.h"
+#include "core/calibration/formats/number_text.h"
+#include "core/calibration/formats/yaml_reader.h"
+#include "core/geometry/rotation_check.h"
+
+#include <fmt/format.h>
+
+namespace dewpoint::calibration {
+namespace {
+
+bool isFileStorage(const std::string& text) {
+  return text.find("!!opencv-matrix") != std::string::npos;
+}
+
+std::string recognizeCamera(const CalibrationText& source) {
+  return isFileStorage(source.text) && hasLine(source.text, "camera_matrix:") &&
+                 !hasLine(source.text, "nb_camera:")
+             ? "an OpenCV FileStorage with camera_matrix"
+             : "";
+}
+
+bool isIntrinsics(const std::string& text) {
+  return hasLine(text, "M1:");
+}
+bool isExtrinsics(const std::string& text) {
+  return hasLine(text, "R:") && hasLine(text, "T:");
+}
+
+std::string recognizePair(const CalibrationText& source) {
+  if (!isFileStorage(source.text)) {
+    return "";
+  }
+  return isIntrinsics(source.text)   ? "an OpenCV FileStorage with M1, D1, M2, D2"
+         : isExtrinsics(source.text) ? "an OpenCV FileStorage with R and T of a pair"
+                                     : "";
+}
+
+void readSize(const YamlReader& reader, const CalibrationHints& hints, CameraParts& parts) {
+  if (reader.has("image_width") || !hints.size) {
+    parts.width = reader.number("image_width");
+    parts.height = reader.number("image_height");
+  } else {
+    parts.width = (*hints.size)[0];
+    parts.height = (*hints.size)[1];
+  }
+}
+
+/// The pose of the only view, when the file has just one: its board is the world then.
+void readView(const YamlReader& reader, CameraParts& parts, ReadCalibration& calibration) {
+  calibration.hasPoses = false;
+  if (!reader.has("extrinsic_parameters")) {
+    return;
+  }
+  const auto views = reader.numbers("extrinsic_parameters", {});
+  if (views.size() < 6 || views.size() % 6 != 0) {
+    reader.fail(ErrorCode::WrongType, "extrinsic_parameters",
+                "six numbers per view are expected: rotation vector, translation");
+  } else if (views.size() > 6) {
+    calibration.decisions.push_back(fmt::format(
+        "The {} poses are those of a moved board, not of the camera: left out.", views.size() / 6));
+  } else {
+    calibration.hasPoses = true;
+    parts.rotation = rotationOfVector({views[0], views[1], views[2]});
+    parts.translation = {views[3], views[4], views[5]};
+    calibration.decisions.emplace_back("The world is the board of the one view.");
+  }
+}
+
+Result<ReadCalibration> readCamera(const CalibrationText& source, const CalibrationHints& hints) {
+  const std::string file = source.file.string();
+  const auto node = parseYaml(source.text, file);
+  if (!node) {
+    return tl::make_unexpected(node.error());
+  }
+  const YamlReader reader(*node, file);
+  ReadCalibration calibration;
+  CameraParts parts;
+  parts.name = source.file.stem().string();
+  readSize(reader, hints, parts);
+  parts.matrix = reader.matrix("camera_matrix", 3, 3);
+  parts.distortion = reader.numbers("distortion_coefficients", {4, 5, 8, 12, 14});
+  if (reader.text("fisheye_model", "0") == "1" || hints.lens == LensModel::Fisheye) {
+    parts.lens = LensModel::Fisheye;
+    calibration.decisions.emplace_back("Coefficients are those of cv::fisheye.");
+  }
+  readView(reader, parts, calibration);
+  if (reader.error()) {
+    return tl::make_unexpected(*reader.error());
+  }
+  auto camera = checkedCamera(parts, file,
+                              {"image_width", "camera_matrix", "distortion_coefficients",
+                               "extrinsic_parameters", "extrinsic_parameters"});
+  if (!camera) {
+    return tl::make_unexpected(camera.error());
+  }
+  calibration.rig.push_back(std::move(*camera));
+  return calibration;
+}
+
+std::vector<CalibrationText> writeCameras(const CameraRig& rig, const std::filesystem::path& out) {
+  std::vector<CalibrationText> files;
+  for (std::size_t k = 0; k < rig.size(); ++k) {
+    const Camera& camera = rig[k];
+    const auto& in = camera.intrinsics;
+    Eigen::MatrixXd view(1, 6);
+    view << vectorOfRotation(camera.cameraFromWorld.linear()).transpose(),
+        camera.cameraFromWorld.translation().transpose();
+    std::string text =
+        fmt::format("%YAML:1.0\n---\nimage_width: {}\nimage_height: {}\n", in.width, in.height);
+    if (camera.lens == LensModel::Fisheye) {
+      text += "fisheye_model: 1\n";
+    }
+    text +=
+        matrixNode("", "camera_matrix", matrixOf(in)) +
+        matrixNode("", "distortion_coefficients", rowOf(coefficientsOf(camera, 5)).transpose()) +
+        matrixNode("", "extrinsic_parameters", view);
+    files.push_back({cameraFile(rig, k, out, ".yml"), text});
+  }
+  return files;
+}
+
+/// The other file of a pair: intrinsics.yml and extrinsics.yml, whatever is around these words.
+std::filesystem::path partner(const std::filesystem::path& file, bool isIntrinsicsFile) {
+  const std::string own = isIntrinsicsFile ? "intrinsic" : "extrinsic";
+  const std::string other = isIntrinsicsFile ? "extrinsic" : "intrinsic";
+  std::string name = file.filename().string();
+  if (const auto at = name.find(own); at != std::string::npos) {
+    return file.parent_path() / name.replace(at, own.size(), other);
+  }
+  return file.parent_path() / (other + "s" + file.extension().string());
+}
+
+Result<ReadCalibration> readPair(const CalibrationText& source, const CalibrationHints& hints) {
+  const std::string file = source.file.string();
+  std::string text[2] = {source.text, source.text};
+  std::filesystem::path files[2] = {source.file, source.file};
+  const bool hasIntrinsics = isIntrinsics(source.text);
+  if (!hasIntrinsics || !isExtrinsics(source.text)) {
+    const int missing = hasIntrinsics ? 1 : 0;
+    files[missing] = partner(source.file, hasIntrinsics);
+    auto other = readTextFile(files[missing]);
+    if (!other) {
+      return failure(ErrorCode::FileMissing, file, hasIntrinsics ? "R" : "M1",
+                     fmt::format("a pair has two files; beside this one {} is expected",
+                                 files[missing].filename().string()));
+    }
+    text[missing] = std::move(*other);
+  }
+  const auto inner = parseYaml(text[0], files[0].string());
+  const auto outer = inner ? parseYaml(text[1], files[1].string()) : inner;
+  if (!outer) {
+    return tl::make_unexpected(outer.error());
+  }
+  const YamlReader intrinsics(*inner, files[0].string());
+  const YamlReader extrinsics(*outer, files[1].string());
+  if (!hints.size && !intrinsics.has("image_width")) {
+    return failure(
+        ErrorCode::MissingKey, files[0].string(), "image_width",
+        "the stereo sample does not write the image size; convert with --size WIDTHxHEIGHT");
+  }
+  ReadCalibration calibration;
+  calibration.decisions = {"The world is the axes of the first camera; R and T lead from it to the "
+                           "second."};
+  for (const char* number : {"1", "2"}) {
+    CameraParts parts;
+    const std::string matrix = std::string("M") + number;
+    const std::string distortion = std::string("D") + number;
+    parts.name = std::string("camera ") + number;
+    readSize(intrinsics, hints, parts);
+    parts.matrix = intrinsics.matrix(matrix.c_str(), 3, 3);
+    parts.distortion = intrinsics.numbers(distortion.c_str(), {4, 5, 8, 12, 14});
+    if (calibration.rig.size() == 1) {
+      parts.rotation = extrinsics.matrix("R", 3, 3);
+      parts.translation = extrinsics.matrix("T", 3, 1);
+    }
+    for (const auto* reader : {&intrinsics, &extrinsics}) {
+      if (reader->error()) {
+        return tl::make_unexpected(*reader->error());
+      }
+    }
+    auto camera = checkedCamera(parts, file, {"image_width", matrix, distortion, "R", "T"});
+    if (!camera) {
+      return tl::make_unexpected(camera.error());
+    }
+    calibration.rig.push_back(std::move(*camera));
+  }
+  return calibration;
+}
+
+std::vector<CalibrationText> writePair(const CameraRig& rig, const std::filesystem::path& out) {
+  const auto& size = rig.front().intrinsics;
+  std::string inner = "%YAML:1.0\n---\n";
+  for (std::size_t k = 0; k < 2; ++k) {
+    inner += matrixNode("", fmt::format("M{}", k + 1), matrixOf(rig[k].intrinsics)) +
+             matrixNode("", fmt::format("D{}", k + 1), rowOf(coefficientsOf(rig[k], 5)));
+  }
+  inner += fmt::format("image_width: {}\nimage_height: {}\n", size.width, size.height);
+  const Eigen::Isometry3d second = rig[1].cameraFromWorld * rig[0].cameraFromWorld.inverse();
+  const std::string outer = "%YAML:1.0\n---\n" + matrixNode("", "R", second.linear()) +
+                            matrixNode("", "T", second.translation());
+  return {{out, inner}, {partner(out, true), outer}};
+}
+
+} // namespace
+
+CalibrationFormat opencvFormat() {
+  CalibrationFormat format;
+  format.name = "opencv";
+  format.title = "OpenCV calibration sample";
+  format.extension = ".yml";
+  format.holds = "8 coefficients or fisheye, one camera a file, the pose as the one view's "
+                 "(camera from board), in the unit of its board";
+  format.layout = FileLayout::FilePerCamera;
+  format.lenses = {8, true};
+  format.recognize = recognizeCamera;
+  format.read = readCamera;
+  format.write = writeCameras;
+  return format;
+}
+
+CalibrationFormat opencvStereoFormat() {
+  CalibrationFormat format;
+  format.name = "opencv-stereo";
+  format.title = "OpenCV stereo sample";
+  format.extension = ".yml";
+  format.holds =
+      "8 coefficients, two cameras with images of one size, the second from the first, in "
+      "the unit of its board; no names, no world";
+  format.layout = FileLayout::CameraPair;
+  format.lenses = {8, false};
+  format.firstCameraIsWorld = true;
+  format.recognize = recognizePair;
+  format.read = readPair;
+  format.write = writePair;
+  return format;
+}
+
+} // namespace dewpoint::calibration

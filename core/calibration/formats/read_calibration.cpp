@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text_file.h"
+#include "core/calibration/formats/calibration_format.h"
+#include "core/calibration/formats/calibration_plausibility.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::calibration {
+namespace {
+
+constexpr std::uintmax_t kLargestFile = 64U << 20U; // mrcal keeps its optimization inputs in there
+
+/// The format a person named, or the one the content shows; adds the sentence why.
+Result<const CalibrationFormat*> formatOf(const CalibrationText& source,
+                                          const CalibrationHints& hints, std::string& reason) {
+  const auto recognized = recognizeFormat(source);
+  if (hints.format.empty()) {
+    if (!recognized) {
+      return tl::make_unexpected(recognized.error());
+    }
+    reason =
+        fmt::format("Read as {}, recognized by {}.", recognized->format->title, recognized->reason);
+    return recognized->format;
+  }
+  const auto asked = calibrationFormat(hints.format);
+  if (!asked) {
+    return asked;
+  }
+  // Dialects that share their keys: a person may know better.
+  if (recognized && recognized->format != *asked &&
+      !(recognized->format->sharesKeys && (*asked)->sharesKeys)) {
+    return failure(ErrorCode::Mismatch, source.file.string(), "",
+                   fmt::format("it looks like {}, with {}, not like {}", recognized->format->title,
+                               recognized->reason, (*asked)->title));
+  }
+  if (!recognized) {
+    return failure(ErrorCode::NotParsed, source.file.string(), "",
+                   fmt::format("it does not look like {}", (*asked)->title));
+  }
+  reason = fmt::format("Read as {}, as asked.", (*asked)->title);
+  return asked;
+}
+
+std::string unitSentence(double unit) {
+  return unit == 1.0 ? "Lengths are metres." : fmt::format("Lengths are in units of {} m.", unit);
+}
+
+/// Brings the lengths to metres: as asked, else as the format says, else it is an error.
+Status toMetres(const CalibrationFormat& format, const CalibrationHints& hints,
+                const std::string& file, ReadCalibration& calibration) {
+  if (!calibration.hasPoses) {
+    return {};
+  }
+  const auto known = calibration.unit ? calibration.unit : format.unit;
+  if (known && hints.unit && std::abs(*hints.unit / *known - 1.0) > 1e-9) {
+    return failure(
+        ErrorCode::BadValue, file, "unit",
+        fmt::format("{} is asked for, but this file's lengths are in units of {} m; leave "
+                    "the unit out",
+                    *hints.unit, *known));
+  }
+  const auto unit = known ? known : hints.unit;
+  const double spread = cameraSpread(calibration.rig);
+  if (!unit) {
+    return failure(
+        ErrorCode::MissingKey, file, "unit",
+        fmt::format("{} files do not say their unit; the cameras are up to {} apart, "
+                    "likely {}: convert them with --unit mm, m or the metres of one unit",
+                    format.title,
+                    spread >= 100.0 ? fmt::format("{:.0f}", spread) : fmt::format("{:.3g}", spread),
+                    likelyUnit(spread)));
+  }
+  for (Camera& camera : calibration.rig) {
+    camera.cameraFromWorld.translation() *= *unit;
+  }
+  calibration.unit = 1.0;
+  calibration.decisions.push_back(unitSentence(*unit));
+  return {};
+}
+
+Status finish(const CalibrationFormat& format, const CalibrationHints& hints,
+              const std::string& file, ReadCalibration& calibration) {
+  calibration.format = format.name;
+  if (hints.posesAreWorldFromCamera.value_or(false)) {
+    calibration.rig = withInvertedPoses(std::move(calibration.rig));
+    calibration.decisions.emplace_back("Poses were inverted, as asked.");
+  }
+  if (auto status = toMetres(format, hints, file, calibration); !status) {
+    return status;
+  }
+  if (!calibration.hasPoses) {
+    if (calibration.rig.size() > 1) {
+      return failure(
+          ErrorCode::MissingKey, file, "pose",
+          fmt::format("{} cameras, and no pose of them in these files", calibration.rig.size()));
+    }
+    calibration.decisions.emplace_back("There is no pose: the camera's axes are the world.");
+  }
+  return doubts(calibration, hints, file);
+}
+
+Result<ReadCalibration> readOne(const CalibrationText& source, const CalibrationHints& hints,
+                                const CalibrationFormat*& format) {
+  std::string reason;
+  const auto known = formatOf(source, hints, reason);
+  if (!known) {
+    return tl::make_unexpected(known.error());
+  }
+  format = *known;
+  auto calibration = format->read(source, hints);
+  if (calibration) {
+    calibration->decisions.insert(calibration->decisions.begin(), reason);
+  }
+  return calibration;
+}
+
+Result<CalibrationText> readSource(const std::filesystem::path& file) {
+  std::error_code problem;
+  if (std::filesystem::file_size(file, problem) > kLargestFile && !problem) {
+    return failure(ErrorCode::NotParsed, file.string(), "", "too large for a calibration");
+  }
+  auto text = readTextFile(file);
+  if (!text) {
+    return tl::make_unexpected(text.error());
+  }
+  return CalibrationText{file, std::move(*text)};
+}
+
+/// "cam2" before "cam10": by length of the number, as people count.
+bool countsBefore(const std::filesystem::path& a, const std::filesystem::path& b) {
+  const std::string one = a.filename().string();
+  const std::string other = b.filename().string();
+  const auto [i, j] = std::ranges::mismatch(one, other);
+  const auto digits = [](auto at, auto end) {
+    return std::find_if(at, end, [](char letter) { return letter < '0' || letter > '9'; }) - at;
+  };
+  const auto here = digits(i, one.end());
+  const auto there = digits(j, other.end());
+  return here != there && (here > 0 || there > 0) ? here < there : one < other;
+}
+
+/// The files of a folder that are calibrations of a camera each, in the order people count them.
+Result<std::vector<CalibrationText>> folderSources(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code problem;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, problem)) {
+    const auto extension = entry.path().extension();
+    if (entry.is_regular_file(problem) &&
+        (extension == ".yaml" || extension == ".yml" || extension == ".cameramodel")) {
+      files.push_back(entry.path());
+    }
+  }
+  std::ranges::sort(files, countsBefore);
+  std::vector<CalibrationText> sources;
+  for (const auto& file : files) {
+    auto source = readSource(file);
+    if (!source) {
+      return tl::make_unexpected(source.error());
+    }
+    const auto recognized = recognizeFormat(*source);
+    if (recognized && recognized->format->layout == FileLayout::FilePerCamera) {
+      sources.push_back(std::move(*source));
+    }
+  }
+  if (sources.empty()) {
+    return failure(ErrorCode::NotFound, folder.string(), "",
+                   "a folder is expected to hold a calibration file per camera (camera_info, "
+                   ".cameramodel or OpenCV YAML)");
+  }
+  return sources;
+}
+
+void append(ReadCalibration& whole, ReadCalibration&& part) {
+  std::ranges::move(part.rig, std::back_inserter(whole.rig));
+  whole.hasPoses = whole.hasPoses && part.hasPoses;
+  for (std::string& decision : part.decisions) {
+    if (std::ranges::find(whole.decisions, decision) == whole.decisions.end()) {
+      whole.decisions.push_back(std::move(decision));
+    }
+  }
+}
+
+} // namespace
+
+Result<ReadCalibration> readCalibration(const std::filesystem::path& path,
+                                        const CalibrationHints& hints) {
+  std::error_code problem;
+  Result<std::vector<CalibrationText>> sources;
+  if (std::filesystem::is_directory(path, problem)) {
+    sources = folderSources(path);
+  } else {
+    sources = readSource(path).map(
+        [](CalibrationText source) { return std::vector<CalibrationText>{std::move(source)}; });
+  }
+  if (!sources) {
+    return tl::make_unexpected(sources.error());
+  }
+  ReadCalibration whole;
+  const CalibrationFormat* format = nullptr;
+  for (const CalibrationText& source : *sources) {
+    const CalibrationFormat* before = format;
+    auto part = readOne(source, hints, format);
+    if (!part) {
+      return tl::make_unexpected(part.error());
+    }
+    if (before != nullptr && before != format) {
+      return failure(
+          ErrorCode::Mismatch, path.string(), source.file.filename().string(),
+          fmt::format("files of {} and of {} in one folder", before->title, format->title));
+    }
+    append(whole, std::move(*part));
+  }
+  if (const auto status = finish(*format, hints, path.string(), whole); !status) {
+    return tl::make_unexpected(status.error());
+  }
+  return whole;
+}
+
+} // namespace dewpoint::calibration

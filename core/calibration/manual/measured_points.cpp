@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/manual/measured_points.h"
+
+#include "core/calibration/manual/point_pose.h"
+#include "core/geometry/ray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dewpoint::calibration {
+namespace {
+
+std::vector<ImageAnchor> anchorsOf(const std::vector<MeasuredPoint>& points, int camera,
+                                   std::optional<int> without = std::nullopt) {
+  std::vector<ImageAnchor> anchors;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const PointClick* click = clickIn(points[k], camera);
+    if (click != nullptr && without != static_cast<int>(k)) {
+      anchors.push_back({points[k].world, click->pixel});
+    }
+  }
+  return anchors;
+}
+
+bool isSolved(PoseStatus trouble) {
+  return trouble == PoseStatus::None || trouble == PoseStatus::Ambiguous;
+}
+
+double rmsOf(const std::vector<ClickResidual>& residuals, const std::vector<bool>& solved) {
+  double sum = 0.0;
+  int count = 0;
+  for (const ClickResidual& residual : residuals) {
+    if (solved[static_cast<std::size_t>(residual.camera)]) {
+      sum += residual.pixels * residual.pixels;
+      ++count;
+    }
+  }
+  return count > 0 ? std::sqrt(sum / count) : 0.0;
+}
+
+/// The root mean square over all solved cameras when one point is left out; nothing when too few
+/// are left for the poses to be overdetermined.
+std::optional<double> rmsWithout(const CameraRig& rig, const std::vector<bool>& solved,
+                                 const std::vector<MeasuredPoint>& points, int without) {
+  constexpr std::size_t kFewest = 5;
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < rig.size(); ++k) {
+    const auto anchors = anchorsOf(points, static_cast<int>(k), without);
+    if (!solved[k]) {
+      continue;
+    }
+    if (anchors.size() < kFewest) {
+      return std::nullopt;
+    }
+    const PointPose pose = poseFromPoints(rig[k], anchors, false);
+    if (!isSolved(pose.trouble)) {
+      return std::nullopt;
+    }
+    sum += pose.rmsPx * pose.rmsPx * static_cast<double>(anchors.size());
+    count += anchors.size();
+  }
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, count)));
+}
+
+/// Names the worst point, and whether the rest fits without it.
+void findWorst(const std::vector<bool>& solved, const std::vector<MeasuredPoint>& points,
+               PointSolution& solution) {
+  constexpr double kNoise = 1.0;     // pixels: a click is no better
+  constexpr double kExplained = 0.4; // of the rms with it
+  double largest = 0.0;
+  for (const ClickResidual& residual : solution.residuals) {
+    if (solved[static_cast<std::size_t>(residual.camera)] && residual.pixels > largest) {
+      largest = residual.pixels;
+      solution.worst = residual.point;
+    }
+  }
+  if (solution.rmsPx < kNoise) {
+    return;
+  }
+  double least = kExplained * solution.rmsPx;
+  for (int k = 0; k < static_cast<int>(points.size()); ++k) {
+    const auto rms = rmsWithout(solution.rig, solved, points, k);
+    if (rms && *rms < least) {
+      least = *rms;
+      solution.worst = k;
+      solution.worstExplains = true;
+    }
+  }
+}
+
+} // namespace
+
+const PointClick* clickIn(const MeasuredPoint& point, int camera) {
+  const auto found = std::ranges::find(point.clicks, camera, &PointClick::camera);
+  return found == point.clicks.end() ? nullptr : &*found;
+}
+
+std::vector<ClickResidual> clickResiduals(const CameraRig& rig,
+                                          const std::vector<MeasuredPoint>& points) {
+  std::vector<ClickResidual> residuals;
+  for (std::size_t camera = 0; camera < rig.size(); ++camera) {
+    const Projector projector(rig[camera]);
+    const Unprojector unprojector(rig[camera]);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const PointClick* click = clickIn(points[k], static_cast<int>(camera));
+      if (click == nullptr) {
+        continue;
+      }
+      const auto seen = projector.project(points[k].world);
+      const auto ray = unprojector.ray(click->pixel);
+      constexpr double kNever = std::numeric_limits<double>::infinity();
+      residuals.push_back({static_cast<int>(k), static_cast<int>(camera),
+                           seen ? (*seen - click->pixel).norm() : kNever,
+                           ray ? distanceToRay(*ray, points[k].world) : kNever});
+    }
+  }
+  std::ranges::stable_sort(residuals, {}, &ClickResidual::point);
+  return residuals;
+}
+
+bool PointSolution::anySolved() const {
+  return std::ranges::any_of(
+      cameras, [](const CameraFromPoints& camera) { return isSolved(camera.trouble); });
+}
+
+PointSolution solveFromPoints(const CameraRig& rig, const std::vector<MeasuredPoint>& points,
+                              const PointSettings& settings) {
+  PointSolution solution;
+  solution.rig = rig;
+  std::vector<bool> solved(rig.size(), false);
+  for (std::size_t k = 0; k < rig.size(); ++k) {
+    const auto anchors = anchorsOf(points, static_cast<int>(k));
+    if (anchors.empty()) {
+      continue;
+    }
+    const PointPose pose = poseFromPoints(rig[k], anchors, settings.alsoFocal);
+    CameraFromPoints camera{static_cast<int>(k), static_cast<int>(anchors.size()), pose.trouble,
+                            pose.rmsPx, std::nullopt};
+    if (isSolved(pose.trouble)) {
+      solution.rig[k] = pose.camera;
+      solved[k] = true;
+    }
+    if (isSolved(pose.trouble) || pose.trouble == PoseStatus::NoPose) {
+      camera.proposal = betterSymmetry(rig[k], anchors, pose);
+    }
+    solution.cameras.push_back(camera);
+  }
+  if (std::ranges::count(solved, true) > 1) {
+    refineTogether(solution.rig, solved, points, settings);
+  }
+  solution.residuals = clickResiduals(solution.rig, points);
+  solution.rmsPx = rmsOf(solution.residuals, solved);
+  findWorst(solved, points, solution);
+  return solution;
+}
+
+} // namespace dewpoint::calibration

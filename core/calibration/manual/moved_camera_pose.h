@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/geometry/camera.h"
+
+#include <Eigen/Core>
+
+#include <span>
+
+namespace dewpoint::calibration {
+
+/// Where a point, known from the other cameras, is seen by the camera that was bumped.
+struct PointSighting {
+  Eigen::Vector3d world = Eigen::Vector3d::Zero(); ///< metres
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+  double sigmaPixels = 1.0; ///< of the pixel and of the point as projected, together
+};
+
+/// What is known of a bump before the points are looked at.
+struct CameraMotionPrior {
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero(); ///< as CameraRotation, radians
+  double turnSigma = 2e-4;                        ///< of what the background says; radians
+  double shiftSigma = 0.01; ///< how far the camera may have been pushed aside; metres
+};
+
+/// A bumped camera, solved anew.
+struct ResolvedCamera {
+  Camera camera;
+  int used = 0;              ///< sightings that agree, within three sigma
+  double pixelsBefore = 0.0; ///< median distance of all sightings, with the old pose; 0 without any
+  double pixelsAfter = 0.0;  ///< with the new one
+  Eigen::Vector3d angleSigma = Eigen::Vector3d::Zero(); ///< rad, camera axes, at one sigma
+  Eigen::Vector3d shiftSigma = Eigen::Vector3d::Zero(); ///< metres, camera axes
+};
+
+/// The camera turned about its center: (1 + [turn]x) cameraFromWorld, the turn as a whole rotation.
+Camera turnedCamera(const Camera& camera, const Eigen::Vector3d& turn);
+
+/// The pose of one bumped camera; all others, and its lens, stay. Levenberg and Marquardt's method
+/// over its six numbers: sightings (Huber's loss at two sigma) and the prior. A camera that is
+/// pushed aside looks turned to its background too, by shift over distance: the prior's turn is
+/// therefore believed to within turnSigma and shiftSigma at 3 m together. Without sightings it is
+/// the old camera, turned. Mismatch when the sightings contradict the result (less than half
+/// agree).
+Result<ResolvedCamera> resolveCamera(const Camera& camera, const CameraMotionPrior& prior,
+                                     std::span<const PointSighting> sightings);
+
+} // namespace dewpoint::calibration

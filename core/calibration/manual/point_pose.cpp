@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/manual/point_pose.h"
+
+#include "core/calibration/manual/interactive_pose.h"
+#include "core/geometry/ray.h"
+
+#include <Eigen/SVD>
+#include <opencv2/calib3d.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dewpoint::calibration {
+namespace {
+
+constexpr double kThin = 2e-3;     ///< extent over the largest: points in a line, or in a plane
+constexpr std::size_t kFewest = 4; ///< three have up to four poses
+constexpr double kAsGood = 2.0;    ///< of two poses: rms over the better one's, and ...
+constexpr double kAsGoodPx = 1.0;  ///< ... in pixels, with the noise of a click
+
+/// The three extents of a cloud of points, largest first.
+Eigen::Vector3d extents(const std::vector<ImageAnchor>& anchors) {
+  Eigen::Matrix3Xd all(3, static_cast<Eigen::Index>(anchors.size()));
+  for (std::size_t k = 0; k < anchors.size(); ++k) {
+    all.col(static_cast<Eigen::Index>(k)) = anchors[k].world;
+  }
+  const Eigen::Vector3d mean = all.rowwise().mean();
+  all.colwise() -= mean;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(all);
+  Eigen::Vector3d result = Eigen::Vector3d::Zero();
+  result.head(svd.singularValues().size()) = svd.singularValues();
+  return result;
+}
+
+/// Poses that OpenCV finds for points seen along rays, in front of the camera.
+std::vector<Eigen::Isometry3d> posesOf(const std::vector<cv::Point3d>& points,
+                                       const std::vector<cv::Point2d>& normalized, int method) {
+  std::vector<Eigen::Isometry3d> poses;
+  try {
+    std::vector<cv::Vec3d> turns;
+    std::vector<cv::Vec3d> shifts;
+    cv::solvePnPGeneric(points, normalized, cv::Matx33d::eye(), cv::noArray(), turns, shifts, false,
+                        static_cast<cv::SolvePnPMethod>(method));
+    for (std::size_t k = 0; k < turns.size(); ++k) {
+      const Eigen::Vector3d vector(turns[k][0], turns[k][1], turns[k][2]);
+      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+      pose.linear() =
+          Eigen::AngleAxisd(vector.norm(), vector.stableNormalized()).toRotationMatrix();
+      pose.translation() = Eigen::Vector3d(shifts[k][0], shifts[k][1], shifts[k][2]);
+      if (pose.matrix().allFinite()) {
+        poses.push_back(pose);
+      }
+    }
+  } catch (const cv::Exception&) {
+    poses.clear(); // it found none
+  }
+  return poses;
+}
+
+std::vector<Eigen::Isometry3d> candidates(const Camera& camera,
+                                          const std::vector<ImageAnchor>& anchors, bool planar) {
+  Camera lens = camera;
+  lens.cameraFromWorld = Eigen::Isometry3d::Identity();
+  const Unprojector unprojector(lens);
+  std::vector<cv::Point3d> points;
+  std::vector<cv::Point2d> normalized;
+  for (const ImageAnchor& anchor : anchors) {
+    const auto ray = unprojector.rayWorld(anchor.pixel);
+    if (!ray || !(ray->z() > 0.0)) {
+      return {};
+    }
+    points.emplace_back(anchor.world.x(), anchor.world.y(), anchor.world.z());
+    normalized.emplace_back(ray->x() / ray->z(), ray->y() / ray->z());
+  }
+  std::vector<Eigen::Isometry3d> all = posesOf(points, normalized, cv::SOLVEPNP_SQPNP);
+  if (planar) {
+    const auto both = posesOf(points, normalized, cv::SOLVEPNP_IPPE);
+    all.insert(all.end(), both.begin(), both.end());
+  }
+  return all;
+}
+
+bool differ(const Camera& a, const Camera& b) {
+  const Eigen::AngleAxisd turn(a.cameraFromWorld.linear() * b.cameraFromWorld.linear().transpose());
+  return turn.angle() > 0.02;
+}
+
+/// Whether a second pose explains the points about as well as the best.
+bool hasRival(const std::vector<PointPose>& poses) {
+  return std::any_of(poses.begin() + 1, poses.end(), [&](const PointPose& other) {
+    return differ(other.camera, poses.front().camera) &&
+           other.rmsPx < std::max(kAsGood * poses.front().rmsPx, kAsGoodPx);
+  });
+}
+
+std::vector<ImageAnchor> transformedAnchors(const ImageSymmetry& symmetry, const Camera& camera,
+                                            std::vector<ImageAnchor> anchors) {
+  for (ImageAnchor& anchor : anchors) {
+    anchor.pixel =
+        transformed(symmetry, anchor.pixel, camera.intrinsics.width, camera.intrinsics.height);
+  }
+  return anchors;
+}
+
+/// How far from upright a camera stands, radians; a right angle at most for one that looks steeply
+/// down or up, where nobody can say.
+bool isSteep(const Camera& camera) {
+  return std::abs(headingOf(camera).pitch) > 60.0 * std::numbers::pi / 180.0;
+}
+
+/// All points below the camera or about its height: nobody looks up through a floor.
+bool isBelowPlane(const Camera& camera, const std::vector<ImageAnchor>& anchors) {
+  double highest = -std::numeric_limits<double>::infinity();
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const ImageAnchor& anchor : anchors) {
+    highest = std::max(highest, anchor.world.z());
+    lowest = std::min(lowest, anchor.world.z());
+  }
+  const bool level = highest - lowest < 0.02;
+  return level && camera.center().z() < lowest;
+}
+
+} // namespace
+
+PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& anchors,
+                         bool alsoFocal) {
+  PointPose result{camera, PoseStatus::TooFew, false, 0.0};
+  if (anchors.size() < kFewest) {
+    return result;
+  }
+  const Eigen::Vector3d extent = extents(anchors);
+  if (extent[1] <= kThin * extent[0]) {
+    result.trouble = PoseStatus::Collinear;
+    return result;
+  }
+  result.planar = extent[2] <= kThin * extent[0];
+  std::vector<PointPose> poses;
+  for (const Eigen::Isometry3d& pose : candidates(camera, anchors, result.planar)) {
+    PointPose found = result;
+    found.camera.cameraFromWorld = pose;
+    found.trouble = PoseStatus::None;
+    if (const auto rms = refinePose(found.camera, anchors, false)) {
+      found.rmsPx = *rms;
+      poses.push_back(found);
+    }
+  }
+  if (poses.empty()) {
+    result.trouble = PoseStatus::NoPose;
+    return result;
+  }
+  std::ranges::stable_sort(poses, {}, &PointPose::rmsPx);
+  poses.front().trouble =
+      result.planar && hasRival(poses) ? PoseStatus::Ambiguous : PoseStatus::None;
+  if (alsoFocal && anchors.size() >= 6) {
+    poses.front().rmsPx = refinePose(poses.front().camera, anchors, true).value_or(poses[0].rmsPx);
+  }
+  return poses.front();
+}
+
+std::optional<SymmetryProposal> betterSymmetry(const Camera& camera,
+                                               const std::vector<ImageAnchor>& anchors,
+                                               const PointPose& found) {
+  constexpr double kBad = 3.0;     // pixels: clicks are better than that
+  constexpr double kBetter = 0.25; // of the rms as it is
+  const bool looksBad = found.trouble == PoseStatus::NoPose || found.rmsPx > kBad;
+  const double roll = headingOf(found.camera).roll;
+  const bool lies = !isSteep(found.camera) && std::abs(roll) > 60.0 * std::numbers::pi / 180.0;
+  const bool through = found.planar && isBelowPlane(found.camera, anchors);
+  if (!looksBad && !lies && !through) {
+    return std::nullopt;
+  }
+  std::optional<SymmetryProposal> best;
+  double bestRoll = std::abs(roll);
+  for (const ImageSymmetry& symmetry : imageSymmetries()) {
+    if (symmetry == ImageSymmetry{} || (symmetry.mirrored && !looksBad && !through)) {
+      continue;
+    }
+    const auto moved = transformedAnchors(symmetry, camera, anchors);
+    const PointPose other = poseFromPoints(transformed(symmetry, camera), moved, false);
+    const bool usable =
+        other.trouble == PoseStatus::None || (other.trouble == PoseStatus::Ambiguous && through);
+    const double otherRoll = std::abs(headingOf(other.camera).roll);
+    if (!usable || (through && isBelowPlane(other.camera, anchors))) {
+      continue;
+    }
+    const bool fits =
+        looksBad && (found.trouble == PoseStatus::NoPose || other.rmsPx < kBetter * found.rmsPx);
+    const bool stands = !looksBad && other.rmsPx < std::max(kBad, 1.5 * found.rmsPx);
+    // Turns of one picture fit equally well unless its center is off: the upright one is meant.
+    const bool first = !best || (other.rmsPx < 0.5 * best->rmsPx && looksBad);
+    const bool upright =
+        otherRoll < bestRoll - 0.5 && (!best || other.rmsPx < std::max(0.5, 2.0 * best->rmsPx));
+    if ((fits || stands) && (upright || (first && (looksBad || through)))) {
+      best = SymmetryProposal{symmetry, other.rmsPx, !looksBad};
+      bestRoll = otherRoll;
+    }
+  }
+  return best;
+}
+
+} // namespace dewpoint::calibration

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/manual/pose_change.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::calibration {
+namespace {
+
+Camera atOrigin(Camera camera) {
+  camera.cameraFromWorld = Eigen::Isometry3d::Identity();
+  return camera;
+}
+
+Eigen::Matrix3d rotationOf(const Eigen::Vector3d& vector) {
+  const double angle = vector.norm();
+  return angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
+                     : Eigen::Matrix3d::Identity();
+}
+
+} // namespace
+
+PoseChange::PoseChange(const Camera& camera, double depth)
+    : camera_(camera), lens_(atOrigin(camera)), depth_(depth) {}
+
+Eigen::Isometry3d PoseChange::step(const ChangeVector& change) const {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.linear() = rotationOf(change.head<3>());
+  result.translation() = depth_ * change.segment<3>(3);
+  return result;
+}
+
+Camera PoseChange::changed(const ChangeVector& change) const {
+  Camera result = camera_;
+  result.cameraFromWorld = step(change) * camera_.cameraFromWorld;
+  result.intrinsics.focalX *= std::exp(change[6]);
+  result.intrinsics.focalY *= std::exp(change[6]);
+  return result;
+}
+
+std::optional<Eigen::Vector2d> PoseChange::pixel(const ChangeVector& change,
+                                                 const Eigen::Vector3d& world) const {
+  const auto seen = lens_.project(step(change) * (camera_.cameraFromWorld * world));
+  if (!seen) {
+    return std::nullopt;
+  }
+  const Eigen::Vector2d center(camera_.intrinsics.centerX, camera_.intrinsics.centerY);
+  return center + std::exp(change[6]) * (*seen - center);
+}
+
+std::optional<Eigen::VectorXd>
+PoseChange::residuals(const ChangeVector& change, const std::vector<ImageAnchor>& anchors) const {
+  Eigen::VectorXd result(2 * static_cast<Eigen::Index>(anchors.size()));
+  for (std::size_t k = 0; k < anchors.size(); ++k) {
+    const auto seen = pixel(change, anchors[k].world);
+    if (!seen) {
+      return std::nullopt;
+    }
+    result.segment<2>(2 * static_cast<Eigen::Index>(k)) = *seen - anchors[k].pixel;
+  }
+  return result;
+}
+
+std::optional<Eigen::MatrixXd> PoseChange::jacobian(const ChangeVector& change,
+                                                    const std::vector<ImageAnchor>& anchors) const {
+  constexpr double kDifference = 1e-6;
+  Eigen::MatrixXd result(2 * static_cast<Eigen::Index>(anchors.size()), 7);
+  for (int column = 0; column < 7; ++column) {
+    ChangeVector step = ChangeVector::Zero();
+    step[column] = kDifference;
+    const auto after = residuals(change + step, anchors);
+    const auto before = residuals(change - step, anchors);
+    if (!after || !before) {
+      return std::nullopt;
+    }
+    result.col(column) = (*after - *before) / (2.0 * kDifference);
+  }
+  return result;
+}
+
+double meanDistance(const Camera& camera, const std::vector<ImageAnchor>& anchors) {
+  double sum = 0.0;
+  for (const ImageAnchor& anchor : anchors) {
+    sum += (camera.cameraFromWorld * anchor.world).norm();
+  }
+  return std::max(0.01, sum / static_cast<double>(std::max<std::size_t>(1, anchors.size())));
+}
+
+double rmsOfPoints(const Eigen::VectorXd& residuals) {
+  return std::sqrt(residuals.squaredNorm() /
+                   static_cast<double>(std::max<Eigen::Index>(1, residuals.size() / 2)));
+}
+
+std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>& anchors,
+                                 bool alsoFocal) {
+  constexpr int kMostSteps = 60;
+  constexpr double kSmallest = 1e-13; // of a step: nothing moves any more
+  const int count = alsoFocal ? 7 : 6;
+  double damping = 1e-4;
+  std::optional<double> rms;
+  for (int k = 0; k < kMostSteps; ++k) {
+    const PoseChange around(camera, meanDistance(camera, anchors));
+    const auto residuals = around.residuals(ChangeVector::Zero(), anchors);
+    const auto jacobian = around.jacobian(ChangeVector::Zero(), anchors);
+    if (!residuals || !jacobian) {
+      return rms;
+    }
+    rms = rmsOfPoints(*residuals);
+    const Eigen::MatrixXd j = jacobian->leftCols(count);
+    Eigen::MatrixXd normal = j.transpose() * j;
+    normal.diagonal() *= 1.0 + damping;
+    ChangeVector step = ChangeVector::Zero();
+    step.head(count) = normal.ldlt().solve(-j.transpose() * *residuals);
+    const auto next = around.residuals(step, anchors);
+    if (!step.allFinite()) {
+      return rms;
+    }
+    if (next && next->squaredNorm() <= residuals->squaredNorm()) {
+      camera = around.changed(step);
+      rms = rmsOfPoints(*next);
+      damping = std::max(1e-12, 0.1 * damping);
+    } else {
+      damping *= 10.0;
+    }
+    if (step.norm() < kSmallest || damping > 1e12) {
+      break;
+    }
+  }
+  return rms;
+}
+
+PoseShift poseShift(const Camera& before, const Camera& after) {
+  const Eigen::AngleAxisd turn(after.cameraFromWorld.linear() *
+                               before.cameraFromWorld.linear().transpose());
+  return {(after.center() - before.center()).norm(), turn.angle()};
+}
+
+} // namespace dewpoint::calibration

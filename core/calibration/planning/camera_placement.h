@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/calibration/bundle/calibration_progress.h"
+#include "core/geometry/camera.h"
+
+#include <Eigen/Geometry>
+
+#include <string>
+
+namespace dewpoint::calibration {
+
+/// A camera without distortion, its principal point in the middle of the image. `fieldOfView`:
+/// horizontal, radians.
+Camera idealCamera(const std::string& name, int width, int height, double fieldOfView);
+
+struct PlacementSettings {
+  Eigen::AlignedBox3d volume;  ///< to measure in; world, metres
+  double wallDistance = 0.0;   ///< walls and ceiling are this far outside of it, metres
+  double pixelSigma = 0.5;     ///< of a sighting, pixels
+  double goodSigma = 0.005;    ///< what is good enough, metres
+  std::size_t cellCount = 900; ///< that the volume is cut into
+};
+
+/// The place that was found.
+struct Placement {
+  Camera camera;             ///< as given, with its pose
+  double withinBefore = 0.0; ///< share of the volume that is good enough without it, 0 to 1
+  double withinAfter = 0.0;
+};
+
+/// The best place for one more camera: on one of the four walls (in the upper half) or on the
+/// ceiling of the volume, looking into it. A place is worth the mean over the volume of
+/// 1 / (1 + (sigma / goodSigma)²), and a little for what is seen at all, which decides for the
+/// first camera. All places of a coarse raster, aimed at the middle and at four points around it,
+/// are compared; the best one is then moved and turned in shrinking steps as long as it gets
+/// better. The same input gives the same place. BadValue for a volume without extent or a lens
+/// without focal length; Cancelled.
+Result<Placement> placeCamera(const CameraRig& rig, const Camera& lens,
+                              const PlacementSettings& settings,
+                              const CalibrationProgress& progress = {});
+
+} // namespace dewpoint::calibration

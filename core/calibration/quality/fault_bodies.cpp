@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/formats/calibration_plausibility.h"
+#include "core/calibration/quality/fault_hypotheses.h"
+#include "core/calibration/wand/wand_gauge.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace dewpoint::calibration {
+namespace {
+
+constexpr std::size_t kFewest = 5;       ///< instants
+constexpr std::size_t kFewestPoints = 6; ///< of a board at an instant
+constexpr double kLeastSizeSigma = 0.005;
+constexpr double kClearSigmas = 4.0;
+constexpr double kSameSize = 0.1; ///< relative scatter of the length over the instants
+constexpr double kFits = 0.1; ///< of a square: a board's points lie so near to where they should
+constexpr double kFitsNot = 0.4;
+constexpr double kMostColumns = 24;
+
+/// A board as seen at an instant.
+struct SeenBoard {
+  std::size_t state = 0;
+  std::vector<std::size_t> ids;
+  std::vector<Eigen::Vector3d> places;
+};
+
+std::vector<SeenBoard> seenBoards(const BundleProblem& problem, const PointPlaces& places) {
+  std::vector<SeenBoard> boards;
+  for (std::size_t s = 0; s < problem.states.size(); ++s) {
+    SeenBoard board{s, {}, {}};
+    for (std::size_t id = 0; id < places[s].size(); ++id) {
+      if (places[s][id]) {
+        board.ids.push_back(id);
+        board.places.push_back(*places[s][id]);
+      }
+    }
+    if (problem.bodies[problem.states[s].body].kind == BundleBody::Kind::Board &&
+        board.ids.size() >= kFewestPoints) {
+      boards.push_back(std::move(board));
+    }
+  }
+  return boards;
+}
+
+/// Where a body's points come to lie, and how well.
+struct Laid {
+  Similarity worldFromBody;
+  double rms = 0.0; ///< metres, in the world of the cameras
+};
+
+std::optional<Laid> laid(const SeenBoard& board, const std::vector<Eigen::Vector3d>& points) {
+  std::vector<Eigen::Vector3d> from;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const std::size_t id : board.ids) {
+    if (id >= points.size()) {
+      return std::nullopt;
+    }
+    from.push_back(points[id]);
+    middle += points[id] / static_cast<double>(board.ids.size());
+  }
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& point : from) {
+    spread += (point - middle) * (point - middle).transpose();
+  }
+  const Eigen::Vector3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues();
+  if (axes[1] < 1e-3 * axes[2]) {
+    return std::nullopt; // one row says nothing
+  }
+  Laid found{alignment(from, board.places, true), 0.0};
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    found.rms += (found.worldFromBody * from[i] - board.places[i]).squaredNorm();
+  }
+  found.rms = std::sqrt(found.rms / static_cast<double>(from.size()));
+  return found;
+}
+
+/// The median misfit in squares of a board with so many corners in a row; nothing without any.
+std::optional<double> misfit(const std::vector<SeenBoard>& boards, double square, int columns) {
+  std::vector<double> misfits;
+  for (const SeenBoard& board : boards) {
+    std::vector<Eigen::Vector3d> points;
+    for (std::size_t id = 0; id <= board.ids.back(); ++id) {
+      const auto number = static_cast<int>(id);
+      points.emplace_back(square * (number % columns), square * (number / columns), 0.0);
+    }
+    if (const auto found = laid(board, points)) {
+      misfits.push_back(found->rms / (found->worldFromBody.scale * square));
+    }
+  }
+  return misfits.size() < kFewest ? std::nullopt : std::optional(middleValue(misfits));
+}
+
+std::optional<NamedFault> squareCount(const FaultQuestion& question,
+                                      const std::vector<SeenBoard>& boards) {
+  const int given = question.board->cornerColumns();
+  const auto asGiven = misfit(boards, question.board->squareSize, given);
+  if (!asGiven || *asGiven < kFitsNot) {
+    return std::nullopt;
+  }
+  std::optional<NamedFault> best;
+  double least = kFits;
+  for (int columns = 2; columns <= kMostColumns; ++columns) {
+    const auto now = misfit(boards, question.board->squareSize, columns);
+    if (columns != given && now && *now < least) {
+      least = *now;
+      best = NamedFault{CalibrationFault::WrongSquareCount, {}, double(columns)};
+    }
+  }
+  return best;
+}
+
+/// Whether the cameras see the wrong side: of a board (its z goes into it), or of the floor.
+std::optional<NamedFault> mirrored(const FaultQuestion& question,
+                                   const std::vector<SeenBoard>& boards, const CameraRig& rig) {
+  std::vector<std::set<std::size_t>> seeing(question.problem.states.size());
+  for (const BundleObservation& seen : question.problem.observations) {
+    seeing[seen.state].insert(seen.camera);
+  }
+  std::size_t front = 0;
+  std::size_t back = 0;
+  for (const SeenBoard& board : boards) {
+    const BundleState& state = question.problem.states[board.state];
+    const auto found = laid(board, question.problem.bodies[state.body].points);
+    if (!found) {
+      continue;
+    }
+    for (const std::size_t c : seeing[board.state]) {
+      const Camera& camera = rig[c];
+      const Eigen::Vector3d inBody = found->worldFromBody.rotation.transpose() *
+                                     (camera.center() - found->worldFromBody.translation);
+      const bool above =
+          state.fixed ? (state.worldFromBoard.linear() * inBody).z() > 0.0 : inBody.z() < 0.0;
+      ++(above ? front : back);
+    }
+  }
+  if (back + front >= 3 && back > 9 * front) {
+    return NamedFault{CalibrationFault::MirroredBoard};
+  }
+  return std::nullopt;
+}
+
+/// Given lengths over those that the cameras show.
+std::vector<double> lengthRatios(const BundleProblem& problem, const PointPlaces& places,
+                                 const std::vector<SeenBoard>& boards) {
+  std::vector<double> ratios;
+  for (const SeenBoard& board : boards) {
+    const auto& points = problem.bodies[problem.states[board.state].body].points;
+    if (const auto found = laid(board, points)) {
+      ratios.push_back(1.0 / found->worldFromBody.scale);
+    }
+  }
+  for (std::size_t s = 0; s < problem.states.size(); ++s) {
+    const BundleBody& body = problem.bodies[problem.states[s].body];
+    if (body.kind == BundleBody::Kind::Stick && places[s].size() > 1 && places[s][0] &&
+        places[s][1]) {
+      ratios.push_back(body.length / (*places[s][0] - *places[s][1]).norm());
+    }
+  }
+  return ratios;
+}
+
+std::optional<NamedFault> lengths(const FaultQuestion& question, const PointPlaces& places,
+                                  const std::vector<SeenBoard>& boards, double sigma) {
+  auto ratios = lengthRatios(question.problem, places, boards);
+  const double ratio = middleValue(ratios);
+  for (double& value : ratios) {
+    value = std::abs(std::log(value / ratio));
+  }
+  if (ratios.size() < kFewest && !(boards.size() == ratios.size() && !boards.empty())) {
+    return std::nullopt;
+  }
+  const double clear = kClearSigmas * sigma;
+  if (middleValue(ratios) > kSameSize || std::abs(std::log(ratio)) < clear) {
+    return std::nullopt;
+  }
+  const auto near = [&](double expected) {
+    return std::min(std::abs(std::log(ratio / expected)), std::abs(std::log(ratio * expected))) <
+           clear;
+  };
+  if (near(1000.0)) {
+    return NamedFault{CalibrationFault::MillimetresMixed, {}, ratio};
+  }
+  for (const double inches : {1.0 / 0.0254, 25.4, 2.54}) {
+    if (near(inches)) {
+      return NamedFault{CalibrationFault::InchesMixed, {}, ratio};
+    }
+  }
+  return boards.empty() ? std::nullopt
+                        : std::optional(NamedFault{CalibrationFault::WrongSquareSize, {}, ratio});
+}
+
+} // namespace
+
+double sizeSigma(const CameraRig& rig, const RoughSigma& sigma) {
+  const double spread = 0.5 * cameraSpread(rig);
+  const double cameras = std::sqrt(static_cast<double>(std::max<std::size_t>(rig.size(), 1)));
+  return std::max(kLeastSizeSigma, sigma.place / std::max(spread, 1e-6) / cameras);
+}
+
+std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question, const PointPlaces& places,
+                                       const CameraRig& rig) {
+  const auto boards = seenBoards(question.problem, places);
+  if (question.board) {
+    if (auto count = squareCount(question, boards)) {
+      return {*count};
+    }
+  }
+  std::vector<NamedFault> faults;
+  if (auto side = mirrored(question, boards, rig)) {
+    faults.push_back(*side);
+  }
+  if (auto length = lengths(question, places, boards, sizeSigma(rig, question.rough))) {
+    faults.push_back(*length);
+  }
+  return faults;
+}
+
+} // namespace dewpoint::calibration

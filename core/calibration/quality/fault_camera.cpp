@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/quality/fault_hypotheses.h"
+#include "core/geometry/image_symmetry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+namespace dewpoint::calibration {
+namespace {
+
+constexpr std::size_t kMostLooks = 150;
+constexpr std::size_t kQuickLooks = 40;
+constexpr std::size_t kFewestLooks = 12;
+constexpr double kLeastGain = 30.0;
+constexpr double kLeastGainShare = 0.1;
+constexpr double kLeastGainShareUnsynchronized = 0.5;
+constexpr double kWellExplained = 3.0; ///< residuals against those of the cameras that agree
+constexpr double kLeastMove = 3.0;     ///< standard deviations of an image point
+/// Most that meanCost() may be when two places explain a camera. Normal noise alone gives 0.49 (its
+/// expectation); 2.0 is as if every residual were 2.2 standard deviations. A judgment, made with
+/// the recording charuco4 at hand, whose cameras stood still: halves of its late camera cost 3.3
+/// to 4.2.
+constexpr double kMovedCost = 2.0;
+constexpr double kLeastZoom = 0.03; ///< lenses are rarely known better when others calibrated
+constexpr int kMostLate = 120;      ///< frames
+constexpr int kLeastLate = 2;
+constexpr double kPlacesNoise = 1.5; ///< noise of the places adds to that of the image points
+constexpr std::array<double, 8> kResolutions{2.0, 0.5,       1.5,       2.0 / 3.0,
+                                             3.0, 1.0 / 3.0, 4.0 / 3.0, 0.75};
+
+/// How well a hypothesis explains the camera.
+struct Explained {
+  double cost = 0.0;   ///< mean, per number
+  double median = 0.0; ///< pixels, per axis
+};
+
+class CameraSuspicion {
+public:
+  CameraSuspicion(const FaultQuestion& question, const Suspect& suspect)
+      : question_(question), suspect_(suspect),
+        rough_(question.problem.cameras[suspect.camera].camera),
+        sigma_(kPlacesNoise * std::max(suspect.sigmaPx, 1e-3)) {}
+
+  std::optional<NamedFault> run() {
+    const auto looks = spreadOver(known(0.0), kMostLooks);
+    const auto asIs = looks.size() < kFewestLooks ? std::nullopt : explain(rough_, looks, false);
+    if (!asIs) {
+      return std::nullopt;
+    }
+    base_ = *asIs;
+    numbers_ = 2.0 * static_cast<double>(looks.size());
+    tryFlips(looks);
+    tryResolutions(looks);
+    tryZoom(looks);
+    tryMoved(looks);
+    if (base_.median > kWellExplained * sigma_) {
+      tryLate();
+    }
+    return best_;
+  }
+
+private:
+  /// Looks of the camera at points the others place, as they were `shift` seconds before.
+  std::vector<PointCorrespondence> known(double shift) const {
+    std::vector<PointCorrespondence> looks;
+    const auto& times = suspect_.looks->times;
+    for (const ImagePoint& look : suspect_.looks->looks[suspect_.camera]) {
+      const auto instant =
+          shift == 0.0 ? std::optional(look.instant) : instantAt(times[look.instant] - shift);
+      if (!instant) {
+        continue;
+      }
+      if (const auto& place = (*suspect_.places)[*instant][look.id]) {
+        looks.push_back({*place, look.pixel, times[look.instant]});
+      }
+    }
+    return looks;
+  }
+
+  std::optional<std::size_t> instantAt(double time) const {
+    const auto after = byTime_.lower_bound(time - 0.3 * period_);
+    return after != byTime_.end() && after->first < time + 0.3 * period_
+               ? std::optional(after->second)
+               : std::nullopt;
+  }
+
+  std::optional<Explained> explain(const Camera& rough,
+                                   const std::vector<PointCorrespondence>& looks, bool focalFree,
+                                   bool quick = false, Camera* found = nullptr) const {
+    const auto one = fitCamera(rough, looks, question_.rough, focalFree, quick);
+    if (!one) {
+      return std::nullopt;
+    }
+    if (found != nullptr) {
+      *found = one->camera;
+    }
+    return Explained{meanCost(one->squares, sigma_), std::sqrt(middleValue(one->squares))};
+  }
+
+  /// Keeps the hypothesis if it is clearly better than none and than the best so far.
+  void weigh(CalibrationFault fault, double value, const std::optional<Explained>& now,
+             double penalty) {
+    if (!now) {
+      return;
+    }
+    const double share = question_.unsynchronized ? kLeastGainShareUnsynchronized : kLeastGainShare;
+    const double gain = numbers_ * (base_.cost - now->cost) - penalty;
+    if (gain > std::max(kLeastGain, share * numbers_) && now->median < kWellExplained * sigma_ &&
+        (!best_ || gain > best_->gain)) {
+      best_ = NamedFault{fault, {suspect_.camera}, value, gain};
+    }
+  }
+
+  void tryFlips(const std::vector<PointCorrespondence>& looks) {
+    const Intrinsics& in = rough_.intrinsics;
+    for (const ImageSymmetry symmetry :
+         {ImageSymmetry{0, true}, ImageSymmetry{180, false}, ImageSymmetry{180, true}}) {
+      std::vector<PointCorrespondence> flipped = looks;
+      for (PointCorrespondence& look : flipped) {
+        look.pixel = transformed(symmetry, look.pixel, in.width, in.height);
+      }
+      weigh(CalibrationFault::VideoFlipped, 0.0, explain(rough_, flipped, false), 1.0);
+    }
+  }
+
+  void tryResolutions(const std::vector<PointCorrespondence>& looks) {
+    for (const double ratio : kResolutions) {
+      std::vector<PointCorrespondence> scaled = looks;
+      for (PointCorrespondence& look : scaled) { // edges of pixels scale, not centers
+        look.pixel = (look.pixel.array() + 0.5) / ratio - 0.5;
+      }
+      auto now = explain(rough_, scaled, false);
+      weigh(CalibrationFault::WrongResolution, ratio, now, 2.0);
+    }
+  }
+
+  void tryZoom(const std::vector<PointCorrespondence>& looks) {
+    if (question_.focalUnknown) {
+      return;
+    }
+    for (const double start : {1.0, 0.7, 1.4}) { // far off, the pose's prior would hold it back
+      Camera begin = rough_;
+      begin.intrinsics.focalX *= start;
+      begin.intrinsics.focalY *= start;
+      Camera found;
+      const auto now = explain(begin, looks, true, false, &found);
+      const double ratio = now ? found.intrinsics.focalX / rough_.intrinsics.focalX : 1.0;
+      if (std::abs(std::log(ratio)) > kLeastZoom) {
+        weigh(CalibrationFault::ZoomChanged, ratio, now, 0.5 * std::log(numbers_));
+      }
+    }
+  }
+
+  /// Another place from some time on.
+  void tryMoved(const std::vector<PointCorrespondence>& looks) {
+    for (int tenth = 2; tenth <= 8; ++tenth) {
+      const std::size_t split = looks.size() * static_cast<std::size_t>(tenth) / 10;
+      const auto middle = looks.begin() + static_cast<std::ptrdiff_t>(split);
+      const auto before = fitCamera(rough_, {looks.begin(), middle}, wide(), false);
+      const auto after = fitCamera(rough_, {middle, looks.end()}, wide(), false);
+      if (!before || !after ||
+          movedBy(before->camera, after->camera, looks) < kLeastMove * sigma_) {
+        continue;
+      }
+      std::vector<double> squares = before->squares;
+      squares.insert(squares.end(), after->squares.begin(), after->squares.end());
+      const double cost = meanCost(squares, sigma_);
+      if (cost > kMovedCost) {
+        continue; // two places explain it a little better, as two of anything would
+      }
+      weigh(CalibrationFault::CameraMoved, looks[split].time,
+            Explained{cost, std::sqrt(middleValue(squares))}, 3.5 * std::log(numbers_));
+    }
+  }
+
+  /// How far the same points lie apart in the images of two poses: median, pixels.
+  static double movedBy(const Camera& one, const Camera& other,
+                        const std::vector<PointCorrespondence>& looks) {
+    std::vector<double> distances;
+    for (const PointCorrespondence& look : looks) {
+      const auto a = Projector(one).project(look.place);
+      const auto b = Projector(other).project(look.place);
+      if (a && b) {
+        distances.push_back((*a - *b).norm());
+      }
+    }
+    return middleValue(distances);
+  }
+
+  /// A camera that was moved may be farther off than the rough rig.
+  RoughSigma wide() const { return {2.0 * question_.rough.turn, 2.0 * question_.rough.place}; }
+
+  void tryLate() {
+    const auto& times = suspect_.looks->times;
+    const auto& states = question_.problem.states;
+    std::vector<double> gaps;
+    for (std::size_t s = 0; s < times.size(); ++s) {
+      if (!states[s].fixed) {
+        byTime_[times[s]] = s;
+      }
+    }
+    for (auto at = byTime_.begin(); at != byTime_.end() && std::next(at) != byTime_.end(); ++at) {
+      gaps.push_back(std::next(at)->first - at->first);
+    }
+    period_ = middleValue(gaps);
+    if (!(period_ > 0.0)) {
+      return;
+    }
+    std::vector<std::pair<double, int>> order; // cost, frames
+    for (int frames = -kMostLate; frames <= kMostLate; ++frames) {
+      const auto looks = spreadOver(known(frames * period_), kQuickLooks);
+      if (std::abs(frames) < kLeastLate || looks.size() < kFewestLooks) {
+        continue;
+      }
+      if (const auto now = explain(rough_, looks, false, true)) {
+        order.emplace_back(now->cost, frames);
+      }
+    }
+    std::sort(order.begin(), order.end());
+    for (std::size_t k = 0; k < std::min<std::size_t>(3, order.size()); ++k) {
+      const auto looks = spreadOver(known(order[k].second * period_), kMostLooks);
+      weigh(CalibrationFault::CameraLate, order[k].second, explain(rough_, looks, false),
+            0.5 * std::log(numbers_) + std::log(2.0 * kMostLate));
+    }
+  }
+
+  const FaultQuestion& question_;
+  const Suspect& suspect_;
+  const Camera& rough_;
+  double sigma_;
+  double numbers_ = 0.0;
+  double period_ = 0.0;
+  std::map<double, std::size_t> byTime_;
+  Explained base_;
+  std::optional<NamedFault> best_;
+};
+
+} // namespace
+
+std::optional<NamedFault> faultOfCamera(const FaultQuestion& question, const Suspect& suspect) {
+  return CameraSuspicion(question, suspect).run();
+}
+
+} // namespace dewpoint::calibration

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/quality/fault_evidence.h"
+
+#include "core/geometry/ray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace dewpoint::calibration {
+namespace {
+
+constexpr std::size_t kMostPoints = 240;
+constexpr std::size_t kFewestPoints = 8;
+constexpr double kMostSigmas = 5.0;      ///< that a camera is off the rough rig
+constexpr double kUnseen = 1e6;          ///< pixels², of a point the camera cannot see
+constexpr double kMedianSquare = 0.4549; ///< of chi-square with one freedom
+constexpr std::array<double, 3> kWidths{40.0, 8.0, 2.0}; ///< of the loss, pixels, far to near
+
+using SeenBy = std::vector<std::pair<std::size_t, Eigen::Vector2d>>;
+
+/// Who sees each point, by instant and id.
+std::vector<std::vector<SeenBy>> seenBy(const ImagePoints& looks, const std::vector<bool>& use) {
+  std::vector<std::vector<SeenBy>> table(looks.times.size(), std::vector<SeenBy>(looks.ids));
+  for (std::size_t c = 0; c < looks.looks.size(); ++c) {
+    if (!use[c]) {
+      continue;
+    }
+    for (const ImagePoint& look : looks.looks[c]) {
+      table[look.instant][look.id].emplace_back(c, look.pixel);
+    }
+  }
+  return table;
+}
+
+BundleProblem pointProblem(const CameraRig& rough, const ImagePoints& looks,
+                           const std::vector<bool>& use, const RoughSigma& sigma,
+                           bool centersFree) {
+  BundleProblem problem;
+  std::vector<std::size_t> renamed(rough.size(), 0);
+  for (std::size_t c = 0; c < rough.size(); ++c) {
+    if (use[c]) {
+      renamed[c] = problem.cameras.size();
+      problem.cameras.push_back({.camera = rough[c],
+                                 .centerFree = centersFree,
+                                 .posePrior = PosePrior{sigma.turn, sigma.place}});
+    }
+  }
+  problem.bodies.push_back({.name = "point"});
+  std::vector<SeenBy> points;
+  for (auto& instant : seenBy(looks, use)) {
+    for (SeenBy& seen : instant) {
+      if (seen.size() >= 2) {
+        points.push_back(std::move(seen));
+      }
+    }
+  }
+  for (const SeenBy& seen : spreadOver(points, kMostPoints)) {
+    for (const auto& [camera, pixel] : seen) {
+      problem.observations.push_back(
+          {.camera = renamed[camera], .state = problem.states.size(), .pixel = pixel});
+    }
+    problem.states.push_back({.time = static_cast<double>(problem.states.size())});
+  }
+  problem.loss = RobustLoss::SoftL1;
+  problem.draft = true;
+  problem.maxIterations = 60;
+  return problem;
+}
+
+/// Adjusted with the loss narrowed step by step.
+Result<BundleResult> narrowed(BundleProblem& problem, std::size_t firstWidth) {
+  Result<BundleResult> now = failure(ErrorCode::Undetermined, "", "", "");
+  for (std::size_t w = firstWidth; w < kWidths.size(); ++w) {
+    problem.lossWidth = kWidths[w];
+    now = adjustBundle(problem);
+    if (!now) {
+      return now;
+    }
+    if (w + 1 < kWidths.size()) { // the prior stays about the rough rig in the last step only
+      for (std::size_t c = 0; c < problem.cameras.size(); ++c) {
+        problem.cameras[c].camera.intrinsics = now->cameras[c].intrinsics;
+      }
+      for (std::size_t s = 0; s < problem.states.size(); ++s) {
+        problem.states[s] = now->states[s];
+        problem.states[s].known = problem.states[s].known && !problem.states[s].fixed;
+      }
+    }
+  }
+  return now;
+}
+
+std::vector<double> squaresOf(const BundleResult& now) {
+  std::vector<double> squares;
+  for (const Eigen::Vector2d& residual : now.residuals) {
+    for (const double value : residual) {
+      squares.push_back(std::isfinite(value) ? value * value : kUnseen);
+    }
+  }
+  return squares;
+}
+
+/// Whether a camera is where the rough rig allows it: else it fits by standing elsewhere, which is
+/// no explanation.
+bool plausible(const Camera& rough, const Camera& found, const RoughSigma& sigma) {
+  const double turn =
+      Eigen::AngleAxisd(found.cameraFromWorld.linear() * rough.cameraFromWorld.linear().transpose())
+          .angle();
+  return turn < kMostSigmas * sigma.turn &&
+         (found.center() - rough.center()).norm() < kMostSigmas * sigma.place;
+}
+
+} // namespace
+
+ImagePoints pointLooks(const BundleProblem& problem) {
+  ImagePoints all;
+  all.looks.resize(problem.cameras.size());
+  for (const BundleState& state : problem.states) {
+    all.times.push_back(state.time);
+  }
+  for (const BundleObservation& seen : problem.observations) {
+    all.looks[seen.camera].push_back({seen.state, seen.point, seen.pixel});
+    all.ids = std::max(all.ids, seen.point + 1);
+  }
+  return all;
+}
+
+std::optional<PointFit> fitPoints(const CameraRig& rough, const ImagePoints& looks,
+                                  const std::vector<bool>& use, const RoughSigma& sigma,
+                                  bool centersFree) {
+  BundleProblem problem = pointProblem(rough, looks, use, sigma, centersFree);
+  if (problem.cameras.size() < 2 || problem.states.size() < kFewestPoints) {
+    return std::nullopt;
+  }
+  const auto now = narrowed(problem, 0);
+  if (!now) {
+    return std::nullopt;
+  }
+  PointFit fit;
+  fit.rig = rough;
+  std::size_t next = 0;
+  for (std::size_t c = 0; c < rough.size(); ++c) {
+    if (use[c]) {
+      fit.rig[c] = now->cameras[next++];
+    }
+  }
+  fit.squares = squaresOf(*now);
+  for (std::size_t c = 0; c < rough.size(); ++c) {
+    if (!plausible(rough[c], fit.rig[c], sigma)) {
+      fit.squares.assign(fit.squares.size(), kUnseen);
+    }
+  }
+  fit.points = problem.states.size();
+  const auto rows = static_cast<double>(fit.squares.size());
+  const double freedoms = rows - 3.0 * static_cast<double>(problem.states.size()) -
+                          6.0 * static_cast<double>(problem.cameras.size());
+  fit.sigmaPx =
+      std::sqrt(middleValue(fit.squares) / kMedianSquare * rows / std::max(freedoms, 0.1 * rows));
+  return fit;
+}
+
+PointPlaces triangulated(const CameraRig& rig, const ImagePoints& looks,
+                         const std::vector<bool>& use) {
+  std::vector<Unprojector> unprojectors;
+  for (const Camera& camera : rig) {
+    unprojectors.emplace_back(camera);
+  }
+  PointPlaces places;
+  for (const auto& instant : seenBy(looks, use)) {
+    auto& there = places.emplace_back();
+    for (const SeenBy& seen : instant) {
+      std::vector<Ray> rays;
+      for (const auto& [camera, pixel] : seen) {
+        if (const auto ray = unprojectors[camera].ray(pixel)) {
+          rays.push_back(*ray);
+        }
+      }
+      there.push_back(rays.size() >= 2 ? nearestPoint(rays) : std::nullopt);
+    }
+  }
+  return places;
+}
+
+std::optional<CameraResection> fitCamera(const Camera& rough,
+                                         const std::vector<PointCorrespondence>& looks,
+                                         const RoughSigma& sigma, bool focalFree, bool quick) {
+  BundleProblem problem;
+  problem.cameras.push_back(
+      {.camera = rough, .focalFree = focalFree, .posePrior = PosePrior{sigma.turn, sigma.place}});
+  problem.bodies.push_back({.name = "point"});
+  for (const PointCorrespondence& look : looks) {
+    problem.observations.push_back(
+        {.camera = 0, .state = problem.states.size(), .pixel = look.pixel});
+    problem.states.push_back({.fixed = true, .ends = {look.place, look.place}});
+  }
+  problem.loss = RobustLoss::SoftL1;
+  problem.draft = true;
+  problem.maxIterations = quick ? 8 : 40;
+  const auto now = narrowed(problem, quick ? kWidths.size() - 2 : 0);
+  if (looks.empty() || !now) {
+    return std::nullopt;
+  }
+  CameraResection found{now->cameras[0], squaresOf(*now)};
+  if (!plausible(rough, found.camera, sigma)) {
+    found.squares.assign(found.squares.size(), kUnseen);
+  }
+  return found;
+}
+
+double meanCost(const std::vector<double>& squares, double sigmaPx) {
+  constexpr double kFreedoms = 4.0;
+  double sum = 0.0;
+  for (const double square : squares) {
+    sum += 0.5 * (kFreedoms + 1.0) * std::log1p(square / (kFreedoms * sigmaPx * sigmaPx));
+  }
+  return squares.empty() ? 0.0 : sum / static_cast<double>(squares.size());
+}
+
+double middleValue(std::vector<double> values) {
+  if (values.empty()) {
+    return 0.0;
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+} // namespace dewpoint::calibration

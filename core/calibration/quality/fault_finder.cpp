@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/quality/fault_finder.h"
+
+#include "core/calibration/formats/calibration_plausibility.h"
+#include "core/calibration/quality/fault_hypotheses.h"
+#include "core/calibration/wand/wand_bundle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::calibration {
+namespace {
+
+constexpr double kClean =
+    2.0; ///< cameras agree when their residuals are within the best times this
+constexpr double kLeastGainOfSwap = 30.0;
+constexpr double kSwapExplains = 0.5; ///< exchanged cameras fit at least so much better
+constexpr double kLeastGainOfAll = 25.0;
+constexpr double kWidestRoom = 100.0; ///< metres; a larger rig is in millimetres
+
+/// Lens data of another size than the video: no question of residuals.
+std::optional<NamedFault> declaredSize(const FaultQuestion& question) {
+  for (std::size_t c = 0; c < question.imageSizes.size(); ++c) {
+    const Intrinsics& in = question.problem.cameras.at(c).camera.intrinsics;
+    const auto& size = question.imageSizes[c];
+    if (size[0] != in.width || size[1] != in.height) {
+      return NamedFault{CalibrationFault::WrongResolution, {c}, double(size[0]) / in.width};
+    }
+  }
+  return std::nullopt;
+}
+
+/// The search for one question.
+class FaultSearch {
+public:
+  explicit FaultSearch(const FaultQuestion& question)
+      : question_(question), looks_(pointLooks(question.problem)) {
+    for (const BundleCamera& camera : question.problem.cameras) {
+      rough_.push_back(camera.camera);
+    }
+    if (cameraSpread(rough_) > kWidestRoom) {
+      question_.rough.place *= 1000.0;
+    }
+    everyone_.assign(rough_.size(), true);
+  }
+
+  FaultReport run() {
+    FaultReport report;
+    if (auto size = declaredSize(question_)) {
+      report.faults.push_back(*size);
+      return finished(std::move(report));
+    }
+    all_ = fitPoints(rough_, looks_, everyone_, question_.rough);
+    fitOthers();
+    fitSwapped();
+    report.sigmaPx = best_;
+    auto named = ofOneCamera();
+    if (auto swap = ofTwoCameras(); swap && (!named || swap->gain > named->gain)) {
+      named = swap;
+    }
+    if (!named && all_) {
+      named = faultOfAll(question_, looks_, *all_);
+    }
+    if (named) {
+      report.faults.push_back(*named);
+    }
+    if (all_ && all_->sigmaPx <= kClean * best_ &&
+        (!named || named->fault == CalibrationFault::HalfPixel)) {
+      for (NamedFault& fault :
+           faultsOfBodies(question_, triangulated(all_->rig, looks_, everyone_), all_->rig)) {
+        report.faults.push_back(fault);
+      }
+    }
+    return finished(std::move(report));
+  }
+
+private:
+  struct Swap {
+    std::size_t one, other;
+    PointFit fit;
+  };
+
+  FaultReport finished(FaultReport report) const {
+    std::vector<std::string> names;
+    for (const Camera& camera : rough_) {
+      names.push_back(camera.name);
+    }
+    for (NamedFault& fault : report.faults) {
+      fault.sentence = faultSentence(fault, names);
+    }
+    return report;
+  }
+
+  void consider(const std::optional<PointFit>& fit) {
+    if (fit && (best_ == 0.0 || fit->sigmaPx < best_)) {
+      best_ = fit->sigmaPx;
+    }
+  }
+
+  std::vector<bool> without(std::size_t camera) const {
+    std::vector<bool> use = everyone_;
+    use[camera] = false;
+    return use;
+  }
+
+  void fitOthers() {
+    consider(all_);
+    for (std::size_t c = 0; c < rough_.size(); ++c) {
+      others_.push_back(rough_.size() < 3 ? std::nullopt
+                                          : fitPoints(rough_, looks_, without(c), question_.rough));
+      consider(others_.back());
+    }
+  }
+
+  /// Exchanged cameras leave many pixels.
+  bool mayBeSwapped() const {
+    std::vector<double> sigmas;
+    for (const BundleObservation& seen : question_.problem.observations) {
+      sigmas.push_back(seen.sigma);
+    }
+    return all_ && all_->sigmaPx > std::max(1.0, 3.0 * middleValue(sigmas));
+  }
+
+  void fitSwapped() {
+    if (!mayBeSwapped()) {
+      return;
+    }
+    for (std::size_t i = 0; i < rough_.size(); ++i) {
+      for (std::size_t j = i + 1; j < rough_.size(); ++j) {
+        ImagePoints exchanged = looks_;
+        std::swap(exchanged.looks[i], exchanged.looks[j]);
+        if (auto fit = fitPoints(rough_, exchanged, everyone_, question_.rough)) {
+          swaps_.push_back({i, j, std::move(*fit)});
+          consider(swaps_.back().fit);
+        }
+      }
+    }
+  }
+
+  std::optional<NamedFault> ofOneCamera() const {
+    std::optional<NamedFault> best;
+    for (std::size_t c = 0; c < rough_.size(); ++c) {
+      if (!others_[c] || others_[c]->sigmaPx > kClean * best_) {
+        continue;
+      }
+      const PointPlaces places = triangulated(others_[c]->rig, looks_, without(c));
+      const auto found = faultOfCamera(question_, {c, &looks_, &places, others_[c]->sigmaPx});
+      if (found && (!best || found->gain > best->gain)) {
+        best = found;
+      }
+    }
+    return best;
+  }
+
+  std::optional<NamedFault> ofTwoCameras() const {
+    std::optional<NamedFault> best;
+    for (const Swap& swap : swaps_) {
+      if (!all_ || swap.fit.sigmaPx > kClean * best_ ||
+          swap.fit.sigmaPx > kSwapExplains * all_->sigmaPx) {
+        continue;
+      }
+      const double gain = static_cast<double>(swap.fit.squares.size()) *
+                          (meanCost(all_->squares, best_) - meanCost(swap.fit.squares, best_));
+      if (gain > kLeastGainOfSwap && (!best || gain > best->gain)) {
+        best = NamedFault{CalibrationFault::CamerasSwapped, {swap.one, swap.other}, 0.0, gain};
+      }
+    }
+    return best;
+  }
+
+  FaultQuestion question_;
+  ImagePoints looks_;
+  CameraRig rough_;
+  std::vector<bool> everyone_;
+  std::optional<PointFit> all_;
+  std::vector<std::optional<PointFit>> others_; ///< without each camera
+  std::vector<Swap> swaps_;
+  double best_ = 0.0; ///< pixels: the least that any hypothesis leaves
+};
+
+} // namespace
+
+std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImagePoints& looks,
+                                     const PointFit& fit) {
+  const std::vector<bool> everyone(looks.looks.size(), true);
+  CameraRig rough;
+  for (const BundleCamera& camera : question.problem.cameras) {
+    rough.push_back(camera.camera);
+  }
+  const auto free = question.unsynchronized
+                        ? std::nullopt
+                        : fitPoints(rough, looks, everyone, question.rough, true);
+  if (!free) {
+    return std::nullopt;
+  }
+  const auto total = [&](const PointFit& one) {
+    return static_cast<double>(fit.squares.size()) * meanCost(one.squares, free->sigmaPx);
+  };
+  std::optional<NamedFault> best;
+  for (const double shift : {-0.5, 0.5}) {
+    ImagePoints shifted = looks;
+    for (auto& camera : shifted.looks) {
+      for (ImagePoint& look : camera) {
+        look.pixel.array() += shift;
+      }
+    }
+    const auto now = fitPoints(rough, shifted, everyone, question.rough);
+    if (!now) {
+      continue;
+    }
+    // As good as any other principal points, which have two numbers per camera to choose.
+    const double worseThanFree = total(*now) - total(*free);
+    const double gain = total(fit) - total(*now);
+    if (gain > kLeastGainOfAll && worseThanFree < 2.0 * static_cast<double>(rough.size()) + 8.0 &&
+        (!best || gain > best->gain)) {
+      best = NamedFault{CalibrationFault::HalfPixel, {}, shift, gain};
+    }
+  }
+  return best;
+}
+
+FaultReport findFaults(const FaultQuestion& question) {
+  return FaultSearch(question).run();
+}
+
+Result<FaultReport> findWandFaults(const WandProblem& problem) {
+  return wandBundle(problem).map([&](const BundleProblem& bundle) {
+    FaultQuestion question;
+    question.problem = bundle;
+    question.rough = {problem.roughTurn, problem.roughPlace};
+    question.focalUnknown = problem.findFocal;
+    question.unsynchronized =
+        problem.findOffsets ||
+        std::any_of(bundle.observations.begin(), bundle.observations.end(),
+                    [](const BundleObservation& seen) { return seen.lag != 0.0; });
+    return findFaults(question);
+  });
+}
+
+} // namespace dewpoint::calibration

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/quality/position_error.h"
+
+#include "core/calibration/bundle/bundle_cost.h"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <algorithm>
+
+namespace dewpoint::calibration {
+namespace {
+
+constexpr double kAngleStep = 1e-6;
+constexpr double kMetreStep = 1e-6;
+constexpr double kLensStep = 1e-4; ///< pixels, and of dimensionless numbers a thousandth of it
+
+std::vector<Eigen::Vector3d> seenPlaces(const BundleProblem& problem, const BundleResult& result) {
+  std::vector<Eigen::Vector3d> places;
+  for (const BundleState& state : result.states) {
+    if (!state.known) {
+      continue;
+    }
+    const BundleBody& body = problem.bodies[state.body];
+    if (body.kind == BundleBody::Kind::Board) {
+      for (const std::size_t corner : {std::size_t{0}, body.points.size() - 1}) {
+        places.push_back(state.worldFromBoard * body.points[corner]);
+      }
+      continue;
+    }
+    places.push_back(state.ends[0]);
+    if (body.kind == BundleBody::Kind::Stick) {
+      places.push_back(state.ends[1]);
+    }
+  }
+  return places;
+}
+
+double stepOf(CameraQuantity quantity) {
+  if (quantity <= CameraQuantity::TurnZ) {
+    return kAngleStep;
+  }
+  if (quantity <= CameraQuantity::CenterZ) {
+    return kMetreStep;
+  }
+  return quantity == CameraQuantity::Focal || quantity == CameraQuantity::PrincipalX ||
+                 quantity == CameraQuantity::PrincipalY
+             ? kLensStep
+             : 1e-3 * kLensStep;
+}
+
+/// The camera with one of its numbers larger by `step`.
+Camera changed(Camera camera, CameraQuantity quantity, double step) {
+  const int index = static_cast<int>(quantity);
+  if (index < 3) {
+    const Eigen::Vector3d center = camera.center();
+    camera.cameraFromWorld.linear() =
+        turned(step * Eigen::Vector3d::Unit(index)) * camera.cameraFromWorld.linear();
+    camera.cameraFromWorld.translation() = -camera.cameraFromWorld.linear() * center;
+  } else if (index < kPoseSize) {
+    const Eigen::Vector3d center = camera.center() + step * Eigen::Vector3d::Unit(index - 3);
+    camera.cameraFromWorld.translation() = -camera.cameraFromWorld.linear() * center;
+  } else if (quantity != CameraQuantity::TimeOffset) {
+    auto lens = lensBlock(camera);
+    lens.at(static_cast<std::size_t>(index - kPoseSize)) += step;
+    setLens(lens, camera);
+  }
+  return camera;
+}
+
+/// A camera, and it with each of its numbers a little larger.
+struct VariedCamera {
+  Projector projector;
+  std::vector<std::pair<Eigen::Index, Projector>> varied;
+  std::vector<double> steps;
+};
+
+std::vector<VariedCamera> variedCameras(const BundleResult& result) {
+  std::vector<VariedCamera> cameras;
+  for (std::size_t c = 0; c < result.cameras.size(); ++c) {
+    VariedCamera camera{Projector(result.cameras[c]), {}, {}};
+    const auto& columns = result.covariance.columns;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (columns[k].camera == c) {
+        const double step = stepOf(columns[k].quantity);
+        camera.steps.push_back(step);
+        camera.varied.emplace_back(
+            static_cast<Eigen::Index>(k),
+            Projector(changed(result.cameras[c], columns[k].quantity, step)));
+      }
+    }
+    cameras.push_back(std::move(camera));
+  }
+  return cameras;
+}
+
+bool inImage(const Intrinsics& image, const Eigen::Vector2d& pixel) {
+  return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() < image.width &&
+         pixel.y() < image.height;
+}
+
+/// Adds one place to the errors, if two cameras see it.
+void addPlace(const std::vector<VariedCamera>& cameras, const Eigen::Vector3d& place,
+              PositionErrors& errors, std::vector<Eigen::MatrixXd>& rows, Eigen::Index columns) {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(3, columns);
+  int seeing = 0;
+  for (const VariedCamera& camera : cameras) {
+    const auto here = camera.projector.project(place);
+    if (!here || !inImage(camera.projector.intrinsics(), *here)) {
+      continue;
+    }
+    Eigen::Matrix<double, 2, 3> byPlace;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto there = camera.projector.project(place + kMetreStep * Eigen::Vector3d::Unit(axis));
+      byPlace.col(axis) = there ? Eigen::Vector2d((*there - *here) / kMetreStep)
+                                : Eigen::Vector2d(Eigen::Vector2d::Zero());
+    }
+    information += byPlace.transpose() * byPlace;
+    for (std::size_t k = 0; k < camera.varied.size(); ++k) {
+      if (const auto there = camera.varied[k].second.project(place)) {
+        pull.col(camera.varied[k].first) -=
+            byPlace.transpose() * (*there - *here) / camera.steps[k];
+      }
+    }
+    ++seeing;
+  }
+  const Eigen::FullPivLU<Eigen::Matrix3d> solver(information);
+  if (seeing < 2 || !solver.isInvertible()) {
+    return;
+  }
+  errors.places.push_back(place);
+  errors.noise.emplace_back(solver.inverse());
+  rows.emplace_back(solver.solve(pull));
+}
+
+Eigen::Vector3d middleOf(const std::vector<Eigen::Vector3d>& places) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto& place : places) {
+    sum += place;
+  }
+  return sum / static_cast<double>(std::max<std::size_t>(places.size(), 1));
+}
+
+} // namespace
+
+PositionErrors propagateToPositions(const BundleProblem& problem, const BundleResult& result,
+                                    std::size_t most) {
+  PositionErrors errors;
+  const auto columns = static_cast<Eigen::Index>(result.covariance.columns.size());
+  const auto cameras = variedCameras(result);
+  const auto all = seenPlaces(problem, result);
+  const std::size_t count = std::min(most, all.size());
+  std::vector<Eigen::MatrixXd> rows;
+  for (std::size_t i = 0; i < count; ++i) {
+    addPlace(cameras, all[i * all.size() / count], errors, rows, columns);
+  }
+  errors.fromCameras.resize(static_cast<Eigen::Index>(3 * rows.size()), columns);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    errors.fromCameras.middleRows<3>(static_cast<Eigen::Index>(3 * i)) = rows[i];
+  }
+  return errors;
+}
+
+Eigen::MatrixXd removeRigidMotion(const std::vector<Eigen::Vector3d>& places,
+                                  const Eigen::MatrixXd& errors, bool sizeToo) {
+  const Eigen::Vector3d middle = middleOf(places);
+  Eigen::MatrixXd motions(errors.rows(), sizeToo ? 7 : 6);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Eigen::Vector3d arm = places[i] - middle;
+    auto rows = motions.middleRows<3>(static_cast<Eigen::Index>(3 * i));
+    rows.leftCols<3>().setIdentity();
+    for (int axis = 0; axis < 3; ++axis) {
+      rows.col(3 + axis) = Eigen::Vector3d::Unit(axis).cross(arm);
+    }
+    if (sizeToo) {
+      rows.col(6) = arm;
+    }
+  }
+  return errors - motions * motions.colPivHouseholderQr().solve(errors);
+}
+
+Eigen::RowVectorXd sizeChange(const std::vector<Eigen::Vector3d>& places,
+                              const Eigen::MatrixXd& errors) {
+  const Eigen::Vector3d middle = middleOf(places);
+  Eigen::VectorXd arms(errors.rows());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    arms.segment<3>(static_cast<Eigen::Index>(3 * i)) = places[i] - middle;
+  }
+  return arms.transpose() * errors / arms.squaredNorm();
+}
+
+Eigen::VectorXd cameraDifference(const std::vector<CameraColumn>& columns, const BundleResult& from,
+                                 const BundleResult& to) {
+  Eigen::VectorXd difference(static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const Camera& before = from.cameras[columns[k].camera];
+    const Camera& after = to.cameras[columns[k].camera];
+    const int index = static_cast<int>(columns[k].quantity);
+    double& value = difference[static_cast<Eigen::Index>(k)];
+    if (index < 3) {
+      const Eigen::AngleAxisd turn(after.cameraFromWorld.linear() *
+                                   before.cameraFromWorld.linear().transpose());
+      value = turn.angle() * turn.axis()[index];
+    } else if (index < kPoseSize) {
+      value = after.center()[index - 3] - before.center()[index - 3];
+    } else if (columns[k].quantity == CameraQuantity::TimeOffset) {
+      value = to.offsets[columns[k].camera] - from.offsets[columns[k].camera];
+    } else {
+      const auto entry = static_cast<std::size_t>(index - kPoseSize);
+      value = lensBlock(after)[entry] - lensBlock(before)[entry];
+    }
+  }
+  return difference;
+}
+
+} // namespace dewpoint::calibration

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/report/board_report.h"
+
+#include "core/base/markup.h"
+#include "core/calibration/report/report_drawing.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <numbers>
+
+namespace dewpoint::calibration {
+namespace {
+
+void addParameters(std::string& html, const BoardReport::CameraPart& camera) {
+  if (camera.parameters.empty()) {
+    return;
+  }
+  html += "<table><tr><th>parameter</th><th>value</th><th>standard deviation</th></tr>\n";
+  for (const EstimatedParameter& parameter : camera.parameters) {
+    html += fmt::format("<tr><td>{}</td><td>{:.6g}</td><td>{:.2g}</td></tr>\n", parameter.name,
+                        parameter.value, parameter.sigma);
+  }
+  html += "</table>\n";
+}
+
+std::vector<ImageResidual> residualsOf(const BoardReport::CameraPart& camera) {
+  std::vector<ImageResidual> all;
+  for (const ViewFit& view : camera.views) {
+    for (std::size_t k = 0; view.used && k < view.residuals.size(); ++k) {
+      all.push_back({view.pixels[k], view.residuals[k]});
+    }
+  }
+  return all;
+}
+
+std::vector<std::string> tiltCounts(const BoardCoverage& coverage) {
+  const char* names[] = {"flat", "left near", "right near", "top near", "bottom near"};
+  std::vector<std::string> notes;
+  for (int k = 0; k < BoardCoverage::kTilts; ++k) {
+    notes.push_back(fmt::format("{}: {}", names[k], coverage.tilts[static_cast<std::size_t>(k)]));
+  }
+  return notes;
+}
+
+std::vector<SpaceLine> outlines(const BoardReport& report) {
+  std::vector<SpaceLine> lines;
+  const BoardDescription& board = report.board;
+  const int columns = board.cornerColumns();
+  const int count = board.cornerCount();
+  for (const BoardPlace& place : report.places) {
+    SpaceLine& outline = lines.emplace_back(SpaceLine{"board", {}});
+    for (const int id : {0, columns - 1, count - 1, count - columns, 0}) {
+      outline.points.push_back(place.worldFromBoard * board.corner(id));
+    }
+  }
+  return lines;
+}
+
+void addCamera(std::string& html, const BoardReport::CameraPart& camera) {
+  std::size_t used = 0;
+  std::size_t corners = 0;
+  for (const ViewFit& view : camera.views) {
+    used += view.used ? 1 : 0;
+    corners += view.used ? view.ids.size() : 0;
+  }
+  auto out = std::back_inserter(html);
+  fmt::format_to(out,
+                 "<h2>{}</h2>\n<p>rms {:.4f} px over {} corners in {} of {} pictures; corners in "
+                 "{:.0f} % of the image",
+                 escaped(camera.name), camera.rmsPx, corners, used, camera.views.size(),
+                 100.0 * camera.coverage.imagePart());
+  if (camera.projectionPx) {
+    fmt::format_to(out, "; a ray is known to {:.2f} px (1 sigma) where the image is known least",
+                   *camera.projectionPx);
+  }
+  if (camera.centerSigma && *camera.centerSigma > 0.0) {
+    fmt::format_to(out, "; place ±{:.2f} mm, direction ±{:.3f}° against the first camera (1 sigma)",
+                   1e3 * *camera.centerSigma, *camera.turnSigma * 180.0 / std::numbers::pi);
+  }
+  html += ".</p>\n";
+  addParameters(html, camera);
+  html += "<h3>Residuals</h3><p>From where a corner is projected to where it was measured.</p>\n" +
+          residualDrawing(camera.camera.intrinsics, residualsOf(camera)) +
+          "<h3>Coverage</h3><p>Corners seen in each part of the image, "
+          "and pictures at each tilt.</p>\n" +
+          coverageDrawing(camera.camera.intrinsics, camera.coverage, tiltCounts(camera.coverage)) +
+          "<h3>Pictures</h3>\n" + errorDrawing(camera.views);
+}
+
+void addReport(std::string& html, const BoardReport& report) {
+  html += fmt::format("<h1>{}</h1>\n<p>Board: <code>{}</code></p>\n", escaped(report.title),
+                      escaped(boardText(report.board)));
+  if (!report.verdict.empty()) {
+    html += fmt::format("<p><b>{}</b></p>\n", escaped(report.verdict));
+  }
+  for (const std::string& notice : report.notices) {
+    html += fmt::format("<p class=\"notice\">{}.</p>\n", escaped(notice));
+  }
+  if (!report.places.empty()) {
+    CameraRig rig;
+    for (const auto& part : report.cameras) {
+      rig.push_back(part.camera);
+      rig.back().name = part.name;
+    }
+    html += "<h2>In space</h2>\n" + spaceDrawing(rig, outlines(report), "cameras and boards");
+  }
+  for (const auto& camera : report.cameras) {
+    addCamera(html, camera);
+  }
+}
+
+} // namespace
+
+BoardReport::CameraPart reportPart(const std::string& name, const IntrinsicsResult& result) {
+  BoardReport::CameraPart part;
+  part.name = name;
+  part.camera = result.camera;
+  part.rmsPx = result.rmsPx;
+  part.coverage = result.coverage;
+  part.views = result.views;
+  part.parameters = result.parameters;
+  part.projectionPx = result.worstProjectionPx;
+  return part;
+}
+
+BoardReport reportOf(const BoardDescription& board, const ExtrinsicsResult& result) {
+  BoardReport report;
+  report.title = fmt::format("Poses of {} cameras from a board", result.cameras.size());
+  report.board = board;
+  report.places = result.places;
+  report.notices = result.notices;
+  for (std::size_t k = 0; k < result.cameras.size(); ++k) {
+    const CameraFit& fit = result.fits[k];
+    BoardReport::CameraPart part;
+    part.name = result.cameras[k].name;
+    part.camera = result.cameras[k];
+    part.rmsPx = fit.rmsPx;
+    part.coverage = fit.coverage;
+    part.views = fit.views;
+    part.centerSigma = fit.centerSigma;
+    part.turnSigma = fit.turnSigma;
+    report.cameras.push_back(std::move(part));
+  }
+  return report;
+}
+
+std::string htmlText(const BoardReport& report) {
+  return htmlText(std::vector{report});
+}
+
+std::string htmlText(const std::vector<BoardReport>& reports) {
+  std::string html = pageHead(reports.front().title);
+  for (const BoardReport& report : reports) {
+    addReport(html, report);
+  }
+  return html + kPageEnd;
+}
+
+} // namespace dewpoint::calibration

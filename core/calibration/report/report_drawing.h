@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/board/board_coverage.h"
+#include "core/calibration/board/view_fit.h"
+#include "core/geometry/camera.h"
+
+#include <string>
+#include <vector>
+
+namespace dewpoint::calibration {
+
+/// The beginning of a self-contained HTML page, up to its body; styles for the drawings below.
+std::string pageHead(const std::string& title);
+inline constexpr const char* kPageEnd = "</body></html>\n";
+
+/// Something seen in an image, and how far it is from where it is projected.
+struct ImageResidual {
+  Eigen::Vector2d pixel;    ///< as measured
+  Eigen::Vector2d residual; ///< measured less projected, pixels
+};
+
+/// An image's outline with an arrow per residual from where it is projected to where it was
+/// measured, lengthened so that the longest usual ones can be seen, with the scale beside it. SVG.
+std::string residualDrawing(const Intrinsics& image, const std::vector<ImageResidual>& residuals);
+
+/// What was seen in each region of the image, and notes beside it. SVG.
+std::string coverageDrawing(const Intrinsics& image, const BoardCoverage& coverage,
+                            const std::vector<std::string>& notes);
+
+/// The error of each picture as a bar; those left out are hatched. SVG.
+std::string errorDrawing(const std::vector<ViewFit>& views);
+
+/// A line through points of the world: "board" (thin, amber) or another class of the page.
+struct SpaceLine {
+  const char* kind = "board";
+  std::vector<Eigen::Vector3d> points;
+};
+
+/// Cameras and lines in space: from the side above (with this label), and from above. SVG.
+std::string spaceDrawing(const CameraRig& cameras, const std::vector<SpaceLine>& lines,
+                         const char* label);
+
+} // namespace dewpoint::calibration

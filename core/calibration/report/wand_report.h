@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/board/board_coverage.h"
+#include "core/calibration/wand/wand_calibration.h"
+
+#include <string>
+#include <vector>
+
+namespace dewpoint::calibration {
+
+/// What the page about a calibration from a waved target shows.
+struct WandReport {
+  CameraRig before;                    ///< the rough rig
+  WandResult result;                   ///< with its faults
+  std::string verdict;                 ///< a sentence
+  std::vector<BoardCoverage> coverage; ///< per camera
+  bool offsetsFound = false;           ///< time offsets were looked for
+};
+
+/// One self-contained HTML page: the verdict, faults and figures, residual arrows and coverage for
+/// each camera, and cameras and the target's way in space.
+std::string htmlText(const WandReport& report);
+
+} // namespace dewpoint::calibration

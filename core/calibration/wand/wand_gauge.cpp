@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/wand/wand_gauge.h"
+
+#include "core/geometry/sphere_image.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::calibration {
+namespace {
+
+constexpr double kTouchSeconds = 0.1; ///< before and after a touch, while the ball is held
+constexpr std::size_t kFewestOfFall = 5;
+/// By how much all edges of a ball may lie too far in or out alike: that does not average out.
+constexpr double kEdgePx = 0.05;
+constexpr double kFlatEnough = 0.05; ///< metres that floor touches must spread in both directions
+
+Eigen::Vector3d meanOf(const std::vector<Eigen::Vector3d>& points) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto& point : points) {
+    sum += point;
+  }
+  return sum / static_cast<double>(points.size());
+}
+
+tl::unexpected<Error> notSeen(const char* field, double time) {
+  return failure(ErrorCode::Undetermined, "", field,
+                 fmt::format("the ball is not seen by two cameras at {:.2f} s", time));
+}
+
+Result<ScaleFound> scaleOfDistance(const WandProblem& problem, const BundleResult& now) {
+  const auto first = ballAt(now, problem.distance.firstTime);
+  const auto second = ballAt(now, problem.distance.secondTime);
+  if (!first || !second) {
+    return notSeen("distance", first ? problem.distance.secondTime : problem.distance.firstTime);
+  }
+  const double seen = (*second - *first).norm();
+  if (!(problem.distance.metres > 0.0) || !(seen > 0.0)) {
+    return failure(ErrorCode::BadValue, "", "distance", "it must be more than zero");
+  }
+  // A millimetre at either end, as a hand holds a ball to a mark.
+  return ScaleFound{problem.distance.metres / seen, 0.0015 / problem.distance.metres};
+}
+
+/// Apparent against expected radius. The median: a hidden or blurred ball is too small or large.
+Result<ScaleFound> scaleOfDiameter(const WandProblem& problem, const BundleProblem& bundle,
+                                   const BundleResult& now) {
+  std::vector<SphereProjector> projectors;
+  for (const Camera& camera : now.cameras) {
+    projectors.emplace_back(camera);
+  }
+  std::vector<double> ratios;
+  double pixels = 0.0;
+  for (std::size_t i = 0; i < bundle.observations.size(); ++i) {
+    const BundleObservation& seen = bundle.observations[i];
+    const double radius = problem.ballRadius[seen.point];
+    if (!std::isfinite(now.residuals[i].norm()) || !(seen.radius > 0.0) || !(radius > 0.0)) {
+      continue;
+    }
+    const auto image =
+        projectors[seen.camera].project(now.states[seen.state].ends[seen.point], radius);
+    if (image) {
+      ratios.push_back(image->radius / seen.radius);
+      pixels += seen.radius;
+    }
+  }
+  if (ratios.size() < 10) {
+    return failure(ErrorCode::Undetermined, "", "diameter",
+                   "the ball's radius is needed, in metres and in at least 10 images");
+  }
+  const auto count = static_cast<double>(ratios.size());
+  std::sort(ratios.begin(), ratios.end());
+  const auto at = [&](double share) {
+    return ratios[static_cast<std::size_t>(share * (count - 1.0))];
+  };
+  const double spread = 0.5 * (at(0.84) - at(0.16)) / std::sqrt(count);
+  return ScaleFound{at(0.5), std::hypot(spread, kEdgePx * count / pixels)};
+}
+
+/// Rotates `up` to Z and leaves the rest as it was.
+Similarity toUpright(const Eigen::Vector3d& up) {
+  Similarity change;
+  change.rotation =
+      Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return change;
+}
+
+/// Fits place = a + b t + c t² to the fall: acceleration 2 c.
+Result<WandDrop> fall(const std::array<double, 2>& when, const BundleResult& now,
+                      Eigen::Vector3d& acceleration) {
+  std::vector<const BundleState*> seen;
+  for (const BundleState& state : now.states) {
+    if (state.known && state.time >= when[0] && state.time <= when[1]) {
+      seen.push_back(&state);
+    }
+  }
+  if (seen.size() < kFewestOfFall) {
+    return failure(ErrorCode::Undetermined, "", "drop",
+                   fmt::format("{} instants of the fall are seen by two cameras, {} are needed",
+                               seen.size(), kFewestOfFall));
+  }
+  const auto rows = static_cast<Eigen::Index>(seen.size());
+  Eigen::MatrixXd powers(rows, 3);
+  Eigen::MatrixXd places(rows, 3);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const BundleState& state = *seen[static_cast<std::size_t>(i)];
+    const double t = state.time - when[0];
+    powers.row(i) << 1.0, t, t * t;
+    places.row(i) = state.ends[0].transpose();
+  }
+  const Eigen::MatrixXd fitted = powers.colPivHouseholderQr().solve(places);
+  acceleration = 2.0 * fitted.row(2).transpose();
+  const double freedoms = static_cast<double>(3 * std::max<Eigen::Index>(rows - 3, 1));
+  const double variance = (powers * fitted - places).squaredNorm() / freedoms;
+  const Eigen::Matrix3d inverse = (powers.transpose() * powers).inverse();
+  return WandDrop{acceleration.norm(), 2.0 * std::sqrt(variance * inverse(2, 2)), seen.size()};
+}
+
+Result<Similarity> onFloor(const WandProblem& problem, const BundleResult& now,
+                           const Eigen::Vector3d& fallUp, WandResult& result) {
+  std::vector<Eigen::Vector3d> touches;
+  for (const double time : problem.floorTimes) {
+    const auto place = ballAt(now, time);
+    if (!place) {
+      return notSeen("floor", time);
+    }
+    touches.push_back(*place);
+  }
+  const Eigen::Vector3d middle = meanOf(touches);
+  Eigen::Vector3d up = fallUp;
+  if (touches.size() >= 3) {
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+    for (const auto& touch : touches) {
+      scatter += (touch - middle) * (touch - middle).transpose();
+    }
+    scatter /= static_cast<double>(touches.size());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(scatter);
+    if (!(std::sqrt(eigen.eigenvalues()[1]) > kFlatEnough)) {
+      return failure(ErrorCode::Undetermined, "", "floor",
+                     "the touched places lie on a line; spread them over the floor");
+    }
+    up = eigen.eigenvectors().col(0);
+    double above = 0.0;
+    for (const Camera& camera : now.cameras) {
+      above += (camera.center() - middle).dot(up);
+    }
+    up *= above < 0.0 ? -1.0 : 1.0;
+    result.floorFound = true;
+    result.floorRms = std::sqrt(std::max(eigen.eigenvalues()[0], 0.0));
+  }
+  Similarity change = toUpright(up);
+  // The floor is one radius below the middles of the balls that lie on it.
+  change.translation.z() = problem.ballRadius[0] - (change.rotation * middle).z();
+  return change;
+}
+
+} // namespace
+
+Similarity alignment(const std::vector<Eigen::Vector3d>& from,
+                     const std::vector<Eigen::Vector3d>& to, bool sized) {
+  const Eigen::Vector3d fromMiddle = meanOf(from);
+  const Eigen::Vector3d toMiddle = meanOf(to);
+  Eigen::Matrix3d cross = Eigen::Matrix3d::Zero();
+  double spread = 0.0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    cross += (to[i] - toMiddle) * (from[i] - fromMiddle).transpose();
+    spread += (from[i] - fromMiddle).squaredNorm();
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(cross, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Vector3d signs = Eigen::Vector3d::Ones();
+  signs.z() = svd.matrixU().determinant() * svd.matrixV().determinant() < 0.0 ? -1.0 : 1.0;
+  Similarity change;
+  change.rotation = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+  if (sized && spread > 0.0) {
+    change.scale = svd.singularValues().dot(signs) / spread;
+  }
+  change.translation = toMiddle - change.scale * (change.rotation * fromMiddle);
+  return change;
+}
+
+Similarity rigAlignment(const CameraRig& from, const CameraRig& to, bool sized) {
+  // The size comes from the places alone; then points ahead of and above each camera, as far away
+  // as the cameras are from each other, let the axes have their say.
+  std::vector<Eigen::Vector3d> fromPlaces, toPlaces;
+  for (std::size_t c = 0; c < from.size(); ++c) {
+    fromPlaces.push_back(from[c].center());
+    toPlaces.push_back(to[c].center());
+  }
+  const auto spread = [](const std::vector<Eigen::Vector3d>& places) {
+    double sum = 0.0;
+    for (const auto& place : places) {
+      sum += (place - meanOf(places)).squaredNorm();
+    }
+    return std::sqrt(sum / static_cast<double>(places.size()));
+  };
+  const double scale =
+      sized && spread(fromPlaces) > 0.0 ? spread(toPlaces) / spread(fromPlaces) : 1.0;
+  const double reach = std::max(spread(toPlaces), 1e-6);
+  for (std::size_t c = 0; c < from.size(); ++c) {
+    for (const Eigen::Index axis : {1, 2}) {
+      fromPlaces.push_back(from[c].center() +
+                           reach / scale * from[c].cameraFromWorld.linear().row(axis).transpose());
+      toPlaces.push_back(to[c].center() +
+                         reach * to[c].cameraFromWorld.linear().row(axis).transpose());
+    }
+  }
+  for (auto& place : fromPlaces) {
+    place *= scale;
+  }
+  Similarity change = alignment(fromPlaces, toPlaces, false);
+  change.scale = scale;
+  return change;
+}
+
+void moveWorld(const Similarity& change, BundleResult& result) {
+  for (Camera& camera : result.cameras) {
+    const Eigen::Vector3d center = change * camera.center();
+    const Eigen::Quaterniond rotation(
+        Eigen::Matrix3d(camera.cameraFromWorld.linear() * change.rotation.transpose()));
+    camera.cameraFromWorld.linear() = rotation.normalized().toRotationMatrix();
+    camera.cameraFromWorld.translation() = -camera.cameraFromWorld.linear() * center;
+  }
+  for (BundleState& state : result.states) {
+    for (Eigen::Vector3d& end : state.ends) {
+      end = change * end;
+    }
+    state.worldFromBoard.linear() = change.rotation * state.worldFromBoard.linear();
+    state.worldFromBoard.translation() =
+        change * Eigen::Vector3d(state.worldFromBoard.translation());
+  }
+  const Eigen::Matrix3d turn = change.scale * change.rotation;
+  Eigen::MatrixXd& matrix = result.covariance.matrix;
+  for (std::size_t i = 0; i < result.covariance.columns.size(); ++i) {
+    if (result.covariance.columns[i].quantity == CameraQuantity::CenterX) {
+      const auto at = static_cast<Eigen::Index>(i);
+      matrix.middleRows<3>(at) = (turn * matrix.middleRows<3>(at)).eval();
+      matrix.middleCols<3>(at) = (matrix.middleCols<3>(at) * turn.transpose()).eval();
+    }
+  }
+}
+
+std::optional<Eigen::Vector3d> ballAt(const BundleResult& now, double time, std::size_t ball) {
+  std::vector<Eigen::Vector3d> places;
+  for (const BundleState& state : now.states) {
+    if (state.known && std::abs(state.time - time) <= kTouchSeconds) {
+      places.push_back(state.ends[ball]);
+    }
+  }
+  return places.empty() ? std::nullopt : std::optional(meanOf(places));
+}
+
+Result<ScaleFound> scaleOf(const WandProblem& problem, const BundleProblem& bundle,
+                           const BundleResult& now) {
+  switch (problem.scale) {
+  case WandScale::Distance:
+    return scaleOfDistance(problem, now);
+  case WandScale::Diameter:
+    return scaleOfDiameter(problem, bundle, now);
+  case WandScale::Stick: // a stick is measured to half a millimetre
+    return ScaleFound{1.0, problem.stickLength > 0.0 ? 5e-4 / problem.stickLength : 0.0};
+  default:
+    return ScaleFound{};
+  }
+}
+
+Result<Similarity> uprightWorld(const WandProblem& problem, const BundleResult& now,
+                                WandResult& result) {
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  if (problem.drop) {
+    Eigen::Vector3d acceleration;
+    const auto fell = fall(*problem.drop, now, acceleration);
+    if (!fell) {
+      return tl::make_unexpected(fell.error());
+    }
+    result.drop = *fell;
+    up = -acceleration.normalized();
+  }
+  const auto change = problem.floorTimes.empty() ? Result<Similarity>(toUpright(up))
+                                                 : onFloor(problem, now, up, result);
+  if (change) {
+    result.upTurned = std::acos(std::clamp(change->rotation(2, 2), -1.0, 1.0));
+  }
+  return change;
+}
+
+} // namespace dewpoint::calibration

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/camera_motion/camera_motion_detector.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace dewpoint::camera_motion {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kInterval = 0.2;        // seconds between two checks of one camera
+constexpr std::size_t kChecks = 5;       // whose median counts
+constexpr double kBump = 0.05 * kDegree; // half of what must be reported
+constexpr double kBack = 0.03 * kDegree; // below it the camera stands as before
+constexpr double kSignificant = 6.0;     // standard errors
+constexpr int kFewestPieces = 6;
+constexpr int kGridColumns = 8; // at most one piece in each part of the image
+constexpr int kGridRows = 6;
+constexpr int kParts = kGridColumns * kGridRows;
+constexpr int kPartsAtOnce = 4;       // so that no check takes long
+constexpr double kAlike = 0.7;        // normalized correlation
+constexpr double kForgetAfter = 30.0; // seconds without being seen
+constexpr double kLearnEvery = 2.0;   // seconds, while pieces are missing
+constexpr int kThumbnail = 4;         // pixels of the image in one of the thumbnail
+constexpr double kThumbnailResponse = 0.15;
+
+Eigen::Vector3d medianOf(const std::deque<Eigen::Vector3d>& turns) {
+  Eigen::Vector3d result;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> values;
+    for (const Eigen::Vector3d& turn : turns) {
+      values.push_back(turn[axis]);
+    }
+    std::ranges::nth_element(values, values.begin() + std::ptrdiff_t(values.size() / 2));
+    result[axis] = values[values.size() / 2];
+  }
+  return result;
+}
+
+cv::Mat thumbnailOf(const cv::Mat& image) {
+  cv::Mat small, gray, result;
+  cv::resize(image, small, {image.cols / kThumbnail, image.rows / kThumbnail}, 0, 0,
+             cv::INTER_AREA);
+  cv::cvtColor(small, gray, cv::COLOR_BGR2GRAY);
+  gray.convertTo(result, CV_32F);
+  return result;
+}
+
+/// The piece of most structure in one part of the image, among a few places.
+std::optional<BackgroundPatch> bestPiece(const cv::Mat& image, const cv::Rect& part) {
+  constexpr int kPlaces = 5;
+  std::optional<BackgroundPatch> best;
+  for (int i = 0; i < kPlaces * kPlaces; ++i) {
+    const cv::Point place(part.x + (2 * (i % kPlaces) + 1) * part.width / (2 * kPlaces),
+                          part.y + (2 * (i / kPlaces) + 1) * part.height / (2 * kPlaces));
+    auto patch = BackgroundPatch::at(image, place);
+    if (patch && (!best || patch->structure() > best->structure())) {
+      best = std::move(patch);
+    }
+  }
+  return best;
+}
+
+} // namespace
+
+CameraMotionDetector::CameraMotionDetector(const CameraRig& rig) {
+  for (const Camera& camera : rig) {
+    watched_.emplace_back().camera = camera;
+  }
+}
+
+void CameraMotionDetector::restart() {
+  for (std::size_t k = 0; k < watched_.size(); ++k) {
+    accept(k, Camera(watched_[k].camera));
+  }
+  events_.clear();
+  lastTime_ = -1e18;
+}
+
+void CameraMotionDetector::accept(std::size_t camera, const Camera& now) {
+  Watched anew;
+  anew.camera = now;
+  watched_[camera] = std::move(anew);
+}
+
+void CameraMotionDetector::watch(const FrameSet& frames) {
+  const double time = seconds(frames.time);
+  if (time <= lastTime_) {
+    return;
+  }
+  lastTime_ = time;
+  for (std::size_t k = 0; k < watched_.size() && k < frames.frames.size(); ++k) {
+    const FramePtr& frame = frames.frames[k];
+    const Intrinsics& in = watched_[k].camera.intrinsics;
+    if (!frame || frame->image.type() != CV_8UC3 || time < watched_[k].due ||
+        frame->image.size() != cv::Size(in.width, in.height)) {
+      continue;
+    }
+    // The first time at once; then one camera after the other, so that no frame pays for all.
+    const bool first = watched_[k].pieces.empty();
+    const double stagger = first ? kInterval * double(k) / double(watched_.size()) : 0.0;
+    watched_[k].due = time + kInterval + stagger;
+    check(k, *frame, frames);
+  }
+}
+
+void CameraMotionDetector::learn(Watched& watched, const cv::Mat& image, double time,
+                                 const Eigen::Vector3d& turn, int parts) {
+  watched.learned = time;
+  const int width = image.cols / kGridColumns;
+  const int height = image.rows / kGridRows;
+  for (int tried = 0; tried < kParts && parts > 0; ++tried) {
+    const int part = std::exchange(watched.nextPart, (watched.nextPart + 1) % kParts);
+    const cv::Rect place(part % kGridColumns * width, part / kGridColumns * height, width, height);
+    if (std::ranges::any_of(watched.pieces, [&](const Piece& piece) {
+          return place.contains(piece.patch.center());
+        })) {
+      continue;
+    }
+    --parts;
+    auto patch = bestPiece(image, place);
+    const auto byTurn =
+        patch ? pixelsByTurn(watched.camera, Eigen::Vector2d(patch->center().x, patch->center().y))
+              : std::nullopt;
+    if (byTurn) {
+      watched.pieces.push_back({std::move(*patch), *byTurn, turn, time});
+    }
+  }
+}
+
+std::optional<CameraRotation> CameraMotionDetector::measure(Watched& watched, const cv::Mat& image,
+                                                            double time,
+                                                            const Eigen::Vector3d& guess) {
+  std::vector<BackgroundShift> shifts;
+  std::vector<Piece*> found;
+  for (Piece& piece : watched.pieces) {
+    const auto match = piece.patch.find(image, piece.byTurn * (guess - piece.turnThen));
+    if (match && match->likeness > kAlike) {
+      shifts.push_back({match->shift + piece.byTurn * piece.turnThen, piece.byTurn,
+                        piece.patch.shiftCovariance()});
+      found.push_back(&piece);
+    }
+  }
+  const auto turn = fitTurn(shifts);
+  // Fewer than half of what is known: rather something that covers and moves with its own pattern.
+  if (!turn || turn->used < kFewestPieces || 2 * std::size_t(turn->used) < shifts.size() ||
+      3 * std::size_t(turn->used) < watched.pieces.size()) {
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if ((shifts[i].shift - shifts[i].byTurn * turn->turn).norm() < 1.0) {
+      found[i]->lastSeen = time;
+    }
+  }
+  return turn;
+}
+
+std::optional<Eigen::Vector3d> CameraMotionDetector::largeTurn(const Watched& watched,
+                                                               const cv::Mat& image) {
+  if (watched.thumbnail.empty() || image.cols / kThumbnail != watched.thumbnail.cols ||
+      image.rows / kThumbnail != watched.thumbnail.rows) {
+    return std::nullopt;
+  }
+  double response = 0.0;
+  cv::Mat window;
+  cv::createHanningWindow(window, watched.thumbnail.size(), CV_32F);
+  const cv::Point2d shift =
+      cv::phaseCorrelate(watched.thumbnail, thumbnailOf(image), window, &response);
+  if (response < kThumbnailResponse) {
+    return std::nullopt;
+  }
+  const auto byTurn = pixelsByTurn(watched.camera, {image.cols / 2.0, image.rows / 2.0});
+  if (!byTurn) {
+    return std::nullopt;
+  }
+  const Eigen::Vector2d pixels(kThumbnail * shift.x, kThumbnail * shift.y);
+  const Eigen::Vector2d turn = byTurn->leftCols<2>().inverse() * pixels;
+  return Eigen::Vector3d(turn.x(), turn.y(), 0.0);
+}
+
+void CameraMotionDetector::check(std::size_t camera, const Frame& frame, const FrameSet& frames) {
+  Watched& watched = watched_[camera];
+  const double time = seconds(frames.time);
+  if (watched.thumbnail.empty()) {
+    watched.thumbnail = thumbnailOf(frame.image);
+    learn(watched, frame.image, time, Eigen::Vector3d::Zero(), kParts);
+    return;
+  }
+  const Eigen::Vector3d guess =
+      watched.turns.empty() ? Eigen::Vector3d::Zero() : watched.turns.back();
+  auto turn = measure(watched, frame.image, time, guess);
+  if (!turn && watched.pieces.size() >= std::size_t(kFewestPieces)) {
+    if (const auto large = largeTurn(watched, frame.image)) {
+      turn = measure(watched, frame.image, time, *large);
+      // Something large that moves has a shift of its own: most of the pieces must agree.
+      if (turn && 2 * std::size_t(turn->used) < watched.pieces.size()) {
+        turn.reset();
+      }
+    }
+  }
+  watched.state.judged = turn.has_value();
+  if (turn) {
+    judge(camera, *turn, frames);
+  }
+  if (turn && time - watched.learned > kLearnEvery) {
+    std::erase_if(watched.pieces,
+                  [&](const Piece& piece) { return time - piece.lastSeen > kForgetAfter; });
+    learn(watched, frame.image, time, watched.state.turn.turn, kPartsAtOnce);
+  }
+}
+
+void CameraMotionDetector::judge(std::size_t camera, const CameraRotation& turn,
+                                 const FrameSet& frames) {
+  Watched& watched = watched_[camera];
+  watched.turns.push_back(turn.turn);
+  if (watched.turns.size() > kChecks) {
+    watched.turns.pop_front();
+  }
+  CameraMotionState& state = watched.state;
+  state.turn = turn;
+  state.turn.turn = medianOf(watched.turns);
+  if (watched.turns.size() < kChecks) {
+    return;
+  }
+  const double angle = state.turn.turn.norm();
+  if (!state.moved && angle > kBump && turn.significance > kSignificant) {
+    state.moved = true;
+    events_.push_back({camera, frames.index, frames.time, state.turn});
+  } else if (state.moved && angle < kBack) {
+    state.moved = false;
+  }
+}
+
+} // namespace dewpoint::camera_motion

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/color/background_suppression.h"
+
+#include "core/color/match_image.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace dewpoint::color {
+namespace {
+
+bool isFamiliar(const cv::Vec3b& pixel, const cv::Vec3b& usual) {
+  for (int channel = 0; channel < 3; ++channel) {
+    const int allowed = kFamiliarLevels + (usual[channel] >> kFamiliarShift);
+    if (std::abs(pixel[channel] - usual[channel]) > allowed) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool anyRoom(const std::vector<cv::Mat>& rooms) {
+  return std::ranges::any_of(rooms, [](const cv::Mat& room) { return !room.empty(); });
+}
+
+} // namespace
+
+std::vector<cv::Mat> withoutBackgroundColors(const ColorRange& range,
+                                             const std::vector<cv::Mat>& images,
+                                             const std::vector<cv::Mat>& rooms) {
+  std::vector<cv::Mat> result = images;
+  const ColorClassifier classifier(range);
+  for (std::size_t k = 0; k < std::min(images.size(), rooms.size()); ++k) {
+    if (images[k].type() != CV_8UC3 || rooms[k].type() != CV_8UC3 ||
+        rooms[k].size() != images[k].size()) {
+      continue;
+    }
+    result[k] = images[k].clone();
+    const cv::Mat match = matchImage(images[k], classifier);
+    for (int row = 0; row < match.rows; ++row) {
+      for (int column = 0; column < match.cols; ++column) {
+        auto& pixel = result[k].at<cv::Vec3b>(row, column);
+        if (match.at<std::uint8_t>(row, column) != 0 &&
+            isFamiliar(pixel, rooms[k].at<cv::Vec3b>(row, column))) {
+          pixel = {};
+        }
+      }
+    }
+  }
+  return result;
+}
+
+ColorVerdict judgeColorWithBackground(const ColorRange& range,
+                                      const std::vector<ColorSample>& samples,
+                                      const std::vector<cv::Mat>& images,
+                                      const std::vector<cv::Mat>& rooms) {
+  return judgeColor(range, samples,
+                    anyRoom(rooms) ? withoutBackgroundColors(range, images, rooms) : images);
+}
+
+Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
+                                              const std::vector<cv::Mat>& images,
+                                              const std::vector<cv::Mat>& rooms) {
+  auto learned = learnColor(samples, images);
+  if (learned && anyRoom(rooms)) {
+    learned->verdict = judgeColorWithBackground(learned->range, samples, images, rooms);
+  }
+  return learned;
+}
+
+} // namespace dewpoint::color

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/color/color_learning.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <vector>
+
+namespace dewpoint::color {
+
+/// A pixel shows what is usually there when each channel is within this many gray levels (sensor
+/// noise) and an eighth of what it usually is (light that changes a little).
+inline constexpr int kFamiliarLevels = 14;
+inline constexpr int kFamiliarShift = 3;
+
+/// The images (CV_8UC3) with black, which no range matches, where they have a color of the range
+/// but so did the empty room: a tracker that knows the room does not take that for a target.
+/// `rooms` are in the same order; an empty one, or one of another size, leaves its image as it is.
+std::vector<cv::Mat> withoutBackgroundColors(const ColorRange& range,
+                                             const std::vector<cv::Mat>& images,
+                                             const std::vector<cv::Mat>& rooms);
+
+/// judgeColor() for trackers that know the empty rooms.
+ColorVerdict judgeColorWithBackground(const ColorRange& range,
+                                      const std::vector<ColorSample>& samples,
+                                      const std::vector<cv::Mat>& images,
+                                      const std::vector<cv::Mat>& rooms);
+
+/// learnColor() with such a verdict.
+Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
+                                              const std::vector<cv::Mat>& images,
+                                              const std::vector<cv::Mat>& rooms);
+
+} // namespace dewpoint::color

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/baselines/baseline_methods.h"
+
+#include "core/experiment/baselines/baseline_camshift.h"
+#include "core/experiment/baselines/baseline_tracker.h"
+#include "core/experiment/baselines/smoothed_method.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace dewpoint::experiment {
+namespace {
+
+template <class Finder> std::unique_ptr<BearingFinder> makeFinder() {
+  return std::make_unique<Finder>();
+}
+
+struct Baseline {
+  const char* name;
+  BaselineSetup setup;
+};
+
+const std::array<Baseline, 3>& baselines() {
+  static const std::array<Baseline, 3> all{{
+      {"triangulation", {makeFinder<LargestBlobFinder>, false, true, 4.0}},
+      {"triangulation-kalman", {makeFinder<LargestBlobFinder>, true, true, 4.0}},
+      {"camshift", {makeFinder<CamShiftFinder>, false, false, 4.0}},
+  }};
+  return all;
+}
+
+/// The method's defaults with the start of the run.
+Result<ParameterValues> parametersFor(const std::string& method, const ScenarioRun& run) {
+  ParameterValues values(methodParameters(method));
+  const std::array<std::string, 3> axes{"x", "y", "z"};
+  for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+    const auto k = static_cast<Eigen::Index>(axis);
+    for (const auto& [key, value] :
+         std::map<std::string, double>{{"start_" + axes[axis], run.startCenter[k]},
+                                       {"start_half_" + axes[axis], run.startHalf[k]}}) {
+      const auto known = values.declarations();
+      if (std::ranges::find(known, key, &ParameterDeclaration::key) == known.end()) {
+        continue; // a method may do without a start
+      }
+      if (const auto set = values.set(key, value); !set) {
+        return tl::make_unexpected(set.error());
+      }
+    }
+  }
+  return values;
+}
+
+} // namespace
+
+std::vector<std::string> suiteMethods() {
+  std::vector<std::string> names = methodNames(); // the default, dewpoint, first
+  names.insert(names.begin() + 1, kSmoothedMethod);
+  for (const Baseline& baseline : baselines()) {
+    names.emplace_back(baseline.name);
+  }
+  return names;
+}
+
+Result<std::unique_ptr<MultiTracker>> makeSuiteTracker(const std::string& method,
+                                                       const ScenarioRun& run) {
+  for (const Baseline& baseline : baselines()) {
+    if (method == baseline.name) {
+      return std::make_unique<BaselineTracker>(baseline.setup, run.rig, run.targets);
+    }
+  }
+  const std::string tracked = method == kSmoothedMethod ? methodNames().front() : method;
+  const auto parameters = parametersFor(tracked, run);
+  if (!parameters) {
+    return tl::make_unexpected(parameters.error());
+  }
+  return makeMultiTracker(tracked, *parameters, run.rig, run.targets);
+}
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/baselines/box_follower.h"
+
+#include "core/tracking/boxes/box_tracker.h"
+
+#include <opencv2/imgproc.hpp>
+#include <opencv2/tracking.hpp>
+#include <opencv2/video/tracking.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace dewpoint::experiment {
+namespace {
+
+cv::Rect wholePixels(const ImageBox& box) {
+  return {static_cast<int>(std::lround(box.x)), static_cast<int>(std::lround(box.y)),
+          static_cast<int>(std::lround(box.width)), static_cast<int>(std::lround(box.height))};
+}
+
+ImageBox boxOf(const cv::Rect& box) {
+  return {double(box.x), double(box.y), double(box.width), double(box.height)};
+}
+
+class OwnFollower final : public BoxFollower {
+public:
+  OwnFollower(std::unique_ptr<BoxTracker> tracker, std::uint64_t seed)
+      : tracker_(std::move(tracker)), seed_(seed) {}
+
+  Status start(const cv::Mat& bgr, const ImageBox& box) override {
+    return tracker_->start(bgr, box, seed_);
+  }
+  std::optional<ImageBox> step(const cv::Mat& bgr) override {
+    const BoxEstimate estimate = tracker_->step(bgr, team_);
+    claim_ = {estimate.similarity, estimate.visible};
+    return estimate.box;
+  }
+  std::optional<BoxClaim> claim() const override { return claim_; }
+
+private:
+  std::unique_ptr<BoxTracker> tracker_;
+  BoxClaim claim_;
+  std::uint64_t seed_;
+  ThreadTeam team_;
+};
+
+Status refused(const cv::Exception& problem) {
+  return failure(ErrorCode::BadValue, "", "box", problem.err);
+}
+
+/// CSRT (Lukežič et al. 2017) and KCF (Henriques et al. 2015).
+class CorrelationFollower final : public BoxFollower {
+public:
+  explicit CorrelationFollower(cv::Ptr<cv::Tracker> tracker) : tracker_(std::move(tracker)) {}
+
+  Status start(const cv::Mat& bgr, const ImageBox& box) override {
+    try {
+      tracker_->init(bgr, wholePixels(box));
+    } catch (const cv::Exception& problem) {
+      return refused(problem);
+    }
+    return {};
+  }
+
+  std::optional<ImageBox> step(const cv::Mat& bgr) override {
+    try {
+      cv::Rect box;
+      return tracker_->update(bgr, box) ? std::optional(boxOf(box)) : std::nullopt;
+    } catch (const cv::Exception&) {
+      return std::nullopt; // they refuse boxes that have left the image
+    }
+  }
+
+private:
+  cv::Ptr<cv::Tracker> tracker_;
+};
+
+/// CamShift (Bradski 1998) and meanShift on the back-projected hues.
+class HueFollower final : public BoxFollower {
+public:
+  explicit HueFollower(bool adaptive) : adaptive_(adaptive) {}
+
+  Status start(const cv::Mat& bgr, const ImageBox& box) override {
+    window_ = wholePixels(box) & cv::Rect({0, 0}, bgr.size());
+    try {
+      look(bgr);
+      const cv::Mat part = hsv_(window_);
+      const cv::Mat mask = colored_(window_);
+      cv::calcHist(&part, 1, &kChannel, mask, hues_, 1, &kHues, &range_);
+      cv::normalize(hues_, hues_, 0, 255, cv::NORM_MINMAX);
+    } catch (const cv::Exception& problem) {
+      return refused(problem);
+    }
+    return {};
+  }
+
+  std::optional<ImageBox> step(const cv::Mat& bgr) override {
+    try {
+      look(bgr);
+      cv::Mat probability;
+      cv::calcBackProject(&hsv_, 1, &kChannel, hues_, probability, &range_);
+      probability &= colored_;
+      const cv::TermCriteria until(cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 10, 1.0);
+      if (adaptive_) {
+        return boxOf(cv::CamShift(probability, window_, until).boundingRect());
+      }
+      cv::meanShift(probability, window_, until);
+      return boxOf(window_);
+    } catch (const cv::Exception&) {
+      return std::nullopt; // windows that have shrunk to nothing
+    }
+  }
+
+private:
+  static constexpr int kChannel = 0;
+  static constexpr int kHues = 16;
+  static constexpr float kRange[] = {0.0F, 180.0F};
+
+  void look(const cv::Mat& bgr) {
+    cv::cvtColor(bgr, hsv_, cv::COLOR_BGR2HSV);
+    cv::inRange(hsv_, cv::Scalar(0, 30, 10), cv::Scalar(180, 256, 256), colored_);
+  }
+
+  bool adaptive_;
+  const float* range_ = kRange;
+  cv::Rect window_;
+  cv::Mat hues_;
+  cv::Mat hsv_;
+  cv::Mat colored_;
+};
+
+} // namespace
+
+Result<std::unique_ptr<BoxFollower>> makeBoxFollower(const std::string& method, int particles,
+                                                     std::uint64_t seed) {
+  ParameterValues parameters(methodParameters(method));
+  if (const auto set = parameters.set("particles", particles); !set) {
+    return tl::make_unexpected(set.error());
+  }
+  auto tracker = makeBoxTracker(method, parameters);
+  if (!tracker) {
+    return tl::make_unexpected(tracker.error());
+  }
+  return std::make_unique<OwnFollower>(std::move(*tracker), seed);
+}
+
+const std::vector<std::string>& openCvFollowers() {
+  static const std::vector<std::string> kNames{"camshift", "meanshift", "csrt", "kcf"};
+  return kNames;
+}
+
+std::unique_ptr<BoxFollower> makeOpenCvFollower(const std::string& name) {
+  if (name == "csrt") {
+    return std::make_unique<CorrelationFollower>(cv::TrackerCSRT::create());
+  }
+  if (name == "kcf") {
+    return std::make_unique<CorrelationFollower>(cv::TrackerKCF::create());
+  }
+  return std::make_unique<HueFollower>(name == "camshift");
+}
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/baselines/smoothed_method.h"
+
+#include "core/trajectory/smoother.h"
+
+namespace dewpoint::experiment {
+
+std::vector<std::vector<TargetEstimate>>
+smoothedEstimates(const std::vector<std::vector<TargetEstimate>>& live, double framesPerSecond) {
+  Trajectory trajectory;
+  for (std::size_t frame = 0; frame < live.size(); ++frame) {
+    for (std::size_t target = 0; target < live[frame].size(); ++target) {
+      const TargetEstimate& estimate = live[frame][target];
+      TrajectorySample& sample = trajectory.samples.emplace_back();
+      sample.time = static_cast<double>(frame) / framesPerSecond;
+      sample.frame = static_cast<std::int64_t>(frame);
+      sample.target = std::to_string(target);
+      sample.position = estimate.mean;
+      sample.covariance = estimate.covariance;
+      sample.valid = estimate.valid;
+      if (estimate.seen) {
+        sample.seen = PositionMeasurement{estimate.seen->mean, estimate.seen->covariance};
+      }
+    }
+  }
+  const Trajectory after = smoothed(trajectory);
+  auto result = live;
+  std::size_t next = 0;
+  for (auto& estimates : result) {
+    for (TargetEstimate& estimate : estimates) {
+      const TrajectorySample& sample = after.samples[next++];
+      estimate.mean = sample.position;
+      estimate.covariance = sample.covariance;
+      estimate.valid = sample.valid;
+    }
+  }
+  return result;
+}
+
+} // namespace dewpoint::experiment

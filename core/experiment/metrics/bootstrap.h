@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/experiment/metrics/proportion.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace dewpoint::experiment {
+
+/// A figure of a sample; it gets the values in ascending order, at least one.
+using Statistic = std::function<double(const std::vector<double>& sorted)>;
+
+double meanOf(const std::vector<double>& sorted);
+double medianOf(const std::vector<double>& sorted);
+double p95Of(const std::vector<double>& sorted); ///< linear between order statistics
+
+struct BootstrapSetup {
+  int resamples = 2000;
+  double level = 0.95;
+  std::uint64_t seed = 1;
+};
+
+/// Percentile bootstrap interval of a statistic over the pooled values of all runs (Efron &
+/// Tibshirani 1993, chapter 13). Whole runs are drawn with replacement, because the values within a
+/// run depend on each other (cluster bootstrap; Davison & Hinkley 1997, section 3.8). Give each
+/// value a run of its own where they are independent. Values must be finite; runs may be empty. NaN
+/// without values. A pure function of its arguments, seed included.
+Interval bootstrapInterval(std::span<const std::vector<double>> runs, const Statistic& statistic,
+                           const BootstrapSetup& setup = {});
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+namespace dewpoint::experiment {
+
+/// Probability that a chi-square variable is at most `value`: the regularized lower incomplete
+/// gamma function P(degrees / 2, value / 2).
+double chiSquareProbability(double value, double degrees);
+
+/// The value that a chi-square variable does not exceed with `probability`, in [0, 1): the inverse
+/// of chiSquareProbability, to about 1e-12 relative.
+double chiSquareQuantile(double probability, double degrees);
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/experiment/metrics/proportion.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <span>
+
+namespace dewpoint::experiment {
+
+/// An error and the covariance the method stated for it. World frame, m and m².
+struct StateError {
+  Eigen::Vector3d error = Eigen::Vector3d::Zero(); ///< estimate minus truth
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+};
+
+/// 95 % of a chi-square variable with three degrees of freedom: the 95 % ellipsoid's squared size.
+inline constexpr double kChiSquared95ThreeDof = 7.814727903251;
+
+/// Do the stated covariances fit the errors? NEES is the normalized estimation error squared,
+/// error^T covariance^-1 error (Bar-Shalom, Li & Kirubarajan 2001, section 5.4.2): 3 on average for
+/// a consistent estimate, more for one too sure of itself.
+struct Consistency {
+  std::int64_t samples = 0;  ///< all that were given
+  std::int64_t unusable = 0; ///< not finite, or the covariance is not positive definite
+  Interval nees;             ///< mean, and the bounds a consistent filter keeps (see below)
+  Eigen::Vector3d axisNees = Eigen::Vector3d::Zero(); ///< mean error² / variance per world axis
+  Interval axisBounds; ///< value 1: what each of axisNees should be, and its bounds
+  Proportion inside;   ///< truths in the 95 % ellipsoid; unusable samples count as outside
+};
+
+/// The bounds are the two-sided chi-square bounds of the mean at `level`. They take the errors for
+/// independent: use one sample per run, or take them as a guide. Means are NaN and bounds unlimited
+/// without usable samples.
+Consistency consistency(std::span<const StateError> errors, double level = 0.95);
+
+/// error^T covariance^-1 error; NaN if the sample is unusable.
+double normalizedErrorSquared(const StateError& sample);
+
+} // namespace dewpoint::experiment

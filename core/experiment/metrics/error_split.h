@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/error_statistics.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace dewpoint::experiment {
+
+/// Where an error comes from. World frame, metres. rmse² = |bias|² + spread², and for each view
+/// rmse² = alongRms² + acrossRms².
+struct ErrorSplit {
+  std::int64_t count = 0; ///< finite errors; the others are left out, and all figures NaN if none
+  ErrorSummary summary;   ///< rmse, median, p95, max, bias
+  double spread = 0.0;    ///< root mean squared distance from the mean error
+  /// Depth and lateral error along and across the mean of the cameras' viewing directions; nothing
+  /// if there is no camera or the directions cancel (cameras that face each other).
+  std::optional<CameraBias> meanView;
+  std::vector<CameraBias> cameras; ///< the same for each camera
+};
+
+/// Splits errors, estimate minus truth.
+ErrorSplit splitErrors(const std::vector<Eigen::Vector3d>& errors,
+                       const std::vector<TrajectoryCamera>& cameras);
+
+} // namespace dewpoint::experiment

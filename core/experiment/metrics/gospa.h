@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/experiment/metrics/track_frame.h"
+
+#include <span>
+
+namespace dewpoint::experiment {
+
+struct GospaSetup {
+  double cutoff = 0.1; ///< metres; a pair farther apart counts as one missed and one false target
+  double order = 2.0;  ///< p, at least 1
+};
+
+/// The generalized optimal sub-pattern assignment metric between two sets of points, alpha = 2
+/// (Rahmathullah, Garcia-Fernandez & Svensson 2017, proposition 1):
+/// distance^p = sum over the assigned pairs of d^p + cutoff^p / 2 * (missed + false).
+struct Gospa {
+  double distance = 0.0; ///< metres
+  /// What the three kinds of error add to distance^p, in metres^p.
+  double localization = 0.0;
+  double missed = 0.0;
+  double falseTargets = 0.0;
+  int missedCount = 0;
+  int falseCount = 0;
+};
+
+/// Averages over frames. The parts add up to rootMean^p, as in one frame.
+struct GospaAverage {
+  double mean = 0.0;     ///< mean of the distance, metres
+  double rootMean = 0.0; ///< p-th root of the mean of distance^p, metres
+  double localization = 0.0;
+  double missed = 0.0;
+  double falseTargets = 0.0;
+  double missedPerFrame = 0.0;
+  double falsePerFrame = 0.0;
+};
+
+/// Truth against estimates of one frame; identities do not count.
+Gospa gospa(const TrackFrame& frame, const GospaSetup& setup);
+
+/// All zero when there are no frames.
+GospaAverage averageGospa(std::span<const TrackFrame> frames, const GospaSetup& setup);
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/experiment/metrics/track_frame.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace dewpoint::experiment {
+
+/// Similarity thresholds: 0.05, 0.10, ..., 0.95.
+inline constexpr int kHotaThresholdCount = 19;
+
+/// Higher order tracking accuracy at one threshold (Luiten et al. 2021). NaN where there is nothing
+/// to judge: all but LocA without truths and estimates, LocA without matches.
+struct HotaAtThreshold {
+  double threshold = 0.0; ///< alpha: the similarity a match needs
+  std::int64_t matches = 0;
+  std::int64_t misses = 0;
+  std::int64_t falsePositives = 0;
+  double detection = 0.0;    ///< DetA = TP / (TP + FN + FP)
+  double association = 0.0;  ///< AssA: mean over the TP of TPA / (TPA + FNA + FPA); 0 without TP
+  double localization = 0.0; ///< LocA: mean similarity of the TP
+  double hota = 0.0;         ///< sqrt(DetA * AssA)
+};
+
+/// The figures at each threshold and their means. LocA is averaged over the thresholds that have
+/// matches.
+struct Hota {
+  std::array<HotaAtThreshold, kHotaThresholdCount> thresholds;
+  double detection = 0.0;
+  double association = 0.0;
+  double localization = 0.0;
+  double hota = 0.0;
+};
+
+/// Similarity of a pair is 1 - distance / gate, not below 0. Frames are matched as in the authors'
+/// TrackEval: once for all thresholds, for the greatest sum of similarity times the two identities'
+/// alignment over the whole sequence.
+Hota hota(std::span<const TrackFrame> frames, double gate);
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/metrics/identity_evaluation.h"
+
+#include "core/trajectory/trajectory_reader.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <optional>
+
+namespace dewpoint::experiment {
+namespace {
+
+/// Adds the samples of one trajectory to the frames, as truths or as estimates.
+void fill(const Trajectory& trajectory, const IdentityComparison& comparison,
+          std::vector<TrackPoint> TrackFrame::*where, std::map<std::int64_t, TrackFrame>& frames) {
+  std::map<std::string, int> identities;
+  for (const TrajectorySample& sample : trajectory.samples) {
+    if (!sample.valid || !sample.position.allFinite()) {
+      continue;
+    }
+    const int identity =
+        identities.emplace(sample.target, static_cast<int>(identities.size())).first->second;
+    TrackPoint point{identity, sample.position};
+    if (comparison.ground) {
+      point.position.z() = 0.0;
+    }
+    TrackFrame& frame = frames[sample.frame];
+    frame.frame = sample.frame;
+    frame.time = sample.time;
+    (frame.*where).push_back(point);
+  }
+}
+
+bool hasFrames(const Trajectory& trajectory) {
+  return !trajectory.samples.empty() && trajectory.samples.front().frame != kNoFrame;
+}
+
+} // namespace
+
+Result<std::vector<TrackFrame>> trackFrames(const Trajectory& estimate, const Trajectory& truth,
+                                            const IdentityComparison& comparison) {
+  if (!hasFrames(estimate) || !hasFrames(truth)) {
+    return failure(ErrorCode::Mismatch, "", "frame", "identities are compared by frame number");
+  }
+  std::map<std::int64_t, TrackFrame> frames;
+  for (const TrajectorySample& sample : truth.samples) {
+    frames[sample.frame].frame = sample.frame; // also where nobody is there
+    frames[sample.frame].time = sample.time;
+  }
+  const auto ofTruth = frames.size();
+  fill(truth, comparison, &TrackFrame::truth, frames);
+  fill(estimate, comparison, &TrackFrame::estimates, frames);
+  std::vector<TrackFrame> result;
+  bool common = false;
+  for (auto& [number, frame] : frames) {
+    common = common || (!frame.truth.empty() && !frame.estimates.empty());
+    result.push_back(std::move(frame));
+  }
+  if (!common || ofTruth == 0) {
+    return failure(ErrorCode::Mismatch, "", "frame", "no frame has both a truth and an estimate");
+  }
+  return result;
+}
+
+Result<IdentityEvaluation> evaluateIdentities(const Trajectory& estimate, const Trajectory& truth,
+                                              const IdentityComparison& comparison) {
+  const auto frames = trackFrames(estimate, truth, comparison);
+  if (!frames) {
+    return tl::make_unexpected(frames.error());
+  }
+  IdentityEvaluation result;
+  result.comparison = comparison;
+  result.frames = static_cast<std::int64_t>(frames->size());
+  result.clear = clearMot(*frames, comparison.gate);
+  result.hota = hota(*frames, comparison.gate);
+  result.gospa = averageGospa(*frames, {comparison.gate, 2.0});
+  return result;
+}
+
+std::string identityText(const IdentityEvaluation& e) {
+  std::string text = fmt::format("identities, gate {:.3f} m{}, {} frames\n", e.comparison.gate,
+                                 e.comparison.ground ? " on the floor" : "", e.frames);
+  text += fmt::format("  CLEAR MOT          MOTA {:.3f}, MOTP {:.1f} mm\n", e.clear.mota(),
+                      1000.0 * e.clear.motp());
+  text += fmt::format("                     {} misses, {} false, {} switches, {} fragmentations "
+                      "of {} truths\n",
+                      e.clear.misses, e.clear.falsePositives, e.clear.identitySwitches,
+                      e.clear.fragmentations, e.clear.truths);
+  text += fmt::format("  HOTA               {:.3f} (detection {:.3f}, association {:.3f}, "
+                      "localization {:.3f})\n",
+                      e.hota.hota, e.hota.detection, e.hota.association, e.hota.localization);
+  text += fmt::format("  GOSPA              {:.1f} mm ({:.3f} missed, {:.3f} false per frame)\n",
+                      1000.0 * e.gospa.mean, e.gospa.missedPerFrame, e.gospa.falsePerFrame);
+  return text;
+}
+
+nlohmann::json identityJson(const IdentityEvaluation& e) {
+  return {{"unit", "m"},
+          {"gate", e.comparison.gate},
+          {"ground", e.comparison.ground},
+          {"frames", e.frames},
+          {"mota", e.clear.mota()},
+          {"motp", e.clear.motp()},
+          {"truths", e.clear.truths},
+          {"misses", e.clear.misses},
+          {"false_positives", e.clear.falsePositives},
+          {"identity_switches", e.clear.identitySwitches},
+          {"fragmentations", e.clear.fragmentations},
+          {"hota", e.hota.hota},
+          {"detection", e.hota.detection},
+          {"association", e.hota.association},
+          {"localization", e.hota.localization},
+          {"gospa", e.gospa.mean},
+          {"gospa_missed_per_frame", e.gospa.missedPerFrame},
+          {"gospa_false_per_frame", e.gospa.falsePerFrame}};
+}
+
+} // namespace dewpoint::experiment

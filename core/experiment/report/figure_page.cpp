@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/report/figure_page.h"
+
+#include "core/base/markup.h"
+#include "core/base/text_file.h"
+#include "core/experiment/report/report_folder.h"
+#include "core/experiment/suite/suite_report.h"
+
+#include <fmt/format.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+
+namespace dewpoint::experiment {
+namespace {
+
+std::string rowOf(const std::vector<std::string>& cells, const char* tag) {
+  std::string text = "<tr>";
+  for (const std::string& cell : cells) {
+    text += fmt::format("<{0}>{1}</{0}>", tag, escaped(cell));
+  }
+  return text + "</tr>";
+}
+
+} // namespace
+
+Verdict verdictOnNone(const std::vector<double>& shares) {
+  constexpr double kNone = 0.1;
+  const auto none = std::ranges::count_if(shares, [](double share) { return share < kNone; });
+  return none == 0                    ? Verdict::NotReproduced
+         : none == std::ssize(shares) ? Verdict::Reproduced
+                                      : Verdict::InPart;
+}
+
+FigurePage::FigurePage(const std::string& title, const std::string& sentence)
+    : title_(title), body_(fmt::format("<header><h1>{}</h1><p class='meta'>Dewpoint {}</p></header>"
+                                       "<p>{}</p>",
+                                       escaped(title), DEWPOINT_VERSION, escaped(sentence))) {}
+
+void FigurePage::heading(const std::string& text) {
+  body_ += fmt::format("<h2>{}</h2>", escaped(text));
+}
+
+void FigurePage::paragraph(const std::string& text) {
+  body_ += fmt::format("<p>{}</p>", escaped(text));
+}
+
+void FigurePage::claim(const std::string& text, bool reproduced, const std::string& here) {
+  claim(text, reproduced ? Verdict::Reproduced : Verdict::NotReproduced, here);
+}
+
+void FigurePage::claim(const std::string& text, Verdict verdict, const std::string& here) {
+  const char* style = verdict == Verdict::Reproduced ? "good"
+                      : verdict == Verdict::InPart   ? "part"
+                                                     : "bad";
+  const char* word = verdict == Verdict::Reproduced ? "reproduced"
+                     : verdict == Verdict::InPart   ? "reproduced in part"
+                                                    : "not reproduced";
+  body_ += fmt::format("<p><span class='chip {}'>{}</span> <b>{}</b> {}</p>", style, word,
+                       escaped(text), escaped(here));
+}
+
+void FigurePage::bar(const std::string& word, bool good, const std::string& text) {
+  body_ += fmt::format("<p><span class='chip {}'>{}</span> {}</p>", good ? "good" : "bad",
+                       escaped(word), escaped(text));
+}
+
+void FigurePage::plots(const std::vector<std::pair<std::string, Plot>>& plots,
+                       const std::vector<std::pair<std::string, std::string>>& legend) {
+  body_ += plotsHtml(plots, legend);
+}
+
+void FigurePage::picture(const std::string& name, const std::string& caption,
+                         const cv::Mat& image) {
+  this->image(name, ".png", caption, image);
+}
+
+void FigurePage::photo(const std::string& name, const std::string& caption, const cv::Mat& image) {
+  this->image(name, ".jpg", caption, image);
+}
+
+void FigurePage::image(const std::string& name, const std::string& format,
+                       const std::string& caption, const cv::Mat& image) {
+  files_.emplace_back(name + format, imageFile(image, format));
+  body_ += pictureHtml(name + format, caption);
+}
+
+void FigurePage::table(const std::vector<std::string>& head,
+                       const std::vector<std::vector<std::string>>& rows) {
+  body_ += "<div class='scroll'><table><thead>" + rowOf(head, "th") + "</thead><tbody>";
+  for (const auto& row : rows) {
+    body_ += rowOf(row, "td");
+  }
+  body_ += "</tbody></table></div>";
+}
+
+void FigurePage::data(const std::string& name, std::string text) {
+  body_ += fmt::format("<p class='soft'>The numbers: <a href='{0}'>{0}</a></p>", name);
+  files_.emplace_back(name, std::move(text));
+}
+
+std::string FigurePage::html() const {
+  return fmt::format("<!DOCTYPE html><html lang='en'><head><meta charset='utf-8'><title>{}</title>"
+                     "<style>{}</style></head><body><main>{}</main></body></html>\n",
+                     escaped(title_), reportStyle(), body_);
+}
+
+Status FigurePage::write(const std::filesystem::path& folder) const {
+  if (const auto prepared = prepareReportFolder(folder); !prepared) {
+    return prepared;
+  }
+  for (const auto& [name, bytes] : files_) {
+    if (auto written = writeTextFile(folder / name, bytes); !written) {
+      return written;
+    }
+  }
+  return writeTextFile(folder / "report.html", html());
+}
+
+std::string plotsHtml(const std::vector<std::pair<std::string, Plot>>& plots,
+                      const std::vector<std::pair<std::string, std::string>>& legend) {
+  std::string text;
+  if (!legend.empty()) {
+    text += "<div class='legend'>";
+    for (const auto& [style, name] : legend) {
+      text += fmt::format("<span class='{}'>{}</span>", style, escaped(name));
+    }
+    text += "</div>";
+  }
+  text += "<div class='plots'>";
+  for (const auto& [caption, plot] : plots) {
+    text += fmt::format("<figure><figcaption>{}</figcaption>{}</figure>", escaped(caption),
+                        svgOf(plot));
+  }
+  return text + "</div>";
+}
+
+std::string pictureHtml(const std::string& file, const std::string& caption) {
+  return fmt::format("<figure><figcaption>{0}</figcaption><img src='{1}' alt='{0}' "
+                     "style='max-width:100%'></figure>",
+                     escaped(caption), escaped(file));
+}
+
+std::string imageFile(const cv::Mat& image, const std::string& format) {
+  constexpr int kJpegQuality = 88;
+  std::vector<std::uint8_t> bytes;
+  cv::imencode(format, image, bytes,
+               format == ".jpg" ? std::vector<int>{cv::IMWRITE_JPEG_QUALITY, kJpegQuality}
+                                : std::vector<int>{});
+  return {bytes.begin(), bytes.end()};
+}
+
+std::string numbersAsCsv(const std::vector<std::string>& names,
+                         const std::vector<std::vector<double>>& columns) {
+  std::string text = fmt::format("{}\n", fmt::join(names, ","));
+  std::size_t rows = 0;
+  for (const auto& column : columns) {
+    rows = std::max(rows, column.size());
+  }
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      text += k > 0 ? "," : "";
+      text += row < columns[k].size() ? fmt::format("{}", columns[k][row]) : "";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/simulation/office.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace dewpoint::experiment {
+
+/// Whether clothes tell people apart.
+enum class PeopleClothes { Different, Similar };
+
+/// People in the simulated office, drawn from a seed.
+struct PeopleScenario {
+  OfficeScene scene;
+  /// Instants between which identities are to be kept, seconds: before and after people meet.
+  double before = 0.0;
+  double after = 0.0;
+};
+
+/// "crossing", "meet-and-turn", "side-by-side", "enter-leave", and "apart", the easy case.
+const std::vector<std::string>& peopleScenarioNames();
+/// What happens in it, one sentence.
+std::string peopleScenarioSentence(const std::string& name);
+/// NotFound for an unknown name.
+Result<PeopleScenario> makePeopleScenario(const std::string& name, PeopleClothes clothes,
+                                          std::uint64_t seed);
+
+} // namespace dewpoint::experiment

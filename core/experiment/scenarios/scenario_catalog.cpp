@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/scenarios/scenario_draft.h"
+
+namespace dewpoint::experiment {
+
+const std::vector<ScenarioDeclaration>& scenarioCatalog() {
+  static const std::vector<ScenarioDeclaration> catalog = [] {
+    const auto cache = std::make_shared<simulation::ViewCache>();
+    std::vector<ScenarioDeclaration> all;
+    for (const auto& family :
+         {scenarios::cleanScenarios(), scenarios::lookAlikeScenarios(),
+          scenarios::occlusionScenarios(), scenarios::blackoutScenarios(),
+          scenarios::startScenarios(), scenarios::crossingScenarios(), scenarios::cameraScenarios(),
+          scenarios::clockScenarios(), scenarios::lightScenarios(), scenarios::bumpScenarios(),
+          scenarios::unknownScenarios()}) {
+      for (const auto& recipe : family) {
+        all.push_back(scenarios::declared(recipe, cache));
+      }
+    }
+    return all;
+  }();
+  return catalog;
+}
+
+} // namespace dewpoint::experiment

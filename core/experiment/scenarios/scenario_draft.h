@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/random.h"
+#include "core/experiment/scenarios/scenario.h"
+#include "core/simulation/stage.h"
+#include "core/simulation/view_cache.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dewpoint::experiment::scenarios {
+
+/// Numbers that a seed decides, one after the other. Each scenario has numbers of its own, the same
+/// in both grades.
+class Draws {
+public:
+  Draws(std::uint64_t seed, const std::string& scenario);
+
+  double uniform(double low, double high);
+  double normal(double sigma);
+  int whole(int low, int high); ///< low to high, both included
+  bool coin() { return whole(0, 1) == 1; }
+  Eigen::Vector3d inBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
+  Eigen::Vector3d direction(); ///< unit vector, uniform over the sphere
+
+private:
+  RandomStream stream_;
+  std::uint32_t next_ = 0;
+};
+
+/// When a camera takes its frames: frame j at `offset` + j / `framesPerSecond` seconds.
+struct CameraClock {
+  double framesPerSecond = 30.0;
+  double offset = 0.0;
+};
+
+/// A scenario run in the making.
+struct ScenarioDraft {
+  std::string name;
+  Grade grade = Grade::Ideal;
+  std::uint64_t seed = 0;
+  Draws draws;
+  CameraRig rig; ///< the true cameras
+  simulation::Stage stage = {};
+  std::vector<std::size_t> targets = {}; ///< which bodies of the stage are to be tracked
+  bool radiusKnown = true;               ///< whether methods are told how large the targets are
+  Eigen::Vector3d startCenter = Eigen::Vector3d::Zero();
+  Eigen::Vector3d startHalf = Eigen::Vector3d::Zero();
+  double framesPerSecond = 30.0;
+  std::int64_t frameCount = 0;
+  std::vector<CameraClock> clocks =
+      {}; ///< one per camera; empty: all cameras take frame k with set k
+  std::function<bool(std::size_t camera, std::int64_t frame)> lost =
+      nullptr; ///< frame does not arrive
+  std::vector<ScenarioEvent> events = {};
+
+  double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
+};
+
+/// What a scenario is declared with: its name and how its draft is completed. Nothing when no place
+/// was found for what must be seen.
+struct ScenarioRecipe {
+  std::string name;
+  std::string sentence;
+  CameraRig rig;
+  simulation::Furnishing furnishing = simulation::Furnishing::ClutteredDesk;
+  std::function<bool(ScenarioDraft&)> complete = nullptr;
+};
+
+/// The declaration of a recipe. Runs share the cache's views of the room at rest.
+ScenarioDeclaration declared(ScenarioRecipe recipe, std::shared_ptr<simulation::ViewCache> cache);
+
+/// The target: the pink ball of the paper's kind, with the color range that holds its pixels.
+Target pinkTarget(const std::string& name, double radius);
+
+/// Adds a pink ball that is to be tracked ("ball 1", "ball 2", ...).
+void addTarget(ScenarioDraft& draft, simulation::Path path, double radius = 0.035);
+
+/// Lets the search start near the first target's true first place: a box of half size 0.1 m whose
+/// center is up to 0.05 m off along each axis.
+void startNearTruth(ScenarioDraft& draft);
+
+/// Lets the search start in a box that holds the first places of all targets with 0.05 m around
+/// each.
+void startAroundAll(ScenarioDraft& draft);
+
+// The recipes, one function per family.
+std::vector<ScenarioRecipe> cleanScenarios();     ///< S0
+std::vector<ScenarioRecipe> lookAlikeScenarios(); ///< S1
+std::vector<ScenarioRecipe> occlusionScenarios(); ///< S2
+std::vector<ScenarioRecipe> blackoutScenarios();  ///< S3
+std::vector<ScenarioRecipe> startScenarios();     ///< S4
+std::vector<ScenarioRecipe> crossingScenarios();  ///< S5
+std::vector<ScenarioRecipe> cameraScenarios();    ///< S6
+std::vector<ScenarioRecipe> clockScenarios();     ///< S7
+std::vector<ScenarioRecipe> lightScenarios();     ///< S8
+std::vector<ScenarioRecipe> bumpScenarios();      ///< S9
+std::vector<ScenarioRecipe> unknownScenarios();   ///< S10
+
+} // namespace dewpoint::experiment::scenarios

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/studies/convergence_study.h"
+
+#include "core/simulation/scene_renderer.h"
+#include "core/tracking/tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace dewpoint::experiment {
+namespace {
+
+constexpr double kConvergedError = 0.03; // metres: "position error < 3 cm once converged"
+constexpr int kDistinctFrames = 16;      // frames of a still ball differ by their noise only
+
+Scene stillScene(const Eigen::Vector3d& ball) {
+  Scene scene = demoScene();
+  scene.balls.front().motion = Motion::Still;
+  scene.balls.front().position = ball;
+  return scene;
+}
+
+std::vector<FrameSetPtr> renderFrames(const Scene& scene) {
+  const SceneRenderer renderer(scene);
+  std::vector<FrameSetPtr> sets;
+  for (int k = 0; k < kDistinctFrames; ++k) {
+    FrameSet set{k, timeStamp(k / scene.framesPerSecond), {}};
+    for (int camera = 0; camera < static_cast<int>(scene.cameras.size()); ++camera) {
+      set.frames.push_back(
+          std::make_shared<const Frame>(Frame{k, set.time, renderer.render(camera, k)}));
+    }
+    sets.push_back(std::make_shared<const FrameSet>(std::move(set)));
+  }
+  return sets;
+}
+
+Target targetOf(const SceneBall& ball) {
+  return {ball.name, ball.radius,
+          ColorRange{ball.hueMin, ball.hueMax, ball.saturationMin, ball.saturationMax,
+                     ball.intensityMin, ball.intensityMax}};
+}
+
+ParameterValues parametersOf(const ConvergenceCase& setup) {
+  ParameterValues parameters(methodParameters("barrera"));
+  const char* const axes[] = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    // Within the declared range by construction of the cases.
+    (void)parameters.set(std::string("start_") + axes[axis], setup.start[axis]);
+    (void)parameters.set(std::string("start_half_") + axes[axis], setup.startHalf[axis]);
+  }
+  return parameters;
+}
+
+/// One iteration per frame.
+void watchRun(Tracker& tracker, const std::vector<FrameSetPtr>& frames, std::uint64_t seed,
+              int iterations, const ConvergenceWatch& watch) {
+  ThreadTeam team(1);
+  tracker.restart(seed);
+  for (int k = 0; k < iterations; ++k) {
+    FrameSet frame = *frames[static_cast<std::size_t>(k) % frames.size()];
+    frame.index = k; // the random numbers go by frame number
+    const auto shown = std::make_shared<const FrameSet>(std::move(frame));
+    tracker.beginFrame(shown);
+    const TargetEstimate estimate = tracker.iterate(team);
+    watch(k + 1, tracker, estimate, *shown);
+  }
+}
+
+/// The cloud's mean after each iteration.
+std::vector<Eigen::Vector3d> meansOfRun(Tracker& tracker, const std::vector<FrameSetPtr>& frames,
+                                        std::uint64_t seed, int iterations) {
+  std::vector<Eigen::Vector3d> means;
+  watchRun(tracker, frames, seed, iterations,
+           [&](int, const Tracker&, const TargetEstimate& estimate, const FrameSet&) {
+             means.push_back(estimate.mean);
+           });
+  return means;
+}
+
+/// Iterations done when the error falls below the bound for good; nothing if it is above it at the
+/// end.
+std::optional<int> iterationsToConverge(const std::vector<Eigen::Vector3d>& means,
+                                        const Eigen::Vector3d& truth) {
+  const auto isFar = [&](const Eigen::Vector3d& mean) {
+    return (mean - truth).norm() >= kConvergedError;
+  };
+  const auto last = std::find_if(means.rbegin(), means.rend(), isFar);
+  const auto iterations = static_cast<int>(means.rend() - last) + 1;
+  return iterations > static_cast<int>(means.size()) ? std::nullopt : std::optional(iterations);
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) {
+    return 0.0;
+  }
+  std::sort(values.begin(), values.end());
+  const auto middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+/// A still scene, its frames and the tracker that is to find its ball.
+struct Trial {
+  std::unique_ptr<Tracker> tracker;
+  std::vector<FrameSetPtr> frames;
+  Eigen::Vector3d axis; ///< optical axis of the first camera, world
+};
+
+Result<Trial> prepare(const Scene& scene, const ConvergenceCase& setup) {
+  return makeTracker("barrera", parametersOf(setup), scene.cameras, targetOf(scene.balls.front()))
+      .map([&](std::unique_ptr<Tracker> tracker) {
+        return Trial{std::move(tracker), renderFrames(scene), scene.cameras.front().opticalAxis()};
+      });
+}
+
+/// Runs with seeds 1, 2, ... and what they add up to.
+ConvergenceResult resultOf(const ConvergenceCase& setup, const Trial& trial) {
+  ConvergenceResult result{setup};
+  std::vector<double> iterations;
+  double squares = 0.0;
+  double depth = 0.0;
+  int count = 0;
+  for (int run = 1; run <= setup.runs; ++run) {
+    const auto means =
+        meansOfRun(*trial.tracker, trial.frames, static_cast<std::uint64_t>(run), setup.iterations);
+    const auto converged = iterationsToConverge(means, setup.ball);
+    if (!converged) {
+      continue;
+    }
+    ++result.converged;
+    iterations.push_back(*converged);
+    for (auto k = static_cast<std::size_t>(*converged); k < means.size(); ++k) {
+      squares += (means[k] - setup.ball).squaredNorm();
+      depth += (means[k] - setup.ball).dot(trial.axis);
+      ++count;
+    }
+  }
+  result.medianIterations = median(std::move(iterations));
+  result.rmse = std::sqrt(squares / std::max(1, count));
+  result.depthBias = depth / std::max(1, count);
+  return result;
+}
+
+/// Metres along the optical axis after each iteration, mean over the runs, starting on the ball.
+std::vector<double> driftOf(const Eigen::Vector3d& start, const Trial& trial, int runs,
+                            int iterations) {
+  std::vector<double> moved(static_cast<std::size_t>(iterations), 0.0);
+  for (int run = 1; run <= runs; ++run) {
+    const auto means =
+        meansOfRun(*trial.tracker, trial.frames, static_cast<std::uint64_t>(run), iterations);
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+      moved[k] += (means[k] - start).dot(trial.axis) / runs;
+    }
+  }
+  return moved;
+}
+
+} // namespace
+
+std::vector<ConvergenceCase> barreraConvergenceCases(int runs) {
+  const Eigen::Vector3d near(0.5, 0.5, 0.15);
+  const Eigen::Vector3d far(0.8, 0.7, 0.15);
+  const Eigen::Vector3d aside(0.7, 0.75, 0.15); // just outside camera 2's image in the demo's rig
+  const Eigen::Vector3d paperStart(0.4, 0.1, 0.2);
+  return {
+      {"paper start, ball at 0.5 0.5 0.15", near, paperStart, Eigen::Vector3d::Zero(), runs, 150},
+      {"paper start, ball at 0.8 0.7 0.15", far, paperStart, Eigen::Vector3d::Zero(), runs, 150},
+      {"paper start, ball at 0.7 0.75 0.15", aside, paperStart, Eigen::Vector3d::Zero(), runs, 150},
+      {"start beyond the ball, 0.5 0.9 0.15",
+       near,
+       {0.5, 0.9, 0.15},
+       Eigen::Vector3d::Zero(),
+       runs,
+       150},
+      {"uniform start, desk 1 x 1 x 0.5 m", near, {0.5, 0.5, 0.25}, {0.5, 0.5, 0.25}, runs, 150},
+      {"uniform start, room 4 x 4 x 2 m", near, {0.5, 0.5, 1.0}, {2.0, 2.0, 1.0}, runs, 150},
+  };
+}
+
+Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup) {
+  return prepare(stillScene(setup.ball), setup).map([&](const Trial& trial) {
+    return resultOf(setup, trial);
+  });
+}
+
+Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
+                        const ConvergenceWatch& watch) {
+  return prepare(stillScene(setup.ball), setup).map([&](const Trial& trial) {
+    watchRun(*trial.tracker, trial.frames, seed, setup.iterations, watch);
+  });
+}
+
+Result<std::vector<double>> driftCurve(int runs, int iterations) {
+  Scene scene = stillScene({0.5, 0.5, 0.15});
+  scene.cameras.resize(1);
+  ConvergenceCase setup;
+  setup.start = scene.balls.front().position;
+  return prepare(scene, setup).map([&](const Trial& trial) {
+    return driftOf(setup.start, trial, runs, iterations);
+  });
+}
+
+Result<double> measureDrift(int runs, int iterations) {
+  return driftCurve(runs, iterations).map([&](const std::vector<double>& moved) {
+    return moved.back() / iterations;
+  });
+}
+
+} // namespace dewpoint::experiment

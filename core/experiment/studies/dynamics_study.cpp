@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/studies/dynamics_study.h"
+
+#include "core/tracking/barrera/dynamics_parameters.h"
+#include "core/tracking/barrera/dynamics_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dewpoint::experiment {
+namespace {
+
+ParameterValues parametersOf(const DynamicsSetup& setup) {
+  ParameterValues parameters(dynamicsParameters());
+  // Within the declared ranges by construction of the studies.
+  (void)parameters.set("particles", setup.particles);
+  (void)parameters.set("motion_sigma", setup.motionSigma);
+  (void)parameters.set("observation_sigma", setup.observationSigma);
+  (void)parameters.set("start_x", setup.start.x());
+  (void)parameters.set("start_y", setup.start.y());
+  (void)parameters.set("start_z", setup.start.z());
+  return parameters;
+}
+
+/// Root mean square distance of rows to their mean.
+double spreadOf(const Eigen::ArrayXXd& rows) {
+  return std::sqrt((rows.rowwise() - rows.colwise().mean()).square().rowwise().sum().mean());
+}
+
+using Path = std::function<Eigen::Vector3d(int)>;
+
+DynamicsRun follow(const DynamicsSetup& setup, const Path& truth, std::uint64_t seed,
+                   const std::vector<int>& instants) {
+  DynamicsTracker tracker(parametersOf(setup), {}, {});
+  tracker.restart(seed);
+  ThreadTeam team(1);
+  DynamicsRun run;
+  for (int k = 0; k < setup.iterations; ++k) {
+    tracker.beginFrame(k, truth(k));
+    const TargetEstimate estimate = tracker.iterate(team);
+    run.errors.push_back((estimate.mean - truth(k)).norm());
+    run.beliefSpreads.push_back(estimate.spread());
+    Eigen::ArrayXXd cloud;
+    Eigen::ArrayXd weights;
+    tracker.particles(setup.particles, cloud, weights);
+    run.cloudSpreads.push_back(spreadOf(cloud));
+    if (std::ranges::binary_search(instants, k)) {
+      run.clouds.push_back(std::move(cloud));
+    }
+  }
+  return run;
+}
+
+bool keepsUp(const DynamicsSetup& setup, double speed, int runs) {
+  constexpr double kLost = 0.25; // metres
+  const Path path = [&](int k) { return Eigen::Vector3d(speed * k, 0.0, 0.0); };
+  int kept = 0;
+  for (int seed = 1; seed <= runs; ++seed) {
+    const DynamicsRun run = follow(setup, path, static_cast<std::uint64_t>(seed), {});
+    kept += run.errors.back() < kLost ? 1 : 0;
+  }
+  return 2 * kept >= runs;
+}
+
+} // namespace
+
+DynamicsRun runDynamics(const DynamicsSetup& setup, std::uint64_t seed,
+                        const std::vector<int>& instants) {
+  const Path path = [&](int k) { return k < setup.jump ? setup.before : setup.after; };
+  return follow(setup, path, seed, instants);
+}
+
+std::vector<double> meanErrors(const DynamicsSetup& setup, int runs) {
+  std::vector<double> sums(static_cast<std::size_t>(setup.iterations), 0.0);
+  for (int seed = 1; seed <= runs; ++seed) {
+    const DynamicsRun run = runDynamics(setup, static_cast<std::uint64_t>(seed));
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      sums[k] += run.errors[k] / runs;
+    }
+  }
+  return sums;
+}
+
+int iterationsUntilBelow(const std::vector<double>& errors, int from, int end, double bound) {
+  int last = end; // the last one that is not below
+  while (last > from && errors[static_cast<std::size_t>(last - 1)] < bound) {
+    --last;
+  }
+  return last == end ? -1 : last - from + 1;
+}
+
+double speedLimit(DynamicsSetup setup, int runs) {
+  constexpr int kSteps = 60;
+  constexpr int kHalvings = 8;
+  setup.start = Eigen::Vector3d::Zero();
+  setup.iterations = kSteps;
+  double kept = 0.0;
+  double lost = 10.0 * setup.motionSigma;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = 0.5 * (kept + lost);
+    (keepsUp(setup, middle, runs) ? kept : lost) = middle;
+  }
+  return kept;
+}
+
+double farAdvance(DynamicsSetup setup, int runs) {
+  static constexpr double kFar = 50.0; // metres
+  constexpr int kSteps = 40;
+  setup.start = Eigen::Vector3d::Zero();
+  setup.iterations = kSteps;
+  double advance = 0.0;
+  for (int seed = 1; seed <= runs; ++seed) {
+    const DynamicsRun run = follow(setup, [](int) { return Eigen::Vector3d(kFar, 0.0, 0.0); },
+                                   static_cast<std::uint64_t>(seed), {});
+    advance += (run.errors.front() - run.errors.back()) / (kSteps - 1) / runs;
+  }
+  return advance;
+}
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/studies/figure_experiments.h"
+
+#include "core/experiment/report/report_folder.h"
+
+#include <array>
+
+namespace dewpoint::experiment {
+namespace {
+
+/// A figure that is begun only where its report can be written.
+template <Status (*figure)(const ExperimentOptions&)>
+Status intoFolder(const ExperimentOptions& options) {
+  return prepareReportFolder(options.folder).and_then([&] { return figure(options); });
+}
+
+} // namespace
+
+std::span<const FigureExperiment> figureExperiments() {
+  static const std::array kAll{
+      FigureExperiment{"barrera-fig3", "Particles in both images",
+                       "Barrera et al. 2005, figure 3: the particles projected into both cameras "
+                       "while the cloud finds the ball.",
+                       1, &intoFolder<&barreraFigure3>},
+      FigureExperiment{"barrera-fig4", "Particles from above",
+                       "Barrera et al. 2005, figure 4: the same cloud from above.", 1,
+                       &intoFolder<&barreraFigure4>},
+      FigureExperiment{"drift", "Drift along the optical axis",
+                       "Barrera et al. 2005, section III-B: with one camera the cloud moves away "
+                       "from it.",
+                       50, &intoFolder<&barreraDrift>},
+      FigureExperiment{"starts", "Where the cloud may start",
+                       "Barrera et al. 2005, section III-B: start volume against the share of runs "
+                       "that converge, and starts beyond the ball.",
+                       100, &intoFolder<&barreraStarts>},
+      FigureExperiment{"dynamics-fig6", "Error after a jump",
+                       "Barrera et al. 2005, figure 6: the object jumps 2 m at iteration 30.", 100,
+                       &intoFolder<&dynamicsFigure6>},
+      FigureExperiment{
+          "dynamics-fig7", "Error over iteration and motion sigma",
+          "Barrera et al. 2005, figure 7: the same for motion sigmas from 0.001 to 0.3 "
+          "m, as an image.",
+          20, &intoFolder<&dynamicsFigure7>},
+      FigureExperiment{"dynamics-fig8", "The cloud on its way",
+                       "Barrera et al. 2005, figure 8: the cloud at six instants, with a small and "
+                       "a large motion sigma.",
+                       1, &intoFolder<&dynamicsFigure8>},
+  };
+  return kAll;
+}
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string_view>
+
+namespace dewpoint::experiment {
+
+/// Of which clothes the simulated people are.
+enum class StudyClothes { Both, Different, Similar };
+
+/// How an experiment is run.
+struct ExperimentOptions {
+  std::filesystem::path folder; ///< report.html, pictures and numbers go there; it is made
+  int runs = 0;                 ///< seeds 1, 2, ... per case; 0: as many as the experiment declares
+  /// Told how far it is (0 to 1); returns false to stop.
+  std::function<bool(double part)> progress = {};
+  /// Folder with the recordings juggle1 and otb; empty: none. Of those that take recordings.
+  std::filesystem::path recordings = {};
+  StudyClothes clothes = StudyClothes::Both; ///< of those that take clothes
+};
+
+/// A figure or a table of a paper, made anew by one command.
+struct FigureExperiment {
+  std::string_view name;     ///< as on the command line
+  std::string_view title;    ///< for people
+  std::string_view sentence; ///< what it shows, and from where
+  int runs;                  ///< seeds per case unless given
+  /// FileUnwritable, before anything is begun; Cancelled.
+  Status (*run)(const ExperimentOptions& options);
+  std::string_view report = "report.html"; ///< in the folder
+  bool takesRecordings = false;
+  bool takesClothes = false;
+};
+
+/// All of them, in the order of menus.
+std::span<const FigureExperiment> figureExperiments();
+/// The studies of boxes and of people, as experiments with defaults that take minutes: sugandi-rmse
+/// and people-<scenario>. The command line has all their options.
+std::span<const FigureExperiment> studyExperiments();
+
+// Barrera et al. 2005, section III, on the simulated demo.
+Status barreraFigure3(const ExperimentOptions& options);
+Status barreraFigure4(const ExperimentOptions& options);
+Status barreraDrift(const ExperimentOptions& options);
+Status barreraStarts(const ExperimentOptions& options);
+// The same, section III-C.
+Status dynamicsFigure6(const ExperimentOptions& options);
+Status dynamicsFigure7(const ExperimentOptions& options);
+Status dynamicsFigure8(const ExperimentOptions& options);
+
+} // namespace dewpoint::experiment

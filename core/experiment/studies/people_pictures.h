@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/frame.h"
+#include "core/experiment/metrics/track_frame.h"
+#include "core/experiment/scenarios/people_scenario.h"
+#include "core/tracking/people/people_tracker.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dewpoint::experiment {
+
+/// An instant of a scenario that tells what a method can do.
+struct PeopleInstant {
+  std::int64_t frame = 0;
+  std::string words; ///< "nearest to each other, 3.4 s"
+};
+
+/// Before people meet, when most of them are there and they are nearest to each other, and when
+/// identities are judged; of a scenario that judges none between two instants, only the second.
+std::vector<PeopleInstant> tellingMoments(const PeopleScenario& scenario);
+
+/// As Mohedano et al. 2009, figure 2: the images of all cameras with the outlines of the 95 %
+/// volumes, two beside each other, and the floor from above with the level curves of each person's
+/// density and its identity; white crosses and rings: where people (`truth`) and cameras are.
+/// CV_8UC3.
+cv::Mat peoplePicture(const PeopleTracker& tracker, const FrameSet& frames, const CameraRig& rig,
+                      std::span<const TrackPoint> truth);
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/studies/people_study.h"
+
+#include "core/experiment/metrics/clear_mot.h"
+#include "core/experiment/metrics/gospa.h"
+#include "core/experiment/metrics/hota.h"
+#include "core/filter/assignment.h"
+#include "core/tracking/people/people_volume.h"
+
+#include <opencv2/core.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <map>
+#include <memory>
+#include <set>
+
+namespace dewpoint::experiment {
+namespace {
+
+constexpr int kVisiblePixels = 150; ///< of a person in a camera that sees it (whole: 600 and more)
+
+/// The images of one instant, and who is seen in them.
+struct OfficeInstant {
+  FrameSetPtr frames;
+  std::vector<int> camerasSeeing; ///< per person
+};
+
+OfficeInstant renderInstant(const OfficeRenderer& renderer, std::int64_t frame) {
+  const OfficeScene& scene = renderer.scene();
+  OfficeInstant instant;
+  instant.camerasSeeing.assign(scene.people.size(), 0);
+  FrameSet set{frame, timeStamp(scene.timeOf(frame)), {}};
+  for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
+    cv::Mat who;
+    set.frames.push_back(
+        std::make_shared<const Frame>(Frame{frame, set.time, renderer.render(k, frame, &who)}));
+    for (std::size_t person = 0; person < scene.people.size(); ++person) {
+      const bool seen = cv::countNonZero(who == static_cast<int>(person + 1)) >= kVisiblePixels;
+      instant.camerasSeeing[person] += seen ? 1 : 0;
+    }
+  }
+  instant.frames = std::make_shared<const FrameSet>(std::move(set));
+  return instant;
+}
+
+/// Which estimate (identity) each truth (identity) has.
+std::map<int, int> matched(const TrackFrame& frame, double gate) {
+  Eigen::MatrixXd cost = distances(frame);
+  cost = (cost.array() <= gate)
+             .select(cost, std::numeric_limits<double>::infinity() *
+                               Eigen::MatrixXd::Ones(cost.rows(), cost.cols()));
+  const Assignment assignment = assignMinimumCost(cost);
+  std::map<int, int> pairs;
+  for (std::size_t k = 0; k < frame.truth.size(); ++k) {
+    if (const auto column = assignment.columnOfRow[k]; column != kUnassigned) {
+      pairs[frame.truth[k].identity] = frame.estimates[static_cast<std::size_t>(column)].identity;
+    }
+  }
+  return pairs;
+}
+
+/// The longest run of instants, per key, during which something goes on.
+class LongestRun {
+public:
+  void begin() { now_.clear(); }
+  void goesOn(int key, double interval) { now_[key] = before_[key] + interval; }
+  void end() {
+    for (const auto& [key, length] : now_) {
+      longest_ = std::max(longest_, length);
+    }
+    before_ = now_;
+  }
+  double longest() const { return longest_; }
+
+private:
+  std::map<int, double> before_;
+  std::map<int, double> now_;
+  double longest_ = 0.0;
+};
+
+/// One method at work on a scene.
+class EvaluatedTracker {
+public:
+  EvaluatedTracker(std::string method, std::unique_ptr<PeopleTracker> tracker, std::uint64_t seed)
+      : method_(std::move(method)), tracker_(std::move(tracker)) {
+    tracker_->restart(seed);
+  }
+
+  void see(const OfficeRenderer& renderer, const OfficeInstant& instant,
+           const std::vector<PeopleInstant>& moments, ThreadTeam& team) {
+    const std::clock_t begin = std::clock(); // of this process: others may be busy
+    tracker_->step(instant.frames, team);
+    const std::clock_t end = std::clock();
+    if (!tracker_->people().empty()) {
+      seconds_ += static_cast<double>(end - begin) / CLOCKS_PER_SEC;
+      ++steps_;
+    }
+    record(renderer, instant);
+    for (const PeopleInstant& moment : moments) {
+      if (moment.frame == instant.frames->index) {
+        pictures_.push_back(
+            {moment.words, peoplePicture(*tracker_, *instant.frames, renderer.scene().cameras,
+                                         frames_.back().truth)});
+      }
+    }
+  }
+
+  PeopleTrial trial(const PeopleStudySetup& setup, const PeopleScenario& scenario) const {
+    PeopleTrial result;
+    result.scenario = setup.scenario;
+    result.clothes = setup.clothes;
+    result.method = method_;
+    result.seed = setup.seed;
+    const ClearMot clear = clearMot(frames_, kPeopleGate);
+    result.mota = clear.mota();
+    result.motp = clear.motp();
+    result.identitySwitches = static_cast<int>(clear.identitySwitches);
+    result.hota = hota(frames_, kPeopleGate).hota;
+    result.gospa = averageGospa(frames_, {kPeopleGate, 2.0}).mean;
+    result.longestGhost = ghosts_.longest();
+    result.longestMissed = missed_.longest();
+    result.hullVolume = volumes_ > 0 ? volume_ / volumes_ : 0.0;
+    result.stepMs = steps_ > 0 ? 1000.0 * seconds_ / steps_ : 0.0;
+    result.pictures = pictures_;
+    if (scenario.before > 0.0) {
+      const auto at = [&](double time) {
+        const auto frame =
+            static_cast<std::size_t>(std::lround(time * scenario.scene.framesPerSecond));
+        return frames_[std::min(frame, frames_.size() - 1)];
+      };
+      result.kept = identitiesKept(at(scenario.before), at(scenario.after), kPeopleGate);
+    } else {
+      result.kept = clear.identitySwitches == 0;
+    }
+    return result;
+  }
+
+private:
+  void record(const OfficeRenderer& renderer, const OfficeInstant& instant) {
+    constexpr std::int64_t kVolumeEvery = 15; // frames: a volume costs more than a step
+    const double time = dewpoint::base::seconds(instant.frames->time);
+    TrackFrame frame{instant.frames->index, time, {}, {}};
+    const double interval = 1.0 / renderer.scene().framesPerSecond;
+    for (std::size_t k = 0; k < renderer.scene().people.size(); ++k) {
+      if (renderer.inside(k, time)) {
+        Eigen::Vector3d place = renderer.middle(k, time);
+        place.z() = 0.0;
+        frame.truth.push_back({static_cast<int>(k), place});
+      }
+    }
+    for (const PersonEstimate& person : tracker_->people()) {
+      frame.estimates.push_back({person.identity, {person.position.x(), person.position.y(), 0.0}});
+      if (frame.frame % kVolumeEvery == 0) {
+        volume_ += bodyHull(tracker_->body(person.identity)).volume();
+        ++volumes_;
+      }
+    }
+    const auto pairs = matched(frame, kPeopleGate);
+    std::set<int> used;
+    missed_.begin();
+    ghosts_.begin();
+    for (const auto& [truth, estimate] : pairs) {
+      used.insert(estimate);
+    }
+    for (const TrackPoint& truth : frame.truth) {
+      if (!pairs.contains(truth.identity) &&
+          instant.camerasSeeing[static_cast<std::size_t>(truth.identity)] >= 2) {
+        missed_.goesOn(truth.identity, interval);
+      }
+    }
+    for (const TrackPoint& estimate : frame.estimates) {
+      if (!used.contains(estimate.identity)) {
+        ghosts_.goesOn(estimate.identity, interval);
+      }
+    }
+    missed_.end();
+    ghosts_.end();
+    frames_.push_back(std::move(frame));
+  }
+
+  std::string method_;
+  std::unique_ptr<PeopleTracker> tracker_;
+  std::vector<TrackFrame> frames_;
+  std::vector<PeoplePicture> pictures_;
+  LongestRun ghosts_;
+  LongestRun missed_;
+  double volume_ = 0.0;
+  int volumes_ = 0;
+  double seconds_ = 0.0;
+  int steps_ = 0;
+};
+
+bool declares(const std::string& method, const std::string& key) {
+  const auto declared = peopleMethodParameters(method);
+  return std::ranges::find(declared, key, &ParameterDeclaration::key) != declared.end();
+}
+
+Result<std::vector<EvaluatedTracker>> contestants(const PeopleStudySetup& setup,
+                                                  const CameraRig& rig) {
+  std::vector<EvaluatedTracker> all;
+  for (const std::string& method : setup.methods) {
+    ParameterValues parameters(peopleMethodParameters(method));
+    for (const auto& [key, value] : setup.parameters) {
+      if (!declares(method, key)) {
+        continue; // of another method
+      }
+      if (const auto set = parameters.set(key, value); !set) {
+        return tl::make_unexpected(set.error());
+      }
+    }
+    auto tracker = makePeopleTracker(method, parameters, rig);
+    if (!tracker) {
+      return tl::make_unexpected(tracker.error());
+    }
+    all.emplace_back(method, std::move(*tracker), setup.seed);
+  }
+  return all;
+}
+
+} // namespace
+
+Status checkPeopleParameters(const PeopleStudySetup& setup) {
+  for (const auto& [key, value] : setup.parameters) {
+    bool known = false;
+    for (const std::string& method : setup.methods) {
+      if (!declares(method, key)) {
+        continue;
+      }
+      known = true;
+      if (const auto set = ParameterValues(peopleMethodParameters(method)).set(key, value); !set) {
+        return set;
+      }
+    }
+    if (!known) {
+      return failure(ErrorCode::UnknownKey, "", key, "of the chosen methods none has it");
+    }
+  }
+  return {};
+}
+
+bool identitiesKept(const TrackFrame& before, const TrackFrame& after, double gate) {
+  const auto first = matched(before, gate);
+  const auto last = matched(after, gate);
+  return !before.truth.empty() && first.size() == before.truth.size() && first == last;
+}
+
+Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
+                                             simulation::ViewCache& views) {
+  const auto scenario = makePeopleScenario(setup.scenario, setup.clothes, setup.seed);
+  if (!scenario) {
+    return tl::make_unexpected(scenario.error());
+  }
+  if (const auto checked = checkPeopleParameters(setup); !checked) {
+    return tl::make_unexpected(checked.error());
+  }
+  auto all = contestants(setup, scenario->scene.cameras);
+  if (!all) {
+    return tl::make_unexpected(all.error());
+  }
+  const OfficeRenderer renderer(scenario->scene, views);
+  const auto moments = setup.pictures ? tellingMoments(*scenario) : std::vector<PeopleInstant>();
+  ThreadTeam team(1);
+  for (std::int64_t frame = 0; frame < scenario->scene.frameCount; ++frame) {
+    const OfficeInstant instant = renderInstant(renderer, frame);
+    for (EvaluatedTracker& one : *all) {
+      one.see(renderer, instant, moments, team);
+    }
+  }
+  std::vector<PeopleTrial> trials;
+  for (const EvaluatedTracker& one : *all) {
+    trials.push_back(one.trial(setup, *scenario));
+  }
+  return trials;
+}
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/experiment/metrics/track_frame.h"
+#include "core/experiment/scenarios/people_scenario.h"
+#include "core/experiment/studies/people_pictures.h"
+#include "core/simulation/view_cache.h"
+#include "core/tracking/people/people_tracker.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace dewpoint::experiment {
+
+/// A method at one instant of a scene, see peoplePicture().
+struct PeoplePicture {
+  std::string words; ///< when that is
+  cv::Mat image;
+};
+
+/// What a method did with one simulated scene. Places are compared on the floor, within
+/// kPeopleGate.
+struct PeopleTrial {
+  std::string scenario;
+  PeopleClothes clothes = PeopleClothes::Different;
+  std::string method;
+  std::uint64_t seed = 0;
+  /// Everybody had an identity before the meeting, and has the same one after it.
+  bool kept = false;
+  double mota = 0.0;
+  double motp = 0.0; ///< metres
+  double hota = 0.0;
+  double gospa = 0.0; ///< metres, mean, cutoff kPeopleGate
+  int identitySwitches = 0;
+  double longestGhost = 0.0;  ///< seconds in a row that an estimate belongs to nobody
+  double longestMissed = 0.0; ///< seconds that somebody whom two cameras see has no estimate
+  double hullVolume = 0.0;    ///< m³, mean over people and frames
+  double stepMs = 0.0;        ///< mean CPU time of a frame with people
+  std::vector<PeoplePicture> pictures; ///< of tellingMoments(), where they were asked for
+};
+
+/// Metres within which an estimate belongs to a person.
+inline constexpr double kPeopleGate = 0.5;
+
+struct PeopleStudySetup {
+  std::string scenario;
+  PeopleClothes clothes = PeopleClothes::Different;
+  std::vector<std::string> methods; ///< names of peopleMethodNames()
+  std::uint64_t seed = 1;
+  /// Values that differ from the defaults, for the methods that have such a parameter.
+  std::vector<std::pair<std::string, double>> parameters;
+  bool pictures = false; ///< draw the telling moments
+};
+
+/// UnknownKey for a parameter that none of the methods has, BadValue for one out of range; `field`
+/// is the parameter's key.
+Status checkPeopleParameters(const PeopleStudySetup& setup);
+
+/// Renders one scene and lets all methods see it; one trial per method. Errors of the scene's, the
+/// method's and the parameters' names.
+Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
+                                             simulation::ViewCache& views);
+
+/// Whether every truth has the same estimate at both instants, none of them twice; pairs farther
+/// apart than `gate` do not count.
+bool identitiesKept(const TrackFrame& before, const TrackFrame& after, double gate);
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/studies/sloppy_study.h"
+
+#include "core/experiment/baselines/box_follower.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace dewpoint::experiment {
+namespace {
+
+constexpr double kScales[] = {0.8, 1.0, 1.2, 1.4};
+constexpr double kShift = 0.15;
+constexpr int kParticles = 300;
+constexpr double kSure = 0.9;
+
+bool isOpenCvs(const std::string& method) {
+  return std::ranges::find(openCvFollowers(), method) != openCvFollowers().end();
+}
+
+Result<std::unique_ptr<BoxFollower>> make(const std::string& method, int seed) {
+  if (isOpenCvs(method)) {
+    return makeOpenCvFollower(method);
+  }
+  return makeBoxFollower(method, kParticles, static_cast<std::uint64_t>(seed));
+}
+
+/// What was claimed on and off the target, over all runs of a row.
+struct Claims {
+  double on = 0.0;
+  double off = 0.0;
+  int framesOn = 0;
+  int framesOff = 0;
+  int wrong = 0;
+
+  void add(const BoxClaim& claim, bool isOn) {
+    const double similarity = claim.visible ? claim.similarity : 0.0;
+    (isOn ? on : off) += similarity;
+    ++(isOn ? framesOn : framesOff);
+    wrong += !isOn && similarity > kSure ? 1 : 0;
+  }
+};
+
+Status follow(const BoxClip& clip, const std::vector<cv::Mat>& images, const ImageBox& first,
+              BoxFollower& follower, Claims& claims, SloppyRow& row) {
+  if (const auto started = follower.start(images.front(), first); !started) {
+    return started;
+  }
+  std::vector<std::optional<ImageBox>> found{first};
+  for (std::size_t frame = 1; frame < images.size(); ++frame) {
+    found.push_back(follower.step(images[frame]));
+    if (const auto claim = follower.claim(); claim && found.back()) {
+      const double away = (found.back()->center() - clip.truth[frame].center()).norm();
+      claims.add(*claim, away <= clip.radius);
+    }
+  }
+  const BoxFigures figures = measureBoxes(found, clip.truth, clip.radius);
+  row.figures.rmse += figures.rmse;
+  row.figures.success += figures.success;
+  row.figures.precision += figures.precision;
+  row.worstPrecision = std::min(row.worstPrecision, figures.precision);
+  ++row.runs;
+  return {};
+}
+
+void conclude(const Claims& claims, SloppyRow& row) {
+  row.figures.rmse /= row.runs;
+  row.figures.success /= row.runs;
+  row.figures.precision /= row.runs;
+  const int frames = claims.framesOn + claims.framesOff;
+  row.claims = frames > 0;
+  row.similarityOn = claims.on / std::max(1, claims.framesOn);
+  row.similarityOff = claims.off / std::max(1, claims.framesOff);
+  row.surelyWrong = double(claims.wrong) / std::max(1, frames);
+}
+
+Result<SloppyRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,
+                          const std::string& method, double scale, int seeds) {
+  SloppyRow row;
+  row.clip = clip.name;
+  row.method = method;
+  row.scale = scale;
+  Claims claims;
+  for (const BoxSlip& slip : boxSlips()) {
+    if (slip.scale != scale) {
+      continue;
+    }
+    for (int seed = 1; seed <= (isOpenCvs(method) ? 1 : seeds); ++seed) {
+      auto follower = make(method, seed);
+      if (!follower) {
+        return tl::make_unexpected(follower.error());
+      }
+      const auto done = follow(clip, images, slip.of(clip.truth.front()), **follower, claims, row);
+      if (!done) {
+        return tl::make_unexpected(done.error());
+      }
+    }
+  }
+  conclude(claims, row);
+  return row;
+}
+
+} // namespace
+
+std::vector<BoxSlip> boxSlips() {
+  std::vector<BoxSlip> slips;
+  for (const double scale : kScales) {
+    slips.push_back({scale, 0.0, 0.0});
+    for (const double shift : {-kShift, kShift}) {
+      slips.push_back({scale, shift, 0.0});
+      slips.push_back({scale, 0.0, shift});
+    }
+  }
+  return slips;
+}
+
+Result<std::vector<SloppyRow>> studySloppyBoxes(const std::vector<BoxClip>& clips, int seeds,
+                                                const std::function<bool(const SloppyRow&)>& report,
+                                                const std::vector<std::string>& methods) {
+  std::vector<SloppyRow> rows;
+  for (const BoxClip& clip : clips) {
+    const auto images = imagesOf(clip);
+    if (!images) {
+      return tl::make_unexpected(images.error());
+    }
+    for (const std::string& method : methods) {
+      for (const double scale : kScales) {
+        auto row = measure(clip, *images, method, scale, seeds);
+        if (!row) {
+          return tl::make_unexpected(row.error());
+        }
+        rows.push_back(std::move(*row));
+        if (!report(rows.back())) {
+          return failure(ErrorCode::Cancelled, "", "", "");
+        }
+      }
+    }
+  }
+  return rows;
+}
+
+} // namespace dewpoint::experiment

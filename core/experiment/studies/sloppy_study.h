@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/experiment/metrics/box_metrics.h"
+#include "core/experiment/scenarios/box_clips.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace dewpoint::experiment {
+
+/// How a box drawn by hand differs from the true one.
+struct BoxSlip {
+  double scale = 1.0; ///< of width and height
+  double right = 0.0; ///< of the center, in true widths
+  double down = 0.0;  ///< of the center, in true heights
+
+  ImageBox of(const ImageBox& box) const {
+    return ImageBox::around(box.center() + Eigen::Vector2d(right * box.width, down * box.height),
+                            scale * box.width, scale * box.height);
+  }
+};
+
+/// 0.8, 1, 1.2 and 1.4 times the true size, each in place and shifted by 15 % to the left, to the
+/// right, up and down.
+std::vector<BoxSlip> boxSlips();
+
+/// One method on one clip from first boxes of one size, in place and shifted: means over all runs.
+struct SloppyRow {
+  std::string clip;
+  std::string method; ///< "histogram", "csrt"
+  double scale = 1.0; ///< of the first box
+  int runs = 0;       ///< shifts times seeds
+  BoxFigures figures; ///< against the true boxes
+  double worstPrecision = 1.0;
+  bool claims = false;        ///< the rest is known: the method says how sure it is
+  double similarityOn = 0.0;  ///< mean similarity with the center within the radius
+  double similarityOff = 0.0; ///< with the center farther off; held boxes count as 0
+  double surelyWrong = 0.0;   ///< share of all frames off the target, yet above 0.9
+};
+
+/// Follows every clip from sloppy first boxes with `sugandi` and `histogram` (300 particles,
+/// `seeds` runs each), CSRT and CamShift. `report` gets each row as it is done; it returns false to
+/// stop.
+Result<std::vector<SloppyRow>> studySloppyBoxes(const std::vector<BoxClip>& clips, int seeds,
+                                                const std::function<bool(const SloppyRow&)>& report,
+                                                const std::vector<std::string>& methods = {
+                                                    "histogram", "sugandi", "csrt", "camshift"});
+
+} // namespace dewpoint::experiment

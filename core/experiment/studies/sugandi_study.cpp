@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/studies/sugandi_study.h"
+
+#include "core/experiment/baselines/box_follower.h"
+#include "core/experiment/studies/sugandi_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace dewpoint::experiment {
+namespace {
+
+struct Contender {
+  std::string method;
+  int particles = 0; ///< 0: OpenCV's
+
+  std::string shown() const {
+    return particles > 0 ? fmt::format("{}, {} particles", method, particles) : method;
+  }
+};
+
+std::vector<Contender> contenders() {
+  std::vector<Contender> all{{"sugandi", 100}, {"sugandi", 300}, {"histogram", 300}};
+  for (const std::string& name : openCvFollowers()) {
+    all.push_back({name, 0});
+  }
+  return all;
+}
+
+Result<std::unique_ptr<BoxFollower>> make(const Contender& contender, std::uint64_t seed) {
+  if (contender.particles > 0) {
+    return makeBoxFollower(contender.method, contender.particles, seed);
+  }
+  return makeOpenCvFollower(contender.method);
+}
+
+/// One run; adds its figures and times, divided by `runs`, to the row.
+Status follow(const BoxClip& clip, const std::vector<cv::Mat>& images, BoxFollower& follower,
+              int runs, BoxRow& row) {
+  if (const auto started = follower.start(images.front(), clip.truth.front()); !started) {
+    return started;
+  }
+  std::vector<std::optional<ImageBox>> found{clip.truth.front()};
+  const auto begin = std::chrono::steady_clock::now();
+  for (std::size_t frame = 1; frame < images.size(); ++frame) {
+    found.push_back(follower.step(images[frame]));
+  }
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+  const BoxFigures figures = measureBoxes(found, clip.truth, clip.radius);
+  row.milliseconds += took.count() / (double(images.size() - 1) * runs);
+  row.figures.rmse += figures.rmse / runs;
+  row.figures.success += figures.success / runs;
+  row.figures.precision += figures.precision / runs;
+  row.worstPrecision = std::min(row.worstPrecision, figures.precision);
+  if (row.boxes.empty()) {
+    row.boxes = std::move(found);
+  }
+  return {};
+}
+
+Result<BoxRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,
+                       const Contender& contender, int seeds) {
+  BoxRow row;
+  row.clip = clip.name;
+  row.method = contender.shown();
+  row.ours = contender.particles > 0;
+  row.exactBoxes = clip.exactBoxes;
+  row.seeds = row.ours ? seeds : 1;
+  row.worstPrecision = 1.0;
+  for (int seed = 1; seed <= row.seeds; ++seed) {
+    auto follower = make(contender, static_cast<std::uint64_t>(seed));
+    if (!follower) {
+      return tl::make_unexpected(follower.error());
+    }
+    if (const auto done = follow(clip, images, **follower, row.seeds, row); !done) {
+      return tl::make_unexpected(done.error());
+    }
+  }
+  return row;
+}
+
+constexpr double kJuggleBar = 0.85; // share of frames within a ball's radius
+
+const BoxRow* rowOf(const std::vector<BoxRow>& rows, const std::string& clip,
+                    const std::string& method) {
+  const auto found = std::ranges::find_if(
+      rows, [&](const BoxRow& row) { return row.clip == clip && row.method == method; });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+BoxBar trendBar(const BoxRow& few, const BoxRow& many) {
+  return {
+      fmt::format("{}: sugandi's RMSE falls from 100 to 300 particles ({:.2f} to {:.2f} px; the "
+                  "paper 6.48 to 2.28 px on its own clip)",
+                  few.clip, few.figures.rmse, many.figures.rmse),
+      many.figures.rmse < few.figures.rmse};
+}
+
+BoxBar peerBar(const std::vector<BoxRow>& rows, const BoxRow& ours) {
+  const BoxRow* best = nullptr;
+  for (const BoxRow& row : rows) {
+    const bool isBetter = best == nullptr || row.figures.success > best->figures.success;
+    best = row.clip == ours.clip && !row.ours && isBetter ? &row : best;
+  }
+  const double peer = best != nullptr ? best->figures.success : 0.0;
+  return {fmt::format("{}: histogram's success {:.3f} is at least the best peer's ({} {:.3f})",
+                      ours.clip, ours.figures.success, best != nullptr ? best->method : "", peer),
+          ours.figures.success >= peer};
+}
+
+std::vector<BoxBar> barsOf(const std::vector<BoxRow>& rows) {
+  std::vector<BoxBar> bars;
+  for (const BoxRow& row : rows) {
+    const BoxRow* few = rowOf(rows, row.clip, kSugandiFew);
+    if (row.clip.starts_with("simulated") && row.method == kSugandiMany && few != nullptr) {
+      bars.push_back(trendBar(*few, row));
+    }
+    if (row.method != kHistogram) {
+      continue;
+    }
+    if (row.clip.starts_with("juggle1")) {
+      bars.push_back(
+          {fmt::format("{}: histogram stays within a ball's radius on at least 85 % of "
+                       "the frames ({:.1f} %, worst seed {:.1f} %)",
+                       row.clip, 100.0 * row.figures.precision, 100.0 * row.worstPrecision),
+           row.worstPrecision >= kJuggleBar});
+    }
+    if (row.clip.starts_with("otb")) {
+      bars.push_back(peerBar(rows, row));
+    }
+  }
+  return bars;
+}
+
+} // namespace
+
+Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
+                            const std::function<bool(const BoxRow&)>& report) {
+  BoxStudy study;
+  for (const BoxClip& clip : clips) {
+    const auto images = imagesOf(clip);
+    if (!images) {
+      return tl::make_unexpected(images.error());
+    }
+    for (const Contender& contender : contenders()) {
+      auto row = measure(clip, *images, contender, seeds);
+      if (!row) {
+        return tl::make_unexpected(row.error());
+      }
+      study.rows.push_back(std::move(*row));
+      if (!report(study.rows.back())) {
+        return failure(ErrorCode::Cancelled, "", "", "");
+      }
+    }
+    study.figures.push_back(
+        {clip.name, clip.truth,
+         boxFrames(*images, clip.truth, *rowOf(study.rows, clip.name, kSugandiFew),
+                   *rowOf(study.rows, clip.name, kSugandiMany))});
+  }
+  study.bars = barsOf(study.rows);
+  return study;
+}
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/experiment/metrics/box_metrics.h"
+#include "core/experiment/scenarios/box_clips.h"
+#include "core/experiment/studies/sloppy_study.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dewpoint::experiment {
+
+/// How methods are shown that the report draws.
+inline constexpr const char* kSugandiFew = "sugandi, 100 particles";
+inline constexpr const char* kSugandiMany = "sugandi, 300 particles";
+inline constexpr const char* kHistogram = "histogram, 300 particles";
+/// The page among the files of the study.
+inline constexpr const char* kBoxReport = "sugandi-rmse.html";
+
+/// One method on one clip, from the true box of the first frame; means over the seeds.
+struct BoxRow {
+  std::string clip;
+  std::string method; ///< as shown: "sugandi, 100 particles", "csrt"
+  bool ours = false;  ///< one of our methods, else OpenCV's
+  bool exactBoxes = true;
+  int seeds = 1;
+  BoxFigures figures;
+  double worstPrecision = 0.0; ///< of the seeds
+  double milliseconds = 0.0;   ///< per frame, one thread
+  /// Of the first seed, one per frame from the given one on; nothing where it has given up.
+  std::vector<std::optional<ImageBox>> boxes;
+};
+
+/// A requirement with its verdict.
+struct BoxBar {
+  std::string sentence;
+  bool reached = false;
+};
+
+/// What a clip's figures are drawn from.
+struct BoxClipFigures {
+  std::string clip;
+  std::vector<ImageBox> truth;
+  cv::Mat frames; ///< see boxFrames()
+};
+
+struct BoxStudy {
+  std::vector<BoxRow> rows; ///< clip by clip
+  std::vector<BoxBar> bars;
+  std::vector<BoxClipFigures> figures; ///< one per clip
+  std::vector<SloppyRow> sloppy;       ///< of studySloppyBoxes(); empty unless asked for
+};
+
+/// Follows every clip with `sugandi` of 100 and of 300 particles, `histogram` and OpenCV's four
+/// trackers. `report` gets each row as it is done; it returns false to stop.
+Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
+                            const std::function<bool(const BoxRow&)>& report);
+
+/// The study as text with aligned columns, as CSV, and as a page.
+std::string boxStudyText(const BoxStudy& study);
+std::string boxStudyCsv(const BoxStudy& study);
+std::string boxStudyHtml(const BoxStudy& study);
+
+/// What sloppy first boxes led to, as CSV; without numbers in the last three columns where a method
+/// does not say how sure it is.
+std::string sloppyBoxesCsv(const std::vector<SloppyRow>& rows);
+
+/// Writes sugandi-rmse.txt, .csv and .html with its pictures, tracks.csv, and sloppy-boxes.csv
+/// where that was studied, into a folder that exists.
+Status writeBoxStudy(const BoxStudy& study, const std::filesystem::path& folder);
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/suite/suite_recorder.h"
+
+#include "core/experiment/metrics/clear_mot.h"
+#include "core/experiment/metrics/consistency.h"
+#include "core/experiment/metrics/error_split.h"
+#include "core/experiment/metrics/gospa.h"
+#include "core/experiment/metrics/hota.h"
+#include "core/experiment/metrics/reliability.h"
+#include "core/filter/assignment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace dewpoint::experiment {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kMillimetres = 1000.0;
+constexpr std::int64_t kStepFrames = 5; // frames before and after a camera's loss that are averaged
+
+bool isDeclared(const TargetEstimate& estimate) {
+  return estimate.mean.allFinite() && (estimate.valid || estimate.existence > 0.5);
+}
+
+double framesOrNever(const std::optional<std::int64_t>& frames) {
+  return frames ? static_cast<double>(*frames) : kNever;
+}
+
+/// The worst so far and one more.
+void raise(SuiteRow::Figure& worst, double value) {
+  worst = std::max(worst.value_or(value), value);
+}
+
+std::optional<Eigen::Vector3d> errorOf(const TargetFrame& frame) {
+  return frame.truth && frame.estimate
+             ? std::optional<Eigen::Vector3d>(*frame.estimate - *frame.truth)
+             : std::nullopt;
+}
+
+std::vector<Eigen::Vector3d> errorsBetween(const std::vector<TargetFrame>& frames,
+                                           std::int64_t begin, std::int64_t end) {
+  std::vector<Eigen::Vector3d> errors;
+  for (const TargetFrame& frame : frames) {
+    const auto error = errorOf(frame);
+    if (error && frame.frame >= begin && frame.frame < end) {
+      errors.push_back(*error);
+    }
+  }
+  return errors;
+}
+
+Eigen::Vector3d meanOfErrors(const std::vector<Eigen::Vector3d>& errors) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& error : errors) {
+    sum += error;
+  }
+  return sum / static_cast<double>(errors.size());
+}
+
+bool happensToACamera(ScenarioEvent::Kind kind) {
+  return kind == ScenarioEvent::Kind::CameraLost || kind == ScenarioEvent::Kind::CameraBack;
+}
+
+bool hasToBeFoundAgain(ScenarioEvent::Kind kind) {
+  return kind == ScenarioEvent::Kind::Jump || kind == ScenarioEvent::Kind::BlackoutEnd ||
+         kind == ScenarioEvent::Kind::Return;
+}
+
+/// The first frame at or after `frame` where the same camera's blackout ends.
+std::int64_t endOfBlackout(const ScenarioRun& run, const ScenarioEvent& begin) {
+  for (const ScenarioEvent& event : run.events) {
+    if (event.kind == ScenarioEvent::Kind::BlackoutEnd && event.camera == begin.camera &&
+        event.frame >= begin.frame) {
+      return event.frame;
+    }
+  }
+  return run.frameCount;
+}
+
+bool isWithin(const ScenarioRun& run, const ScenarioEvent& blackout, std::int64_t frame) {
+  return blackout.kind == ScenarioEvent::Kind::BlackoutBegin && frame >= blackout.frame &&
+         frame < endOfBlackout(run, blackout);
+}
+
+void measureEvents(const ScenarioRun& run, const std::vector<TargetFrame>& frames, SuiteRow& row) {
+  for (const ScenarioEvent& event : run.events) {
+    if (hasToBeFoundAgain(event.kind)) {
+      raise(row.framesToReacquire,
+            framesOrNever(framesToReacquire(frames, event.frame, kFollowGate)));
+    } else if (event.kind == ScenarioEvent::Kind::Vanish) {
+      raise(row.framesToDeclareLoss, framesOrNever(framesToDeclareLoss(frames, event.frame)));
+    } else if (event.kind == ScenarioEvent::Kind::BlackoutBegin) {
+      const auto errors = errorsBetween(frames, event.frame, endOfBlackout(run, event));
+      raise(row.blackoutRmseMm, errors.empty() ? kNever : kMillimetres * rootMeanSquare(errors));
+    } else if (happensToACamera(event.kind)) {
+      const auto before = errorsBetween(frames, event.frame - kStepFrames, event.frame);
+      const auto after = errorsBetween(frames, event.frame, event.frame + kStepFrames);
+      const bool both = !before.empty() && !after.empty();
+      raise(row.largestStepMm,
+            both ? kMillimetres * (meanOfErrors(after) - meanOfErrors(before)).norm() : kNever);
+    }
+  }
+}
+
+void fillErrors(const std::vector<Eigen::Vector3d>& errors, const CameraRig& rig, SuiteRow& row) {
+  if (errors.empty()) {
+    return;
+  }
+  std::vector<TrajectoryCamera> cameras;
+  for (const Camera& camera : rig) {
+    cameras.push_back({camera.name, camera.center(), camera.opticalAxis()});
+  }
+  const ErrorSplit split = splitErrors(errors, cameras);
+  row.rmseMm = kMillimetres * split.summary.rmse;
+  row.medianMm = kMillimetres * split.summary.median;
+  row.p95Mm = kMillimetres * split.summary.p95;
+  row.maxMm = kMillimetres * split.summary.max;
+  row.biasMm = kMillimetres * split.summary.bias.norm();
+  if (split.meanView) {
+    row.depthMm = kMillimetres * split.meanView->alongRms;
+    row.lateralMm = kMillimetres * split.meanView->acrossRms;
+    row.depthBiasMm = kMillimetres * split.meanView->alongBias;
+  }
+}
+
+void fillTracks(const std::vector<TrackFrame>& frames, SuiteRow& row) {
+  row.gospaMm = kMillimetres * averageGospa(frames, {kMatchGate, 2.0}).mean;
+  const ClearMot mot = clearMot(frames, kMatchGate);
+  row.mota = mot.mota();
+  row.identitySwitches = static_cast<double>(mot.identitySwitches);
+  row.hota = hota(frames, kMatchGate).hota;
+  row.falseAlarmPercent = 100.0 * falseAlarmFrames(frames, kMatchGate).value();
+}
+
+void fillReliability(const std::vector<Forecast>& forecasts, SuiteResult& result) {
+  const Reliability table = reliability(forecasts, kReliabilityBins);
+  result.row.existenceEce = table.expectedError;
+  for (const ReliabilityBin& bin : table.bins) {
+    const auto count = static_cast<double>(bin.count);
+    result.trace.reliability.push_back({bin.count,
+                                        bin.count > 0 ? count * bin.meanProbability : 0.0,
+                                        bin.count > 0 ? std::llround(count * bin.frequency) : 0});
+  }
+}
+
+bool isInside95(const StateError& sample) {
+  return normalizedErrorSquared(sample) <= kChiSquared95ThreeDof; // false if it is unusable
+}
+
+void fillConsistency(const std::vector<StateError>& samples, SuiteRow& row) {
+  const Consistency fit = consistency(samples);
+  row.nees = fit.nees.value;
+  row.coverage95Percent = 100.0 * fit.inside.value();
+}
+
+} // namespace
+
+SuiteRecorder::SuiteRecorder(const ScenarioRun& run, std::string method)
+    : run_(run), method_(std::move(method)),
+      truth_(static_cast<std::size_t>(run.frameCount),
+             std::vector<std::optional<Eigen::Vector3d>>(run.targets.size())) {
+  std::map<std::string, std::size_t> index;
+  for (std::size_t k = 0; k < run.targets.size(); ++k) {
+    index.emplace(run.targets[k].name, k);
+  }
+  for (const TrajectorySample& sample : run.truth.samples) {
+    const auto target = index.find(sample.target);
+    if (sample.valid && target != index.end() && sample.frame >= 0 &&
+        sample.frame < run.frameCount) {
+      truth_[static_cast<std::size_t>(sample.frame)][target->second] = sample.position;
+    }
+  }
+}
+
+void SuiteRecorder::add(const std::vector<TargetEstimate>& estimates) {
+  estimates_.push_back(estimates);
+  estimates_.back().resize(run_.targets.size());
+}
+
+bool SuiteRecorder::allBlind(std::int64_t frame) const {
+  return std::ranges::any_of(run_.events, [&](const ScenarioEvent& event) {
+    return event.camera < 0 && isWithin(run_, event, frame);
+  });
+}
+
+bool SuiteRecorder::anyBlind(std::int64_t frame) const {
+  return std::ranges::any_of(
+      run_.events, [&](const ScenarioEvent& event) { return isWithin(run_, event, frame); });
+}
+
+std::vector<TargetFrame> SuiteRecorder::framesOf(std::size_t truth, std::size_t estimate) const {
+  std::vector<TargetFrame> frames;
+  for (std::size_t k = 0; k < estimates_.size(); ++k) {
+    TargetFrame frame;
+    frame.frame = static_cast<std::int64_t>(k);
+    frame.truth = truth_[k][truth];
+    if (isDeclared(estimates_[k][estimate])) {
+      frame.estimate = estimates_[k][estimate].mean;
+    }
+    frame.visible = !allBlind(frame.frame);
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+std::vector<std::size_t> SuiteRecorder::estimateOfTruth() const {
+  const auto count = static_cast<Eigen::Index>(run_.targets.size());
+  Eigen::MatrixXd cost(count, count);
+  for (Eigen::Index truth = 0; truth < count; ++truth) {
+    for (Eigen::Index estimate = 0; estimate < count; ++estimate) {
+      const auto t = static_cast<std::size_t>(truth);
+      const auto e = static_cast<std::size_t>(estimate);
+      if (!(run_.targets[t].color == run_.targets[e].color)) {
+        cost(truth, estimate) = kNever;
+        continue;
+      }
+      const auto followed = std::ranges::count_if(
+          framesOf(t, e), [](const TargetFrame& frame) { return frame.isFollowed(kFollowGate); });
+      // Their own name decides where nothing else does.
+      cost(truth, estimate) = -static_cast<double>(followed) - (truth == estimate ? 0.5 : 0.0);
+    }
+  }
+  std::vector<std::size_t> result;
+  for (const Eigen::Index column : assignMinimumCost(cost).columnOfRow) {
+    result.push_back(static_cast<std::size_t>(column)); // the diagonal is never forbidden
+  }
+  return result;
+}
+
+std::vector<TrackFrame> SuiteRecorder::trackFrames() const {
+  std::vector<TrackFrame> frames;
+  for (std::size_t k = 0; k < estimates_.size(); ++k) {
+    TrackFrame frame;
+    frame.frame = static_cast<std::int64_t>(k);
+    frame.time = static_cast<double>(k) / run_.framesPerSecond;
+    for (std::size_t target = 0; target < run_.targets.size(); ++target) {
+      if (truth_[k][target]) {
+        frame.truth.push_back({static_cast<int>(target), *truth_[k][target]});
+      }
+      if (isDeclared(estimates_[k][target])) {
+        frame.estimates.push_back({static_cast<int>(target), estimates_[k][target].mean});
+      }
+    }
+    frames.push_back(std::move(frame));
+  }
+  return frames;
+}
+
+SuiteResult SuiteRecorder::result(double usPerFrame) const {
+  SuiteResult result;
+  SuiteRow& row = result.row;
+  row.key = {run_.scenario, run_.grade, method_, run_.seed};
+  result.trace.key = row.key;
+  std::vector<Eigen::Vector3d> errors;
+  std::vector<StateError> states;
+  std::vector<Forecast> forecasts;
+  Proportion lost;
+  Proportion blindInside;
+  const auto estimateOf = estimateOfTruth();
+  for (std::size_t target = 0; target < estimateOf.size(); ++target) {
+    const auto frames = framesOf(target, estimateOf[target]);
+    const auto converged = framesToConverge(frames, kFollowGate);
+    raise(row.framesToConverge, framesOrNever(converged));
+    measureEvents(run_, frames, row);
+    const auto begin = static_cast<std::size_t>(converged.value_or(0));
+    const auto inPart = lostFrames(std::span(frames).subspan(begin), kFollowGate);
+    lost.count += inPart.count;
+    lost.total += inPart.total;
+    auto& trace = result.trace.errorsMm.emplace_back();
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      const TargetEstimate& estimate = estimates_[k][estimateOf[target]];
+      const auto error = errorOf(frames[k]);
+      trace.push_back(error ? kMillimetres * error->norm()
+                            : std::numeric_limits<double>::quiet_NaN());
+      forecasts.push_back(
+          {estimate.existence,
+           frames[k].truth.has_value() && (estimate.mean - *frames[k].truth).norm() < kFollowGate});
+      if (frames[k].truth && anyBlind(frames[k].frame)) {
+        ++blindInside.total;
+        blindInside.count += error && isInside95({*error, estimate.covariance}) ? 1 : 0;
+      }
+      if (error && k >= begin) {
+        errors.push_back(*error);
+        states.push_back({*error, estimate.covariance});
+      }
+    }
+  }
+  fillErrors(errors, run_.trueRig, row);
+  fillConsistency(states, row);
+  fillReliability(forecasts, result);
+  fillTracks(trackFrames(), row);
+  if (lost.total > 0) {
+    row.lostPercent = 100.0 * lost.value();
+  }
+  if (blindInside.total > 0) {
+    row.blackoutCoverage95Percent = 100.0 * blindInside.value();
+  }
+  row.usPerFrame = usPerFrame;
+  row.frames = static_cast<double>(estimates_.size());
+  return result;
+}
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/suite/suite_report.h"
+
+#include "core/base/text_file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace dewpoint::experiment {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no number for what is not finite: text for never, null for nothing.
+Json number(double value) {
+  if (std::isnan(value)) {
+    return nullptr;
+  }
+  return std::isinf(value) ? Json(value > 0.0 ? "inf" : "-inf") : Json(value);
+}
+
+Json interval(const Interval& value) {
+  return {{"value", number(value.value)}, {"low", number(value.low)}, {"high", number(value.high)}};
+}
+
+Json barJson(const BarResult& result) {
+  Json json;
+  json["item"] = result.bar->item;
+  json["requirement"] = result.bar->sentence;
+  json["unit"] = result.bar->unit;
+  json["low"] = number(result.bar->low);
+  json["high"] = number(result.bar->high);
+  json["runs"] = result.runs;
+  json["value"] = number(result.value);
+  json["verdict"] = !result.measured() ? "not measured"
+                    : result.reached() ? "reached"
+                                       : "not reached";
+  return json;
+}
+
+Json cellJson(const SuiteCell& cell) {
+  Json json;
+  json["scenario"] = cell.scenario;
+  json["grade"] = gradeName(cell.grade);
+  json["method"] = cell.method;
+  json["runs"] = cell.runs.size();
+  json["median_rmse_mm"] = interval(cell.rmseMm);
+  json["pooled_p95_mm"] = interval(cell.p95Mm);
+  json["converged_within_5_frames"] = cell.quick.count;
+  json["converged"] = cell.converged.count;
+  json["pooled_existence_ece"] = number(pooledReliability(cell.runs).expectedError);
+  for (const SuiteColumn& column : suiteColumns()) {
+    json["runs_median"][column.name] = number(quantileOf(cell.runs, column.figure, 0.5));
+    json["runs_mean"][column.name] = number(meanOf(cell.runs, column.figure));
+    json["runs_p90"][column.name] = number(quantileOf(cell.runs, column.figure, 0.9));
+  }
+  return json;
+}
+
+std::string csvNumber(double value) {
+  return std::isnan(value) ? std::string() : fmt::format("{:.6g}", value);
+}
+
+} // namespace
+
+std::string seedSentence(const std::vector<std::uint64_t>& seeds) {
+  if (seeds.empty()) {
+    return "none";
+  }
+  const std::string range =
+      fmt::format("{} to {}, {} in all", seeds.front(), seeds.back(), seeds.size());
+  if (seeds.front() >= kFirstReportingSeed) {
+    return range + ": reporting seeds, on which no method was tuned";
+  }
+  return range + (seeds.back() < kFirstReportingSeed
+                      ? ": TUNING seeds, not to be quoted as results"
+                      : ": tuning and reporting seeds mixed, not to be quoted as results");
+}
+
+std::string summaryCsv(const SuiteReport& report) {
+  std::string text = "scenario,grade,method,runs,median_rmse_mm,median_rmse_low_mm,"
+                     "median_rmse_high_mm,pooled_p95_mm,pooled_p95_low_mm,pooled_p95_high_mm,"
+                     "converged_within_5_frames,converged";
+  for (const SuiteColumn& column : suiteColumns()) {
+    text += fmt::format(",median_{}", column.name);
+  }
+  text += '\n';
+  for (const SuiteCell& cell : report.cells) {
+    text += fmt::format("{},{},{},{}", cell.scenario, gradeName(cell.grade), cell.method,
+                        cell.runs.size());
+    for (const double value : {cell.rmseMm.value, cell.rmseMm.low, cell.rmseMm.high,
+                               cell.p95Mm.value, cell.p95Mm.low, cell.p95Mm.high}) {
+      text += fmt::format(",{}", csvNumber(value));
+    }
+    text += fmt::format(",{},{}", cell.quick.count, cell.converged.count);
+    for (const SuiteColumn& column : suiteColumns()) {
+      text += fmt::format(",{}", csvNumber(quantileOf(cell.runs, column.figure, 0.5)));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string reportJson(const SuiteReport& report) {
+  Json json;
+  json["version"] = DEWPOINT_VERSION;
+  json["seeds"] = report.seeds;
+  json["seeds_sentence"] = seedSentence(report.seeds);
+  json["bars"] = Json::array();
+  for (const BarResult& result : report.bars) {
+    json["bars"].push_back(barJson(result));
+  }
+  json["cells"] = Json::array();
+  for (const SuiteCell& cell : report.cells) {
+    json["cells"].push_back(cellJson(cell));
+  }
+  return json.dump(1) + "\n";
+}
+
+Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults& results,
+                        const std::vector<RunKey>& order,
+                        std::span<const ScenarioDeclaration> catalog) {
+  SuiteReport report;
+  report.cells = summarizeSuite(results, order);
+  report.bars = measureBars(report.cells);
+  report.catalog = catalog;
+  std::set<std::uint64_t> seeds;
+  for (const RunKey& key : order) {
+    seeds.insert(key.seed);
+  }
+  report.seeds.assign(seeds.begin(), seeds.end());
+  if (auto written = writeTextFile(folder / "summary.csv", summaryCsv(report)); !written) {
+    return written;
+  }
+  if (auto written = writeTextFile(folder / "report.json", reportJson(report)); !written) {
+    return written;
+  }
+  return writeTextFile(folder / "report.html", reportHtml(report));
+}
+
+} // namespace dewpoint::experiment

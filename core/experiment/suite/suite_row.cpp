@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/suite/suite_row.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace dewpoint::experiment {
+namespace {
+
+constexpr std::size_t kKeyFields = 4;
+constexpr const char* kKeyHeader = "scenario,grade,method,seed";
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
+    end = text.find(separator, begin);
+    parts.push_back(text.substr(begin, end == std::string::npos ? end : end - begin));
+  }
+  return parts;
+}
+
+template <class Number> std::optional<Number> number(const std::string& text) {
+  Number value{};
+  const char* end = text.data() + text.size();
+  const auto [stop, problem] = std::from_chars(text.data(), end, value);
+  return problem == std::errc() && stop == end ? std::optional(value) : std::nullopt;
+}
+
+std::string keyText(const RunKey& key) {
+  return fmt::format("{},{},{},{}", key.scenario, gradeName(key.grade), key.method, key.seed);
+}
+
+std::optional<RunKey> parseKey(const std::vector<std::string>& fields) {
+  if (fields.size() < kKeyFields || fields[0].empty() || fields[2].empty()) {
+    return std::nullopt;
+  }
+  const auto grade = gradeNamed(fields[1]);
+  const auto seed = number<std::uint64_t>(fields[3]);
+  return grade && seed ? std::optional(RunKey{fields[0], *grade, fields[2], *seed}) : std::nullopt;
+}
+
+std::string errorsText(const std::vector<double>& errors) {
+  std::string text;
+  for (const double error : errors) {
+    if (!text.empty()) {
+      text.push_back(' ');
+    }
+    text += std::isfinite(error) ? fmt::format("{:.4g}", error) : std::string(1, '-');
+  }
+  return text;
+}
+
+std::optional<std::vector<double>> parseErrors(const std::string& text) {
+  std::vector<double> errors;
+  for (const std::string& part : split(text, ' ')) {
+    const auto value = part == "-" ? std::numeric_limits<double>::quiet_NaN()
+                                   : number<double>(part).value_or(-1.0);
+    if (value < 0.0) {
+      return std::nullopt;
+    }
+    errors.push_back(value);
+  }
+  return errors;
+}
+
+std::optional<ReliabilityCount> parseReliability(const std::string& text) {
+  const auto parts = split(text, ':');
+  if (parts.size() != 3) {
+    return std::nullopt;
+  }
+  const auto count = number<std::int64_t>(parts[0]);
+  const auto sum = number<double>(parts[1]);
+  const auto happened = number<std::int64_t>(parts[2]);
+  return count && sum && happened ? std::optional(ReliabilityCount{*count, *sum, *happened})
+                                  : std::nullopt;
+}
+
+} // namespace
+
+const char* gradeName(Grade grade) {
+  return grade == Grade::Ideal ? "ideal" : "room";
+}
+
+std::optional<Grade> gradeNamed(const std::string& name) {
+  for (const Grade grade : {Grade::Ideal, Grade::Room}) {
+    if (name == gradeName(grade)) {
+      return grade;
+    }
+  }
+  return std::nullopt;
+}
+
+std::span<const SuiteColumn> suiteColumns() {
+  static constexpr std::array kColumns{
+      SuiteColumn{"rmse_mm", &SuiteRow::rmseMm, "root mean square error after convergence"},
+      SuiteColumn{"median_mm", &SuiteRow::medianMm, "median error after convergence"},
+      SuiteColumn{"p95_mm", &SuiteRow::p95Mm, "95th percentile of the error after convergence"},
+      SuiteColumn{"max_mm", &SuiteRow::maxMm, "largest error after convergence"},
+      SuiteColumn{"depth_mm", &SuiteRow::depthMm,
+                  "RMS error along the mean viewing direction of the cameras"},
+      SuiteColumn{"lateral_mm", &SuiteRow::lateralMm, "RMS error across it"},
+      SuiteColumn{"bias_mm", &SuiteRow::biasMm, "length of the mean error"},
+      SuiteColumn{"depth_bias_mm", &SuiteRow::depthBiasMm,
+                  "mean error along the viewing direction; positive: estimated too far away"},
+      SuiteColumn{"frames_to_converge", &SuiteRow::framesToConverge,
+                  "frames before the first five in a row within 30 mm; inf: never"},
+      SuiteColumn{"frames_to_reacquire", &SuiteRow::framesToReacquire,
+                  "the same after the worst jump, blackout or return; inf: never"},
+      SuiteColumn{"frames_to_declare_loss", &SuiteRow::framesToDeclareLoss,
+                  "frames a vanished target is still declared present, the worst; inf: for good"},
+      SuiteColumn{"lost_percent", &SuiteRow::lostPercent,
+                  "frames after convergence without an estimate within 30 mm"},
+      SuiteColumn{"false_alarm_percent", &SuiteRow::falseAlarmPercent,
+                  "frames with an estimate farther than 100 mm from every target"},
+      SuiteColumn{"nees", &SuiteRow::nees,
+                  "mean normalized estimation error squared; 3 is consistent"},
+      SuiteColumn{"coverage95_percent", &SuiteRow::coverage95Percent,
+                  "truths inside the stated 95 % ellipsoid"},
+      SuiteColumn{"gospa_mm", &SuiteRow::gospaMm, "mean GOSPA, cutoff 100 mm, order 2"},
+      SuiteColumn{"mota", &SuiteRow::mota, "multiple object tracking accuracy, gate 100 mm"},
+      SuiteColumn{"hota", &SuiteRow::hota, "higher order tracking accuracy, gate 100 mm"},
+      SuiteColumn{"identity_switches", &SuiteRow::identitySwitches, "of CLEAR MOT"},
+      SuiteColumn{"existence_ece", &SuiteRow::existenceEce,
+                  "expected calibration error of P(exists), ten bins"},
+      SuiteColumn{"blackout_rmse_mm", &SuiteRow::blackoutRmseMm,
+                  "RMS error while a camera (or all) is black; inf: nothing declared then"},
+      SuiteColumn{"blackout_coverage95_percent", &SuiteRow::blackoutCoverage95Percent,
+                  "truths inside the stated 95 % ellipsoid while a camera (or all) is black; what "
+                  "is not declared counts as outside"},
+      SuiteColumn{"largest_step_mm", &SuiteRow::largestStepMm,
+                  "largest step of the error, mean of five frames before and after, where a camera "
+                  "drops out or returns"},
+      SuiteColumn{"us_per_frame", &SuiteRow::usPerFrame,
+                  "processor time of the method per frame, microseconds, one thread"},
+      SuiteColumn{"frames", &SuiteRow::frames, "frames of the run"},
+  };
+  return kColumns;
+}
+
+std::string rowHeader() {
+  std::string text(kKeyHeader);
+  for (const SuiteColumn& column : suiteColumns()) {
+    text += fmt::format(",{}", column.name);
+  }
+  return text;
+}
+
+std::string rowText(const SuiteRow& row) {
+  std::string text = keyText(row.key);
+  for (const SuiteColumn& column : suiteColumns()) {
+    const SuiteRow::Figure& figure = row.*column.figure;
+    text += ',';
+    if (figure && !std::isnan(*figure)) {
+      text += fmt::format("{:.6g}", *figure);
+    }
+  }
+  return text;
+}
+
+std::string traceHeader() {
+  return fmt::format("{},errors_mm,reliability", kKeyHeader);
+}
+
+std::string traceText(const SuiteTrace& trace) {
+  std::string errors;
+  for (const auto& target : trace.errorsMm) {
+    errors += fmt::format("{}{}", errors.empty() ? "" : ";", errorsText(target));
+  }
+  std::string bins;
+  for (const ReliabilityCount& bin : trace.reliability) {
+    bins += fmt::format("{}{}:{:.6g}:{}", bins.empty() ? "" : " ", bin.count, bin.probabilitySum,
+                        bin.happened);
+  }
+  return fmt::format("{},{},{}", keyText(trace.key), errors, bins);
+}
+
+std::optional<SuiteRow> parseRow(const std::string& line) {
+  const auto fields = split(line, ',');
+  const auto key = parseKey(fields);
+  const auto columns = suiteColumns();
+  // The last column always has a value: a line that was cut within it is recognized by its reader,
+  // which knows whether the line was ended.
+  if (!key || fields.size() != kKeyFields + columns.size() || fields.back().empty()) {
+    return std::nullopt;
+  }
+  SuiteRow row;
+  row.key = *key;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const std::string& field = fields[kKeyFields + k];
+    if (!field.empty()) {
+      const auto value = number<double>(field);
+      if (!value) {
+        return std::nullopt;
+      }
+      row.*columns[k].figure = value;
+    }
+  }
+  return row;
+}
+
+std::optional<SuiteTrace> parseTrace(const std::string& line) {
+  const auto fields = split(line, ',');
+  const auto key = parseKey(fields);
+  if (!key || fields.size() != kKeyFields + 2) {
+    return std::nullopt;
+  }
+  SuiteTrace trace;
+  trace.key = *key;
+  for (const std::string& target : split(fields[kKeyFields], ';')) {
+    auto errors = parseErrors(target);
+    if (!errors) {
+      return std::nullopt;
+    }
+    trace.errorsMm.push_back(std::move(*errors));
+  }
+  for (const std::string& text : split(fields[kKeyFields + 1], ' ')) {
+    const auto bin = parseReliability(text);
+    if (!bin) {
+      return std::nullopt;
+    }
+    trace.reliability.push_back(*bin);
+  }
+  return trace.reliability.size() == kReliabilityBins ? std::optional(trace) : std::nullopt;
+}
+
+} // namespace dewpoint::experiment

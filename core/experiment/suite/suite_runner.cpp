@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/suite/suite_runner.h"
+
+#include "core/base/thread_team.h"
+#include "core/experiment/baselines/baseline_methods.h"
+#include "core/experiment/baselines/smoothed_method.h"
+
+#include <fmt/format.h>
+#include <opencv2/core/utility.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <ctime>
+#include <mutex>
+#include <thread>
+#include <tuple>
+
+namespace dewpoint::experiment {
+namespace {
+
+/// Seconds of processor time of this thread, so that neighbors do not count.
+double threadSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// One method in one run.
+struct EvaluatedTracker {
+  std::unique_ptr<MultiTracker> tracker;
+  SuiteRecorder recorder;
+  bool smoothed = false; ///< all estimates are collected first
+  std::vector<std::vector<TargetEstimate>> estimates;
+  double seconds = 0.0;
+};
+
+Result<std::vector<EvaluatedTracker>> enter(const SuiteJob& job, const ScenarioRun& run) {
+  std::vector<EvaluatedTracker> contestants;
+  for (const std::string& method : job.methods) {
+    const bool smoothed = method == kSmoothedMethod;
+    auto tracker = makeSuiteTracker(method, run);
+    if (!tracker) {
+      return tl::make_unexpected(tracker.error());
+    }
+    (*tracker)->restart(run.seed);
+    contestants.push_back({std::move(*tracker), SuiteRecorder(run, method), smoothed, {}, 0.0});
+  }
+  return contestants;
+}
+
+void advance(EvaluatedTracker& contestant, const FrameSetPtr& frames, ThreadTeam& team) {
+  const double begin = threadSeconds();
+  contestant.tracker->beginFrame(frames);
+  for (int k = 0; k < contestant.tracker->iterationsPerFrame(); ++k) {
+    contestant.tracker->iterate(team);
+  }
+  contestant.seconds += threadSeconds() - begin;
+  if (contestant.smoothed) {
+    contestant.estimates.push_back(contestant.tracker->estimates());
+  } else {
+    contestant.recorder.add(contestant.tracker->estimates());
+  }
+}
+
+void finish(EvaluatedTracker& contestant, double framesPerSecond) {
+  const double begin = threadSeconds();
+  const auto all = smoothedEstimates(contestant.estimates, framesPerSecond);
+  contestant.seconds += threadSeconds() - begin;
+  for (const auto& estimates : all) {
+    contestant.recorder.add(estimates);
+  }
+}
+
+/// The results of one job, one per method; nothing when it was stopped.
+Result<std::vector<SuiteResult>> runJob(const SuiteJob& job, const std::function<bool()>& stop) {
+  const auto run = job.scenario->make(job.seed, job.grade);
+  if (!run) {
+    return tl::make_unexpected(run.error());
+  }
+  auto contestants = enter(job, *run);
+  if (!contestants) {
+    return tl::make_unexpected(contestants.error());
+  }
+  ThreadTeam team(1);
+  for (std::int64_t frame = 0; frame < run->frameCount; ++frame) {
+    if (stop()) {
+      return std::vector<SuiteResult>();
+    }
+    const FrameSetPtr frames = run->frames(frame);
+    for (EvaluatedTracker& contestant : *contestants) {
+      advance(contestant, frames, team);
+    }
+  }
+  std::vector<SuiteResult> results;
+  for (EvaluatedTracker& contestant : *contestants) {
+    if (contestant.smoothed) {
+      finish(contestant, run->framesPerSecond);
+    }
+    const auto frameCount = static_cast<double>(std::max<std::int64_t>(1, run->frameCount));
+    results.push_back(contestant.recorder.result(1e6 * contestant.seconds / frameCount));
+  }
+  return results;
+}
+
+/// Position in a list, its size if it is not there.
+template <class Range, class Value, class Projection>
+std::size_t rank(const Range& range, const Value& value, Projection projection) {
+  return static_cast<std::size_t>(std::ranges::find(range, value, projection) - range.begin());
+}
+
+} // namespace
+
+Result<std::vector<const ScenarioDeclaration*>>
+selectScenarios(std::span<const ScenarioDeclaration> catalog,
+                const std::vector<std::string>& names) {
+  const auto means = [](const std::string& name, const ScenarioDeclaration& scenario) {
+    return scenario.name == name || scenario.family == name;
+  };
+  for (const std::string& name : names) {
+    if (std::ranges::none_of(catalog, [&](const auto& item) { return means(name, item); })) {
+      return failure(ErrorCode::NotFound, "", "--scenario", name + "; --list shows what there is");
+    }
+  }
+  std::vector<const ScenarioDeclaration*> selected;
+  for (const ScenarioDeclaration& scenario : catalog) {
+    if (names.empty() ||
+        std::ranges::any_of(names, [&](const auto& name) { return means(name, scenario); })) {
+      selected.push_back(&scenario);
+    }
+  }
+  return selected;
+}
+
+Result<std::vector<std::string>> selectMethods(const std::vector<std::string>& names) {
+  const auto all = suiteMethods();
+  for (const std::string& name : names) {
+    if (std::ranges::find(all, name) == all.end()) {
+      std::string known;
+      for (const std::string& method : all) {
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", method);
+      }
+      return failure(ErrorCode::NotFound, "", "--method",
+                     fmt::format("{}; known are {}", name, known));
+    }
+  }
+  std::vector<std::string> selected;
+  std::ranges::copy_if(all, std::back_inserter(selected), [&](const std::string& method) {
+    return names.empty() || std::ranges::find(names, method) != names.end();
+  });
+  return selected;
+}
+
+std::vector<SuiteJob> planSuite(const SuiteRequest& request, const SuiteResults& done) {
+  std::vector<SuiteJob> jobs;
+  for (const ScenarioDeclaration* scenario : request.scenarios) {
+    for (const Grade grade : request.grades) {
+      const int seeds = request.seeds.value_or(scenario->seeds);
+      for (int k = 0; k < seeds; ++k) {
+        SuiteJob job{scenario, grade, request.firstSeed + static_cast<std::uint64_t>(k), {}};
+        std::ranges::copy_if(request.methods, std::back_inserter(job.methods),
+                             [&](const std::string& method) {
+                               return !done.contains({scenario->name, grade, method, job.seed});
+                             });
+        if (!job.methods.empty()) {
+          jobs.push_back(std::move(job));
+        }
+      }
+    }
+  }
+  return jobs;
+}
+
+std::int64_t runCount(const std::vector<SuiteJob>& jobs) {
+  std::int64_t count = 0;
+  for (const SuiteJob& job : jobs) {
+    count += static_cast<std::int64_t>(job.methods.size());
+  }
+  return count;
+}
+
+std::vector<RunKey> reportOrder(const SuiteResults& results,
+                                std::span<const ScenarioDeclaration> catalog) {
+  std::vector<RunKey> keys;
+  for (const auto& [key, result] : results) {
+    keys.push_back(key);
+  }
+  const auto methods = suiteMethods();
+  std::ranges::stable_sort(keys, {}, [&](const RunKey& key) {
+    return std::tuple(rank(catalog, key.scenario, &ScenarioDeclaration::name), key.scenario,
+                      key.grade, rank(methods, key.method, std::identity{}), key.method, key.seed);
+  });
+  return keys;
+}
+
+Status runSuite(const std::vector<SuiteJob>& jobs, int threads, const SuiteSink& sink,
+                const std::function<bool()>& stop) {
+  // Each job has one thread, and its processor time is to be the method's alone.
+  const int openCvThreads = cv::getNumThreads();
+  cv::setNumThreads(1);
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> failed = false;
+  std::mutex mutex;
+  Status status;
+  const auto stopped = [&] { return failed || stop(); };
+  const auto work = [&] {
+    for (std::size_t k = next++; k < jobs.size() && !stopped(); k = next++) {
+      const auto results = runJob(jobs[k], stopped);
+      const std::lock_guard lock(mutex);
+      Status taken = results ? Status() : Status(tl::make_unexpected(results.error()));
+      for (std::size_t item = 0; taken && item < results->size(); ++item) {
+        taken = sink((*results)[item]);
+      }
+      if (!taken && !failed.exchange(true)) {
+        status = taken;
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (int k = 1; k < threads; ++k) {
+      others.emplace_back(work);
+    }
+    work();
+  }
+  cv::setNumThreads(openCvThreads);
+  return status;
+}
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/experiment/suite/suite_recorder.h"
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <vector>
+
+namespace dewpoint::experiment {
+
+using SuiteResults = std::map<RunKey, SuiteResult>;
+
+/// The files of a suite's folder: runs.csv and traces.csv. Results are appended and flushed as they
+/// come, so a killed suite loses only what was under way; opening the folder again gives what is
+/// there. A last line that was cut is dropped.
+class SuiteStore {
+public:
+  /// Opens or makes the folder. FileUnwritable; Mismatch when its files have other columns (they
+  /// are of another version); NotParsed when a line in the middle is broken.
+  static Result<SuiteStore> open(const std::filesystem::path& folder);
+
+  const SuiteResults& results() const { return results_; }
+  /// Appends one result to both files and to results().
+  Status append(const SuiteResult& result);
+  /// Writes both files anew, in this order of the runs' keys.
+  Status rewrite(const std::vector<RunKey>& order);
+
+private:
+  explicit SuiteStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  Status load();
+  Status openForAppending();
+
+  std::filesystem::path folder_;
+  SuiteResults results_;
+  std::ofstream runs_;
+  std::ofstream traces_;
+};
+
+} // namespace dewpoint::experiment

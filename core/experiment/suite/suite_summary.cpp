@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/suite/suite_summary.h"
+
+#include "core/experiment/metrics/bootstrap.h"
+#include "core/trajectory/error_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dewpoint::experiment {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr int kResamplesOfRuns = 2000;
+constexpr int kResamplesOfFrames = 300; // each sorts every frame of the cell
+
+/// Where five followed frames in a row begin, 0 if they never do.
+std::size_t convergedFrom(const std::vector<double>& errorsMm) {
+  std::vector<TargetFrame> frames;
+  for (std::size_t k = 0; k < errorsMm.size(); ++k) {
+    TargetFrame frame;
+    frame.frame = static_cast<std::int64_t>(k);
+    frame.truth = Eigen::Vector3d::Zero();
+    if (std::isfinite(errorsMm[k])) {
+      frame.estimate = Eigen::Vector3d(1e-3 * errorsMm[k], 0.0, 0.0);
+    }
+    frames.push_back(frame);
+  }
+  return static_cast<std::size_t>(framesToConverge(frames, kFollowGate).value_or(0));
+}
+
+Interval medianOfRuns(const SuiteCell& cell) {
+  std::vector<std::vector<double>> each;
+  for (const double value : figuresOf(cell.runs, &SuiteRow::rmseMm)) {
+    each.push_back({value});
+  }
+  return bootstrapInterval(each, medianOf, {kResamplesOfRuns, 0.95, 1});
+}
+
+void conclude(SuiteCell& cell) {
+  cell.rmseMm = medianOfRuns(cell);
+  cell.p95Mm =
+      bootstrapInterval(errorsAfterConvergence(cell.runs), p95Of, {kResamplesOfFrames, 0.95, 1});
+  for (const SuiteResult* run : cell.runs) {
+    const double frames =
+        run->row.framesToConverge.value_or(std::numeric_limits<double>::infinity());
+    ++cell.quick.total;
+    ++cell.converged.total;
+    cell.quick.count += frames <= kQuickFrames ? 1 : 0;
+    cell.converged.count += std::isfinite(frames) ? 1 : 0;
+  }
+}
+
+} // namespace
+
+std::vector<SuiteCell> summarizeSuite(const SuiteResults& results,
+                                      const std::vector<RunKey>& order) {
+  std::vector<SuiteCell> cells;
+  for (const RunKey& key : order) {
+    if (cells.empty() || cells.back().scenario != key.scenario || cells.back().grade != key.grade ||
+        cells.back().method != key.method) {
+      cells.push_back({key.scenario, key.grade, key.method, {}, {}, {}, {}, {}});
+    }
+    cells.back().runs.push_back(&results.at(key));
+  }
+  for (SuiteCell& cell : cells) {
+    conclude(cell);
+  }
+  return cells;
+}
+
+std::vector<double> figuresOf(std::span<const SuiteResult* const> runs,
+                              SuiteRow::Figure SuiteRow::*figure) {
+  std::vector<double> values;
+  for (const SuiteResult* run : runs) {
+    const auto& value = run->row.*figure;
+    if (value && !std::isnan(*value)) {
+      values.push_back(*value);
+    }
+  }
+  std::ranges::sort(values);
+  return values;
+}
+
+double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Figure SuiteRow::*figure,
+                  double fraction) {
+  const auto values = figuresOf(runs, figure);
+  if (values.empty()) {
+    return kNothing;
+  }
+  const double value = quantile(values, fraction);
+  return std::isnan(value) ? values.back() : value; // between two infinite ones
+}
+
+double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Figure SuiteRow::*figure) {
+  const auto values = figuresOf(runs, figure);
+  double sum = 0.0;
+  for (const double value : values) {
+    sum += value;
+  }
+  return values.empty() ? kNothing : sum / static_cast<double>(values.size());
+}
+
+std::vector<std::vector<double>> errorsAfterConvergence(std::span<const SuiteResult* const> runs) {
+  std::vector<std::vector<double>> all;
+  for (const SuiteResult* run : runs) {
+    auto& errors = all.emplace_back();
+    for (const auto& target : run->trace.errorsMm) {
+      for (std::size_t k = convergedFrom(target); k < target.size(); ++k) {
+        if (std::isfinite(target[k])) {
+          errors.push_back(target[k]);
+        }
+      }
+    }
+  }
+  return all;
+}
+
+Reliability pooledReliability(std::span<const SuiteResult* const> runs) {
+  std::vector<ReliabilityCount> sums(kReliabilityBins);
+  Reliability pooled;
+  for (const SuiteResult* run : runs) {
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      const ReliabilityCount& bin = run->trace.reliability[k];
+      sums[k].count += bin.count;
+      sums[k].probabilitySum += bin.probabilitySum;
+      sums[k].happened += bin.happened;
+      pooled.count += bin.count;
+    }
+  }
+  pooled.expectedError = pooled.count > 0 ? 0.0 : kNothing;
+  pooled.brier = kNothing; // needs each forecast
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    const auto count = static_cast<double>(sums[k].count);
+    const ReliabilityBin bin{static_cast<double>(k) / kReliabilityBins,
+                             static_cast<double>(k + 1) / kReliabilityBins, sums[k].count,
+                             sums[k].probabilitySum / count,
+                             static_cast<double>(sums[k].happened) / count};
+    pooled.bins.push_back(bin);
+    if (bin.count > 0) {
+      const double gap = std::abs(bin.frequency - bin.meanProbability);
+      pooled.expectedError += count / static_cast<double>(pooled.count) * gap;
+      pooled.greatestError = std::max(pooled.greatestError, gap);
+    }
+  }
+  return pooled;
+}
+
+} // namespace dewpoint::experiment

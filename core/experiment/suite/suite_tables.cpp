@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/suite/suite_tables.h"
+
+#include "core/experiment/suite/suite_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::experiment {
+namespace {
+
+constexpr double kLostNotice = 0.05; // percent that is worth a word in the overview
+
+std::string intervalText(const Interval& interval) {
+  if (std::isnan(interval.value)) {
+    return "-";
+  }
+  return fmt::format("{}<small>{}–{}</small>", figureText(interval.value), figureText(interval.low),
+                     figureText(interval.high));
+}
+
+std::string requirementOf(const SuiteBar& bar) {
+  const std::string unit = bar.unit.empty() ? "" : " " + bar.unit;
+  if (std::isinf(bar.low) && bar.high != 0.0) {
+    return fmt::format("≤ {:g}{}", bar.high, unit);
+  }
+  return bar.low == bar.high || bar.high == 0.0
+             ? fmt::format("{:g}{}", bar.high, unit)
+             : fmt::format("{:g}–{:g}{}", bar.low, bar.high, unit);
+}
+
+std::string verdictOf(const BarResult& result) {
+  if (!result.measured()) {
+    return "<span class='chip'>not measured</span>";
+  }
+  if (result.reached()) {
+    return "<span class='chip good'>✓ reached</span>";
+  }
+  const double shortfall = result.shortfall();
+  const std::string unit = result.bar->unit.empty() ? "" : " " + result.bar->unit;
+  return std::isinf(shortfall)
+             ? std::string("<span class='chip bad'>✗ not reached</span>")
+             : fmt::format("<span class='chip bad'>✗ by {}{}</span>", figureText(shortfall), unit);
+}
+
+std::string methodName(const std::string& method) {
+  return fmt::format("<span class='{}'><span class='dot'></span>{}</span>", methodStyle(method),
+                     escaped(method));
+}
+
+struct TableColumn {
+  const char* head;
+  std::string (*text)(const SuiteCell&);
+  bool ofMany = false; ///< says something new with several targets only
+};
+
+template <SuiteRow::Figure SuiteRow::*Member> std::string medianText(const SuiteCell& cell) {
+  return figureText(quantileOf(cell.runs, Member, 0.5));
+}
+
+template <SuiteRow::Figure SuiteRow::*Member> std::string meanText(const SuiteCell& cell) {
+  return figureText(meanOf(cell.runs, Member));
+}
+
+std::string countText(const Proportion& proportion) {
+  return fmt::format("{}/{}", proportion.count, proportion.total);
+}
+
+const std::vector<TableColumn>& tableColumns() {
+  static const std::vector<TableColumn> columns{
+      {"median RMSE<br>mm, 95 %", [](const SuiteCell& c) { return intervalText(c.rmseMm); }},
+      {"p95 of frames<br>mm, 95 %", [](const SuiteCell& c) { return intervalText(c.p95Mm); }},
+      {"depth<br>mm", medianText<&SuiteRow::depthMm>},
+      {"lateral<br>mm", medianText<&SuiteRow::lateralMm>},
+      {"bias<br>mm", medianText<&SuiteRow::biasMm>},
+      {"lost<br>%", meanText<&SuiteRow::lostPercent>},
+      {"false<br>alarms %", meanText<&SuiteRow::falseAlarmPercent>},
+      {"within<br>5 frames", [](const SuiteCell& c) { return countText(c.quick); }},
+      {"converged<br>at all", [](const SuiteCell& c) { return countText(c.converged); }},
+      {"frames to<br>re-acquire", medianText<&SuiteRow::framesToReacquire>},
+      {"while blind<br>mm", medianText<&SuiteRow::blackoutRmseMm>},
+      {"in 95 %<br>while blind %", meanText<&SuiteRow::blackoutCoverage95Percent>},
+      {"step<br>mm", medianText<&SuiteRow::largestStepMm>},
+      {"NEES", medianText<&SuiteRow::nees>},
+      {"in 95 %<br>ellipsoid %", meanText<&SuiteRow::coverage95Percent>},
+      {"GOSPA<br>mm", medianText<&SuiteRow::gospaMm>},
+      {"MOTA", medianText<&SuiteRow::mota>, true},
+      {"HOTA", medianText<&SuiteRow::hota>, true},
+      {"identity<br>switches", meanText<&SuiteRow::identitySwitches>, true},
+      {"µs per<br>frame", medianText<&SuiteRow::usPerFrame>},
+  };
+  return columns;
+}
+
+std::vector<std::string> methodsOf(std::span<const SuiteCell> cells) {
+  std::vector<std::string> methods;
+  for (const SuiteCell& cell : cells) {
+    if (std::ranges::find(methods, cell.method) == methods.end()) {
+      methods.push_back(cell.method);
+    }
+  }
+  std::ranges::stable_sort(methods, {}, methodStyle);
+  return methods;
+}
+
+std::size_t targetCount(std::span<const SuiteCell> cells) {
+  return cells.front().runs.front()->trace.errorsMm.size();
+}
+
+/// "-" for what was not run; the smallest RMSE of the row is marked.
+std::string overviewRow(std::span<const SuiteCell> row, const std::vector<std::string>& methods) {
+  const auto best = std::ranges::min_element(row, {}, [](const SuiteCell& cell) {
+    return std::isnan(cell.rmseMm.value) ? INFINITY : cell.rmseMm.value;
+  });
+  std::string text = fmt::format("<tr><td>{}</td><td class='text soft'>{}</td>",
+                                 escaped(row.front().scenario), gradeName(row.front().grade));
+  for (const std::string& method : methods) {
+    const auto cell = std::ranges::find(row, method, &SuiteCell::method);
+    if (cell == row.end()) {
+      text += "<td>-</td>";
+      continue;
+    }
+    const double lost = meanOf(cell->runs, &SuiteRow::lostPercent);
+    text += fmt::format(
+        "<td{}>{}{}</td>", cell == best ? " class='best'" : "", figureText(cell->rmseMm.value),
+        lost >= kLostNotice ? fmt::format("<small>{} % lost</small>", figureText(lost))
+                            : std::string());
+  }
+  return text + "</tr>";
+}
+
+} // namespace
+
+std::string figureText(double value) {
+  if (std::isnan(value)) {
+    return "-";
+  }
+  if (std::isinf(value)) {
+    return "never";
+  }
+  const double size = std::abs(value);
+  if (size >= 1e6) {
+    return fmt::format("{:.1e}", value);
+  }
+  if (value == std::round(value)) {
+    return fmt::format("{:.0f}", value);
+  }
+  return size >= 100.0  ? fmt::format("{:.0f}", value)
+         : size >= 10.0 ? fmt::format("{:.1f}", value)
+         : size >= 0.01 ? fmt::format("{:.2f}", value)
+                        : fmt::format("{:.1g}", value);
+}
+
+std::string barTable(std::span<const BarResult> bars) {
+  std::string text = "<div class='scroll'><table><thead><tr><th>No.</th><th class='text'>What</th>"
+                     "<th>must be</th><th>is</th><th>runs</th><th class='text'>verdict</th></tr>"
+                     "</thead><tbody>";
+  for (const BarResult& result : bars) {
+    text += fmt::format("<tr><td>{}</td><td class='text'>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+                        "<td class='text'>{}</td></tr>",
+                        result.bar->item, escaped(result.bar->sentence), requirementOf(*result.bar),
+                        figureText(result.value), result.runs, verdictOf(result));
+  }
+  return text + "</tbody></table></div>";
+}
+
+std::string overviewTable(std::span<const SuiteCell> cells) {
+  const auto methods = methodsOf(cells);
+  std::string text = "<div class='scroll'><table><thead><tr><th>scenario</th><th "
+                     "class='text'>grade</th>";
+  for (const std::string& method : methods) {
+    text += fmt::format("<th>{}</th>", methodName(method));
+  }
+  text += "</tr></thead><tbody>";
+  for (std::size_t begin = 0; begin < cells.size();) {
+    std::size_t end = begin;
+    while (end < cells.size() && cells[end].scenario == cells[begin].scenario &&
+           cells[end].grade == cells[begin].grade) {
+      ++end;
+    }
+    text += overviewRow(cells.subspan(begin, end - begin), methods);
+    begin = end;
+  }
+  return text + "</tbody></table></div>";
+}
+
+std::string scenarioTable(std::span<const SuiteCell> cells) {
+  std::vector<const TableColumn*> shown; // a column without a figure is left out
+  for (const TableColumn& column : tableColumns()) {
+    const bool useful = !column.ofMany || targetCount(cells) > 1;
+    if (useful &&
+        std::ranges::any_of(cells, [&](const auto& cell) { return column.text(cell) != "-"; })) {
+      shown.push_back(&column);
+    }
+  }
+  std::string text = "<div class='scroll'><table><thead><tr><th>method</th>";
+  for (const TableColumn* column : shown) {
+    text += fmt::format("<th>{}</th>", column->head);
+  }
+  text += "</tr></thead><tbody>";
+  for (const SuiteCell& cell : cells) {
+    text += fmt::format("<tr{}><td>{}</td>", cell.method == "dewpoint" ? " class='ours'" : "",
+                        methodName(cell.method));
+    for (const TableColumn* column : shown) {
+      text += fmt::format("<td>{}</td>", column->text(cell));
+    }
+    text += "</tr>";
+  }
+  return text + "</tbody></table></div>";
+}
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/markup.h"
+#include "core/experiment/suite/suite_report.h"
+
+#include <span>
+#include <string>
+
+namespace dewpoint::experiment {
+
+/// Three significant digits as people read them: "1.41", "23.4", "630", "never", "-" for nothing.
+std::string figureText(double value);
+
+/// The bars with their verdicts, as an HTML table.
+std::string barTable(std::span<const BarResult> bars);
+/// Median RMSE and lost frames, scenario by method.
+std::string overviewTable(std::span<const SuiteCell> cells);
+/// One scenario in one grade: a row per method.
+std::string scenarioTable(std::span<const SuiteCell> cells);
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/rotation_check.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <fmt/format.h>
+
+namespace dewpoint::geometry {
+namespace {
+
+constexpr double kRotationTolerance = 1e-3; // |RᵀR - 1|: published files carry 6 digits or more
+constexpr double kExactRotation = 1e-12;    // what rounding in double precision leaves
+
+} // namespace
+
+tl::expected<Eigen::Matrix3d, std::string> checkedRotation(const Eigen::Matrix3d& matrix) {
+  const double deviation =
+      (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (!(deviation <= kRotationTolerance)) {
+    return tl::make_unexpected(
+        fmt::format("not a rotation: its rows are not orthonormal, off by {:.3g}", deviation));
+  }
+  if (matrix.determinant() < 0.0) {
+    return tl::make_unexpected(std::string("not a rotation: it mirrors, its determinant is -1"));
+  }
+  if (deviation < kExactRotation) {
+    return matrix; // so that what was saved comes back bit by bit
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return Eigen::Matrix3d(svd.matrixU() * svd.matrixV().transpose());
+}
+
+Eigen::Matrix3d rotationOfVector(const Eigen::Vector3d& vector) {
+  const double angle = vector.norm();
+  return angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
+                     : Eigen::Matrix3d::Identity();
+}
+
+Eigen::Vector3d vectorOfRotation(const Eigen::Matrix3d& rotation) {
+  const Eigen::AngleAxisd turn(rotation);
+  return turn.angle() * turn.axis();
+}
+
+} // namespace dewpoint::geometry

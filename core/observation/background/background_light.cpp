@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a BackgroundModel follows light that changes.
+#include "core/observation/background/background_model.h"
+
+#include <opencv2/core.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace dewpoint::observation {
+namespace {
+
+constexpr double kSamples = 400.0; ///< pixels looked at, on a grid: the median is good to 0.5 %
+constexpr std::size_t kFewest = 50;
+constexpr int kDarkest = 20;    ///< gray levels below which a ratio is mostly noise
+constexpr int kBrightest = 245; ///< and above which the sensor may have been at its end
+constexpr double kNoticeable = 1.0 / 40.0;
+/// A greater change from one image to the next is no lamp, but a lens that is covered or blind.
+constexpr double kGreatest = 4.0;
+/// The same for all changes since the first image: what is darker says nothing any more.
+constexpr double kGreatestInAll = 8.0;
+constexpr double kMostAgree = 0.6; ///< share of the samples the change must explain
+
+using Color = std::array<std::uint8_t, 3>; ///< blue, green, red
+
+} // namespace
+
+struct BackgroundModel::LightSample {
+  Color now;
+  Color usual;
+};
+
+namespace {
+
+/// The ratios of a channel where they say something.
+template <class Sample>
+std::vector<double> ratiosOf(const std::vector<Sample>& samples, std::size_t channel) {
+  std::vector<double> ratios(samples.size());
+  std::size_t count = 0;
+  for (const auto& sample : samples) {
+    const int usual = sample.usual[channel];
+    ratios[count] = (sample.now[channel] + 0.5) / (usual + 0.5);
+    const bool speaks =
+        (usual >= kDarkest) & (usual <= kBrightest) & (sample.now[channel] <= kBrightest);
+    count += speaks ? 1 : 0;
+  }
+  ratios.resize(count);
+  return ratios;
+}
+
+/// Their median; 1 where there are too few.
+double medianOf(std::vector<double> ratios) {
+  if (ratios.size() < kFewest) {
+    return 1.0;
+  }
+  const auto middle = ratios.begin() + std::ssize(ratios) / 2;
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return *middle;
+}
+
+/// Whether medianOf() differs noticeably from 1, without looking for it: it does not while the
+/// ratios below and those above leave the middle to the others.
+bool isNoticeable(const std::vector<double>& ratios) {
+  if (ratios.size() < kFewest) {
+    return false;
+  }
+  std::ptrdiff_t below = 0;
+  std::ptrdiff_t above = 0;
+  for (const double ratio : ratios) {
+    below += 1.0 - ratio >= kNoticeable ? 1 : 0;
+    above += ratio - 1.0 >= kNoticeable ? 1 : 0;
+  }
+  const std::ptrdiff_t middle = std::ssize(ratios) / 2;
+  return below > middle || above >= std::ssize(ratios) - middle;
+}
+
+/// Share of the samples that are explained by this change of light.
+template <class Sample>
+double agreement(const std::vector<Sample>& samples, const Eigen::Array3d& gain) {
+  const auto agrees = [&](const auto& sample) {
+    for (Eigen::Index channel = 0; channel < 3; ++channel) {
+      const double expected =
+          std::min(255.0, gain[channel] * sample.usual[static_cast<std::size_t>(channel)]);
+      const double allowed = BackgroundModel::kTolerance +
+                             expected / (1 << BackgroundModel::kToleranceShift); // as for labels
+      if (std::abs(sample.now[static_cast<std::size_t>(channel)] - expected) > allowed) {
+        return false;
+      }
+    }
+    return true;
+  };
+  return static_cast<double>(std::count_if(samples.begin(), samples.end(), agrees)) /
+         static_cast<double>(samples.size());
+}
+
+} // namespace
+
+std::vector<BackgroundModel::LightSample>
+BackgroundModel::lightSamples(const cv::Mat& image) const {
+  const int step =
+      std::max(1, static_cast<int>(std::sqrt(static_cast<double>(image.total()) / kSamples)));
+  std::vector<LightSample> samples;
+  samples.reserve(static_cast<std::size_t>(image.rows / step + 1) *
+                  static_cast<std::size_t>(image.cols / step + 1));
+  for (int row = step / 2; row < image.rows; row += step) {
+    const std::uint8_t* confidence = confidence_.ptr<std::uint8_t>(row);
+    const std::uint8_t* now = image.ptr<std::uint8_t>(row);
+    const std::uint8_t* usual = mean_.ptr<std::uint8_t>(row);
+    for (int column = step / 2; column < image.cols; column += step) {
+      const std::ptrdiff_t at = std::ptrdiff_t{3} * column;
+      if (confidence[column] >= kLearned) {
+        samples.push_back(
+            {{now[at], now[at + 1], now[at + 2]}, {usual[at], usual[at + 1], usual[at + 2]}});
+      }
+    }
+  }
+  return samples;
+}
+
+void BackgroundModel::followLight(const cv::Mat& image) {
+  followGain(image);
+  if (lightIsNew_) { // the light of now is the usual one, not that of the empty room
+    takeLightAsUsual();
+    lightIsNew_ = false;
+  }
+}
+
+void BackgroundModel::followGain(const cv::Mat& image) {
+  if (mean_.empty() || mean_.size() != image.size() || image.type() != CV_8UC3) {
+    return;
+  }
+  const auto samples = lightSamples(image);
+  if (samples.size() < kFewest) {
+    return;
+  }
+  std::array<std::vector<double>, 3> ratios{ratiosOf(samples, 0), ratiosOf(samples, 1),
+                                            ratiosOf(samples, 2)};
+  if (std::none_of(ratios.begin(), ratios.end(), isNoticeable)) {
+    return;
+  }
+  const Eigen::Array3d gain(medianOf(std::move(ratios[0])), medianOf(std::move(ratios[1])),
+                            medianOf(std::move(ratios[2])));
+  const Eigen::Array3d light = gain * light_;
+  const auto within = [](const Eigen::Array3d& factors, double greatest) {
+    return factors.maxCoeff() <= greatest && factors.minCoeff() >= 1.0 / greatest;
+  };
+  if (!within(gain, kGreatest) || !within(light, kGreatestInAll)) {
+    return;
+  }
+  const double share = agreement(samples, gain);
+  if (share < kMostAgree || share < agreement(samples, Eigen::Array3d::Ones())) {
+    return;
+  }
+  cv::multiply(mean_, cv::Scalar(gain[0], gain[1], gain[2]), mean_);
+  light_ = light;
+}
+
+} // namespace dewpoint::observation

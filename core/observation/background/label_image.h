@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/color/color_classifier.h"
+#include "core/observation/background/background_model.h"
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace dewpoint::observation {
+
+/// What a pixel says about the target. `Unknown` neither matches nor shows what used to be there:
+/// something may hide the target, so it is no evidence either way, like what lies outside the image
+/// or is explained by another target.
+enum class PixelLabel : std::uint8_t {
+  Unlearned,  ///< does not match; what is usually there is not known yet
+  Background, ///< does not match and shows what is usually there
+  Unknown,    ///< does not match and shows something new
+  Explained,  ///< matches, but belongs to another target or to the empty room
+  Target,     ///< matches the target's color
+};
+inline constexpr std::size_t kPixelLabelCount = 5;
+
+/// One camera's image with its labels, made where they are asked for.
+class LabelImage {
+public:
+  /// A new image (CV_8UC3) with the model of what is usually there; all outlive the labels.
+  /// `usual` is the color in the usual light.
+  void begin(const cv::Mat& image, const BackgroundModel& background,
+             const ColorClassifier& classifier, const ColorClassifier& usual);
+  void begin(const cv::Mat& image, const BackgroundModel& background,
+             const ColorClassifier& classifier) {
+    begin(image, background, classifier, classifier);
+  }
+  /// No image from this camera.
+  void clear();
+
+  bool empty() const { return image_.empty(); }
+  cv::Size size() const { return image_.size(); }
+
+  /// Makes the labels of this part of the image (cut to the image); cheap when they are there.
+  void require(const cv::Rect& area);
+  void requireAll() { require({0, 0, image_.cols, image_.rows}); }
+  /// The part whose labels are made.
+  const cv::Rect& covered() const { return covered_; }
+
+  /// A part of the image, in pixels.
+  struct Circle {
+    Eigen::Vector2d center = Eigen::Vector2d::Zero();
+    double radius = 0.0;
+  };
+  /// Marks matching pixels within a circle as explained by another target, but for those within
+  /// `except`; holds for labels made later as well.
+  void explain(const Circle& other, const Circle& except);
+
+  /// Label of a covered pixel; Explained, which is no evidence for anything, outside the covered
+  /// part.
+  PixelLabel at(int column, int row) const noexcept {
+    if (column < covered_.x || row < covered_.y || column >= covered_.x + covered_.width ||
+        row >= covered_.y + covered_.height) {
+      return PixelLabel::Explained;
+    }
+    return static_cast<PixelLabel>(labels_.ptr<std::uint8_t>(row)[column]);
+  }
+  /// CV_8UC1 of the image's size, valid in the covered part only; values of PixelLabel.
+  const cv::Mat& labels() const { return labels_; }
+
+private:
+  struct Explanation {
+    Circle other;
+    Circle except;
+  };
+  void make(const cv::Rect& area);
+  void mark(const Explanation& explanation, const cv::Rect& area);
+
+  cv::Mat image_;
+  const BackgroundModel* background_ = nullptr;
+  const ColorClassifier* classifier_ = nullptr;
+  const ColorClassifier* usual_ = nullptr;
+  cv::Rect covered_;
+  cv::Mat labels_;
+  std::vector<Explanation> explained_;
+  /// Marks what matches in `row` as it would look in the usual light, where matched_ is 0.
+  void matchInUsualLight(const std::uint8_t* row, int count);
+
+  std::vector<std::uint8_t> matched_; ///< scratch, one row
+  std::vector<std::uint8_t> relit_;   ///< scratch, one row of three bytes per pixel
+  std::vector<std::uint8_t> again_;   ///< scratch, one row
+};
+
+} // namespace dewpoint::observation

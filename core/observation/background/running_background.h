@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/observation/background/foreground_model.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace dewpoint::observation {
+
+/// One Gaussian per pixel (Wren et al. 1997, "Pfinder"), with a mean per channel and a deviation
+/// for the three of them together, and shadows told by their color (as Horprasert et al. 1999: all
+/// channels darker by about the same factor). Simple on purpose: it costs a small part of a
+/// mixture.
+class RunningBackground final : public ForegroundModel {
+public:
+  explicit RunningBackground(const ForegroundSettings& settings) : settings_(settings) {}
+
+  void learn(const cv::Mat& image) override;
+  void subtract(const cv::Mat& image, const cv::Mat& keep, cv::Mat& mask) override;
+  std::unique_ptr<ForegroundModel> fresh() const override {
+    return std::make_unique<RunningBackground>(settings_);
+  }
+  std::unique_ptr<ForegroundModel> clone() const override {
+    auto copy = std::make_unique<RunningBackground>(*this);
+    copy->planes_ = {}; // written again with every image
+    return copy;
+  }
+  bool canBeCopied() const override { return true; }
+  std::size_t memoryBytes() const override {
+    return (3 * means_.front().size() + deviation_.size()) * sizeof(float);
+  }
+
+private:
+  void start(const cv::Mat& image);
+  void takePlanes(const cv::Mat& image);
+
+  ForegroundSettings settings_;
+  cv::Size size_;
+  int learned_ = 0;
+  std::array<std::vector<float>, 3> means_; ///< per channel (BGR), gray levels
+  std::vector<float> deviation_;            ///< mean absolute difference, all channels together
+  std::array<cv::Mat, 3> planes_;           ///< of the image at hand, CV_8UC1, continuous
+  std::vector<std::uint8_t> nothing_;       ///< stands for an empty `keep`
+};
+
+} // namespace dewpoint::observation

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/observation/boxes/box_kernel.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace dewpoint::observation {
+namespace {
+
+constexpr double kSum = 2147483648.0; // 2^31: half of what an accumulator holds
+constexpr double kFinest = 16777216.0;
+constexpr double kFar = 1e8; // pixels; keeps places within int
+
+} // namespace
+
+BoxKernel::BoxKernel(int width, int height) : width_(width), height_(height) {
+  assert(width > 0 && height > 0);
+  const double reachSquared = 0.25 * (double(width) * width + double(height) * height);
+  std::vector<double> exact;
+  double sum = 0.0;
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const double x = column + 0.5 - 0.5 * width;
+      const double y = row + 0.5 - 0.5 * height;
+      exact.push_back(profile((x * x + y * y) / reachSquared));
+      sum += exact.back();
+    }
+  }
+  const double scale = std::min(kFinest, (kSum - double(exact.size())) / sum);
+  weights_.reserve(exact.size());
+  for (const double weight : exact) {
+    weights_.push_back(static_cast<std::uint32_t>(std::lround(weight * scale)));
+    sum_ += weights_.back();
+  }
+}
+
+KernelPlace placeKernel(const BoxKernel& kernel, double x, double y, int columns, int rows) {
+  KernelPlace place;
+  const auto whole = [](double value) {
+    return static_cast<int>(std::floor(std::clamp(value, -kFar, kFar) + 0.5));
+  };
+  place.left = whole(x - 0.5 * kernel.width());
+  place.top = whole(y - 0.5 * kernel.height());
+  place.firstColumn = std::max(0, -place.left);
+  place.endColumn = std::min(kernel.width(), columns - place.left);
+  place.firstRow = std::max(0, -place.top);
+  place.endRow = std::min(kernel.height(), rows - place.top);
+  return place;
+}
+
+} // namespace dewpoint::observation

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/observation/boxes/click_box.h"
+
+#include "core/color/color_region.h"
+#include "core/observation/boxes/figure_box.h"
+#include "core/observation/boxes/figure_contrast.h"
+#include "core/observation/boxes/fine_histogram.h"
+#include "core/observation/boxes/target_colors.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+namespace dewpoint::observation {
+namespace {
+
+/// Sizes (square root of the area) in pixels of the image as it is looked at; those of an image
+/// that was made smaller are only what the larger one does not reach.
+constexpr std::array<double, 8> kSizes{7.0, 8.5, 10.0, 12.0, 14.5, 17.0, 20.5, 24.0};
+constexpr std::size_t kFirstOfSmaller = 4;
+constexpr std::array<double, 7> kAspects{0.35, 0.5, 0.71, 1.0, 1.41, 2.0, 2.9};
+constexpr double kLargest = 0.7; ///< of the image's smaller side
+constexpr double kReach = 80.0;  ///< pixels around the click that are looked at, so small
+/// Steps of the click from the middle, in sides of the box; it is taken to be normal about it.
+constexpr int kSteps = 3;
+constexpr double kStep = 0.1;
+constexpr double kAim = 0.25;
+/// Of the best score: a smaller thing with so much is taken.
+constexpr double kEnough = 0.8;
+constexpr double kMargin = 1.3; ///< of the box in which the figure is sought, in its sides
+/// Where the color region is grown: in sides of the thing's box, and at least so many pixels.
+constexpr double kNearby = 3.0;
+constexpr double kLeastNearby = 640.0;
+constexpr double kAgree = 0.5; ///< share in common from which two boxes mean the same thing
+/// How much less the pixels of a larger box may speak for the target than those of the best one;
+/// see docs/method-sugandi.md.
+constexpr double kLessTold = 0.09;
+
+struct Candidate {
+  ImageBox box;
+  double score = 0.0;
+};
+
+/// A part of an image around a click, made smaller.
+class Outlook {
+public:
+  Outlook(const cv::Mat& bgr, const Eigen::Vector2d& pixel, double scale)
+      : part_(pixelsOf(
+            ImageBox::around(pixel, std::max(2.0, 2.0 * kReach * scale), 2.0 * kReach * scale),
+            bgr)),
+        scale_(scale), click_((pixel - corner()) / scale), contrast_(smaller(bgr), click_) {}
+
+  Candidate best(double size, double aspect) const {
+    const double width = size * std::sqrt(aspect);
+    const double height = size / std::sqrt(aspect);
+    Candidate best;
+    for (int i = -kSteps; i <= kSteps; ++i) {
+      for (int j = -kSteps; j <= kSteps; ++j) {
+        const Eigen::Vector2d off(kStep * i, kStep * j);
+        const ImageBox box = ImageBox::around(
+            click_ + Eigen::Vector2d(off.x() * width, off.y() * height), width, height);
+        const double score = contrast_.at(box) * std::exp(-0.5 * off.squaredNorm() / (kAim * kAim));
+        best = score > best.score ? Candidate{box, score} : best;
+      }
+    }
+    best.box =
+        ImageBox::around(corner() + scale_ * best.box.center(), scale_ * width, scale_ * height);
+    return best;
+  }
+
+private:
+  Eigen::Vector2d corner() const { return {part_.x, part_.y}; }
+  cv::Mat smaller(const cv::Mat& bgr) const {
+    cv::Mat small;
+    if (scale_ == 1.0) {
+      cv::GaussianBlur(bgr(part_), small, {3, 3}, 0.8);
+      return small;
+    }
+    const auto side = [&](int pixels) { return std::max(1, static_cast<int>(pixels / scale_)); };
+    cv::resize(bgr(part_), small, {side(part_.width), side(part_.height)}, 0, 0, cv::INTER_AREA);
+    return small;
+  }
+
+  cv::Rect part_;
+  double scale_;
+  Eigen::Vector2d click_; ///< in the smaller image
+  FigureContrast contrast_;
+};
+
+/// The best box of each size, by rising size.
+std::vector<Candidate> bestOfSizes(const cv::Mat& bgr, const Eigen::Vector2d& pixel) {
+  const double largest = kLargest * std::min(bgr.rows, bgr.cols);
+  std::vector<Candidate> found;
+  for (double scale = 1.0; kSizes[scale > 1.0 ? kFirstOfSmaller : 0] * scale <= largest;
+       scale *= 2.0) {
+    const Outlook outlook(bgr, pixel, scale);
+    for (std::size_t i = scale > 1.0 ? kFirstOfSmaller : 0; i < kSizes.size(); ++i) {
+      if (kSizes[i] * scale > largest) {
+        break;
+      }
+      Candidate best;
+      for (const double aspect : kAspects) {
+        const Candidate next = outlook.best(kSizes[i], aspect);
+        best = next.score > best.score ? next : best;
+      }
+      found.push_back(best);
+    }
+  }
+  return found;
+}
+
+/// The smallest size that stands out among its neighbors and is nearly as good as the best of all:
+/// what is larger is what the clicked thing is on, or one of them.
+const Candidate* chosenOf(const std::vector<Candidate>& found) {
+  const auto best = std::ranges::max_element(found, {}, &Candidate::score);
+  for (auto one = found.begin(); one != found.end() && best->score > 0.0; ++one) {
+    const bool rises = one == found.begin() || one->score > std::prev(one)->score;
+    const bool falls = std::next(one) == found.end() || one->score >= std::next(one)->score;
+    if (rises && falls && one->score >= kEnough * best->score) {
+      return &*one;
+    }
+  }
+  return nullptr;
+}
+
+ImageBox enlarged(const ImageBox& box, double times) {
+  return ImageBox::around(box.center(), times * box.width, times * box.height);
+}
+
+ImageBox boxOf(const cv::Rect& pixels) {
+  return {double(pixels.x), double(pixels.y), double(pixels.width), double(pixels.height)};
+}
+
+/// The box of the color region at a pixel of a thing, grown in what is around it.
+ImageBox grownBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel, const ImageBox& thing) {
+  const double side = std::max(kLeastNearby, kNearby * std::max(thing.width, thing.height));
+  const cv::Rect part = pixelsOf(ImageBox::around(pixel, side, side), bgr);
+  const cv::Point at(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
+  return boxOf(cv::boundingRect(growRegion(bgr(part), at - part.tl())) + part.tl());
+}
+
+/// What is followed of a box that was found.
+ImageBox figureOf(const cv::Mat& bgr, const Candidate& found) {
+  return figureBox(bgr, boxOf(pixelsOf(enlarged(found.box, kMargin), bgr)));
+}
+
+bool holdsMost(const ImageBox& box, const ImageBox& part) {
+  return commonArea(box, part) >= kAgree * part.area();
+}
+
+/// How well what would be learned from a box tells it from its surroundings: what its pixels speak
+/// for the target on average, [0, 1].
+double toldBy(const cv::Mat& bgr, const ImageBox& box) {
+  TargetColors colors;
+  colors.learn(bgr, box);
+  return colors.likeness(bgr, box);
+}
+
+/// The largest figure that is told nearly as well as the best one: a hand around a ball, or what is
+/// behind it, is told less well than the ball alone. Where the color region is part of the thing,
+/// the figure holds it; none that does is told so well: then it is the region.
+ImageBox largestTold(const cv::Mat& bgr, const std::vector<ImageBox>& figures,
+                     const ImageBox& region, bool isPart) {
+  std::vector<double> told;
+  std::ranges::transform(figures, std::back_inserter(told),
+                         [&](const ImageBox& figure) { return toldBy(bgr, figure); });
+  const double most = std::max(std::ranges::max(told), isPart ? toldBy(bgr, region) : 0.0);
+  ImageBox largest = isPart ? region : ImageBox{};
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    if (told[i] >= most - kLessTold && figures[i].area() > largest.area() &&
+        (!isPart || holdsMost(figures[i], region))) {
+      largest = figures[i];
+    }
+  }
+  return largest;
+}
+
+} // namespace
+
+std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel) {
+  const std::vector<Candidate> found = bestOfSizes(bgr, pixel);
+  const Candidate* chosen = chosenOf(found);
+  if (chosen == nullptr) {
+    return std::nullopt;
+  }
+  const ImageBox thing = figureOf(bgr, *chosen);
+  const ImageBox region = grownBox(bgr, pixel, thing);
+  if (overlap(region, thing) >= kAgree) {
+    return region;
+  }
+  std::vector<ImageBox> figures;
+  for (const Candidate* one = found.data(); one < chosen; ++one) {
+    if (one->score > 0.0) {
+      figures.push_back(figureOf(bgr, *one));
+    }
+  }
+  figures.push_back(thing);
+  const ImageBox box = largestTold(bgr, figures, region, holdsMost(thing, region));
+  return overlap(region, box) >= kAgree ? region : box;
+}
+
+} // namespace dewpoint::observation

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/observation/boxes/target_colors.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace dewpoint::observation {
+
+/// Where a part of an image shows the target's colors: for each part of the target an integral
+/// image (Crow 1984) of P(target | color), so that a box of any size costs a few look-ups. Whole
+/// numbers: sums are exact, up to 16 million pixels.
+class TargetMap {
+public:
+  /// Looks at the pixels of `region` of an image (CV_8UC3); what lies outside it is no target.
+  void build(const cv::Mat& bgr, const cv::Rect& region, const TargetColors& colors);
+  /// Sum over the parts of a box of P(target | color of a pixel), px². Fractions of pixels count by
+  /// their area (bilinear in the integral image).
+  double sum(const ImageBox& box) const;
+  const cv::Rect& region() const { return region_; }
+  /// About how many bytes a copy takes.
+  std::size_t memoryBytes() const {
+    return sizeof(std::uint32_t) * integrals_.front().capacity() * integrals_.size();
+  }
+
+private:
+  using Integral = std::vector<std::uint32_t>;
+
+  double corner(const Integral& integral, double x, double y) const;
+
+  cv::Rect region_;
+  std::array<Integral, TargetColors::kParts> integrals_; ///< (rows + 1) x (columns + 1)
+};
+
+} // namespace dewpoint::observation

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/observation/people/body_silhouette.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::observation {
+namespace {
+
+/// Half widths of the pieces of a person of 1.75 m, metres: what is seen from all sides, with
+/// swinging arms and legs.
+constexpr std::array<double, kBodyPieces> kHalfWidths{0.15, 0.15, 0.20, 0.23, 0.21, 0.10};
+constexpr double kReferenceHeight = 1.75;
+constexpr int kFarOff = 1 << 14; ///< pixels: so far outside it does not matter how far
+
+int pixelOf(double value) {
+  return static_cast<int>(std::lround(std::clamp(value, -double{kFarOff}, double{kFarOff})));
+}
+
+} // namespace
+
+double bodyHalfWidth(int piece, double height) {
+  return kHalfWidths.at(static_cast<std::size_t>(piece)) * height / kReferenceHeight;
+}
+
+SilhouetteMaker::SilhouetteMaker(const Camera& camera)
+    : projector_(camera), center_(camera.center()), axis_(camera.opticalAxis()),
+      focal_(std::sqrt(camera.intrinsics.focalX * camera.intrinsics.focalY)) {}
+
+BodySilhouette SilhouetteMaker::of(const Eigen::Vector2d& place, double floor,
+                                   double height) const {
+  constexpr double kNearest = 0.2; // metres
+  std::array<double, kBodyPieces + 1> x;
+  std::array<double, kBodyPieces + 1> y;
+  std::array<double, kBodyPieces + 1> z;
+  std::array<double, kBodyPieces + 1> column;
+  std::array<double, kBodyPieces + 1> row;
+  for (std::size_t k = 0; k <= kBodyPieces; ++k) {
+    x[k] = place.x();
+    y[k] = place.y();
+    z[k] = floor + height * static_cast<double>(k) / kBodyPieces;
+  }
+  projector_.projectBatch(kBodyPieces + 1, x.data(), y.data(), z.data(), column.data(), row.data());
+  BodySilhouette result;
+  for (std::size_t k = 0; k < kBodyPieces; ++k) {
+    const double distance = depth({x[k], y[k], 0.5 * (z[k] + z[k + 1])});
+    if (distance < kNearest || std::isnan(column[k] + column[k + 1])) {
+      return result;
+    }
+    const double half = bodyHalfWidth(static_cast<int>(k), height) * focal_ / distance;
+    const double middle = 0.5 * (column[k] + column[k + 1]);
+    const int left = pixelOf(middle - half + 0.5);
+    const int right = std::max(left + 1, pixelOf(middle + half + 0.5));
+    const int top = pixelOf(std::min(row[k], row[k + 1]) + 0.5);
+    const int bottom = std::max(top + 1, pixelOf(std::max(row[k], row[k + 1]) + 0.5));
+    result.pieces[k] = {left, top, right - left, bottom - top};
+  }
+  result.visible = true;
+  return result;
+}
+
+void ScoreSums::build(const cv::Mat& bytes) {
+  cv::integral(bytes, sums, CV_32S);
+}
+
+double bodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor) {
+  if (!silhouette.visible) {
+    return 0.0;
+  }
+  double sum = 0.0;
+  for (const cv::Rect& piece : silhouette.pieces) {
+    sum += std::max(floor, score.mean(piece));
+  }
+  return sum / kBodyPieces;
+}
+
+double upperBodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor) {
+  if (!silhouette.visible) {
+    return 0.0;
+  }
+  double sum = 0.0;
+  for (std::size_t k = kBodyPieces / 2; k < kBodyPieces; ++k) {
+    sum += std::max(floor, score.mean(silhouette.pieces[k]));
+  }
+  return sum / (kBodyPieces - kBodyPieces / 2);
+}
+
+} // namespace dewpoint::observation

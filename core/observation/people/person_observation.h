@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/filter/particle_set.h"
+#include "core/geometry/camera.h"
+#include "core/observation/boxes/motion_likelihood.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace dewpoint::observation {
+
+/// What one camera shows, as the methods of Mohedano et al. 2009 look at it.
+struct PersonCamera {
+  const Projector* projector = nullptr;
+  cv::Mat likelihood; ///< D, CV_32FC1; empty: the camera has no image
+  cv::Mat image;      ///< CV_8UC3 of the same size; looked at for the color cue only
+};
+
+/// The observation model of Mohedano et al. 2009: the product over cameras of D at the particle's
+/// projection (MS), and of the color there (MS+C). States are x y z vx vy vz (metres, m/s) and,
+/// with a color cue, h s in [0, 1]. A particle that a camera does not see has D = `floor` there,
+/// and no color.
+class PersonObservation {
+public:
+  PersonObservation(std::vector<PersonCamera> cameras, double floor, std::optional<ColorCue> color)
+      : cameras_(std::move(cameras)), floor_(floor), color_(color) {}
+
+  void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const {
+    constexpr Eigen::Index kBlock = 128;
+    std::array<double, kBlock> column;
+    std::array<double, kBlock> row;
+    for (Eigen::Index begin = 0; begin < rows.rows(); begin += kBlock) {
+      const Eigen::Index count = std::min(kBlock, rows.rows() - begin);
+      for (const PersonCamera& camera : cameras_) {
+        if (camera.likelihood.empty()) {
+          continue;
+        }
+        camera.projector->projectBatch(count, rows.col(0).data() + begin,
+                                       rows.col(1).data() + begin, rows.col(2).data() + begin,
+                                       column.data(), row.data());
+        for (Eigen::Index i = 0; i < count; ++i) {
+          const auto at = static_cast<std::size_t>(i);
+          const double hue = color_ ? rows(begin + i, 6) : 0.0;
+          const double saturation = color_ ? rows(begin + i, 7) : 0.0;
+          logLikelihood[begin + i] += look(camera, column[at], row[at], hue, saturation);
+        }
+      }
+    }
+  }
+
+private:
+  double look(const PersonCamera& camera, double column, double row, double hue,
+              double saturation) const {
+    cv::Point pixel;
+    if (!nearestPixel(column, row, camera.likelihood, pixel)) {
+      return std::log(floor_);
+    }
+    double sum = std::log(static_cast<double>(camera.likelihood.at<float>(pixel)));
+    if (color_) {
+      sum += color_->logLikelihood(camera.image.ptr(pixel.y, pixel.x), hue, saturation);
+    }
+    return sum;
+  }
+
+  std::vector<PersonCamera> cameras_;
+  double floor_;
+  std::optional<ColorCue> color_;
+};
+
+} // namespace dewpoint::observation

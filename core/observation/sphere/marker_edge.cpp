@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/observation/sphere/marker_edge.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace dewpoint::observation {
+namespace {
+
+constexpr int kRounds = 4;             ///< of looking for edges about the outline found so far
+constexpr double kWidestPx = 1.6;      ///< edges are looked for within so much of the outline
+constexpr double kWidestShare = 0.4;   ///< and so much of the radius
+constexpr double kBandPx = 1.0;        ///< farther in and out, colors are taken from so wide a band
+constexpr double kStepPx = 0.25;       ///< along a spoke
+constexpr double kLeastAngle = 0.12;   ///< sine of the angle between both colors
+constexpr double kLeastShare = 0.6;    ///< of the spokes that must agree
+constexpr double kLargestSpread = 0.6; ///< pixels: of the edges about the ellipse
+constexpr double kLeastSpread = 0.05;  ///< pixels: what remains of the raster
+constexpr double kTukeyWidth = 4.0;    ///< in spreads
+
+using Color = Eigen::Vector3d;
+using Vector5 = Eigen::Matrix<double, 5, 1>;
+
+/// The color between pixels, by bilinear interpolation. The place is inside.
+Color colorAt(const cv::Mat& bgr, const Eigen::Vector2d& place) {
+  const auto column = static_cast<int>(std::floor(place.x()));
+  const auto row = static_cast<int>(std::floor(place.y()));
+  const double x = place.x() - column;
+  const double y = place.y() - row;
+  const auto* above = bgr.ptr<cv::Vec3b>(row) + column;
+  const auto* below = bgr.ptr<cv::Vec3b>(row + 1) + column;
+  Color color;
+  for (int i = 0; i < 3; ++i) {
+    color[i] = (1.0 - y) * ((1.0 - x) * above[0][i] + x * above[1][i]) +
+               y * ((1.0 - x) * below[0][i] + x * below[1][i]);
+  }
+  return color;
+}
+
+/// Where an edge was found.
+struct Edge {
+  double angle = 0.0;
+  double distance = 0.0; ///< from the middle, pixels
+};
+
+/// The outline in polar form about a middle: r = p0 + p1 cos + p2 sin + p3 cos 2 + p4 sin 2.
+Vector5 terms(double angle) {
+  Vector5 row;
+  row << 1.0, std::cos(angle), std::sin(angle), std::cos(2.0 * angle), std::sin(2.0 * angle);
+  return row;
+}
+
+/// Share of the background in a color that is p * ball + w * background: w, by least squares.
+class Unmixing {
+public:
+  Unmixing(const Color& ball, const Color& background) {
+    const double bb = ball.squaredNorm();
+    const double gg = background.squaredNorm();
+    const double bg = ball.dot(background);
+    const double determinant = bb * gg - bg * bg;
+    usable_ = determinant > kLeastAngle * kLeastAngle * bb * gg;
+    if (usable_) {
+      row_ = (bb * background - bg * ball) / determinant;
+    }
+  }
+  bool usable() const { return usable_; }
+  double operator()(const Color& color) const { return std::clamp(row_.dot(color), -0.3, 1.3); }
+
+private:
+  bool usable_ = false;
+  Color row_ = Color::Zero();
+};
+
+/// The edge on one spoke within `reach` of the expected distance.
+std::optional<Edge> edgeOn(const cv::Mat& bgr, const Eigen::Vector2d& middle, double angle,
+                           double expected, double reach) {
+  const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
+  const auto bandColor = [&](double from) {
+    Color sum = Color::Zero();
+    int count = 0;
+    for (double s = from; s <= from + kBandPx + 1e-9; s += 0.5 * kBandPx, ++count) {
+      sum += colorAt(bgr, middle + s * way);
+    }
+    return Color(sum / count);
+  };
+  const double inner = expected - reach;
+  const Unmixing background(bandColor(std::max(inner - kBandPx, 0.0)), bandColor(expected + reach));
+  if (!background.usable()) {
+    return std::nullopt;
+  }
+  const int steps = std::max(1, static_cast<int>(std::lround(2.0 * reach / kStepPx)));
+  const double step = 2.0 * reach / steps;
+  double covered = 0.0;
+  for (int k = 0; k < steps; ++k) {
+    covered += step * (1.0 - background(colorAt(bgr, middle + (inner + (k + 0.5) * step) * way)));
+  }
+  return Edge{angle, inner + covered};
+}
+
+struct PolarFit {
+  Vector5 shape = Vector5::Zero();
+  double spread = 0.0; ///< standard deviation of the edges, pixels
+  double agreeing = 0.0;
+  double middleVariance = 0.0;
+};
+
+/// Robust least squares (Tukey's weights about the median spread).
+std::optional<PolarFit> fitPolar(const std::vector<Edge>& edges) {
+  PolarFit fit;
+  std::vector<double> sorted;
+  for (const Edge& edge : edges) {
+    sorted.push_back(edge.distance);
+  }
+  std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(sorted.size() / 2),
+                   sorted.end());
+  fit.shape[0] = sorted[sorted.size() / 2];
+  std::vector<double> off(edges.size());
+  for (int round = 0; round < 6; ++round) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      off[i] = edges[i].distance - fit.shape.dot(terms(edges[i].angle));
+      sorted[i] = std::abs(off[i]);
+    }
+    std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(sorted.size() / 2),
+                     sorted.end());
+    fit.spread = std::max(kLeastSpread, 1.48 * sorted[sorted.size() / 2]);
+    Eigen::Matrix<double, 5, 5> matrix = Eigen::Matrix<double, 5, 5>::Zero();
+    Vector5 vector = Vector5::Zero();
+    fit.agreeing = 0.0;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const double ratio = off[i] / (kTukeyWidth * fit.spread);
+      const double weight = std::abs(ratio) < 1.0 ? (1 - ratio * ratio) * (1 - ratio * ratio) : 0.0;
+      const Vector5 row = terms(edges[i].angle);
+      matrix += weight * row * row.transpose();
+      vector += weight * off[i] * row;
+      fit.agreeing += weight > 0.0 ? 1.0 : 0.0;
+    }
+    const Eigen::LDLT<Eigen::Matrix<double, 5, 5>> solver(matrix);
+    if (solver.info() != Eigen::Success || !solver.isPositive()) {
+      return std::nullopt;
+    }
+    fit.shape += solver.solve(vector);
+    const Eigen::Matrix<double, 5, 5> inverse =
+        solver.solve(Eigen::Matrix<double, 5, 5>::Identity());
+    fit.middleVariance = 0.5 * (inverse(1, 1) + inverse(2, 2));
+  }
+  if (!fit.shape.allFinite() || !std::isfinite(fit.middleVariance)) {
+    return std::nullopt;
+  }
+  return fit;
+}
+
+} // namespace
+
+std::optional<MarkerImage> fitBallEdge(const cv::Mat& bgr, const SphereImage& rough) {
+  Eigen::Vector2d middle = rough.center;
+  Vector5 shape = Vector5::Zero();
+  shape[0] = rough.radius;
+  const int spokes = std::clamp(static_cast<int>(2.0 * std::numbers::pi * rough.radius), 24, 96);
+  PolarFit fit;
+  for (int round = 0; round < kRounds; ++round) {
+    const double reach = std::min(kWidestPx, kWidestShare * shape[0]);
+    const double outer = shape[0] * 1.5 + reach + kBandPx + 2.0;
+    if (!middle.allFinite() || middle.x() < outer || middle.y() < outer ||
+        middle.x() > bgr.cols - 1 - outer || middle.y() > bgr.rows - 1 - outer) {
+      return std::nullopt;
+    }
+    std::vector<Edge> edges;
+    for (int k = 0; k < spokes; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / spokes;
+      const double expected = std::clamp(shape.dot(terms(angle)), 0.6 * shape[0], 1.5 * shape[0]);
+      if (const auto edge = edgeOn(bgr, middle, angle, expected, reach)) {
+        edges.push_back(*edge);
+      }
+    }
+    const double enough = kLeastShare * spokes;
+    if (static_cast<double>(edges.size()) < enough) {
+      return std::nullopt;
+    }
+    const auto found = fitPolar(edges);
+    if (!found || found->agreeing < enough || found->spread > kLargestSpread ||
+        std::abs(found->shape[0] - rough.radius) > 0.4 * rough.radius) {
+      return std::nullopt;
+    }
+    fit = *found;
+    middle += fit.shape.segment<2>(1);
+    shape = fit.shape;
+    shape.segment<2>(1).setZero();
+  }
+  if ((middle - rough.center).norm() > std::max(1.5, 0.25 * rough.radius)) {
+    return std::nullopt;
+  }
+  MarkerImage ball;
+  ball.outline.center = middle;
+  ball.outline.radius = shape[0];
+  // Neighboring spokes see the same pixels: about two of them are one look.
+  ball.sigma = std::max(0.02, fit.spread * std::sqrt(2.0 * fit.middleVariance));
+  return ball;
+}
+
+} // namespace dewpoint::observation

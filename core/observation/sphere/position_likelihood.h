@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/filter/models.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace dewpoint::observation {
+
+/// Likelihood of positions x y z (metres) given a measured one: an isotropic Gaussian around it
+/// (Barrera et al. 2005, section III-C; the paper does not state its sigma). In logarithms: 2 m at
+/// 0.1 m would be exp(-200). Without a measurement every position is as likely.
+struct PositionLikelihood {
+  std::optional<Eigen::Vector3d> measured;
+  double sigma = 0.1; ///< metres
+
+  void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const {
+    if (!measured) {
+      return;
+    }
+    const double factor = -0.5 / (sigma * sigma);
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+      const double x = rows(i, 0) - measured->x();
+      const double y = rows(i, 1) - measured->y();
+      const double z = rows(i, 2) - measured->z();
+      logLikelihood[i] += factor * (x * x + y * y + z * z);
+    }
+  }
+};
+
+} // namespace dewpoint::observation

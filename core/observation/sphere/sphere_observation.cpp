@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/observation/sphere/sphere_observation.h"
+
+#include "core/observation/sphere/sphere_evidence.h"
+
+#include <algorithm>
+
+namespace dewpoint::observation {
+namespace {
+
+/// Outlines larger than this many pixels in radius mean a place right in front of the lens.
+constexpr double kLargestRadiusPx = 2000.0;
+constexpr double kSeenShare = 1.0 / 3.0;
+
+Eigen::Vector3d placeOf(ConstStateRows rows, Eigen::Index row, double timeOffset) {
+  Eigen::Vector3d place(rows(row, 0), rows(row, 1), rows(row, 2));
+  if (rows.cols() >= 6 && timeOffset != 0.0) {
+    place += timeOffset * Eigen::Vector3d(rows(row, 3), rows(row, 4), rows(row, 5));
+  }
+  return place;
+}
+
+bool insideImage(const SphereImage& outline, const cv::Size& size) {
+  return outline.center.x() >= 0.0 && outline.center.y() >= 0.0 &&
+         outline.center.x() <= size.width - 1 && outline.center.y() <= size.height - 1;
+}
+
+} // namespace
+
+SphereObservation::SphereObservation(const CameraRig& rig) {
+  views_.reserve(rig.size());
+  for (const Camera& camera : rig) {
+    views_.push_back(View{SphereProjector(camera), {}, 0.0, {}});
+  }
+}
+
+void SphereObservation::setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
+                                 const BackgroundModel& background,
+                                 const ColorClassifier& classifier, const ColorClassifier& usual) {
+  View& view = views_.at(camera);
+  view.timeOffset = timeOffset;
+  if (image.type() != CV_8UC3 || image.empty()) {
+    view.labels.clear();
+  } else {
+    view.labels.begin(image, background, classifier, usual);
+  }
+}
+
+SphereImage SphereObservation::outlineOf(const View& view, ConstStateRows rows,
+                                         Eigen::Index row) const {
+  const auto outline = view.projector.project(placeOf(rows, row, view.timeOffset), radius_);
+  return outline && outline->radius < kLargestRadiusPx ? *outline : SphereImage{};
+}
+
+void SphereObservation::cover(ConstStateRows rows) {
+  ThreadTeam alone;
+  logLikelihoods(rows, alone);
+}
+
+void SphereObservation::addLogLikelihood(ConstStateRows rows,
+                                         LogWeightSegment logLikelihood) const {
+  for (const View& view : views_) {
+    for (Eigen::Index i = 0; !view.labels.empty() && i < rows.rows(); ++i) {
+      const SphereImage outline = outlineOf(view, rows, i);
+      if (outline.radius > 0.0) {
+        logLikelihood[i] += SphereEvidence::logLikelihoodRatio(view.labels, outline);
+      }
+    }
+  }
+}
+
+Eigen::ArrayXd SphereObservation::logLikelihoods(ConstStateRows rows, ThreadTeam& team) {
+  Eigen::ArrayXd sums = Eigen::ArrayXd::Zero(rows.rows());
+  for (View& view : views_) {
+    if (view.labels.empty()) {
+      continue;
+    }
+    view.outlines.resize(static_cast<std::size_t>(rows.rows()));
+    team.forEachRange(rows.rows(), [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t i = begin; i < end; ++i) {
+        view.outlines[static_cast<std::size_t>(i)] = outlineOf(view, rows, i);
+      }
+    });
+    const cv::Rect whole(cv::Point(0, 0), view.labels.size());
+    cv::Rect all;
+    for (const SphereImage& outline : view.outlines) {
+      if (outline.radius > 0.0) {
+        all |= areaOf(outline, SphereEvidence::kReach) & whole;
+      }
+    }
+    view.labels.require(all);
+    team.forEachRange(rows.rows(), [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t i = begin; i < end; ++i) {
+        const SphereImage& outline = view.outlines[static_cast<std::size_t>(i)];
+        if (outline.radius > 0.0) {
+          sums[i] += SphereEvidence::logLikelihoodRatio(view.labels, outline);
+        }
+      }
+    });
+  }
+  return sums;
+}
+
+double SphereObservation::logLikelihoodRatio(const Eigen::Vector3d& center,
+                                             const Eigen::Vector3d& velocity) {
+  double sum = 0.0;
+  for (View& view : views_) {
+    const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
+    if (!view.labels.empty() && outline && outline->radius < kLargestRadiusPx) {
+      view.labels.require(areaOf(*outline, SphereEvidence::kReach));
+      sum += SphereEvidence::logLikelihoodRatio(view.labels, *outline);
+    }
+  }
+  return sum;
+}
+
+double SphereObservation::explainedRingGain(const Eigen::Vector3d& center,
+                                            const std::vector<OutlineSphere>& others) const {
+  double sum = 0.0;
+  for (const View& view : views_) {
+    const auto outline = view.projector.project(center, radius_);
+    if (view.labels.empty() || !outline || outline->radius >= kLargestRadiusPx) {
+      continue;
+    }
+    std::vector<SphereImage> covering;
+    for (const OutlineSphere& other : others) {
+      const auto its = view.projector.project(other.center, other.radius);
+      if (its && (its->center - outline->center).norm() > outline->radius) {
+        covering.push_back(*its);
+      }
+    }
+    sum += SphereEvidence::explainedRingGain(view.labels, *outline, covering);
+  }
+  return sum;
+}
+
+double SphereObservation::fullyVisibleLogLikelihoodRatio(const Eigen::Vector3d& center,
+                                                         const Eigen::Vector3d& velocity) const {
+  double sum = 0.0;
+  for (const View& view : views_) {
+    const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
+    if (!view.labels.empty() && outline && insideImage(*outline, view.labels.size())) {
+      sum += SphereEvidence::best();
+    }
+  }
+  return sum;
+}
+
+std::vector<CameraEvidence> SphereObservation::evidence(const Eigen::Vector3d& center,
+                                                        const Eigen::Vector3d& velocity) {
+  std::vector<CameraEvidence> cameras(views_.size());
+  for (std::size_t k = 0; k < views_.size(); ++k) {
+    View& view = views_[k];
+    const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
+    if (!view.labels.empty() && outline && outline->radius < kLargestRadiusPx) {
+      view.labels.require(areaOf(*outline, SphereEvidence::kReach));
+      cameras[k].looked = insideImage(*outline, view.labels.size());
+      cameras[k].logLikelihood = SphereEvidence::logLikelihoodRatio(view.labels, *outline);
+      cameras[k].existence = probabilityFrom(cameras[k].logLikelihood);
+      cameras[k].visible = SphereEvidence::matchShare(view.labels, *outline);
+    }
+  }
+  return cameras;
+}
+
+int SphereObservation::camerasSeeing(const std::vector<CameraEvidence>& cameras) {
+  return static_cast<int>(std::count_if(cameras.begin(), cameras.end(), [](const auto& camera) {
+    return camera.visible >= kSeenShare;
+  }));
+}
+
+OutlineFit SphereObservation::fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity,
+                                  OutlineReach reach) {
+  std::vector<OutlineView> views;
+  views.reserve(views_.size());
+  for (View& view : views_) {
+    views.push_back({&view.projector, &view.labels, view.timeOffset * velocity});
+  }
+  return fitOutline(views, prior, reach);
+}
+
+} // namespace dewpoint::observation

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/thread_team.h"
+#include "core/filter/particle_set.h"
+#include "core/geometry/sphere_image.h"
+#include "core/observation/background/label_image.h"
+#include "core/observation/sphere/camera_evidence.h"
+#include "core/observation/sphere/outline_fit.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace dewpoint::observation {
+
+/// A sphere whose outlines cover pixels.
+struct OutlineSphere {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< metres, world
+  double radius = 0.0;                              ///< metres
+};
+
+/// All cameras' evidence for one target, a sphere of one color: the observation model of method
+/// `dewpoint`. States: columns 0 to 2 are x, y, z (metres, world frame), 3 to 5 the velocity (m/s),
+/// by which a place is moved to the instant a camera looked.
+class SphereObservation {
+public:
+  explicit SphereObservation(const CameraRig& rig);
+
+  std::size_t cameraCount() const { return views_.size(); }
+  const SphereProjector& projector(std::size_t camera) const { return views_[camera].projector; }
+  LabelImage& labels(std::size_t camera) { return views_[camera].labels; }
+  const LabelImage& labels(std::size_t camera) const { return views_[camera].labels; }
+
+  /// The image a camera shows from now on, taken `timeOffset` seconds after the common instant.
+  /// Image, background and classifiers must outlive their use; `usual` is the color in the usual
+  /// light. An empty image: the camera is left out.
+  void setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
+                const BackgroundModel& background, const ColorClassifier& classifier,
+                const ColorClassifier& usual);
+  void setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
+                const BackgroundModel& background, const ColorClassifier& classifier) {
+    setImage(camera, image, timeOffset, background, classifier, classifier);
+  }
+  /// Radius of the sphere in metres, from now on.
+  void setRadius(double radius) { radius_ = radius; }
+  double radius() const { return radius_; }
+
+  /// Makes the labels that addLogLikelihood() will read for these states. Not to be called while
+  /// other threads use the model.
+  void cover(ConstStateRows rows);
+  /// Adds each state's log likelihood ratio (SphereEvidence), summed over the cameras.
+  void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const;
+  /// Both in one, with each state projected only once; the work is shared by the team.
+  Eigen::ArrayXd logLikelihoods(ConstStateRows rows, ThreadTeam& team);
+
+  /// The log likelihood ratio of one place, labels made as needed.
+  double logLikelihoodRatio(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
+  /// By how much that ratio rises when what other spheres cover is theirs, in each camera in which
+  /// their middle lies outside this place's outline: one inside it is the same thing seen
+  /// crosswise. The labels of the place are made.
+  double explainedRingGain(const Eigen::Vector3d& center,
+                           const std::vector<OutlineSphere>& others) const;
+  /// What it would be if every camera in whose image the place lies saw the target fully.
+  double fullyVisibleLogLikelihoodRatio(const Eigen::Vector3d& center,
+                                        const Eigen::Vector3d& velocity) const;
+  /// What each camera says about one place: SphereEvidence and the share of the outline filled.
+  std::vector<CameraEvidence> evidence(const Eigen::Vector3d& center,
+                                       const Eigen::Vector3d& velocity);
+  /// Cameras that see at least a third of the sphere's outline filled.
+  static int camerasSeeing(const std::vector<CameraEvidence>& cameras);
+  int camerasSeeing(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) {
+    return camerasSeeing(evidence(center, velocity));
+  }
+  /// Fits the outline (fitOutline) in all cameras that have an image.
+  OutlineFit fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity,
+                 OutlineReach reach = OutlineReach::Far);
+
+private:
+  struct View {
+    SphereProjector projector;
+    LabelImage labels;
+    double timeOffset = 0.0;
+    std::vector<SphereImage> outlines; ///< scratch; radius 0: not to be seen
+  };
+
+  /// The outline of a state; radius 0 when this camera cannot judge it.
+  SphereImage outlineOf(const View& view, ConstStateRows rows, Eigen::Index row) const;
+
+  std::vector<View> views_;
+  double radius_ = 0.0;
+};
+
+} // namespace dewpoint::observation

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/frame.h"
+
+#include <functional>
+#include <mutex>
+#include <utility>
+
+namespace dewpoint::session {
+
+/// Is given every frame set that the tracking thread takes, in order, none left out; frames that
+/// are tracked again are not given again. Called in the tracking thread: it must return at once
+/// (hand the set to a queue) and must not throw.
+using FrameTap = std::function<void(const FrameSetPtr&)>;
+
+/// The place for a tap, set from any thread.
+class FrameTapSlot {
+public:
+  /// An empty one ends it; when this returns, the former one is not called any more.
+  void set(FrameTap tap) {
+    const std::lock_guard lock(mutex_);
+    tap_ = std::move(tap);
+  }
+  void give(const FrameSetPtr& frames) {
+    const std::lock_guard lock(mutex_);
+    if (tap_) {
+      tap_(frames);
+    }
+  }
+
+private:
+  std::mutex mutex_;
+  FrameTap tap_;
+};
+
+} // namespace dewpoint::session

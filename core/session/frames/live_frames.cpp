@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/frames/frame_cache.h"
+
+#include <opencv2/imgcodecs.hpp>
+
+#include <algorithm>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace dewpoint::session {
+namespace {
+
+/// Of JPEG; below it the edges of small targets begin to blur.
+constexpr int kQuality = 92;
+/// This share of the memory holds frames as they came; what is older is compressed.
+constexpr std::size_t kRawShare = 4; // one quarter
+
+struct PackedFrame {
+  std::int64_t index = 0;
+  TimeStamp captureTime{};
+  std::vector<std::uint8_t> bytes; ///< a JPEG file; empty: the camera delivered nothing
+};
+
+/// One frame set: as it came, or packed.
+struct Kept {
+  std::int64_t index = 0;
+  TimeStamp time{};
+  FrameSetPtr raw;
+  std::vector<PackedFrame> packed;
+  std::size_t bytes = 0;
+};
+
+std::vector<PackedFrame> pack(const FrameSet& frames) {
+  std::vector<PackedFrame> packed;
+  for (const FramePtr& frame : frames.frames) {
+    PackedFrame& one = packed.emplace_back();
+    if (frame && !frame->image.empty()) {
+      one.index = frame->index;
+      one.captureTime = frame->captureTime;
+      cv::imencode(".jpg", frame->image, one.bytes, {cv::IMWRITE_JPEG_QUALITY, kQuality});
+    }
+  }
+  return packed;
+}
+
+FrameSetPtr unpack(const Kept& kept) {
+  auto set = std::make_shared<FrameSet>();
+  set->index = kept.index;
+  set->time = kept.time;
+  for (const PackedFrame& packed : kept.packed) {
+    if (packed.bytes.empty()) {
+      set->frames.push_back(nullptr);
+      continue;
+    }
+    set->frames.push_back(std::make_shared<const Frame>(
+        Frame{packed.index, packed.captureTime, cv::imdecode(packed.bytes, cv::IMREAD_COLOR)}));
+  }
+  return set;
+}
+
+class LiveFrames final : public FrameCache {
+public:
+  explicit LiveFrames(std::size_t mostBytes) : most_(mostBytes) {
+    packer_ = std::jthread([this](const std::stop_token& stop) { packOld(stop); });
+  }
+
+  void add(const FrameSetPtr& frames) override {
+    const std::lock_guard lock(mutex_);
+    if (!frames || (!kept_.empty() && frames->index <= kept_.back().index)) {
+      return;
+    }
+    kept_.push_back({frames->index, frames->time, frames, {}, bytesOf(*frames)});
+    bytes_ += kept_.back().bytes;
+    rawBytes_ += kept_.back().bytes;
+    while (bytes_ > most_ && kept_.size() > 1) {
+      forgetOldest();
+    }
+    if (rawBytes_ > most_ / kRawShare) {
+      wake_.notify_one();
+    }
+  }
+
+  Result<FrameSetPtr> at(std::int64_t frame) override {
+    Kept found;
+    {
+      const std::lock_guard lock(mutex_);
+      const auto place = find(frame);
+      if (place == kept_.end()) {
+        return FrameSetPtr();
+      }
+      found = *place;
+    }
+    if (found.raw) {
+      return found.raw;
+    }
+    try {
+      return unpack(found);
+    } catch (const std::exception& problem) {
+      return failure(ErrorCode::FileUnreadable, "", "history", problem.what());
+    }
+  }
+
+  FrameSetPtr glance(std::int64_t frame, bool& exact) override {
+    exact = true;
+    return at(frame).value_or(FrameSetPtr());
+  }
+
+  std::int64_t oldest() const override {
+    const std::lock_guard lock(mutex_);
+    return kept_.empty() ? 0 : kept_.front().index;
+  }
+  std::int64_t newest() const override {
+    const std::lock_guard lock(mutex_);
+    return kept_.empty() ? -1 : kept_.back().index;
+  }
+  std::size_t bytes() const override {
+    const std::lock_guard lock(mutex_);
+    return bytes_;
+  }
+  void clear() override {
+    const std::lock_guard lock(mutex_);
+    kept_.clear();
+    bytes_ = 0;
+    rawBytes_ = 0;
+  }
+
+private:
+  std::deque<Kept>::iterator find(std::int64_t frame) {
+    const auto place =
+        std::lower_bound(kept_.begin(), kept_.end(), frame,
+                         [](const Kept& kept, std::int64_t index) { return kept.index < index; });
+    return place != kept_.end() && place->index == frame ? place : kept_.end();
+  }
+
+  void forgetOldest() {
+    bytes_ -= kept_.front().bytes;
+    rawBytes_ -= kept_.front().raw ? kept_.front().bytes : 0;
+    kept_.pop_front();
+  }
+
+  /// The oldest that is not packed; null when there is room for all that are not.
+  FrameSetPtr oldestRaw() {
+    const auto place = rawBytes_ > most_ / kRawShare
+                           ? std::find_if(kept_.begin(), kept_.end(),
+                                          [](const Kept& kept) { return kept.raw != nullptr; })
+                           : kept_.end();
+    return place != kept_.end() ? place->raw : nullptr;
+  }
+
+  void packOld(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      FrameSetPtr next;
+      {
+        std::unique_lock lock(mutex_);
+        wake_.wait(lock, stop, [&] { return (next = oldestRaw()) != nullptr; });
+      }
+      if (next) {
+        replace(next);
+      }
+    }
+  }
+
+  void replace(const FrameSetPtr& raw) {
+    std::vector<PackedFrame> packed;
+    try {
+      packed = pack(*raw);
+    } catch (const std::exception&) {
+      packed.assign(raw->frames.size(), {}); // shown as missing
+    }
+    const std::lock_guard lock(mutex_);
+    const auto place = find(raw->index);
+    if (place == kept_.end() || place->raw != raw) {
+      return; // forgotten meanwhile
+    }
+    bytes_ -= place->bytes;
+    rawBytes_ -= place->bytes;
+    place->raw = nullptr;
+    place->packed = std::move(packed);
+    place->bytes = 0;
+    for (const PackedFrame& frame : place->packed) {
+      place->bytes += frame.bytes.size();
+    }
+    bytes_ += place->bytes;
+  }
+
+  std::size_t most_;
+  mutable std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::deque<Kept> kept_; ///< by rising number
+  std::size_t bytes_ = 0;
+  std::size_t rawBytes_ = 0;
+  std::jthread packer_; // last: joined before the rest goes
+};
+
+} // namespace
+
+std::unique_ptr<FrameCache> liveFrames(std::size_t mostBytes) {
+  return std::make_unique<LiveFrames>(mostBytes);
+}
+
+} // namespace dewpoint::session

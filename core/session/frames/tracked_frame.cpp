@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/frames/tracked_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::session {
+
+std::size_t TrackedFrame::bytes() const {
+  std::size_t sum = sizeof(TrackedFrame) + targets.capacity() * sizeof(TrackedTarget);
+  for (const TrackedTarget& target : targets) {
+    sum +=
+        sizeof(float) * static_cast<std::size_t>(target.particles.size() + target.weights.size());
+    if (target.box) {
+      sum += sizeof(float) *
+             static_cast<std::size_t>(target.box->centers.size() + target.box->weights.size());
+    }
+    sum += target.proposals.capacity() * sizeof(ProposedPosition);
+    sum += target.reasons.capacity() * sizeof(CameraReport);
+    sum += target.estimate.cameras.capacity() * sizeof(CameraEvidence);
+    sum += target.estimate.colors.capacity() * sizeof(ColorRange);
+  }
+  return sum;
+}
+
+TargetStatus statusOf(bool held, double time, double lastHeld) {
+  if (held) {
+    return TargetStatus::Held;
+  }
+  return std::isfinite(lastHeld) && time - lastHeld >= kLostAfter ? TargetStatus::Lost
+                                                                  : TargetStatus::Searching;
+}
+
+FrameRecord frameRecord(const TrackedFrame& moment, const FrameSet& frames) {
+  FrameRecord record;
+  record.frame = moment.frame;
+  record.time = moment.time;
+  for (std::size_t k = 0; k < std::min<std::size_t>(64, frames.frames.size()); ++k) {
+    record.missingCameras |= frames.frames[k] ? 0 : std::uint64_t{1} << k;
+  }
+  for (const TrackedTarget& target : moment.targets) {
+    const bool held = target.status == TargetStatus::Held || target.status == TargetStatus::Gone;
+    record.targets.push_back({target.status, static_cast<float>(target.estimate.existence),
+                              held ? std::vector<CameraReport>() : target.reasons});
+  }
+  return record;
+}
+
+} // namespace dewpoint::session

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/history/history.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace dewpoint::session {
+namespace {
+
+constexpr std::int64_t kFirstSpacing = 15; ///< frames between copies, as long as there is room
+
+bool hasParticles(const TrackedFrame& moment) {
+  return std::ranges::any_of(moment.targets, [](const auto& target) {
+    return target.particles.size() > 0 || (target.box && target.box->centers.size() > 0);
+  });
+}
+
+} // namespace
+
+Eigen::Vector3d tailPlace(const TargetEstimate& estimate) {
+  return estimate.valid ? estimate.mean
+                        : Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+
+HistoryLimits HistoryLimits::of(std::size_t total, bool live) {
+  const std::size_t frames = live ? total / 4 * 3 : total / 4;
+  const std::size_t copies = live ? total / 8 : total / 4;
+  return {frames, total - frames - copies, copies};
+}
+
+void History::clear() {
+  moments_.clear();
+  momentBytes_ = 0;
+  checkpoints_.clear();
+  checkpointBytes_ = 0;
+  spacing_ = 0;
+  changes_.clear();
+  begun_.reset();
+}
+
+void History::beforeFrame(std::int64_t frame, const TrackingRun& run) {
+  if (!begun_) {
+    begun_ = Checkpoint{frame, run.definition()};
+  }
+  const bool due = checkpoints_.empty() || frame >= checkpoints_.rbegin()->first + spacing_;
+  if (!due || checkpoints_.contains(frame)) {
+    return;
+  }
+  Checkpoint checkpoint{frame, run.save()};
+  if (!checkpoint.state.tracker) {
+    return; // a method that cannot be copied
+  }
+  spacing_ = std::max(spacing_, kFirstSpacing);
+  checkpointBytes_ += checkpoint.state.bytes;
+  checkpoints_.emplace(frame, std::move(checkpoint));
+  while (checkpointBytes_ > limits_.checkpoints && checkpoints_.size() > 2) {
+    thinCheckpoints();
+  }
+}
+
+void History::thinCheckpoints() {
+  bool wanted = true; // the first stays
+  for (auto place = checkpoints_.begin(); place != checkpoints_.end(); wanted = !wanted) {
+    if (wanted || std::next(place) == checkpoints_.end()) {
+      ++place;
+      continue;
+    }
+    checkpointBytes_ -= place->second.state.bytes;
+    place = checkpoints_.erase(place);
+  }
+  spacing_ *= 2;
+}
+
+void History::changed(std::int64_t frame, int iterations, const RunChange& change) {
+  std::vector<RunChange>& there = changes_[{frame, iterations}];
+  const auto isOfCameras = [](const RunChange& one) {
+    return one.rig && !one.parameters && !one.targets;
+  };
+  if (!there.empty() && isOfCameras(there.back()) && isOfCameras(change)) {
+    there.back() = change; // a camera that is dragged
+  } else {
+    there.push_back(change);
+  }
+}
+
+void History::record(TrackedFrame moment) {
+  if (!moments_.empty() && moments_.back().frame == moment.frame) {
+    momentBytes_ -= moments_.back().bytes();
+    moments_.pop_back();
+  }
+  momentBytes_ += moment.bytes();
+  moments_.push_back(std::move(moment));
+  if (momentBytes_ > limits_.moments) {
+    thinMoments();
+  }
+}
+
+void History::thinMoments() {
+  const std::size_t half = moments_.size() / 2;
+  bool wanted = true;
+  for (std::size_t k = 0; k < half; ++k) {
+    TrackedFrame& moment = moments_[k];
+    if (hasParticles(moment) && !(wanted = !wanted)) {
+      forgetParticles(moment);
+    }
+  }
+  // A run is repeated through its moments: none is given up while there are particles to give up.
+  for (auto moment = moments_.begin();
+       momentBytes_ > limits_.moments && moment != std::prev(moments_.end()); ++moment) {
+    if (hasParticles(*moment)) {
+      forgetParticles(*moment);
+    }
+  }
+  while (momentBytes_ > limits_.moments && moments_.size() > 1) {
+    momentBytes_ -= moments_.front().bytes(); // estimates alone fill the memory
+    moments_.pop_front();
+  }
+}
+
+void History::forgetParticles(TrackedFrame& moment) {
+  momentBytes_ -= moment.bytes();
+  for (TrackedTarget& target : moment.targets) {
+    target.particles.resize(0, 3);
+    target.weights.resize(0);
+    target.proposals = {};
+    if (target.box) {
+      target.box->centers.resize(0, 2);
+      target.box->weights.resize(0);
+    }
+  }
+  momentBytes_ += moment.bytes();
+}
+
+void History::forgetFrom(std::int64_t frame) {
+  while (!moments_.empty() && moments_.back().frame >= frame) {
+    momentBytes_ -= moments_.back().bytes();
+    moments_.pop_back();
+  }
+  for (auto place = checkpoints_.upper_bound(frame); place != checkpoints_.end();) {
+    checkpointBytes_ -= place->second.state.bytes;
+    place = checkpoints_.erase(place);
+  }
+  changes_.erase(changes_.lower_bound({frame, 0}), changes_.end());
+  if (begun_ && begun_->frame >= frame) {
+    begun_.reset();
+  }
+}
+
+void History::forgetCopies() {
+  checkpoints_.clear();
+  checkpointBytes_ = 0;
+  spacing_ = 0;
+  changes_.clear();
+  begun_.reset();
+}
+
+void History::forgetBefore(std::int64_t frame) {
+  while (!moments_.empty() && moments_.front().frame < frame) {
+    momentBytes_ -= moments_.front().bytes();
+    moments_.pop_front();
+  }
+  while (!checkpoints_.empty() && checkpoints_.begin()->first < frame) {
+    checkpointBytes_ -= checkpoints_.begin()->second.state.bytes;
+    checkpoints_.erase(checkpoints_.begin());
+  }
+  changes_.erase(changes_.begin(), changes_.lower_bound({frame, 0}));
+}
+
+std::deque<TrackedFrame>::const_iterator History::lowerBound(std::int64_t frame) const {
+  return std::lower_bound(
+      moments_.begin(), moments_.end(), frame,
+      [](const TrackedFrame& moment, std::int64_t number) { return moment.frame < number; });
+}
+
+const TrackedFrame* History::at(std::int64_t frame) const {
+  const auto place = lowerBound(frame);
+  return place != moments_.end() && place->frame == frame ? &*place : nullptr;
+}
+
+const TrackedFrame* History::before(std::int64_t frame) const {
+  const auto place = lowerBound(frame);
+  return place != moments_.begin() ? &*std::prev(place) : nullptr;
+}
+
+const TrackedFrame* History::after(std::int64_t frame) const {
+  const auto place = lowerBound(frame + 1);
+  return place != moments_.end() ? &*place : nullptr;
+}
+
+std::vector<Eigen::Vector3d> History::tail(std::size_t target, std::int64_t frame,
+                                           std::size_t most) const {
+  const auto end = lowerBound(frame + 1);
+  const auto count = std::min<std::ptrdiff_t>(std::distance(moments_.begin(), end),
+                                              static_cast<std::ptrdiff_t>(most));
+  std::vector<Eigen::Vector3d> tail;
+  for (auto moment = end - count; moment != end; ++moment) {
+    const bool known = target < moment->targets.size() && !moment->targets[target].box &&
+                       !moment->targets[target].estimate.gone;
+    if (known) {
+      tail.push_back(tailPlace(moment->targets[target].estimate));
+    }
+  }
+  return tail;
+}
+
+const History::Checkpoint* History::checkpointFor(std::int64_t frame) const {
+  const auto next = checkpoints_.upper_bound(frame);
+  return next != checkpoints_.begin() ? &std::prev(next)->second : nullptr;
+}
+
+std::vector<RunChange> History::changesAt(std::int64_t frame, int iterations) const {
+  const auto place = changes_.find({frame, iterations});
+  return place != changes_.end() ? place->second : std::vector<RunChange>();
+}
+
+} // namespace dewpoint::session

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/frames/tracked_frame.h"
+#include "core/session/run/tracking_run.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace dewpoint::session {
+
+/// Bytes that the parts of a run's history may take.
+struct HistoryLimits {
+  std::size_t frames = 0;      ///< images
+  std::size_t moments = 0;     ///< particles and estimates
+  std::size_t checkpoints = 0; ///< copies of the method to go on from
+  /// A share of `total` for each; live cameras need most of it for images.
+  static HistoryLimits of(std::size_t total, bool live);
+  std::size_t sum() const { return frames + moments + checkpoints; }
+};
+
+/// What a tail shows of an estimate: its mean, or nothing finite where it was only guessed.
+Eigen::Vector3d tailPlace(const TargetEstimate& estimate);
+
+/// What was believed at every frame tracked so far, and copies of the method from which any of them
+/// can be reached again. When the memory is used up, every second moment of the older half gives up
+/// its particles (never its estimate), and every second copy is given up. Used by one thread.
+class History {
+public:
+  explicit History(const HistoryLimits& limits) : limits_(limits) {}
+
+  /// A new run: nothing of the old one holds.
+  void clear();
+  /// Before the run begins `frame`: keeps a copy of it from time to time.
+  void beforeFrame(std::int64_t frame, const TrackingRun& run);
+  /// Parameters or targets were changed while the run was at `frame`, after so many iterations.
+  void changed(std::int64_t frame, int iterations, const RunChange& change);
+  /// The frame was tracked, or tracked again.
+  void record(TrackedFrame moment);
+  /// Forgets moments, copies and changes of this frame and of later ones; a copy made right before
+  /// it stays.
+  void forgetFrom(std::int64_t frame);
+  /// Forgets all copies: they are of another method.
+  void forgetCopies();
+  /// Forgets what came before this frame (its images are gone).
+  void forgetBefore(std::int64_t frame);
+
+  /// Null when the frame was not tracked.
+  const TrackedFrame* at(std::int64_t frame) const;
+  /// The last moment before this frame; null when there is none.
+  const TrackedFrame* before(std::int64_t frame) const;
+  const TrackedFrame* newest() const { return moments_.empty() ? nullptr : &moments_.back(); }
+  /// The first moment after this frame; null when there is none.
+  const TrackedFrame* after(std::int64_t frame) const;
+  /// The tailPlace() of a target up to and with this frame, the last `most` of them, oldest first.
+  std::vector<Eigen::Vector3d> tail(std::size_t target, std::int64_t frame, std::size_t most) const;
+
+  /// A state of the run from which a frame can be reached by tracking on.
+  struct Checkpoint {
+    std::int64_t frame = 0; ///< the next one to begin
+    TrackingRun::State state;
+  };
+  /// The last one at or before this frame; null when there is none.
+  const Checkpoint* checkpointFor(std::int64_t frame) const;
+  /// Where the method began, knowing nothing, and with what; its state has no tracker. Nothing
+  /// before that.
+  const std::optional<Checkpoint>& begun() const { return begun_; }
+  /// Changes made while the run was at `frame` after so many iterations, in order.
+  std::vector<RunChange> changesAt(std::int64_t frame, int iterations) const;
+
+  const HistoryLimits& limits() const { return limits_; }
+  std::size_t bytes() const { return momentBytes_ + checkpointBytes_; }
+
+private:
+  void thinMoments();
+  void forgetParticles(TrackedFrame& moment);
+  void thinCheckpoints();
+  std::deque<TrackedFrame>::const_iterator lowerBound(std::int64_t frame) const;
+
+  HistoryLimits limits_;
+  std::deque<TrackedFrame> moments_; ///< by rising frame
+  std::size_t momentBytes_ = 0;
+  std::map<std::int64_t, Checkpoint> checkpoints_;
+  std::size_t checkpointBytes_ = 0;
+  std::int64_t spacing_ = 0; ///< frames between checkpoints
+  std::optional<Checkpoint> begun_;
+  std::map<std::pair<std::int64_t, int>, std::vector<RunChange>> changes_;
+};
+
+} // namespace dewpoint::session

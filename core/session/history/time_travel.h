@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/frames/frame_cache.h"
+#include "core/session/history/history.h"
+#include "core/session/run/snapshot.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace dewpoint::session {
+
+/// Goes back in a run: shows earlier moments as they were, and brings the run back to before a
+/// frame, from where it tracks on with the same bits. Used by the tracking thread only.
+class TimeTravel {
+public:
+  /// `source` is moved about to read recorded frames again. `bytes` limits all that is kept.
+  TimeTravel(FrameSetSource& source, std::size_t bytes);
+
+  /// A new run, at its beginning.
+  void clear();
+  /// The run is about to begin this frame set.
+  void beforeFrame(const FrameSetPtr& frames, const TrackingRun& run);
+  void changed(const TrackingRun& run, const RunChange& change);
+  /// The run has finished (another iteration on) its frame.
+  const TrackedFrame& record(const TrackingRun& run);
+
+  /// Frames of this moment; null when there are none (any more).
+  Result<FrameSetPtr> frames(std::int64_t frame) { return library_->at(frame); }
+  /// The frame that can be shown and is nearest to this one; nothing before the first.
+  std::optional<std::int64_t> nearest(std::int64_t frame) const;
+  /// The next frame after this one that can be shown; nothing at the end.
+  std::optional<std::int64_t> following(std::int64_t frame) const;
+  /// Fills in frames and targets of a snapshot with an earlier moment; `quickly`: perhaps as a
+  /// preview.
+  Status show(std::int64_t frame, bool quickly, TrackSnapshot& snapshot);
+  /// Range and memory of what can be shown.
+  HistoryState state() const;
+  const History& history() const { return history_; }
+
+  /// Whether to go on with something long.
+  using GoOn = std::function<bool()>;
+  /// Makes `run` what it was right before it began `frame`: from the nearest copy, tracking on. The
+  /// frame it reached (`frame`, unless `goOn` said no) or an error. Nothing is forgotten yet. When
+  /// there is no copy before the frame, `run` begins anew there.
+  Result<std::int64_t> goBack(TrackingRun& run, std::int64_t frame, std::uint64_t seed,
+                              const GoOn& goOn);
+  /// Forgets what was recorded of this frame and of later ones.
+  void forgetFrom(std::int64_t frame) {
+    history_.forgetFrom(frame);
+    probe_.reset();
+  }
+  /// No copy made so far is of use: the method changes.
+  void forgetCopies() {
+    history_.forgetCopies();
+    probe_.reset();
+  }
+
+  /// The likelihood maps of a past moment into the snapshot's targets, and (`masks`) the motion
+  /// masks of a method for people: a run of its own is brought there. Nothing happens when it
+  /// cannot be.
+  void addMaps(const Project& project, std::int64_t frame, bool masks, TrackSnapshot& snapshot,
+               const GoOn& goOn);
+  static void addMaps(const TrackingRun& run, TrackSnapshot& snapshot);
+
+private:
+  /// Brings a run to a copy from before `frame`, or to the method's beginning when it cannot be
+  /// copied; `next` is the frame it begins next. False: it begins anew at `frame`.
+  bool bringNear(TrackingRun& run, std::int64_t frame, std::uint64_t seed,
+                 std::int64_t& next) const;
+  /// Tracks one frame of the past again, with the changes that were made meanwhile.
+  Status repeat(TrackingRun& run, const TrackedFrame& moment);
+
+  bool live_;
+  History history_;
+  std::unique_ptr<FrameCache> library_;
+  std::optional<TrackingRun> probe_;      ///< for maps
+  std::optional<std::int64_t> probeNext_; ///< the frame it would begin next
+};
+
+/// The motion masks of a method for people after its last frame, in the sizes of the images
+/// (CV_8UC1, 0 or 255); empty where there is none.
+std::vector<cv::Mat> motionMasks(const TrackingRun& run);
+
+} // namespace dewpoint::session

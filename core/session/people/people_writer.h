@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/tracking/people/people_tracker.h"
+#include "core/trajectory/trajectory_writer.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace dewpoint::session {
+
+/// The sample that stands for a person in a trajectory.
+TrajectorySample sampleOf(const PersonEstimate& person, std::int64_t frame, double time);
+
+/// Writes what is known about people, frame by frame, into a folder:
+/// - trajectory.csv: places and identities, as every trajectory of ours (`person N` is the target);
+/// - volumes.csv: frame, time_s, person, volume_m3, vertices, interacting, hue, saturation,
+/// height_m;
+/// - hulls.csv: frame, person, vertex, x_m, y_m, z_m: corners of the convex hull of the 95 %
+/// volume;
+/// - ground.csv: frame, person, probability, curve, point, x_m, y_m: level curves, around the
+///   smallest areas of the floor that hold 25, 50, 75 and 95 % of the occupancy density.
+class PeopleWriter {
+public:
+  /// Makes the folder and empties the files; FileUnwritable.
+  static Result<PeopleWriter> create(const std::filesystem::path& folder,
+                                     const TrajectoryHeader& header);
+
+  Status write(const PeopleTracker& tracker, std::int64_t frame, double time);
+  /// One person at one frame.
+  Status writePerson(const PersonEstimate& person, const BodyCloud& body, std::int64_t frame,
+                     double time);
+  Status finish();
+
+private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  struct Table {
+    std::string name;
+    std::unique_ptr<std::FILE, Close> file;
+    Status put(const std::string& text) const;
+  };
+
+  explicit PeopleWriter(TrajectoryWriter trajectory) : trajectory_(std::move(trajectory)) {}
+  static Result<Table> open(const std::filesystem::path& file, const std::string& columns);
+
+  TrajectoryWriter trajectory_;
+  Table volumes_;
+  Table hulls_;
+  Table ground_;
+};
+
+} // namespace dewpoint::session

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run/camera_motion_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint::session {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kEvery = 1.0;   // seconds
+constexpr double kSettled = 1.0; // seconds after a bump that count for nothing
+constexpr double kWindow = 2.0;  // seconds of residuals that are compared
+constexpr std::size_t kFewest = 10;
+constexpr std::int64_t kSameBump = 60; // frames: where a run that begins anew may notice it
+constexpr double kSightingSigma = 1.0; // pixels: blob, and the other cameras' calibration
+
+} // namespace
+
+Result<ResolvedCamera> resolveBump(const Camera& camera, const CameraRotation& turn,
+                                   const std::deque<ReprojectionResidual>& sightings,
+                                   double since) {
+  std::vector<PointSighting> points;
+  for (const ReprojectionResidual& one : sightings) {
+    if (one.time >= since) {
+      points.push_back({one.world, one.pixel, kSightingSigma});
+    }
+  }
+  CameraMotionPrior prior;
+  prior.turn = turn.turn;
+  prior.turnSigma = std::max(prior.turnSigma, turn.sigma);
+  return resolveCamera(camera, prior, points);
+}
+
+CameraMotionWatch::CameraMotionWatch(const CameraRig& rig)
+    : rig_(rig), sentinel_(rig), sightings_(rig), solvedAt_(rig.size()) {}
+
+bool CameraMotionWatch::isSolved(const CameraMotionEvent& event) const {
+  const auto& at = solvedAt_[event.camera];
+  return at && std::abs(event.frame - *at) <= kSameBump;
+}
+
+void CameraMotionWatch::restart() {
+  sentinel_.restart();
+  sightings_.restart();
+  reports_.clear();
+  eventsSeen_ = 0;
+  due_ = 0.0;
+  lastTime_ = -1e18;
+}
+
+void CameraMotionWatch::setCameras(const CameraRig& rig) {
+  for (std::size_t k = 0; k < std::min(rig.size(), rig_.size()); ++k) {
+    if (rig[k] != rig_[k]) {
+      const auto bumped = std::ranges::find_if(
+          reports_, [&](const CameraMotionReport& one) { return one.event.camera == k; });
+      solvedAt_[k] = bumped != reports_.end() ? std::optional(bumped->event.frame) : std::nullopt;
+      sentinel_.accept(k, rig[k]);
+      std::erase_if(reports_,
+                    [&](const CameraMotionReport& report) { return report.event.camera == k; });
+    }
+  }
+  rig_ = rig;
+  sightings_ = ReprojectionResiduals(rig);
+}
+
+void CameraMotionWatch::watch(const FrameSet& frames, const std::vector<Target>& targets,
+                              const std::vector<TargetEstimate>& estimates) {
+  const double time = seconds(frames.time);
+  if (time <= lastTime_) {
+    return; // a frame of the past that is tracked again
+  }
+  lastTime_ = time;
+  sentinel_.watch(frames);
+  sightings_.add(frames, targets, estimates);
+  for (; eventsSeen_ < sentinel_.events().size(); ++eventsSeen_) {
+    const auto event = sentinel_.events()[eventsSeen_];
+    if (isSolved(event)) {
+      sentinel_.accept(event.camera, rig_[event.camera]);
+    } else {
+      reports_.emplace_back().event = event;
+    }
+  }
+  if (time < due_) {
+    return;
+  }
+  due_ = time + kEvery;
+  for (CameraMotionReport& report : reports_) {
+    update(report, time);
+  }
+}
+
+void CameraMotionWatch::update(CameraMotionReport& report, double time) {
+  const std::size_t camera = report.event.camera;
+  const double since = seconds(report.event.time) + kSettled;
+  report.back = !sentinel_.camera(camera).moved;
+  if (const auto now = sightings_.summary(camera, time - kWindow, kFewest)) {
+    report.targetPixels = now->residual.norm();
+  }
+  const CameraRotation& turn = sentinel_.camera(camera).turn;
+  // With two cameras the estimate leans on the bumped one too: the background alone is better.
+  const auto& sightings =
+      rig_.size() < 3 ? std::deque<ReprojectionResidual>() : sightings_.of(camera);
+  const auto resolved = resolveBump(rig_[camera], turn, sightings, since);
+  report.resolved = resolved && !report.back ? std::optional(*resolved) : std::nullopt;
+}
+
+std::vector<Error> CameraMotionWatch::notices() const {
+  std::vector<Error> notices;
+  for (const CameraMotionReport& report : reports_) {
+    const double degrees = report.event.turn.turn.norm() / kDegree;
+    notices.push_back(
+        {ErrorCode::Mismatch, "", rig_[report.event.camera].name,
+         fmt::format("the camera was turned by {:.2f} degrees, frame {}; calibrate it "
+                     "again",
+                     degrees, report.event.frame)});
+  }
+  return notices;
+}
+
+} // namespace dewpoint::session

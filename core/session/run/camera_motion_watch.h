@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/calibration/manual/moved_camera_pose.h"
+#include "core/camera_motion/camera_motion_detector.h"
+#include "core/camera_motion/reprojection_residuals.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace dewpoint::session {
+
+/// A bumped camera, as views and reports show it.
+struct CameraMotionReport {
+  CameraMotionEvent event;
+  bool back = false; ///< the camera stands as before again
+  /// How far the target is beside where the other cameras see it, since the bump; pixels.
+  std::optional<double> targetPixels;
+  /// The camera as it stands now, to be put into the project: by the turn that was measured, and by
+  /// the tracked targets' sightings since the bump. Computed anew about once a second.
+  std::optional<ResolvedCamera> resolved;
+};
+
+/// Watches during a run whether cameras are bumped (CameraMotionDetector), and how far the targets
+/// are beside where the other cameras see them. What a bumped camera would have to be calibrated to
+/// is kept ready.
+class CameraMotionWatch {
+public:
+  explicit CameraMotionWatch(const CameraRig& rig);
+
+  /// After the iterations of a frame.
+  void watch(const FrameSet& frames, const std::vector<Target>& targets,
+             const std::vector<TargetEstimate>& estimates);
+  const std::vector<CameraMotionReport>& reports() const { return reports_; }
+  /// One for each report: which camera, by how much, when.
+  std::vector<Error> notices() const;
+  /// Other calibrations of the same cameras: those that changed stand as they are said to stand
+  /// from now on, and are not reported any more.
+  void setCameras(const CameraRig& rig);
+  /// The cameras stand as they are calibrated; what was known is forgotten, but for the bumps that
+  /// a new calibration has taken in: a recording that is played again shows the same.
+  void restart();
+
+private:
+  void update(CameraMotionReport& report, double time);
+  /// Whether the calibration is that after this very bump.
+  bool isSolved(const CameraMotionEvent& event) const;
+
+  CameraRig rig_;
+  CameraMotionDetector sentinel_;
+  ReprojectionResiduals sightings_;
+  std::vector<std::optional<std::int64_t>> solvedAt_; ///< per camera, frame of a bump taken in
+  std::size_t eventsSeen_ = 0;
+  std::vector<CameraMotionReport> reports_;
+  double due_ = 0.0; ///< seconds; of what is not done in each frame
+  double lastTime_ = -1e18;
+};
+
+/// The pose of a camera that was bumped at `event`, from the turn known now and the sightings
+/// since.
+Result<ResolvedCamera> resolveBump(const Camera& camera, const CameraRotation& turn,
+                                   const std::deque<ReprojectionResidual>& sightings, double since);
+
+} // namespace dewpoint::session

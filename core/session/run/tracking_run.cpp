@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run/tracking_run.h"
+
+#include "core/session/people/people_writer.h"
+#include "core/tracking/people/people_targets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace dewpoint::session {
+
+CameraRig rigOf(const Project& project) {
+  CameraRig rig;
+  rig.reserve(project.cameras.size());
+  for (const auto& camera : project.cameras) {
+    rig.push_back(camera.camera);
+  }
+  return rig;
+}
+
+bool haveSameImages(const CameraRig& a, const CameraRig& b) {
+  return std::ranges::equal(a, b, [](const Camera& first, const Camera& second) {
+    return first.intrinsics.width == second.intrinsics.width &&
+           first.intrinsics.height == second.intrinsics.height;
+  });
+}
+
+TrajectoryHeader trajectoryHeader(const Project& project) {
+  TrajectoryHeader header;
+  header.entries = {{"version", DEWPOINT_VERSION},
+                    {"project", project.name},
+                    {"method", project.method},
+                    {"seed", std::to_string(project.seed)}};
+  for (const auto& declaration : project.parameters.declarations()) {
+    const std::string unit = declaration.unit.empty() ? "" : " " + declaration.unit;
+    header.entries.emplace_back(declaration.key,
+                                fmt::format("{}{}", project.parameters.at(declaration.key), unit));
+  }
+  for (const auto& camera : project.cameras) {
+    header.cameras.push_back(
+        {camera.camera.name, camera.camera.center(), camera.camera.opticalAxis()});
+  }
+  header.hasSeen = project.method == methodNames().front(); // no other method tells
+  return header;
+}
+
+std::vector<std::pair<std::string, std::string>> boxTrackHeader(const Project& project) {
+  auto entries = trajectoryHeader(project).entries;
+  for (std::size_t k = 0; k < project.targets.size(); ++k) {
+    const Target& target = project.targets[k];
+    std::string text = target.name;
+    if (target.box) {
+      const ImageBox& box = target.box->box;
+      const auto camera = static_cast<std::size_t>(target.box->camera);
+      text +=
+          fmt::format(", box {} {} {} {} px at frame {} of camera {}", box.x, box.y, box.width,
+                      box.height, target.box->frame,
+                      camera < project.cameras.size() ? project.cameras[camera].camera.name : "");
+    }
+    entries.emplace_back(fmt::format("target {}", k + 1), std::move(text));
+  }
+  return entries;
+}
+
+Result<TrackingRun> TrackingRun::create(const Project& project, int threadCount,
+                                        const std::vector<cv::Mat>& emptyRooms) {
+  auto tracker =
+      makeMultiTracker(project.method, project.parameters, rigOf(project), project.targets);
+  if (!tracker) {
+    return tl::make_unexpected(tracker.error());
+  }
+  TrackingRun run;
+  run.tracker_ = std::move(*tracker);
+  run.tracker_->setEmptyRooms(emptyRooms);
+  run.family_ = methodFamily(project.method);
+  run.targets_ = project.targets;
+  run.parameters_ = project.parameters;
+  run.rig_ = rigOf(project);
+  run.team_ = std::make_unique<ThreadTeam>(threadCount);
+  run.restart(project.seed);
+  return run;
+}
+
+void TrackingRun::restart(std::uint64_t seed) {
+  tracker_->restart(seed);
+  frames_ = nullptr;
+  iterations_ = 0;
+  frameIterations_ = 0;
+}
+
+void TrackingRun::configure(const ParameterValues& parameters) {
+  parameters_ = parameters;
+  tracker_->configure(parameters);
+}
+
+void TrackingRun::setTargets(const std::vector<Target>& targets) {
+  if (targets.size() != targets_.size() && !tracker_->takesAnyNumber()) {
+    return;
+  }
+  targets_ = targets;
+  tracker_->setTargets(targets_);
+}
+
+void TrackingRun::setCameras(const CameraRig& rig) {
+  if (haveSameImages(rig, rig_)) {
+    rig_ = rig;
+    tracker_->setCameras(rig_);
+  }
+}
+
+void TrackingRun::setEmptyRooms(const std::vector<cv::Mat>& rooms) {
+  tracker_->setEmptyRooms(rooms);
+}
+
+void TrackingRun::apply(const RunChange& change) {
+  if (change.parameters) {
+    configure(*change.parameters);
+  }
+  if (change.targets) {
+    setTargets(*change.targets);
+  }
+  if (change.rig) {
+    setCameras(*change.rig);
+  }
+  if (change.emptyRooms) {
+    setEmptyRooms(*change.emptyRooms);
+  }
+  PeopleTargets* const people = tracker_->people();
+  if (change.newPerson && people != nullptr) {
+    people->addPerson(*change.newPerson);
+  }
+  if (change.personGone && people != nullptr) {
+    people->removePerson(*change.personGone);
+  }
+}
+
+const PeopleTargets* TrackingRun::people() const {
+  return std::as_const(*tracker_).people();
+}
+
+const std::vector<Target>& TrackingRun::targets() const {
+  return people() != nullptr ? people()->targets() : targets_;
+}
+
+TrackingRun::State TrackingRun::save() const {
+  State state = definition();
+  if (std::unique_ptr<MultiTracker> copy = tracker_->clone()) {
+    copy->beginFrame(nullptr); // the images of the last frame are not needed to go on
+    state.bytes = copy->memoryBytes();
+    state.tracker = std::move(copy);
+  }
+  return state;
+}
+
+void TrackingRun::restore(const State& state) {
+  tracker_ = state.tracker->clone();
+  targets_ = state.targets;
+  parameters_ = state.parameters;
+  rig_ = state.rig;
+  frames_ = nullptr;
+  iterations_ = state.iterations;
+  frameIterations_ = 0;
+}
+
+void TrackingRun::beginFrame(FrameSetPtr frames) {
+  frames_ = std::move(frames);
+  frameIterations_ = 0;
+  tracker_->beginFrame(frames_);
+}
+
+int TrackingRun::iterationsPerFrame() const {
+  return tracker_->iterationsPerFrame();
+}
+
+double TrackingRun::iterate() {
+  const auto begin = std::chrono::steady_clock::now();
+  tracker_->iterate(*team_);
+  ++iterations_;
+  ++frameIterations_;
+  const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
+  return took.count() / static_cast<double>(std::max<std::size_t>(1, trackedCount()));
+}
+
+std::size_t TrackingRun::trackedCount() const {
+  return people() != nullptr ? people()->tracker().people().size() : targets_.size();
+}
+
+std::vector<TrajectorySample> TrackingRun::samples() const {
+  std::vector<TrajectorySample> samples;
+  if (family_ == MethodFamily::Boxes) {
+    return samples; // nothing is known in space
+  }
+  if (people() != nullptr && frames_) {
+    for (const PersonEstimate& person : people()->tracker().people()) {
+      samples.push_back(sampleOf(person, frames_->index, seconds(frames_->time)));
+    }
+    return samples;
+  }
+  for (std::size_t k = 0; frames_ && k < targets_.size(); ++k) {
+    const auto& estimate = estimates()[k];
+    samples.push_back({seconds(frames_->time), frames_->index, targets_[k].name, estimate.mean,
+                       estimate.covariance, estimate.effectiveSampleSize, estimate.camerasSeeing,
+                       estimate.valid, std::nullopt, estimate.existence});
+    if (estimate.seen) {
+      samples.back().seen = PositionMeasurement{estimate.seen->mean, estimate.seen->covariance};
+    }
+  }
+  return samples;
+}
+
+std::vector<BoxSample> TrackingRun::boxSamples() const {
+  std::vector<BoxSample> samples;
+  for (std::size_t k = 0; frames_ && k < targets_.size(); ++k) {
+    if (const auto belief = box(k, 0)) {
+      samples.push_back(
+          {seconds(frames_->time), frames_->index, static_cast<int>(k) + 1, belief->estimate});
+    }
+  }
+  return samples;
+}
+
+std::vector<TargetSnapshot> TrackingRun::snapshots(int particleLimit) const {
+  std::vector<TargetSnapshot> all(targets().size());
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    all[k].target = targets()[k];
+    all[k].estimate = estimates()[k];
+    all[k].person = personAt(k);
+    tracker_->particles(k, particleLimit, all[k].particles, all[k].weights);
+    all[k].box = box(k, particleLimit);
+    // A box is known as it is given, all else only when the frame was tracked.
+    all[k].status = estimates()[k].gone                  ? TargetStatus::Gone
+                    : all[k].box && estimates()[k].valid ? TargetStatus::Held
+                                                         : TargetStatus::Searching;
+  }
+  return all;
+}
+
+std::optional<PersonEstimate> TrackingRun::personAt(std::size_t target) const {
+  const PersonEstimate* person = people() != nullptr ? people()->person(target) : nullptr;
+  return person != nullptr ? std::optional(*person) : std::nullopt;
+}
+
+TrackedFrame TrackingRun::moment(int particleLimit, const TrackedFrame* previous) const {
+  TrackedFrame moment;
+  moment.frame = frames_ ? frames_->index : 0;
+  moment.time = frames_ ? seconds(frames_->time) : 0.0;
+  moment.iterations = frameIterations_;
+  moment.totalIterations = iterations_;
+  const std::vector<Target>& tracked = targets();
+  const bool same =
+      previous != nullptr && previous->definitions && tracked == *previous->definitions;
+  moment.definitions =
+      same ? previous->definitions : std::make_shared<const std::vector<Target>>(tracked);
+  if (people() != nullptr) {
+    moment.peopleCameras = people()->tracker().cameraStates();
+  }
+  moment.targets.resize(tracked.size());
+  for (std::size_t k = 0; k < tracked.size(); ++k) {
+    TrackedTarget& target = moment.targets[k];
+    target.estimate = estimates()[k];
+    Eigen::ArrayXXd particles;
+    Eigen::ArrayXd weights;
+    tracker_->particles(k, particleLimit, particles, weights);
+    target.particles = particles.cast<float>();
+    target.weights = weights.cast<float>();
+    target.box = box(k, particleLimit);
+    target.proposals = tracker_->proposals(k);
+    target.reasons = tracker_->explain(k);
+    target.person = personAt(k);
+    if (previous != nullptr && k < previous->targets.size()) {
+      target.lastHeld = previous->targets[k].lastHeld;
+    }
+    target.lastHeld = target.estimate.valid ? moment.time : target.lastHeld;
+    target.status = target.estimate.gone
+                        ? TargetStatus::Gone
+                        : statusOf(target.estimate.valid, moment.time, target.lastHeld);
+  }
+  return moment;
+}
+
+TruthTable::TruthTable(const Trajectory& truth) {
+  for (const auto& sample : truth.samples) {
+    positions_[{sample.target, sample.frame}] = sample.position;
+  }
+}
+
+std::optional<Eigen::Vector3d> TruthTable::at(const std::string& target, std::int64_t frame) const {
+  const auto found = positions_.find({target, frame});
+  return found == positions_.end() ? std::nullopt : std::optional(found->second);
+}
+
+} // namespace dewpoint::session

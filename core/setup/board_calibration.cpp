@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/board_calibration.h"
+
+#include "core/base/thread_team.h"
+#include "core/calibration/board/view_choice.h"
+#include "core/calibration/quality/board_judgement.h"
+
+#include <fmt/format.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include <algorithm>
+#include <thread>
+
+namespace dewpoint::setup {
+namespace {
+
+constexpr std::int64_t kFewFrames = 60; // so few are stills: time is spent on each
+constexpr std::int64_t kSeekFrom = 12;  // frames to pass over: fewer are read faster than sought
+
+/// One instant: the board in the images of all cameras, which are shared among threads.
+void detectAll(const BoardDetector& detector, DetectionEffort effort, const FrameSet& frames,
+               ThreadTeam& team, SeenBoards& seen) {
+  std::vector<std::optional<BoardDetection>> found(seen.cameras.size());
+  const auto count = static_cast<std::int64_t>(seen.cameras.size());
+  team.forEachRange(count, [&](std::int64_t begin, std::int64_t end) {
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      if (frames.frames[k] != nullptr) {
+        found[k] = detector.detect(frames.frames[k]->image, effort);
+      }
+    }
+  });
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    auto& camera = seen.cameras[k];
+    if (frames.frames[k] == nullptr) {
+      continue;
+    }
+    camera.width = frames.frames[k]->image.cols;
+    camera.height = frames.frames[k]->image.rows;
+    ++camera.looked;
+    if (found[k]) {
+      camera.views.push_back({fmt::format("frame {}", frames.index), frames.index, *found[k]});
+    }
+  }
+}
+
+/// The frames to look at: evenly spread, and the one that makes the world.
+std::vector<std::int64_t> framesToLookAt(std::int64_t total, const BoardCalibrationRequest& wish) {
+  const std::int64_t stride = std::max<std::int64_t>(1, (total + wish.looks - 1) / wish.looks);
+  std::vector<std::int64_t> frames;
+  for (std::int64_t frame = 0; frame < total; frame += stride) {
+    frames.push_back(frame);
+  }
+  const std::int64_t world = wish.worldFrame.value_or(0);
+  if (const auto at = std::ranges::lower_bound(frames, world);
+      world < total && (at == frames.end() || *at != world)) {
+    frames.insert(at, world);
+  }
+  return frames;
+}
+
+Error named(Error error, const std::string& camera) {
+  error.field = error.field.empty() ? camera : camera + ": " + error.field;
+  return error;
+}
+
+Result<IntrinsicsResult> lensOf(const SeenBoards::PerCamera& camera,
+                                const BoardCalibrationRequest& wish,
+                                const CalibrationProgress& progress) {
+  if (camera.views.empty()) {
+    return failure(ErrorCode::Undetermined, "", "",
+                   fmt::format("it never saw the board, in {} pictures", camera.looked));
+  }
+  IntrinsicsRequest request;
+  request.board = wish.board;
+  request.views = chooseViews(wish.board, camera.views, camera.width, camera.height, wish.views);
+  request.width = camera.width;
+  request.height = camera.height;
+  request.model = wish.model;
+  request.pixels = wish.pixels;
+  return calibrateIntrinsics(request, progress);
+}
+
+/// The cameras that poses are found of: those that saw the board, if that are two; else all, so
+/// that the error names them.
+std::vector<std::size_t> camerasWithViews(const SeenBoards& seen) {
+  std::vector<std::size_t> with;
+  std::vector<std::size_t> all;
+  for (std::size_t k = 0; k < seen.cameras.size(); ++k) {
+    all.push_back(k);
+    if (!seen.cameras[k].views.empty()) {
+      with.push_back(k);
+    }
+  }
+  return with.size() < 2 ? all : with;
+}
+
+/// Cameras that took no part get their places in the result, as they were.
+void withTheOthers(const Project& project, const std::vector<std::size_t>& taking,
+                   ExtrinsicsResult& result) {
+  if (taking.size() == project.cameras.size()) {
+    return;
+  }
+  CameraRig cameras;
+  std::vector<CameraFit> fits(project.cameras.size());
+  for (const ProjectCamera& camera : project.cameras) {
+    cameras.push_back(camera.camera);
+  }
+  for (std::size_t i = 0; i < taking.size(); ++i) {
+    cameras[taking[i]] = result.cameras[i];
+    fits[taking[i]] = std::move(result.fits[i]);
+  }
+  for (std::size_t k = 0; k < cameras.size(); ++k) {
+    if (std::ranges::find(taking, k) == taking.end()) {
+      result.notices.push_back(
+          fmt::format("'{}' never saw the board: it keeps its pose", cameras[k].name));
+    }
+  }
+  for (CameraColumn& column : result.covariance.columns) {
+    column.camera = taking[column.camera];
+  }
+  for (NamedFault& fault : result.faults) {
+    for (std::size_t& camera : fault.cameras) {
+      camera = taking[camera];
+    }
+  }
+  result.cameras = std::move(cameras);
+  result.fits = std::move(fits);
+}
+
+} // namespace
+
+Result<SeenBoards> lookForBoards(const Project& project, FrameSetSource& source,
+                                 const BoardCalibrationRequest& wish,
+                                 const CalibrationProgress& progress) {
+  const auto total = source.frameCount();
+  if (!total) {
+    return failure(ErrorCode::BadValue, project.file.string(), "camera",
+                   "they are live; the board is looked for in a recording");
+  }
+  SeenBoards seen;
+  for (const ProjectCamera& camera : project.cameras) {
+    seen.cameras.push_back({camera.camera.name, 0, 0, 0, {}});
+  }
+  if (source.framesPerSecond() > 0.0) {
+    seen.framesPerSecond = source.framesPerSecond();
+  }
+  const BoardDetector detector(wish.board);
+  const auto effort = *total <= kFewFrames ? DetectionEffort::Exact : DetectionEffort::Live;
+  const auto threads =
+      std::min<std::size_t>(seen.cameras.size(), std::thread::hardware_concurrency());
+  ThreadTeam team(static_cast<int>(std::max<std::size_t>(1, threads)));
+  const auto frames = framesToLookAt(*total, wish);
+  std::int64_t next = -1;
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    if (!goesOn(progress, "looking for the board",
+                static_cast<double>(k) / static_cast<double>(frames.size()))) {
+      return cancelled();
+    }
+    if (next < 0 || frames[k] - next > kSeekFrom) {
+      if (const auto sought = source.seek(frames[k]); !sought) {
+        return tl::make_unexpected(sought.error());
+      }
+      next = frames[k];
+    }
+    Result<FrameSetPtr> set = nullptr;
+    do {
+      set = source.next();
+      if (!set) {
+        return tl::make_unexpected(set.error());
+      }
+    } while (*set != nullptr && next++ < frames[k]);
+    if (*set == nullptr) {
+      break; // the recording is shorter than it says
+    }
+    detectAll(detector, effort, **set, team, seen);
+  }
+  return seen;
+}
+
+Result<SeenBoards> lookForBoards(const std::vector<std::filesystem::path>& pictures,
+                                 const BoardDescription& board, DetectionEffort effort,
+                                 const CalibrationProgress& progress) {
+  SeenBoards seen;
+  auto& camera = seen.cameras.emplace_back();
+  camera.name = "camera";
+  const BoardDetector detector(board);
+  for (const auto& file : pictures) {
+    if (!goesOn(progress, "looking for the board",
+                static_cast<double>(camera.looked) / static_cast<double>(pictures.size()))) {
+      return cancelled();
+    }
+    if (!std::filesystem::exists(file)) {
+      return failure(ErrorCode::FileMissing, file.string(), "", "");
+    }
+    const cv::Mat picture = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
+    if (picture.empty()) {
+      return failure(ErrorCode::FileUnreadable, file.string(), "", "not a picture");
+    }
+    if (camera.looked == 0) {
+      camera.width = picture.cols;
+      camera.height = picture.rows;
+    }
+    if (picture.cols != camera.width || picture.rows != camera.height) {
+      return failure(ErrorCode::Mismatch, file.string(), "",
+                     fmt::format("{} x {} pixels, the first picture has {} x {}", picture.cols,
+                                 picture.rows, camera.width, camera.height));
+    }
+    if (auto found = detector.detect(picture, effort)) {
+      camera.views.push_back({file.filename().string(), camera.looked, std::move(*found)});
+    }
+    ++camera.looked;
+  }
+  return seen;
+}
+
+Result<LensesFromBoards> intrinsicsFromBoards(const SeenBoards& seen,
+                                              const BoardCalibrationRequest& wish,
+                                              const CalibrationProgress& progress) {
+  LensesFromBoards lenses;
+  std::optional<Error> first;
+  for (const auto& camera : seen.cameras) {
+    auto result = lensOf(camera, wish, progress);
+    if (!result && result.error().code == ErrorCode::Cancelled) {
+      return tl::make_unexpected(result.error());
+    }
+    if (!result) {
+      first = first.value_or(named(result.error(), camera.name));
+      lenses.kept.push_back(result.error());
+      lenses.kept.back().field = camera.name;
+      lenses.cameras.emplace_back();
+      continue;
+    }
+    result->camera.name = camera.name;
+    lenses.cameras.emplace_back(std::move(*result));
+  }
+  if (first && lenses.kept.size() == lenses.cameras.size()) {
+    return tl::make_unexpected(*first);
+  }
+  return lenses;
+}
+
+Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const SeenBoards& seen,
+                                              const BoardCalibrationRequest& wish,
+                                              const CalibrationProgress& progress) {
+  const auto taking = camerasWithViews(seen);
+  std::vector<std::vector<BoardView>> views;
+  std::vector<int> widths;
+  for (const std::size_t k : taking) {
+    views.push_back(seen.cameras[k].views);
+    widths.push_back(seen.cameras[k].width);
+  }
+  const auto chosen = chooseInstants(views, widths, wish.instants, wish.worldFrame);
+  ExtrinsicsRequest request;
+  request.board = wish.board;
+  request.worldInstant = wish.worldFrame;
+  request.refineIntrinsics = wish.refineIntrinsics;
+  for (std::size_t i = 0; i < taking.size(); ++i) {
+    const auto& in = project.cameras[taking[i]].camera.intrinsics;
+    const auto& camera = seen.cameras[taking[i]];
+    if (!chosen[i].empty() && (in.width != camera.width || in.height != camera.height)) {
+      return failure(ErrorCode::Mismatch, project.file.string(), camera.name,
+                     fmt::format("its images have {} x {} pixels, its calibration {} x {}",
+                                 camera.width, camera.height, in.width, in.height));
+    }
+    request.cameras.push_back({project.cameras[taking[i]].camera, chosen[i]});
+  }
+  auto result = calibrateExtrinsics(request, progress);
+  if (!result && result.error().code == ErrorCode::Cancelled) {
+    return result;
+  }
+  if (!goesOn(progress, "judging", 0.0)) {
+    return cancelled();
+  }
+  for (std::size_t i = 0; i < taking.size(); ++i) {
+    request.cameras[i].views = std::move(views[i]); // all of them, not only the best
+  }
+  const auto report = findBoardFaults(request, seen.framesPerSecond, result ? &*result : nullptr);
+  if (!result && !report.faults.empty()) {
+    result.error().detail += "; " + report.faults.front().sentence;
+  }
+  if (result) {
+    result->faults = report.faults;
+    withTheOthers(project, taking, *result);
+  }
+  return result;
+}
+
+BoardReport reportOf(const SeenBoards& seen, const BoardCalibrationRequest& wish,
+                     const LensesFromBoards& lenses) {
+  BoardReport report;
+  report.board = wish.board;
+  for (std::size_t k = 0; k < lenses.cameras.size(); ++k) {
+    if (lenses.cameras[k]) {
+      report.cameras.push_back(reportPart(seen.cameras[k].name, *lenses.cameras[k]));
+    }
+  }
+  report.title = fmt::format("Lenses of {} camera{} from a board", report.cameras.size(),
+                             report.cameras.size() == 1 ? "" : "s");
+  for (const Error& kept : lenses.kept) {
+    report.notices.push_back(keptSentence(kept));
+  }
+  return report;
+}
+
+std::string keptSentence(const Error& kept) {
+  return fmt::format("{} keeps its lens: {}", kept.field, kept.detail);
+}
+
+} // namespace dewpoint::setup

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/board_guide.h"
+
+#include <fmt/format.h>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+
+namespace dewpoint::setup {
+namespace {
+
+constexpr int kMoreInstants = 4; ///< of each pair, while the places are not known well enough
+
+BoardGuideState::Outline outlineOf(const BoardDetection& detection) {
+  std::vector<cv::Point2f> corners;
+  for (const Eigen::Vector2d& pixel : detection.pixels) {
+    corners.emplace_back(static_cast<float>(pixel.x()), static_cast<float>(pixel.y()));
+  }
+  std::vector<cv::Point2f> around;
+  if (corners.size() >= 3) {
+    cv::convexHull(corners, around);
+  }
+  BoardGuideState::Outline outline;
+  for (const cv::Point2f& corner : around) {
+    outline.emplace_back(corner.x, corner.y);
+  }
+  return outline;
+}
+
+} // namespace
+
+BoardGuide::BoardGuide(Project project, const BoardGuideRequest& wish, int threads)
+    : project_(std::move(project)), wish_(wish), detector_(wish.board.board), team_(threads) {
+  state_.phase = wish.goal.lenses ? BoardGuideState::Phase::Lenses : BoardGuideState::Phase::Places;
+  for (const ProjectCamera& camera : project_.cameras) {
+    seen_.cameras.push_back({camera.camera.name, 0, 0, 0, {}});
+    state_.cameras.emplace_back().name = camera.camera.name;
+  }
+  tried_.resize(project_.cameras.size());
+  lenses_.resize(project_.cameras.size());
+  state_.seen = std::make_shared<const SeenBoards>(seen_);
+}
+
+BoardGuide::Detections BoardGuide::look(const FrameSet& frames) {
+  Detections found(state_.cameras.size());
+  const auto count = static_cast<std::int64_t>(std::min(found.size(), frames.frames.size()));
+  team_.forEachRange(count, [&](std::int64_t begin, std::int64_t end) {
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      if (frames.frames[k] != nullptr && !frames.frames[k]->image.empty()) {
+        found[k] = detector_.detect(frames.frames[k]->image, DetectionEffort::Live);
+      }
+    }
+  });
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    state_.cameras[k].seen = found[k];
+    state_.cameras[k].outline = found[k] ? outlineOf(*found[k]) : BoardGuideState::Outline();
+    seen_.cameras[k].looked += k < frames.frames.size() && frames.frames[k] != nullptr ? 1 : 0;
+  }
+  return found;
+}
+
+/// Sizes of images are known only from images.
+void BoardGuide::begin(const FrameSet& frames) {
+  for (std::size_t k = 0; k < state_.cameras.size(); ++k) {
+    const FramePtr frame = k < frames.frames.size() ? frames.frames[k] : nullptr;
+    auto& camera = state_.cameras[k];
+    if (frame != nullptr && camera.width == 0) {
+      camera.width = frame->image.cols;
+      camera.height = frame->image.rows;
+      seen_.cameras[k].width = camera.width;
+      seen_.cameras[k].height = camera.height;
+      lenses_[k].emplace(wish_.board.board, camera.width, camera.height, wish_.lenses);
+    }
+  }
+  if (state_.phase == BoardGuideState::Phase::Places && !places_) {
+    beginPlaces();
+  }
+}
+
+BoardGuideState BoardGuide::step(const FrameSet& frames) {
+  state_.frame = frames.index;
+  begin(frames);
+  if (state_.phase == BoardGuideState::Phase::Finished) {
+    return state_;
+  }
+  const Detections found = look(frames);
+  const double time = seconds(frames.time);
+  if (state_.phase == BoardGuideState::Phase::Lenses) {
+    stepLenses(time, found);
+  } else {
+    stepPlaces(time, found);
+  }
+  return state_;
+}
+
+void BoardGuide::stepLenses(double time, const Detections& found) {
+  for (std::size_t k = 0; k < lenses_.size(); ++k) {
+    if (lenses_[k]) {
+      keepLens(k, lenses_[k]->step(time, found[k]));
+    }
+  }
+  if (std::ranges::all_of(state_.cameras, [](const auto& camera) {
+        return camera.lens.advice == GuidanceAdvice::Finished;
+      })) {
+    goOn();
+  }
+}
+
+void BoardGuide::keepLens(std::size_t camera, const GuidanceState& state) {
+  state_.cameras[camera].lens = state;
+  if (state.captured) {
+    keepView(camera);
+    learnLens(camera);
+  }
+}
+
+/// The detection that was just taken. Views have the numbers of their frames, so that those of one
+/// moment belong together.
+void BoardGuide::keepView(std::size_t camera) {
+  auto& of = state_.cameras[camera];
+  if (!of.seen) {
+    return;
+  }
+  seen_.cameras[camera].views.push_back(
+      {fmt::format("frame {}", state_.frame), state_.frame, *of.seen});
+  if (of.taken.size() < wish_.outlinesKept) {
+    of.taken.push_back(of.outline);
+  }
+  state_.seen = std::make_shared<const SeenBoards>(seen_);
+}
+
+void BoardGuide::learnLens(std::size_t camera) {
+  BoardGuidance& guidance = *lenses_[camera];
+  const std::size_t count = guidance.views().size();
+  if (!guidance.wantsCalibration() || count == tried_[camera]) {
+    return;
+  }
+  tried_[camera] = count;
+  IntrinsicsRequest request;
+  request.board = wish_.board.board;
+  request.views = guidance.views();
+  request.width = state_.cameras[camera].width;
+  request.height = state_.cameras[camera].height;
+  request.model = wish_.board.model;
+  request.pixels = wish_.board.pixels;
+  if (const auto result = calibrateIntrinsics(request)) {
+    guidance.learn(*result);
+    state_.cameras[camera].rmsPx = result->rmsPx;
+    state_.cameras[camera].lens.projectionPx = result->worstProjectionPx;
+    Camera& known = project_.cameras[camera].camera;
+    known.intrinsics = result->camera.intrinsics;
+    known.distortion = result->camera.distortion;
+    known.lens = result->camera.lens;
+  }
+}
+
+void BoardGuide::beginPlaces() {
+  state_.phase = BoardGuideState::Phase::Places;
+  std::vector<int> widths;
+  for (const auto& camera : state_.cameras) {
+    widths.push_back(std::max(1, camera.width));
+  }
+  places_.emplace(std::move(widths), wish_.places);
+  state_.places = places_->state();
+  if (state_.places.finished) { // one camera alone has no pair
+    state_.phase = BoardGuideState::Phase::Finished;
+  }
+}
+
+BoardGuideState BoardGuide::goOn() {
+  if (state_.phase == BoardGuideState::Phase::Lenses) {
+    if (wish_.goal.places) {
+      beginPlaces();
+    } else {
+      state_.phase = BoardGuideState::Phase::Finished;
+    }
+  }
+  return state_;
+}
+
+void BoardGuide::stepPlaces(double time, const Detections& found) {
+  keepPlaces(places_->step(time, found));
+}
+
+void BoardGuide::keepPlaces(const RigGuidance::State& state) {
+  state_.places = state;
+  if (state.captured) {
+    for (std::size_t k = 0; k < state_.cameras.size(); ++k) {
+      if (state_.cameras[k].seen) {
+        keepView(k);
+        ++state_.cameras[k].pairViews;
+      }
+    }
+  }
+  if (state.finished && state.instants < wish_.mostInstants) {
+    learnPlaces();
+  } else if (state.finished) {
+    state_.phase = BoardGuideState::Phase::Finished;
+  }
+}
+
+/// Ends, or asks for more where the places are not known well enough.
+void BoardGuide::learnPlaces() {
+  ExtrinsicsRequest request;
+  request.board = wish_.board.board;
+  for (std::size_t k = 0; k < project_.cameras.size(); ++k) {
+    request.cameras.push_back({project_.cameras[k].camera, places_->views()[k]});
+  }
+  const auto result = calibrateExtrinsics(request);
+  bool enough = result.has_value();
+  for (std::size_t k = 0; result && k < result->fits.size(); ++k) {
+    state_.cameras[k].placeSigma = result->fits[k].centerSigma;
+    enough = enough && result->fits[k].centerSigma <= wish_.requestedPlace;
+  }
+  if (enough) {
+    state_.phase = BoardGuideState::Phase::Finished;
+  } else {
+    places_->wantMore(kMoreInstants);
+    state_.places = places_->state();
+  }
+}
+
+BoardGuideState BoardGuide::captureFloor() {
+  const auto seeing = std::ranges::count_if(
+      state_.cameras, [](const auto& camera) { return camera.seen.has_value(); });
+  if (state_.phase == BoardGuideState::Phase::Places && seeing >= 2) {
+    state_.floorFrame = state_.frame;
+  }
+  return captureNow();
+}
+
+BoardGuideState BoardGuide::captureNow() {
+  if (state_.phase == BoardGuideState::Phase::Places && places_) {
+    keepPlaces(places_->captureNow());
+  } else if (state_.phase == BoardGuideState::Phase::Lenses) {
+    for (std::size_t k = 0; k < lenses_.size(); ++k) {
+      if (lenses_[k] && state_.cameras[k].seen) {
+        keepLens(k, lenses_[k]->captureNow());
+      }
+    }
+  }
+  return state_;
+}
+
+} // namespace dewpoint::setup

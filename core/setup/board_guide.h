@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/thread_team.h"
+#include "core/calibration/board/board_guidance.h"
+#include "core/calibration/board/extrinsics_from_board.h"
+#include "core/capture/frame.h"
+#include "core/project/project.h"
+#include "core/setup/board_outcome.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dewpoint::setup {
+
+/// What a person who shows a board to live cameras wants.
+struct BoardGuideRequest {
+  BoardCalibrationRequest board;
+  BoardGoal goal;
+  GuidanceSettings lenses;        ///< with the accuracy at which a lens is known well enough
+  RigGuidance::Settings places;   ///< how often pairs of cameras see the board together
+  double requestedPlace = 0.002;  ///< metres: CameraFit::centerSigma of each camera at the end
+  int mostInstants = 60;          ///< then it ends whatever the accuracy
+  std::size_t outlinesKept = 100; ///< per camera
+};
+
+/// Where the guidance is. Immutable once published.
+struct BoardGuideState {
+  enum class Phase {
+    Lenses,  ///< the board is shown to each camera by itself
+    Places,  ///< and to several at once
+    Finished ///< the requested accuracy is reached
+  };
+  using Outline = std::vector<Eigen::Vector2d>; ///< pixels, around the board's corners
+  struct PerCamera {
+    std::string name;
+    int width = 0; ///< of its images; 0: there was none yet
+    int height = 0;
+    GuidanceState lens;                 ///< in the phase Lenses
+    std::optional<BoardDetection> seen; ///< in the newest image
+    Outline outline;                    ///< of it; may be empty
+    std::vector<Outline> taken;         ///< of the views that were taken
+    std::optional<double> rmsPx;        ///< of the newest calibration of its lens
+    std::optional<double> placeSigma;   ///< metres, of the newest calibration of the places
+    int pairViews = 0;                  ///< taken together with another camera
+  };
+
+  Phase phase = Phase::Lenses;
+  std::int64_t frame = -1; ///< the frame set looked at last
+  std::vector<PerCamera> cameras;
+  RigGuidance::State places;
+  std::optional<std::int64_t> floorFrame; ///< in which the board lies on the floor
+  /// What was taken so far, for calibrateFromBoards().
+  std::shared_ptr<const SeenBoards> seen;
+};
+using BoardGuideStatePtr = std::shared_ptr<const BoardGuideState>;
+
+/// Leads a person through calibrating live cameras with a board: looks for it in the images, says
+/// what to show next, takes what is held still, calibrates in between and ends by itself when the
+/// requested accuracy is reached. No clock and no thread of its own besides those that share the
+/// images: the same frames give the same states.
+class BoardGuide {
+public:
+  BoardGuide(Project project, const BoardGuideRequest& wish, int threads = 1);
+
+  /// The newest images, in rising order.
+  BoardGuideState step(const FrameSet& frames);
+  /// Takes the images given last, where they show the board: the person asked for it.
+  BoardGuideState captureNow();
+  /// The same; there the board lies on the floor. What is not seen at all makes no floor.
+  BoardGuideState captureFloor();
+  /// Leaves the lenses as well known as they are and goes on to the places.
+  BoardGuideState goOn();
+  const BoardGuideState& state() const { return state_; }
+
+private:
+  using Detections = std::vector<std::optional<BoardDetection>>;
+  Detections look(const FrameSet& frames);
+  void begin(const FrameSet& frames);
+  void stepLenses(double time, const Detections& found);
+  void stepPlaces(double time, const Detections& found);
+  void learnLens(std::size_t camera);
+  void learnPlaces();
+  void keepLens(std::size_t camera, const GuidanceState& state);
+  void keepPlaces(const RigGuidance::State& state);
+  void keepView(std::size_t camera);
+  void beginPlaces();
+
+  Project project_; ///< with the lenses found so far
+  BoardGuideRequest wish_;
+  BoardDetector detector_;
+  ThreadTeam team_;
+  BoardGuideState state_;
+  SeenBoards seen_;
+  std::vector<std::optional<BoardGuidance>> lenses_; ///< nothing before a camera's first image
+  std::vector<std::size_t> tried_; ///< views of each camera when its lens was calibrated last
+  std::optional<RigGuidance> places_;
+};
+
+} // namespace dewpoint::setup

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/board_outcome.h"
+
+#include "core/calibration/quality/board_judgement.h"
+
+namespace dewpoint::setup {
+namespace {
+
+BoardReport placesReport(const BoardCalibrationRequest& wish, const BoardOutcome& outcome) {
+  BoardReport report = reportOf(wish.board, *outcome.places);
+  report.verdict = outcome.verdictSentence;
+  for (const NamedFault& fault : outcome.places->faults) {
+    report.verdict += " " + fault.sentence;
+  }
+  return report;
+}
+
+std::string page(const SeenBoards& seen, const BoardCalibrationRequest& wish,
+                 const BoardOutcome& outcome) {
+  std::vector<BoardReport> reports;
+  if (outcome.places) {
+    reports.push_back(placesReport(wish, outcome));
+  }
+  if (outcome.lenses) {
+    reports.push_back(reportOf(seen, wish, *outcome.lenses));
+  }
+  return htmlText(reports);
+}
+
+Status addPlaces(const SeenBoards& seen, const BoardCalibrationRequest& wish, BoardOutcome& outcome,
+                 const CalibrationProgress& progress) {
+  auto places = extrinsicsFromBoards(outcome.project, seen, wish, progress);
+  if (!places) {
+    return tl::make_unexpected(places.error());
+  }
+  if (!goesOn(progress, "judging", 0.5)) {
+    return cancelled();
+  }
+  const auto verdict = judgeBoard(*places, wish.board, wish.worldFrame);
+  outcome.verdict = verdict ? std::optional(*verdict) : std::nullopt;
+  outcome.verdictSentence =
+      verdict ? verdictSentence(*verdict) : "none; " + sentence(verdict.error());
+  outcome.project = withCameras(std::move(outcome.project), places->cameras);
+  outcome.places = std::move(*places);
+  return {};
+}
+
+} // namespace
+
+Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoards& seen,
+                                         const BoardCalibrationRequest& wish, const BoardGoal& goal,
+                                         const CalibrationProgress& progress) {
+  BoardOutcome outcome;
+  outcome.project = project;
+  if (goal.lenses) {
+    auto lenses = intrinsicsFromBoards(seen, wish, progress);
+    if (!lenses) {
+      return tl::make_unexpected(lenses.error());
+    }
+    outcome.project = withIntrinsics(std::move(outcome.project), lenses->cameras);
+    outcome.lenses = std::move(*lenses);
+  }
+  const bool alone = project.cameras.size() < 2 && !wish.worldFrame;
+  if (goal.places && !(alone && goal.lenses)) {
+    if (const auto found = addPlaces(seen, wish, outcome, progress); !found) {
+      if (!outcome.lenses || found.error().code == ErrorCode::Cancelled) {
+        return tl::make_unexpected(found.error());
+      }
+      outcome.noPlaces = found.error();
+    }
+  }
+  outcome.report = page(seen, wish, outcome);
+  return outcome;
+}
+
+Project withOutcome(Project project, const BoardOutcome& outcome) {
+  if (outcome.lenses) {
+    project = withIntrinsics(std::move(project), outcome.lenses->cameras);
+  }
+  return outcome.places ? withCameras(std::move(project), outcome.places->cameras) : project;
+}
+
+std::vector<std::string> remarksOn(const BoardOutcome& outcome) {
+  std::vector<std::string> remarks;
+  if (outcome.lenses) {
+    for (const Error& kept : outcome.lenses->kept) {
+      remarks.push_back(keptSentence(kept) + ".");
+    }
+  }
+  if (outcome.noPlaces) {
+    remarks.push_back("The places were not found: " + sentence(*outcome.noPlaces) + ".");
+  }
+  if (outcome.places) {
+    for (const std::string& notice : outcome.places->notices) {
+      remarks.push_back(notice + ".");
+    }
+    for (const NamedFault& fault : outcome.places->faults) {
+      remarks.push_back(fault.sentence);
+    }
+  }
+  return remarks;
+}
+
+} // namespace dewpoint::setup

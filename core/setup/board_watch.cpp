@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/board_watch.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace dewpoint::setup {
+namespace {
+
+/// What is to be done.
+struct Orders {
+  std::unique_ptr<BoardGuide> guide; ///< another one takes over
+  FrameSetPtr frames;                ///< not looked at yet
+  bool capture = false;
+  bool floor = false;
+  bool goOn = false;
+
+  bool any() const { return guide || frames || capture || floor || goOn; }
+};
+
+int threadsFor(const Project& project) {
+  const std::size_t most = std::max(1U, std::thread::hardware_concurrency());
+  return static_cast<int>(std::clamp<std::size_t>(project.cameras.size(), 1, most));
+}
+
+} // namespace
+
+class BoardWatch::Impl {
+public:
+  explicit Impl(std::function<void()> wake)
+      : wake_(std::move(wake)), newest_(std::make_shared<const BoardGuideState>()),
+        thread_([this](const std::stop_token& stop) { work(stop); }) {}
+
+  template <class Change> void order(Change apply) {
+    {
+      const std::lock_guard lock(mutex_);
+      apply(orders_);
+    }
+    changed_.notify_one();
+  }
+
+  void begin(const Project& project, const BoardGuideRequest& wish) {
+    auto guide = std::make_unique<BoardGuide>(project, wish, threadsFor(project));
+    auto state = std::make_shared<const BoardGuideState>(guide->state());
+    order([&](Orders& orders) {
+      orders = Orders();
+      orders.guide = std::move(guide);
+      newest_ = std::move(state);
+    });
+  }
+
+  BoardGuideStatePtr newest() const {
+    const std::lock_guard lock(mutex_);
+    return newest_;
+  }
+
+private:
+  void work(const std::stop_token& stop) {
+    std::unique_ptr<BoardGuide> guide;
+    while (true) {
+      Orders orders;
+      {
+        std::unique_lock lock(mutex_);
+        if (!changed_.wait(lock, stop, [&] { return orders_.any(); })) {
+          return;
+        }
+        orders = std::exchange(orders_, Orders());
+      }
+      if (orders.guide) {
+        guide = std::move(orders.guide);
+      }
+      if (guide) {
+        obey(*guide, orders);
+        publish(*guide);
+      }
+    }
+  }
+
+  static void obey(BoardGuide& guide, const Orders& orders) {
+    if (orders.floor) {
+      guide.captureFloor();
+    } else if (orders.capture) {
+      guide.captureNow();
+    }
+    if (orders.goOn) {
+      guide.goOn();
+    }
+    if (orders.frames) {
+      guide.step(*orders.frames);
+    }
+  }
+
+  void publish(const BoardGuide& guide) {
+    auto state = std::make_shared<const BoardGuideState>(guide.state());
+    {
+      const std::lock_guard lock(mutex_);
+      if (orders_.guide) {
+        return; // another one was begun meanwhile
+      }
+      newest_ = std::move(state);
+    }
+    if (wake_) {
+      wake_();
+    }
+  }
+
+  std::function<void()> wake_;
+  mutable std::mutex mutex_;
+  std::condition_variable_any changed_;
+  Orders orders_;
+  BoardGuideStatePtr newest_;
+  std::jthread thread_; // last: it uses the rest
+};
+
+BoardWatch::BoardWatch(std::function<void()> wake)
+    : impl_(std::make_unique<Impl>(std::move(wake))) {}
+BoardWatch::~BoardWatch() = default;
+void BoardWatch::begin(const Project& project, const BoardGuideRequest& wish) {
+  impl_->begin(project, wish);
+}
+void BoardWatch::show(FrameSetPtr frames) {
+  impl_->order([&](auto& orders) { orders.frames = std::move(frames); });
+}
+void BoardWatch::captureNow() {
+  impl_->order([](auto& orders) { orders.capture = true; });
+}
+void BoardWatch::captureFloor() {
+  impl_->order([](auto& orders) { orders.floor = true; });
+}
+void BoardWatch::goOn() {
+  impl_->order([](auto& orders) { orders.goOn = true; });
+}
+BoardGuideStatePtr BoardWatch::newest() const {
+  return impl_->newest();
+}
+
+} // namespace dewpoint::setup

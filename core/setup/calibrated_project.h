@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/board/intrinsics_from_board.h"
+#include "core/project/project.h"
+
+#include <optional>
+#include <vector>
+
+namespace dewpoint::setup {
+
+/// The project with these cameras' calibration, in the same order.
+Project withCameras(Project project, const CameraRig& rig);
+
+/// The project whose cameras are later by these seconds than it says so far, as found in its images
+/// (WandResult::offsets: those are negative for cameras that are late); simulated ones stay.
+Project withTimeOffsets(Project project, const std::vector<double>& offsets);
+
+/// The project with these lenses, in the order of its cameras, which keep theirs where there is
+/// none; poses stay.
+Project withIntrinsics(Project project,
+                       const std::vector<std::optional<IntrinsicsResult>>& results);
+
+} // namespace dewpoint::setup

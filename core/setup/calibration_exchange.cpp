@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/calibration_exchange.h"
+
+#include "core/calibration/formats/calibration_file.h"
+#include "core/session/run/tracking_run.h"
+#include "core/setup/calibrated_project.h"
+#include "core/setup/new_project.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <unistd.h>
+
+namespace dewpoint::setup {
+namespace {
+
+/// The one camera of a file under the name of the project's camera it is about.
+Status nameAsWished(const Project& project, const ImportRequest& wish, CameraRig& rig) {
+  if (wish.camera.empty()) {
+    return {};
+  }
+  if (rig.size() != 1) {
+    return failure(ErrorCode::Mismatch, wish.path.string(), wish.camera,
+                   fmt::format("the file has {} cameras, not one", rig.size()));
+  }
+  const auto found = std::ranges::find_if(project.cameras, [&](const ProjectCamera& camera) {
+    return camera.camera.name == wish.camera;
+  });
+  if (found == project.cameras.end()) {
+    return failure(ErrorCode::NotFound, wish.path.string(), "camera", wish.camera);
+  }
+  rig.front().name = wish.camera;
+  return {};
+}
+
+/// Takes one camera alone: where a file is about one of several.
+Result<MadeProject> withOneCamera(Project project, const Camera& camera, const std::string& file) {
+  const auto found = std::ranges::find_if(
+      project.cameras, [&](const ProjectCamera& one) { return one.camera.name == camera.name; });
+  if (found == project.cameras.end()) {
+    return failure(ErrorCode::Mismatch, file, "camera",
+                   fmt::format("one camera called \"{}\", but none of the project's {} is called "
+                               "so: say which one it is",
+                               camera.name, project.cameras.size()));
+  }
+  found->camera = camera;
+  MadeProject made;
+  made.project = std::move(project);
+  return made;
+}
+
+Result<double> lossOfKeeping(const CameraRig& rig, const std::string& file) {
+  const auto ours = calibrationFormat("dewpoint");
+  const auto again = (*ours)->read({file, calibrationText(rig)}, {});
+  if (!again) {
+    return tl::make_unexpected(again.error());
+  }
+  double largest = 0.0;
+  for (std::size_t k = 0; k < rig.size(); ++k) {
+    const auto found = difference(rig[k], again->rig.at(k), Eigen::Isometry3d::Identity());
+    largest = std::max(largest, found.largestPixels);
+  }
+  return largest;
+}
+
+/// A folder that goes with its last use.
+class ScratchFolder {
+public:
+  ScratchFolder() {
+    static std::atomic<int> count = 0;
+    path_ = std::filesystem::temp_directory_path() /
+            fmt::format("dewpoint-preview-{}-{}", ::getpid(), ++count);
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+private:
+  std::filesystem::path path_;
+};
+
+} // namespace
+
+Result<CalibrationImport> importCalibration(const Project& project, const ImportRequest& wish) {
+  auto read = readCalibration(wish.path, wish.hints);
+  if (!read) {
+    return tl::make_unexpected(read.error());
+  }
+  const std::string file = wish.path.string();
+  if (const auto named = nameAsWished(project, wish, read->rig); !named) {
+    return tl::make_unexpected(named.error());
+  }
+  const CameraRig original = read->rig;
+  const bool one = original.size() == 1 && project.cameras.size() > 1;
+  auto made = one ? withOneCamera(project, original.front(), file)
+                  : withCalibration(project, read->rig, file);
+  if (!made) {
+    return tl::make_unexpected(made.error());
+  }
+  CalibrationImport result;
+  result.formatTitle = (*calibrationFormat(read->format))->title;
+  result.decisions = read->decisions;
+  result.matchedByOrder = made->matchedByOrder;
+  result.lensOnly = !read->hasPoses;
+  CameraRig rig = rigOf(made->project);
+  for (std::size_t k = 0; k < rig.size(); ++k) {
+    const Camera& before = project.cameras[k].camera;
+    if (result.lensOnly) {
+      rig[k].cameraFromWorld = before.cameraFromWorld;
+    }
+    const auto source = std::ranges::find(original, before.name, &Camera::name);
+    if (one && source == original.end()) {
+      continue;
+    }
+    const std::string& from = source != original.end() ? source->name : original[k].name;
+    result.cameras.push_back({before.name, from, poseShift(before, rig[k])});
+  }
+  const auto loss = lossOfKeeping(rig, file);
+  if (!loss) {
+    return tl::make_unexpected(loss.error());
+  }
+  result.largestPixels = *loss;
+  result.project = withCameras(std::move(made->project), rig);
+  if (const auto good = checkProject(result.project); !good) {
+    return tl::make_unexpected(good.error());
+  }
+  return result;
+}
+
+AskedQuestion askedQuestion(Error error) {
+  constexpr std::pair<const char*, ImportQuestion> kOptions[] = {
+      {"--from", ImportQuestion::Format}, {"--unit", ImportQuestion::Unit},
+      {"--lens", ImportQuestion::Lens},   {"--size", ImportQuestion::Size},
+      {"--poses", ImportQuestion::Poses}, {"--force", ImportQuestion::None},
+      {"--to ", ImportQuestion::Format}};
+  AskedQuestion asked;
+  const auto option = error.detail.find("--");
+  for (const auto& [name, question] : kOptions) {
+    if (option != std::string::npos && error.detail.compare(option, std::strlen(name), name) == 0) {
+      asked.question = question;
+      const auto end = error.detail.find_last_of(";:,", option);
+      error.detail.erase(end != std::string::npos ? end : 0);
+      break;
+    }
+  }
+  if (error.field == "camera") {
+    asked.question = ImportQuestion::Camera;
+  }
+  asked.error = std::move(error);
+  return asked;
+}
+
+Result<CalibrationConversion> exportCalibration(const Project& project,
+                                                const CalibrationTarget& target) {
+  return writeCalibration(rigOf(project), target);
+}
+
+Result<CalibrationConversion> previewExport(const Project& project, CalibrationTarget target) {
+  const ScratchFolder folder;
+  const std::filesystem::path wanted = target.path;
+  target.path = folder.path() / (wanted.filename().empty() ? "preview" : wanted.filename());
+  auto conversion = exportCalibration(project, target);
+  if (!conversion) {
+    conversion.error().file = wanted.string();
+    return conversion;
+  }
+  conversion->written.clear();
+  return conversion;
+}
+
+} // namespace dewpoint::setup

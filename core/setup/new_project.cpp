@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/new_project.h"
+
+#include "core/calibration/formats/calibration_file.h"
+#include "core/capture/recording.h"
+#include "core/tracking/boxes/box_tracker.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace dewpoint::setup {
+namespace {
+
+constexpr int kGuessedWidth = 640; ///< of a camera that cannot be asked without opening it
+constexpr int kGuessedHeight = 480;
+
+bool isRecording(SourceKind source) {
+  return source == SourceKind::Video || source == SourceKind::Images;
+}
+
+std::string nameOf(const NewCamera& camera, std::size_t index) {
+  if (!camera.name.empty()) {
+    return camera.name;
+  }
+  if (!isRecording(camera.source)) {
+    return fmt::format("camera {}", index + 1);
+  }
+  const std::filesystem::path path(camera.location);
+  const bool isFolder = camera.source == SourceKind::Images;
+  const auto name = isFolder && path.filename().empty() ? path.parent_path().filename()
+                    : isFolder                          ? path.filename()
+                                                        : path.stem();
+  return name.string();
+}
+
+/// What a project is called that nobody named: the folder its recordings lie in, or what its only
+/// camera is called.
+std::string nameOf(const std::vector<ProjectCamera>& cameras) {
+  const ProjectCamera& first = cameras.front();
+  return cameras.size() > 1 && isRecording(first.source)
+             ? std::filesystem::path(first.location).parent_path().filename().string()
+             : first.camera.name;
+}
+
+/// Made different where two are called the same: the same file name in two folders.
+void makeDistinct(std::vector<ProjectCamera>& cameras) {
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    std::string& name = cameras[i].camera.name;
+    const std::string wanted = name;
+    for (std::size_t k = 2; !seen.insert(name).second; ++k) {
+      name = fmt::format("{} {}", wanted, k);
+    }
+  }
+}
+
+Status checkLocation(const ProjectCamera& camera) {
+  if (camera.location.empty()) {
+    return failure(ErrorCode::BadValue, "", camera.camera.name, "it has no source of images");
+  }
+  if (isRecording(camera.source) && !std::filesystem::exists(camera.location)) {
+    return failure(ErrorCode::FileMissing, camera.location, camera.camera.name, "");
+  }
+  return {};
+}
+
+/// Calibrations in the order of the cameras, by name or else by order.
+Result<CameraRig> matched(const std::vector<ProjectCamera>& cameras, const CameraRig& rig,
+                          const std::string& file, bool& byOrder) {
+  CameraRig ordered;
+  for (const ProjectCamera& camera : cameras) {
+    const auto found = std::ranges::find(rig, camera.camera.name, &Camera::name);
+    if (found != rig.end()) {
+      ordered.push_back(*found);
+    }
+  }
+  if (ordered.size() == cameras.size()) {
+    return ordered;
+  }
+  if (ordered.empty() && rig.size() == cameras.size()) {
+    byOrder = true;
+    return rig;
+  }
+  return failure(ErrorCode::Mismatch, file, "",
+                 fmt::format("{} cameras, of which {} are called as the {} of the project",
+                             rig.size(), ordered.size(), cameras.size()));
+}
+
+/// The size of a recording's images.
+Result<cv::Size> sizeOf(const ProjectCamera& camera) {
+  RecordedCamera recorded;
+  recorded.name = camera.camera.name;
+  recorded.kind = camera.source == SourceKind::Video ? RecordedCamera::Kind::Video
+                                                     : RecordedCamera::Kind::Images;
+  recorded.path = camera.location;
+  recorded.rotateDegrees = camera.rotateDegrees;
+  recorded.mirrored = camera.mirrored;
+  auto source = openRecording({recorded}, 0.0);
+  if (!source) {
+    return tl::make_unexpected(source.error());
+  }
+  const auto frames = (*source)->next();
+  if (!frames) {
+    return tl::make_unexpected(frames.error());
+  }
+  if (!*frames || !(*frames)->frames.front()) {
+    return failure(ErrorCode::FileUnreadable, camera.location, camera.camera.name,
+                   "there is no image in it");
+  }
+  return (*frames)->frames.front()->image.size();
+}
+
+/// 53 degrees wide, at `index` of a ring of `count` around a box of 1 m.
+Camera guessedCamera(std::size_t index, std::size_t count, const cv::Size& size) {
+  constexpr double kDistance = 2.0; // metres
+  constexpr double kHeight = 1.2;
+  const double angle = 2.0 * std::numbers::pi * static_cast<double>(index) /
+                       static_cast<double>(std::max<std::size_t>(4, count));
+  Camera camera;
+  const double focal = size.width;
+  camera.intrinsics = {
+      size.width, size.height, focal, focal, 0.5 * (size.width - 1), 0.5 * (size.height - 1)};
+  camera.cameraFromWorld =
+      lookAt({kDistance * std::cos(angle), kDistance * std::sin(angle), kHeight}, {0.0, 0.0, 0.25});
+  return camera;
+}
+
+Status guess(std::vector<ProjectCamera>& cameras, std::size_t index) {
+  ProjectCamera& camera = cameras[index];
+  cv::Size size(kGuessedWidth, kGuessedHeight);
+  if (isRecording(camera.source)) {
+    const auto real = sizeOf(camera);
+    if (!real) {
+      return tl::make_unexpected(real.error());
+    }
+    size = *real;
+  }
+  const std::string name = camera.camera.name;
+  camera.camera = guessedCamera(index, cameras.size(), size);
+  camera.camera.name = name;
+  return {};
+}
+
+} // namespace
+
+SourceKind guessedSource(const std::string& location) {
+  const bool isNumber =
+      !location.empty() &&
+      std::ranges::all_of(location, [](unsigned char letter) { return std::isdigit(letter) != 0; });
+  if (isNumber || location.starts_with("/dev/")) {
+    return SourceKind::Device;
+  }
+  if (location.starts_with("gst:") || location.find("://") != std::string::npos) {
+    return SourceKind::Stream;
+  }
+  return std::filesystem::is_directory(location) ? SourceKind::Images : SourceKind::Video;
+}
+
+Result<MadeProject> makeProject(const NewProject& wanted) {
+  MadeProject made;
+  Project& project = made.project;
+  if (wanted.cameras.size() == 1 && !wanted.calibration) {
+    project.method = boxMethodNames().front(); // nothing else is of use
+  }
+  project.parameters = ParameterValues(methodParameters(project.method));
+  project.framesPerSecond = wanted.framesPerSecond;
+  for (std::size_t i = 0; i < wanted.cameras.size(); ++i) {
+    const NewCamera& camera = wanted.cameras[i];
+    ProjectCamera added;
+    added.camera.name = nameOf(camera, i);
+    added.source = camera.source;
+    added.location = isRecording(camera.source) && !camera.location.empty()
+                         ? std::filesystem::absolute(camera.location).lexically_normal().string()
+                         : camera.location;
+    if (auto good = checkLocation(added); !good) {
+      return tl::make_unexpected(good.error());
+    }
+    project.cameras.push_back(std::move(added));
+  }
+  if (project.cameras.empty()) {
+    return failure(ErrorCode::MissingKey, "", "camera", "a project needs at least one camera");
+  }
+  makeDistinct(project.cameras);
+  project.name = !wanted.name.empty() ? wanted.name : nameOf(project.cameras);
+  if (!wanted.calibration) {
+    made.calibrated = false;
+    for (std::size_t i = 0; i < project.cameras.size(); ++i) {
+      if (auto guessed = guess(project.cameras, i); !guessed) {
+        return tl::make_unexpected(guessed.error());
+      }
+    }
+    return made;
+  }
+  return withCalibration(std::move(project), *wanted.calibration);
+}
+
+Status guessMissing(Project& project) {
+  bool any = false;
+  for (std::size_t i = 0; i < project.cameras.size(); ++i) {
+    if (project.cameras[i].camera.intrinsics.width == 0) {
+      if (auto guessed = guess(project.cameras, i); !guessed) {
+        return guessed;
+      }
+      any = true;
+    }
+  }
+  return any ? checkProject(project) : Status(); // boxes may lie beyond the images
+}
+
+bool isGuessed(const Project& project) {
+  constexpr double kRounding = 1e-6; // of a file
+  for (std::size_t i = 0; i < project.cameras.size(); ++i) {
+    const Camera& camera = project.cameras[i].camera;
+    const Camera guessed = guessedCamera(i, project.cameras.size(),
+                                         {camera.intrinsics.width, camera.intrinsics.height});
+    if (camera.cameraFromWorld.isApprox(guessed.cameraFromWorld, kRounding) &&
+        std::abs(camera.intrinsics.focalX - guessed.intrinsics.focalX) < kRounding) {
+      return true;
+    }
+  }
+  return false;
+}
+
+Result<MadeProject> withCalibration(Project project, const std::filesystem::path& file) {
+  const auto rig = loadCalibration(file);
+  if (!rig) {
+    return tl::make_unexpected(rig.error());
+  }
+  return withCalibration(std::move(project), *rig, file.string());
+}
+
+Result<MadeProject> withCalibration(Project project, const CameraRig& rig,
+                                    const std::string& file) {
+  MadeProject made;
+  auto ordered = matched(project.cameras, rig, file, made.matchedByOrder);
+  if (!ordered) {
+    return tl::make_unexpected(ordered.error());
+  }
+  made.project = std::move(project);
+  auto& cameras = made.project.cameras;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    (*ordered)[i].name = cameras[i].camera.name;
+    cameras[i].camera = (*ordered)[i];
+  }
+  return made;
+}
+
+} // namespace dewpoint::setup

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/wand_collector.h"
+
+#include "core/base/thread_precedence.h"
+
+#include <algorithm>
+
+namespace dewpoint::setup {
+namespace {
+
+constexpr std::size_t kEnoughSightings = 150;
+constexpr double kEnoughImage = 0.5;
+
+} // namespace
+
+bool sawEnough(const CameraSightings& camera) {
+  return camera.count >= kEnoughSightings && camera.coverage.imagePart() >= kEnoughImage;
+}
+
+WandCollector::WandCollector(std::size_t cameraCount, const std::vector<ColorClassifier>& balls)
+    : views_(cameraCount), cameras_(cameraCount), finder_(cameraCount, balls),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+WandCollector::~WandCollector() = default;
+
+void WandCollector::offer(const FrameSetPtr& frames) {
+  {
+    const std::lock_guard lock(queueMutex_);
+    if (queue_.size() >= kWaiting) {
+      ++dropped_;
+      return;
+    }
+    queue_.push_back(frames);
+    ++taken_;
+  }
+  wake_.notify_one();
+}
+
+void WandCollector::run(const std::stop_token& stop) {
+  setPrecedence(Precedence::Patient);
+  while (!stop.stop_requested()) {
+    FrameSetPtr frames;
+    {
+      std::unique_lock lock(queueMutex_);
+      if (!wake_.wait(lock, stop, [this] { return !queue_.empty(); })) {
+        return;
+      }
+      frames = std::move(queue_.front());
+      queue_.pop_front();
+    }
+    look(*frames);
+  }
+}
+
+void WandCollector::look(const FrameSet& frames) {
+  finder_.add(frames);
+  auto found = finder_.take();
+  const double time = seconds(frames.time);
+  const std::lock_guard lock(seenMutex_);
+  ++looked_;
+  first_ = first_.value_or(time);
+  newest_ = std::max(newest_, time);
+  for (std::size_t c = 0; c < found.size(); ++c) {
+    const bool shown = c < frames.frames.size() && frames.frames[c] != nullptr;
+    for (const MarkerObservation& view : found[c]) {
+      const cv::Mat& image = frames.frames[c]->image;
+      const int region = BoardCoverage::regionOf(view.pixel, image.cols, image.rows);
+      ++cameras_[c].coverage.corners.at(static_cast<std::size_t>(region));
+    }
+    cameras_[c].count += shown ? found[c].size() : 0;
+    std::ranges::move(found[c], std::back_inserter(views_[c]));
+  }
+}
+
+WandCollector::State WandCollector::state() const {
+  State state;
+  {
+    const std::lock_guard lock(queueMutex_);
+    state.waiting = taken_;
+    state.dropped = dropped_;
+  }
+  const std::lock_guard lock(seenMutex_);
+  state.seconds = first_ ? newest_ - *first_ : 0.0;
+  state.looked = looked_;
+  state.waiting -= looked_;
+  state.cameras = cameras_;
+  return state;
+}
+
+std::vector<std::vector<MarkerObservation>> WandCollector::views() const {
+  const std::lock_guard lock(seenMutex_);
+  return views_;
+}
+
+} // namespace dewpoint::setup

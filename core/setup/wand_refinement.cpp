@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/wand_refinement.h"
+
+#include "core/calibration/report/wand_report.h"
+#include "core/session/run/tracking_run.h"
+
+namespace dewpoint::setup {
+namespace {
+
+Result<WandRefinement> judged(const Project& project, const WandOptions& options,
+                              Result<WandResult> result) {
+  if (!result) {
+    return tl::make_unexpected(std::move(result.error()));
+  }
+  CameraRig before = rigOf(project);
+  auto verdict = judgeWand(*result, options.floorTimes);
+  return WandRefinement{options, std::move(before), std::move(*result), std::move(verdict)};
+}
+
+} // namespace
+
+bool saysTooLittle(const WandRefinement& refinement) {
+  return refinement.verdict && refinement.verdict->cameras95 > refinement.options.roughPlace;
+}
+
+Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,
+                                           const WandOptions& options,
+                                           const WandWorkCallback& callback) {
+  return judged(project, options, calibrateFromRecording(project, source, options, callback));
+}
+
+Result<WandRefinement> refineFromViews(const Project& project,
+                                       const std::vector<std::vector<MarkerObservation>>& views,
+                                       const WandOptions& options,
+                                       const WandWorkCallback& callback) {
+  return judged(project, options, calibrateFromViews(project, views, options, callback));
+}
+
+std::vector<BoardCoverage> coverageOf(const WandResult& result) {
+  std::vector<BoardCoverage> coverage(result.cameras.size());
+  for (const BundleObservation& seen : result.problem.observations) {
+    const Intrinsics& image = result.cameras[seen.camera].intrinsics;
+    const int region = BoardCoverage::regionOf(seen.pixel, image.width, image.height);
+    ++coverage[seen.camera].corners.at(static_cast<std::size_t>(region));
+  }
+  return coverage;
+}
+
+std::string htmlText(const WandRefinement& refinement) {
+  WandReport report;
+  report.before = refinement.before;
+  report.result = refinement.result;
+  report.verdict = refinement.verdict ? verdictSentence(*refinement.verdict)
+                                      : "No verdict: " + sentence(refinement.verdict.error());
+  report.coverage = coverageOf(refinement.result);
+  report.offsetsFound = refinement.options.findOffsets;
+  return htmlText(report);
+}
+
+} // namespace dewpoint::setup

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/board/board_coverage.h"
+#include "core/calibration/manual/pose_change.h"
+#include "core/calibration/quality/calibration_accuracy.h"
+#include "core/setup/wand_views.h"
+
+#include <string>
+#include <vector>
+
+namespace dewpoint::setup {
+
+/// A calibration from a waved target with all that is said about it: what the command line prints
+/// and what the window shows.
+struct WandRefinement {
+  WandOptions options;
+  CameraRig before; ///< the project's cameras as they were
+  WandResult result;
+  Result<CalibrationAccuracy> verdict; ///< or why there is none
+};
+
+/// Whether its cameras are less sure, by the verdict, than those it began with may be off: then the
+/// former ones are better kept.
+bool saysTooLittle(const WandRefinement& refinement);
+
+/// calibrateFromRecording() and the verdict. Errors: those of the calibration.
+Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,
+                                           const WandOptions& options,
+                                           const WandWorkCallback& callback = nullptr);
+
+/// calibrateFromViews() and the verdict: from what a WandCollector saw.
+Result<WandRefinement> refineFromViews(const Project& project,
+                                       const std::vector<std::vector<MarkerObservation>>& views,
+                                       const WandOptions& options,
+                                       const WandWorkCallback& callback = nullptr);
+
+/// Where in each camera's image the balls were that the result rests on.
+std::vector<BoardCoverage> coverageOf(const WandResult& result);
+
+/// The report as one self-contained HTML page (wandPage() of core/calibration).
+std::string htmlText(const WandRefinement& refinement);
+
+} // namespace dewpoint::setup

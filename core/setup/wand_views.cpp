@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/wand_views.h"
+
+#include "core/calibration/quality/fault_finder.h"
+#include "core/calibration/wand/time_offset_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint::setup {
+namespace {
+
+Result<std::vector<const Target*>> ballsOf(const Project& project, const WandOptions& options) {
+  std::vector<const Target*> balls;
+  for (const std::string& name : options.targets) {
+    const auto found = std::ranges::find(project.targets, name, &Target::name);
+    if (found == project.targets.end()) {
+      return failure(ErrorCode::NotFound, project.file.string(), "target", name);
+    }
+    balls.push_back(&*found);
+  }
+  if (balls.empty() && project.targets.size() == 1) {
+    balls.push_back(&project.targets.front());
+  }
+  if (balls.empty()) {
+    return failure(ErrorCode::MissingKey, project.file.string(), "target",
+                   fmt::format("the project has {} targets; name the ball, or both of a stick",
+                               project.targets.size()));
+  }
+  if (balls.size() > 2 || (balls.size() == 2) != (options.stickLength > 0.0)) {
+    return failure(ErrorCode::BadValue, project.file.string(), "target",
+                   "a stick is two balls and the length between their middles, in metres");
+  }
+  return balls;
+}
+
+Result<std::vector<std::vector<MarkerObservation>>> lookThrough(const Project& project,
+                                                                FrameSetSource& source,
+                                                                const WandOptions& options,
+                                                                const WandWorkCallback& callback) {
+  const auto colors = wandColors(project, options);
+  if (!colors) {
+    return tl::make_unexpected(colors.error());
+  }
+  if (source.isLive()) {
+    return failure(ErrorCode::BadValue, project.file.string(), "camera",
+                   "its cameras are live; record the waving first");
+  }
+  if (auto sought = source.seek(options.firstFrame); !sought) {
+    return tl::make_unexpected(sought.error());
+  }
+  const std::int64_t end =
+      std::min(options.endFrame.value_or(*source.frameCount()), *source.frameCount());
+  WandViews views(project.cameras.size(), *colors);
+  for (std::int64_t frame = options.firstFrame; frame < end; ++frame) {
+    const auto frames = source.next();
+    if (!frames) {
+      return tl::make_unexpected(frames.error());
+    }
+    if (!*frames) {
+      break;
+    }
+    views.add(**frames);
+    if (callback && !callback({true, frame + 1 - options.firstFrame, end - options.firstFrame})) {
+      return failure(ErrorCode::Cancelled, "", "", "");
+    }
+  }
+  return views.views();
+}
+
+} // namespace
+
+WandViews::WandViews(std::size_t cameraCount, const std::vector<ColorClassifier>& balls)
+    : finders_(balls.begin(), balls.end()), views_(cameraCount) {}
+
+void WandViews::add(const FrameSet& frames) {
+  ++frameSets_;
+  for (std::size_t c = 0; c < std::min(views_.size(), frames.frames.size()); ++c) {
+    if (frames.frames[c] == nullptr) {
+      continue;
+    }
+    const Frame& frame = *frames.frames[c];
+    for (std::size_t ball = 0; ball < finders_.size(); ++ball) {
+      if (const auto found = finders_[ball].find(frame.image)) {
+        views_[c].push_back({seconds(frame.captureTime), ball, found->outline.center,
+                             found->outline.radius, found->sigma});
+      }
+    }
+  }
+}
+
+std::vector<std::vector<MarkerObservation>> WandViews::take() {
+  return std::exchange(views_, std::vector<std::vector<MarkerObservation>>(views_.size()));
+}
+
+Result<WandProblem> wandProblem(const Project& project, const WandOptions& options) {
+  const auto balls = ballsOf(project, options);
+  if (!balls) {
+    return tl::make_unexpected(balls.error());
+  }
+  WandProblem problem;
+  for (const ProjectCamera& camera : project.cameras) {
+    problem.rough.push_back(camera.camera);
+  }
+  for (std::size_t ball = 0; ball < balls->size(); ++ball) {
+    problem.ballRadius.at(ball) = (*balls)[ball]->radius;
+  }
+  problem.stickLength = options.stickLength;
+  problem.scale = options.stickLength > 0.0 ? WandScale::Stick
+                  : options.distance        ? WandScale::Distance
+                  : options.fromDiameter    ? WandScale::Diameter
+                                            : WandScale::Rough;
+  problem.distance = options.distance.value_or(TouchedDistance{});
+  problem.floorTimes = options.floorTimes;
+  problem.drop = options.drop;
+  problem.findOffsets = options.findOffsets;
+  problem.findFocal = options.findFocal;
+  problem.findDistortion = options.findDistortion;
+  problem.roughPlace = options.roughPlace;
+  problem.roughTurn = options.roughTurn;
+  return problem;
+}
+
+Result<std::vector<ColorClassifier>> wandColors(const Project& project,
+                                                const WandOptions& options) {
+  return ballsOf(project, options).map([](const std::vector<const Target*>& balls) {
+    std::vector<ColorClassifier> colors;
+    for (const Target* ball : balls) {
+      colors.emplace_back(ball->color);
+    }
+    return colors;
+  });
+}
+
+Result<WandResult> calibrateFromViews(const Project& project,
+                                      const std::vector<std::vector<MarkerObservation>>& views,
+                                      const WandOptions& options,
+                                      const WandWorkCallback& callback) {
+  auto problem = wandProblem(project, options);
+  if (!problem) {
+    return tl::make_unexpected(problem.error());
+  }
+  problem->views = views;
+  auto result = calibrateFromWand(*problem, [&](const WandProgress& now) {
+    return !callback || callback({false, now.step, now.steps, now.rms});
+  });
+  if (result && options.findOffsets) { // a camera that is late is none of the faults then
+    problem->views = shiftedInTime(std::move(problem->views), result->offsets);
+  }
+  const bool cancelled = !result && result.error().code == ErrorCode::Cancelled;
+  const auto report = cancelled ? FaultReport{} : findWandFaults(*problem).value_or(FaultReport{});
+  if (result) {
+    result->faults = report.faults;
+  } else if (!report.faults.empty()) {
+    result.error().detail += "; " + report.faults.front().sentence;
+  }
+  if (!result && result.error().file.empty()) {
+    result.error().file = project.file.string();
+  }
+  return result;
+}
+
+Result<WandResult> calibrateFromRecording(const Project& project, FrameSetSource& source,
+                                          const WandOptions& options,
+                                          const WandWorkCallback& callback) {
+  const auto views = lookThrough(project, source, options, callback);
+  return views ? calibrateFromViews(project, *views, options, callback)
+               : Result<WandResult>(tl::make_unexpected(views.error()));
+}
+
+} // namespace dewpoint::setup

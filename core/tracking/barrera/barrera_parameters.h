@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/parameters.h"
+
+#include <span>
+
+namespace dewpoint::tracking {
+
+/// Parameters of the method of Barrera et al. 2005; defaults are the paper's where it states them.
+std::span<const ParameterDeclaration> barreraParameters();
+
+} // namespace dewpoint::tracking

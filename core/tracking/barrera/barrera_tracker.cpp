@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/barrera/barrera_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dewpoint::tracking {
+
+BarreraTracker::BarreraTracker(const ParameterValues& parameters, const CameraRig& rig,
+                               const Target& target)
+    : RandomWalkTracker(parameters), projectors_(rig.begin(), rig.end()), classifier_(target.color),
+      observation_(rig, classifier_) {}
+
+void BarreraTracker::setTarget(const Target& target) {
+  classifier_ = ColorClassifier(target.color);
+  observation_.setClassifier(classifier_);
+}
+
+void BarreraTracker::setCameras(const CameraRig& rig) {
+  projectors_ = std::vector<Projector>(rig.begin(), rig.end());
+  observation_ = ColorWindow(rig, classifier_);
+  showImages();
+}
+
+void BarreraTracker::beginFrame(FrameSetPtr frames) {
+  RandomWalkTracker::beginFrame(std::move(frames));
+  showImages();
+}
+
+void BarreraTracker::showImages() {
+  for (std::size_t camera = 0; camera < observation_.cameraCount(); ++camera) {
+    observation_.setImage(camera, imageOf(camera));
+  }
+}
+
+TargetEstimate BarreraTracker::iterate(ThreadTeam& team) {
+  const auto particleCount = static_cast<Eigen::Index>(parameters_.at("particles"));
+  observation_.prepare(particleCount * iterationsPerFrame());
+  TargetEstimate result = step(observation_, team);
+  result.cameras = evidence(result.mean);
+  result.camerasSeeing = static_cast<int>(std::ranges::count_if(
+      result.cameras, [](const CameraEvidence& camera) { return camera.visible > 0.0; }));
+  const int needed = std::clamp(static_cast<int>(observation_.cameraCount()), 1, 2);
+  result.valid = result.camerasSeeing >= needed;
+  result.existence = result.valid ? 1.0 : 0.0; // the paper's filter has no opinion of its own
+  estimate_ = result;
+  return result;
+}
+
+std::vector<CameraEvidence> BarreraTracker::evidence(const Eigen::Vector3d& point) const {
+  std::vector<CameraEvidence> cameras(observation_.cameraCount());
+  for (std::size_t k = 0; k < cameras.size(); ++k) {
+    if (const auto count = observation_.matchCount(k, point)) {
+      const int counted = std::max(*count, 1);
+      cameras[k].looked = true;
+      cameras[k].visible = static_cast<double>(*count) / WindowCounts::kPixels;
+      cameras[k].logLikelihood = std::log(static_cast<double>(counted) / WindowCounts::kPixels);
+      cameras[k].existence = probabilityFrom(std::log(static_cast<double>(counted)));
+    }
+  }
+  return cameras;
+}
+
+} // namespace dewpoint::tracking

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/barrera/dynamics_parameters.h"
+
+#include "core/tracking/barrera/barrera_parameters.h"
+
+#include <vector>
+
+namespace dewpoint::tracking {
+namespace {
+
+std::vector<ParameterDeclaration> declare() {
+  const auto walk = barreraParameters();
+  std::vector<ParameterDeclaration> all(walk.begin(), walk.end());
+  all.insert(all.begin() + 2,
+             {"observation_sigma", ParameterKind::Real, "Observation sigma", "m", 0.001, 5.0, 0.001,
+              0.1,
+              "How far off a measured position is taken to be along each axis: larger trusts the "
+              "particles more, smaller the measurement.",
+              true});
+  return all;
+}
+
+} // namespace
+
+std::span<const ParameterDeclaration> dynamicsParameters() {
+  static const std::vector<ParameterDeclaration> declarations = declare();
+  return declarations;
+}
+
+} // namespace dewpoint::tracking

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/parameters.h"
+
+#include <span>
+
+namespace dewpoint::tracking {
+
+/// Parameters of method dynamics; defaults are the paper's (Barrera et al. 2005, section III-C)
+/// where it states them.
+std::span<const ParameterDeclaration> dynamicsParameters();
+
+} // namespace dewpoint::tracking

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/filter/isotropic_motion.h"
+#include "core/filter/multinomial_resampling.h"
+#include "core/filter/particle_filter.h"
+#include "core/tracking/tracker.h"
+
+namespace dewpoint::tracking {
+
+/// What the particle filters of Barrera et al. have in common: an isotropic random walk,
+/// multinomial resampling at every iteration, a start volume. What is observed is left to the
+/// method.
+class RandomWalkTracker : public Tracker {
+public:
+  /// Particle count, motion and iterations act at the next iteration; the start at the next
+  /// restart.
+  void configure(const ParameterValues& parameters) override;
+  void restart(std::uint64_t seed) override;
+  int iterationsPerFrame() const override;
+  void beginFrame(FrameSetPtr frames) override;
+  void particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const override;
+  std::size_t memoryBytes() const override;
+
+protected:
+  /// `parameters` must declare particles, motion_sigma, iterations_per_frame and the start volume.
+  explicit RandomWalkTracker(const ParameterValues& parameters);
+
+  /// One iteration; of the result the cameras and what follows from them are still missing.
+  template <ObservationModel O> TargetEstimate step(const O& observation, ThreadTeam& team);
+  /// The image a camera shows; empty when there is none.
+  cv::Mat imageOf(std::size_t camera) const;
+
+  ParameterValues parameters_;
+  FrameSetPtr frames_;
+  TargetEstimate estimate_;
+
+private:
+  Eigen::ArrayXXd drawStart() const;
+
+  ParticleFilter filter_;
+  RandomKey key_;
+  bool started_ = false; ///< an iteration has run since the last restart
+};
+
+template <ObservationModel O>
+TargetEstimate RandomWalkTracker::step(const O& observation, ThreadTeam& team) {
+  const auto particleCount = static_cast<Eigen::Index>(parameters_.at("particles"));
+  const MotionProposal<IsotropicMotion> proposal{{parameters_.at("motion_sigma")}};
+  const MultinomialResampling resampling;
+  if (filter_.nextCount() != particleCount) {
+    filter_.resize(resampling, particleCount, key_, team);
+  }
+  const StateEstimate state =
+      filter_.iterate(proposal, observation, resampling, particleCount, key_, team);
+  ++key_.iteration;
+  started_ = true;
+
+  TargetEstimate result;
+  result.mean = state.mean;
+  result.best = filter_.states().row(state.bestIndex).transpose();
+  result.covariance = state.covariance;
+  result.effectiveSampleSize = state.effectiveSampleSize;
+  result.particleCount = static_cast<int>(particleCount);
+  result.degenerate = state.degenerate;
+  return result;
+}
+
+} // namespace dewpoint::tracking

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/random.h"
+#include "core/filter/particle_set.h"
+#include "core/observation/boxes/target_colors.h"
+#include "core/observation/boxes/target_map.h"
+#include "core/tracking/boxes/box_tracker.h"
+
+#include <vector>
+
+namespace dewpoint::tracking {
+
+/// Method `histogram`: what Sugandi et al. (2009) name as future work, and more, on the same idea.
+/// The state is (x, y, vx, vy, s, a), pixels and pixels per image, s the logarithm of the scale
+/// and a of the aspect, width over height. Color
+/// histograms of six parts of the box are weighed against those of its surroundings; some particles
+/// are tried where else the colors are; histograms follow slow changes; a hidden target is held and
+/// found again. See docs/method-sugandi.md.
+class HistogramTracker final : public BoxTracker {
+public:
+  /// Of the method's parameters (asserted).
+  explicit HistogramTracker(const ParameterValues& parameters);
+
+  void configure(const ParameterValues& parameters) override;
+  Status start(const cv::Mat& bgr, const ImageBox& box, std::uint64_t seed) override;
+  BoxEstimate step(const cv::Mat& bgr, ThreadTeam& team) override;
+  void particles(int limit, Eigen::ArrayXXd& centers, Eigen::ArrayXd& weights) const override;
+  std::unique_ptr<BoxTracker> clone() const override;
+  std::size_t memoryBytes() const override;
+
+private:
+  struct Moved;
+
+  cv::Mat shrunk(const cv::Mat& bgr) const;
+  void settle();
+  ImageBox drawnAround(const ImageBox& figure) const;
+  double size() const;
+  double reach() const;
+  cv::Rect searchRegion() const;
+  ImageBox boxOf(const Eigen::ArrayXXd& states, Eigen::Index row) const;
+  double sizeFactor(const ImageBox& box) const;
+  double score(const ImageBox& box) const;
+  void jump(Eigen::Index row, const std::vector<Eigen::Vector2d>& peaks, const Moved& draws,
+            double& logWeight);
+  void goOn(Eigen::Index row, const Moved& draws);
+  void move(const std::vector<Eigen::Vector2d>& peaks, Eigen::ArrayXd& logWeights,
+            ThreadTeam& team);
+  BoxEstimate estimateMode(const cv::Mat& bgr);
+  void adapt(const cv::Mat& bgr, double share);
+  void resample();
+
+  double positionSigma_ = 0.0;
+  double scaleSigma_ = 0.0;
+  double aspectSigma_ = 0.0;
+  double jumpShare_ = 0.0;
+  double jumpReach_ = 0.0;
+  double sharpness_ = 0.0;
+  double adaptation_ = 0.0;
+  double hiddenBelow_ = 0.0;
+  Eigen::Index particleCount_ = 0; ///< of the next image; states_ has those of this one
+  std::uint64_t seed_ = 0;
+  std::uint32_t frame_ = 0;
+  double shrink_ = 1.0; ///< the images are worked on at this share of their size
+  ImageBox drawn_;      ///< as given, in the working image, as all below
+  ImageBox first_;      ///< the figure in it, see figureBox(): what is followed
+  ImageBox box_;        ///< where the target was last seen
+  int hiddenFrames_ = 0;
+  double widthExponent_ = 0.0; ///< see settle()
+  double heightExponent_ = 0.0;
+  double usualScore_ = 1.0;
+  double firstLikeness_ = 1.0; ///< of the first image, see TargetColors::likeness()
+  TargetColors colors_;
+  TargetMap map_;
+  Eigen::ArrayXXd states_;   ///< rows x y vx vy s a
+  Eigen::ArrayXXd weighted_; ///< the states before resampling
+  Eigen::ArrayXd weights_;   ///< of those
+  bool degenerate_ = false;
+};
+
+} // namespace dewpoint::tracking

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/filter/particle_set.h"
+#include "core/observation/boxes/histogram_similarity.h"
+#include "core/tracking/boxes/box_tracker.h"
+
+#include <optional>
+
+namespace dewpoint::tracking {
+
+/// Method `sugandi`: the particle filter on color histograms of Sugandi, Kim, Tan and Ishikawa
+/// (2009), exactly as published. The state is (x_k, y_k, x_k-1, y_k-1), pixels; the box keeps its
+/// size, and the reference histogram that of the first image.
+class SugandiTracker final : public BoxTracker {
+public:
+  /// Of the method's parameters (asserted).
+  explicit SugandiTracker(const ParameterValues& parameters);
+
+  void configure(const ParameterValues& parameters) override;
+  Status start(const cv::Mat& bgr, const ImageBox& box, std::uint64_t seed) override;
+  BoxEstimate step(const cv::Mat& bgr, ThreadTeam& team) override;
+  void particles(int limit, Eigen::ArrayXXd& centers, Eigen::ArrayXd& weights) const override;
+  std::unique_ptr<BoxTracker> clone() const override;
+  std::size_t memoryBytes() const override;
+
+private:
+  void propagate(ThreadTeam& team);
+  cv::Rect regionOfParticles(const cv::Size& image) const;
+  void weigh(ThreadTeam& team);
+  BoxEstimate estimateBox() const;
+  void resample();
+
+  double positionSigma_ = 0.0;
+  double likelihoodSigma_ = 0.0;
+  Eigen::Index particleCount_ = 0; ///< of the next image; states_ has those of this one
+  std::uint64_t seed_ = 0;
+  std::uint32_t frame_ = 0;
+  ImageBox box_; ///< as given
+  std::optional<HistogramSimilarity> similarity_;
+  Eigen::ArrayXXd states_;   ///< rows x_k y_k x_k-1 y_k-1
+  Eigen::ArrayXXd weighted_; ///< the states before resampling
+  Eigen::ArrayXd weights_;   ///< of those
+  bool degenerate_ = false;
+};
+
+} // namespace dewpoint::tracking

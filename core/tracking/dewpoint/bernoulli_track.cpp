@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/dewpoint/bernoulli_track.h"
+
+#include "core/filter/adaptive_size.h"
+#include "core/filter/constant_velocity.h"
+#include "core/filter/estimate.h"
+#include "core/filter/isotropic_motion.h"
+#include "core/filter/systematic_resampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint::tracking {
+namespace {
+
+constexpr std::size_t kMostHypotheses = 6;
+constexpr std::size_t kCandidates = 10;
+constexpr double kLeastProbability = 1e-8;
+/// Probability that a target that is not there appears within one frame.
+constexpr double kBirth = 0.2;
+/// Share of births near the place where the target is looked for first; the rest is anywhere.
+constexpr double kAnchorShare = 0.5;
+constexpr double kBirthSpeed = 1.5;    ///< m/s, standard deviation along each axis
+constexpr double kLostSpeed = 0.5;     ///< m/s at which the place to look for a lost target widens
+constexpr double kAnchorSigma = 0.1;   ///< metres, at least
+constexpr double kLeastLogRatio = 2.0; ///< evidence worth a hypothesis
+constexpr double kSearchSigma = 0.03;  ///< metres per iteration of the search cloud
+constexpr double kWellSeen = 0.55;     ///< share of the best evidence that leaves no doubt
+constexpr double kSure = 0.98;
+/// An outline of another size speaks against a first place up to this many squared deviations.
+constexpr double kMostMisfit = 20.0;
+/// Frames after which one of several things that all look just like the target is taken for it.
+constexpr int kLooksToDecide = 5;
+/// Two spheres of radii a and b cannot be closer than a + b; estimates may err a little.
+constexpr double kTouching = 0.7;
+constexpr double kBinRadii = 0.5; ///< edge of the bins that particles are counted in
+/// Relative standard deviation of a radius that is guessed from the images.
+constexpr double kRadiusSigma = 0.2;
+
+/// Evidence beyond the saturation.
+double excess(const TrackHypothesis& hypothesis) {
+  return std::max(0.0,
+                  hypothesis.logLikelihoodRatio -
+                      TrackHypothesis::kSaturation * hypothesis.fullyVisibleLogLikelihoodRatio);
+}
+
+} // namespace
+
+BernoulliTrack::BernoulliTrack(const Target& target) : target_(target) {
+  restart({}, 0);
+}
+
+void BernoulliTrack::setTarget(const Target& target) {
+  const bool radiusChanged = target.radius != target_.radius;
+  target_ = target;
+  for (TrackHypothesis& hypothesis : hypotheses_) {
+    if (radiusChanged && target.radius > 0.0) {
+      hypothesis.radius = target.radius;
+    }
+    hypothesis.logRadiusVariance = target.radius > 0.0 ? 0.0 : kRadiusSigma * kRadiusSigma;
+  }
+  predicted_ = hypotheses_;
+}
+
+void BernoulliTrack::restart(const StartVolume& start, std::uint64_t seed) {
+  start_ = start;
+  seed_ = seed;
+  searchPrior_.mean = start.center;
+  // A uniform distribution of half size h has the standard deviation h / sqrt(3).
+  searchPrior_.covariance =
+      (start.half / std::sqrt(3.0)).array().max(kAnchorSigma).square().matrix().asDiagonal();
+  everSeen_ = false;
+  identityAmbiguity_ = 0.0;
+  nextStream_ = 1;
+  hypotheses_.clear();
+  predicted_.clear();
+  drawSearchCloud({seed, 0, 0});
+}
+
+void BernoulliTrack::drawSearchCloud(const RandomKey& key) {
+  const RandomStream stream = key.stream(RandomPurpose::Start);
+  const PreparedGaussian3 anchor(searchPrior_);
+  cloud_.states.resize(settings_.mostParticles, 3);
+  for (Eigen::Index i = 0; i < cloud_.states.rows(); ++i) {
+    const auto index = static_cast<std::uint32_t>(i);
+    if (everSeen_) {
+      const auto normal = stream.normal4(index);
+      cloud_.states.row(i) = anchor.place({normal[0], normal[1], normal[2]}).transpose();
+      continue;
+    }
+    const auto unit = stream.uniform3(index);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      cloud_.states(i, axis) =
+          start_.center[axis] +
+          start_.half[axis] * (2.0 * unit[static_cast<std::size_t>(axis)] - 1.0);
+    }
+  }
+  cloud_.weights.setConstant(cloud_.states.rows(), 1.0 / static_cast<double>(cloud_.states.rows()));
+}
+
+double BernoulliTrack::absence() const {
+  double present = 0.0;
+  for (const TrackHypothesis& hypothesis : hypotheses_) {
+    present += hypothesis.probability;
+  }
+  return std::max(1e-9, 1.0 - present);
+}
+
+void BernoulliTrack::predict(double interval, const RandomKey& key) {
+  const ConstantVelocity motion{interval, settings_.accelerationSigma};
+  const double survival = std::exp(-interval / settings_.survivalTime);
+  for (TrackHypothesis& hypothesis : hypotheses_) {
+    dewpoint::tracking::predict(hypothesis, motion, key);
+    hypothesis.probability *= survival;
+  }
+  if (const TrackHypothesis* seen = confident()) {
+    searchPrior_ = {seen->place(), seen->belief.covariance.topLeftCorner<3, 3>()};
+    searchPrior_.covariance.diagonal().array() += kAnchorSigma * kAnchorSigma;
+    everSeen_ = true;
+  } else if (everSeen_) {
+    // A standard deviation that grows linearly with time.
+    const double sigma = std::sqrt(searchPrior_.covariance.trace() / 3.0);
+    const double wider = std::min(sigma + kLostSpeed * interval, settings_.searchSize);
+    searchPrior_.covariance *= (wider * wider) / (sigma * sigma);
+  }
+  predicted_ = hypotheses_;
+}
+
+Eigen::Index BernoulliTrack::particleCount(const TrackHypothesis& hypothesis) const {
+  if (settings_.kldError <= 0.0 || hypothesis.states.rows() == 0) {
+    return settings_.mostParticles;
+  }
+  const auto bins = occupiedBins(hypothesis.states, kBinRadii * hypothesis.radius);
+  return std::clamp(kldSampleSize(bins, settings_.kldError),
+                    std::min(settings_.fewestParticles, settings_.mostParticles),
+                    settings_.mostParticles);
+}
+
+void BernoulliTrack::lookAtAll(SphereObservation& observation, const RandomKey& key,
+                               ThreadTeam& team, std::vector<double>& logMasses) {
+  for (TrackHypothesis& hypothesis : hypotheses_) {
+    double factor = look(hypothesis, observation, particleCount(hypothesis), key, team);
+    factor -= excess(hypothesis);
+    logMasses.push_back(std::log(std::max(hypothesis.probability, 1e-300)) + factor);
+  }
+}
+
+bool BernoulliTrack::mustSearch(const std::vector<double>& logMasses) const {
+  const auto top = std::max_element(logMasses.begin(), logMasses.end());
+  if (top == logMasses.end()) {
+    return true;
+  }
+  double others = absence();
+  for (const double mass : logMasses) {
+    others += mass == *top ? 0.0 : std::exp(mass);
+  }
+  const double share = 1.0 / (1.0 + others * std::exp(-*top));
+  const TrackHypothesis& hypothesis =
+      hypotheses_[static_cast<std::size_t>(top - logMasses.begin())];
+  return share < kSure ||
+         hypothesis.logLikelihoodRatio < kWellSeen * hypothesis.fullyVisibleLogLikelihoodRatio ||
+         hypothesis.fullyVisibleLogLikelihoodRatio <= 0.0;
+}
+
+double BernoulliTrack::birthDensity(const Eigen::Vector3d& place) const {
+  const double room = settings_.searchSize * settings_.searchSize * settings_.searchSize;
+  double near = 0.0;
+  if (everSeen_) {
+    near = std::exp(PreparedGaussian3(searchPrior_).logDensity(place));
+  } else {
+    // Rather in the middle of the start box than near its walls: of two things that look the same,
+    // the one nearer to where the user said is meant.
+    const Eigen::Array3d sigma = (0.5 * start_.half.array()).max(0.5 * kAnchorSigma);
+    const Eigen::Array3d off = (place - start_.center).array() / sigma;
+    near = std::exp(-0.5 * off.square().sum()) /
+           (std::pow(2.0 * std::numbers::pi, 1.5) * sigma.prod());
+  }
+  return kAnchorShare * near + (1.0 - kAnchorShare) / room;
+}
+
+TrackHypothesis BernoulliTrack::born(const OutlineFit& fit, SphereObservation& observation,
+                                     const RandomKey& key, ThreadTeam& team) {
+  TrackHypothesis hypothesis;
+  hypothesis.stream = nextStream_++ % 4096U;
+  hypothesis.radius = fit.radius;
+  hypothesis.logRadiusVariance = target_.radius > 0.0 ? 0.0 : fit.logRadiusVariance;
+  hypothesis.belief.mean << fit.center, Eigen::Vector3d::Zero();
+  hypothesis.belief.covariance.setZero();
+  hypothesis.belief.covariance.topLeftCorner<3, 3>() = fit.covariance;
+  hypothesis.belief.covariance.diagonal().tail<3>().setConstant(kBirthSpeed * kBirthSpeed);
+  observation.setRadius(fit.radius);
+  hypothesis.logLikelihoodRatio =
+      observation.logLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
+  hypothesis.fullyVisibleLogLikelihoodRatio =
+      observation.fullyVisibleLogLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
+  hypothesis.measured = true;
+  hypothesis.sizeMisfit = target_.radius > 0.0 ? fit.sizeMisfit : 0.0;
+  hypothesis.seen = {fit.center, fit.covariance};
+  drawParticles(hypothesis, observation, settings_.fewestParticles, key, team);
+  return hypothesis;
+}
+
+void BernoulliTrack::adopt(const Eigen::Vector3d& place, double radius,
+                           SphereObservation& observation, const RandomKey& key, ThreadTeam& team) {
+  OutlineFit fit;
+  fit.center = place;
+  fit.radius = radius;
+  fit.covariance = Eigen::Matrix3d::Identity() * (0.1 * radius) * (0.1 * radius);
+  fit.logRadiusVariance = kRadiusSigma * kRadiusSigma;
+  hypotheses_.assign(1, born(fit, observation, key, team));
+  hypotheses_.front().probability = kSure;
+}
+
+void BernoulliTrack::giveBirth(SphereObservation& observation, const PlaceSearch& search,
+                               const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
+                               ThreadTeam& team, std::vector<double>& logMasses) {
+  const bool radiusKnown = target_.radius > 0.0;
+  observation.setRadius(target_.radius);
+  const double birth = absence() * kBirth;
+  const bool first = hypotheses_.empty();
+  for (const Candidate& candidate : search(observation, radiusKnown, kCandidates)) {
+    OutlinePrior prior;
+    prior.center = candidate.center;
+    prior.radius = candidate.radius;
+    prior.logRadiusVariance = radiusKnown ? 0.0 : kRadiusSigma * kRadiusSigma;
+    prior.information = Eigen::Matrix3d::Identity() / (settings_.searchSize * settings_.searchSize);
+    const OutlineFit fit = observation.fit(prior, Eigen::Vector3d::Zero());
+    if (!fit.found) {
+      continue;
+    }
+    observation.setRadius(fit.radius);
+    const double logLikelihoodRatio =
+        observation.logLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
+    const auto taken = [&](const Eigen::Vector3d& place, double radius) {
+      return (place - fit.center).norm() < radius;
+    };
+    const bool known = std::any_of(hypotheses_.begin(), hypotheses_.end(), [&](const auto& other) {
+      return taken(other.place(), fit.radius);
+    });
+    const bool excluded = std::any_of(occupied.begin(), occupied.end(), [&](const auto& other) {
+      return taken(other.center, kTouching * (other.radius + fit.radius));
+    });
+    if (known || excluded || logLikelihoodRatio < kLeastLogRatio) {
+      continue;
+    }
+    hypotheses_.push_back(born(fit, observation, key, team));
+    logMasses.push_back(std::log(birth * birthDensity(fit.center) * evidenceVolume(fit.radius)) +
+                        logLikelihoodRatio - excess(hypotheses_.back()));
+  }
+  if (first) {
+    compareNewborn(observation, logMasses);
+  }
+}
+
+void BernoulliTrack::compareNewborn(SphereObservation& observation,
+                                    std::vector<double>& logMasses) const {
+  // Saturation protects a target that is partly hidden from a look-alike that is not. Where nothing
+  // is believed yet there is nothing to protect, and what fits better is likelier to be the target.
+  for (std::size_t k = 0; k < hypotheses_.size(); ++k) {
+    const TrackHypothesis& one = hypotheses_[k];
+    const double full =
+        std::min(one.logLikelihoodRatio + explainedRingGain(hypotheses_, k, observation),
+                 one.fullyVisibleLogLikelihoodRatio);
+    const double size = 0.5 * std::min(one.sizeMisfit, kMostMisfit);
+    logMasses[k] += full - size - (one.logLikelihoodRatio - excess(one));
+  }
+}
+
+void BernoulliTrack::settle(const std::vector<double>& logMasses) {
+  double largest = std::log(absence());
+  for (const double mass : logMasses) {
+    largest = std::max(largest, mass);
+  }
+  double total = std::exp(std::log(absence()) - largest);
+  for (const double mass : logMasses) {
+    total += std::exp(mass - largest);
+  }
+  for (std::size_t k = 0; k < hypotheses_.size(); ++k) {
+    hypotheses_[k].probability = std::exp(logMasses[k] - largest) / total;
+  }
+}
+
+void BernoulliTrack::mergeAndPrune() {
+  std::stable_sort(hypotheses_.begin(), hypotheses_.end(),
+                   [](const auto& a, const auto& b) { return a.probability > b.probability; });
+  std::vector<TrackHypothesis> kept;
+  for (TrackHypothesis& hypothesis : hypotheses_) {
+    const auto same = std::find_if(kept.begin(), kept.end(), [&](const TrackHypothesis& other) {
+      return (other.place() - hypothesis.place()).norm() < 0.5 * other.radius;
+    });
+    if (same != kept.end()) {
+      same->probability += hypothesis.probability;
+    } else if (kept.size() < kMostHypotheses && hypothesis.probability > kLeastProbability) {
+      kept.push_back(std::move(hypothesis));
+    }
+  }
+  hypotheses_ = std::move(kept);
+}
+
+void BernoulliTrack::update(SphereObservation& observation, const PlaceSearch& search,
+                            const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
+                            ThreadTeam& team) {
+  hypotheses_ = predicted_;
+  removeOccupied(occupied);
+  if (hypotheses_.empty()) {
+    identityAmbiguity_ = 0.0; // whatever comes is a new beginning
+  }
+  std::vector<double> logMasses;
+  lookAtAll(observation, key, team, logMasses);
+  if (searching_ && mustSearch(logMasses)) {
+    stepSearchCloud(observation, key, team);
+    giveBirth(observation, search, occupied, key, team, logMasses);
+  }
+  settle(logMasses);
+  mergeAndPrune();
+}
+
+void BernoulliTrack::stepSearchCloud(SphereObservation& observation, const RandomKey& key,
+                                     ThreadTeam& team) {
+  if (confident() != nullptr) {
+    return;
+  }
+  if (cloud_.states.rows() != settings_.mostParticles) {
+    drawSearchCloud(key);
+  }
+  const RandomStream stream = key.stream(RandomPurpose::Search);
+  Ancestors ancestors;
+  SystematicResampling().ancestors(cloud_.weights, cloud_.states.rows(),
+                                   key.stream(RandomPurpose::Resampling), ancestors);
+  cloud_.states = Eigen::ArrayXXd(cloud_.states(ancestors, Eigen::all));
+  observation.setRadius(target_.radius > 0.0 ? target_.radius : 0.03);
+  const IsotropicMotion motion{kSearchSigma};
+  team.forEachRange(cloud_.states.rows(), [&](std::int64_t begin, std::int64_t end) {
+    motion.predict(cloud_.states.middleRows(begin, end - begin), static_cast<std::uint32_t>(begin),
+                   stream);
+  });
+  const Eigen::ArrayXd logs = observation.logLikelihoods(cloud_.states, team);
+  normalize(logs, cloud_.weights, team);
+}
+
+void BernoulliTrack::removeOccupied(const std::vector<OccupiedSphere>& occupied) {
+  if (confident() != nullptr) {
+    return;
+  }
+  const auto isOccupied = [&](const TrackHypothesis& hypothesis) {
+    return std::any_of(occupied.begin(), occupied.end(), [&](const OccupiedSphere& other) {
+      return (other.center - hypothesis.place()).norm() <
+             kTouching * (other.radius + hypothesis.radius);
+    });
+  };
+  std::erase_if(hypotheses_, isOccupied);
+  std::erase_if(predicted_, isOccupied);
+}
+
+void BernoulliTrack::decide(bool identicalTargets) {
+  if (hypotheses_.size() < 2 || hypotheses_.front().looks < kLooksToDecide ||
+      !hypotheses_.front().wellSeen()) {
+    return;
+  }
+  TrackHypothesis& chosen = hypotheses_.front();
+  double rivals = 0.0;
+  std::vector<TrackHypothesis> kept{chosen};
+  for (std::size_t k = 1; k < hypotheses_.size(); ++k) {
+    if (hypotheses_[k].wellSeen() && hypotheses_[k].looks >= kLooksToDecide) {
+      rivals += hypotheses_[k].probability;
+    } else {
+      kept.push_back(hypotheses_[k]);
+    }
+  }
+  if (!identicalTargets) {
+    identityAmbiguity_ = std::max(identityAmbiguity_, rivals / (rivals + chosen.probability));
+  }
+  kept.front().probability += rivals;
+  hypotheses_ = std::move(kept);
+  const auto dropped = [&](const TrackHypothesis& other) {
+    return std::none_of(hypotheses_.begin(), hypotheses_.end(),
+                        [&](const TrackHypothesis& left) { return left.stream == other.stream; });
+  };
+  std::erase_if(predicted_, dropped);
+}
+
+void BernoulliTrack::yield() {
+  if (!hypotheses_.empty()) {
+    hypotheses_.front().probability *= 1e-3;
+    mergeAndPrune();
+  }
+}
+
+const TrackHypothesis* BernoulliTrack::best() const {
+  return hypotheses_.empty() ? nullptr : &hypotheses_.front();
+}
+
+const TrackHypothesis* BernoulliTrack::confident() const {
+  const TrackHypothesis* likeliest = best();
+  return likeliest != nullptr && likeliest->probability > 0.5 ? likeliest : nullptr;
+}
+
+} // namespace dewpoint::tracking

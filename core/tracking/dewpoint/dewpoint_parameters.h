@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/parameters.h"
+
+#include <span>
+
+namespace dewpoint::tracking {
+
+/// Parameters of the project's own method, `dewpoint`.
+std::span<const ParameterDeclaration> dewpointParameters();
+
+} // namespace dewpoint::tracking

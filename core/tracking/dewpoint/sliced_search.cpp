@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/dewpoint/sliced_search.h"
+
+#include <utility>
+
+namespace dewpoint::tracking {
+namespace {
+
+constexpr int kBands = 4; ///< pieces in which the labels of an image are made
+
+} // namespace
+
+SlicedSearch::SlicedSearch(const CameraRig& rig, AdaptiveColor color, double radius,
+                           FrameSetPtr frames)
+    : frames_(std::move(frames)), observation_(rig), color_(std::move(color)), radius_(radius),
+      spots_(rig.size()) {}
+
+bool SlicedSearch::labelsDone() const {
+  const LabelImage& labels = observation_.labels(camera_);
+  return labels.empty() || labels.covered() == cv::Rect({0, 0}, labels.size());
+}
+
+void SlicedSearch::labelBand() {
+  LabelImage& labels = observation_.labels(camera_);
+  const cv::Size size = labels.size();
+  const int begin = labels.covered().height;
+  labels.require({0, begin, size.width, (size.height + kBands - 1) / kBands});
+}
+
+bool SlicedSearch::advance(const CandidateSearch& search, TimeBudget& budget, std::size_t limit,
+                           bool urgent) {
+  bool must = urgent;
+  while (camera_ < spots_.size()) {
+    const bool labelled = labelsDone();
+    const bool empty = observation_.labels(camera_).empty();
+    const bool went =
+        empty ||
+        (labelled
+             ? budget.spend(
+                   TimeBudget::Part::Spots,
+                   [&] { spots_[camera_] = search.spotsOf(camera_, observation_.labels(camera_)); },
+                   must)
+             : budget.spend(
+                   TimeBudget::Part::Labels, [&] { labelBand(); }, must));
+    if (!went) {
+      return false;
+    }
+    camera_ += labelled ? 1 : 0;
+    must = must && empty;
+  }
+  observation_.setRadius(radius_);
+  return budget.spend(
+      TimeBudget::Part::Places,
+      [&] { places_ = search.placesOf(spots_, observation_, radius_ > 0.0, limit); }, must);
+}
+
+} // namespace dewpoint::tracking

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/dewpoint/time_budget.h"
+
+#include <algorithm>
+
+namespace dewpoint::tracking {
+namespace {
+
+constexpr std::size_t kRemembered = 15; ///< times of a part
+/// Share of the budget that particles may fill: the rest is for what can wait, and for surprises.
+constexpr double kLooksShare = 0.6;
+/// Nothing is begun that is expected to end later than this share of the budget.
+constexpr double kFullShare = 0.8;
+/// Down at once, up slowly: a budget is to be kept, not met on average.
+constexpr double kFastestFall = 0.25;
+constexpr double kFastestRise = 1.1;
+constexpr double kFewestParticles = 10.0;
+
+} // namespace
+
+void TimeBudget::set(double milliseconds) {
+  if (milliseconds != limit_) {
+    *this = TimeBudget();
+    limit_ = milliseconds;
+  }
+}
+
+void TimeBudget::begin() {
+  if (limited()) {
+    begin_ = std::chrono::steady_clock::now();
+    optional_ = 0.0;
+  }
+}
+
+double TimeBudget::elapsed() const {
+  if (!limited()) {
+    return 0.0;
+  }
+  const std::chrono::duration<double, std::milli> passed =
+      std::chrono::steady_clock::now() - begin_;
+  return passed.count();
+}
+
+bool TimeBudget::affords(Part part) {
+  if (!limited()) {
+    return true;
+  }
+  History& history = histories_[static_cast<std::size_t>(part)];
+  std::vector<double> times = history.times;
+  double expected = 0.0;
+  if (!times.empty()) {
+    const auto middle = times.begin() + std::ssize(times) / 2;
+    std::nth_element(times.begin(), middle, times.end());
+    expected = *middle;
+  }
+  const bool fits = elapsed() + expected <= kFullShare * limit_;
+  history.putOff = fits ? 0 : history.putOff + 1;
+  return fits || history.putOff > kMostPutOff;
+}
+
+void TimeBudget::record(Part part, double milliseconds) {
+  if (!limited()) {
+    return;
+  }
+  History& history = histories_[static_cast<std::size_t>(part)];
+  history.putOff = 0;
+  optional_ += milliseconds;
+  if (history.times.size() < kRemembered) {
+    history.times.push_back(milliseconds);
+    return;
+  }
+  history.times[history.next] = milliseconds;
+  history.next = (history.next + 1) % kRemembered;
+}
+
+void TimeBudget::endOfLooks(double most) {
+  const double taken = elapsed() - optional_;
+  if (taken <= 0.0) {
+    return;
+  }
+  const double now = particles_ > 0.0 ? std::min(particles_, most) : most;
+  const double factor = std::clamp(kLooksShare * limit_ / taken, kFastestFall, kFastestRise);
+  particles_ = std::clamp(now * factor, kFewestParticles, std::max(most, kFewestParticles));
+}
+
+std::optional<double> TimeBudget::particles() const {
+  return particles_ > 0.0 ? std::optional(particles_) : std::nullopt;
+}
+
+} // namespace dewpoint::tracking

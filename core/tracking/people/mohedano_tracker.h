@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/filter/particle_filter.h"
+#include "core/observation/people/person_observation.h"
+#include "core/tracking/people/people_track_lifecycle.h"
+
+#include <vector>
+
+namespace dewpoint::tracking {
+
+/// Methods `mohedano-ms` and `mohedano-msc`: one particle filter per person over x y z vx vy vz
+/// (MS) and h s (MS+C), each knowing nothing of the others (Mohedano, García, Salgado and
+/// Jaureguizar 2009). Births, exits and the background are PeopleTrackLifecycle's: the paper says
+/// nothing about them.
+class MohedanoTracker final : public PeopleTrackLifecycle {
+public:
+  MohedanoTracker(const ParameterValues& parameters, const CameraRig& rig, bool color);
+
+  void configure(const ParameterValues& parameters) override;
+  BodyCloud body(int identity) const override;
+  std::unique_ptr<PeopleTracker> clone() const override;
+
+private:
+  struct Belief {
+    int identity = 0;
+    ParticleFilter filter;
+  };
+
+  void born(const PersonEstimate& person, const RandomKey& key) override;
+  void gone(std::size_t index) override;
+  void forgetAll() override { beliefs_.clear(); }
+  std::size_t beliefBytes() const override;
+  void update(ThreadTeam& team) override;
+  bool sharesMasks() const override { return false; }
+
+  /// Hue and saturation that some camera with motion there sees at a place; chosen by `pick`.
+  Eigen::Vector2d colorAt(const Eigen::Vector3d& place, double pick) const;
+  PersonObservation observation() const;
+  void describe(const StateEstimate& estimate, const Belief& belief, PersonEstimate& person) const;
+
+  ParameterValues parameters_;
+  bool color_;
+  std::vector<Belief> beliefs_; ///< in the order of people_
+  std::vector<cv::Mat> likelihoods_;
+};
+
+} // namespace dewpoint::tracking

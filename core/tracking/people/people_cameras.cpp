@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/people/people_cameras.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::tracking {
+namespace {
+
+constexpr double kDefaultGap = 1.0 / 30.0; ///< seconds, where the times make no sense
+constexpr double kLongestGap = 1.0;        ///< seconds
+constexpr double kOverwhelmed = 0.6;       ///< share of foreground that cannot be people
+constexpr int kRoomLooks = 10;             ///< times that a picture of the empty room is learned
+
+/// The same camera with images `factor` times as large.
+Camera reduced(const Camera& camera, double factor) {
+  Camera result = camera;
+  Intrinsics& k = result.intrinsics;
+  k.width = std::max(1, static_cast<int>(std::lround(k.width * factor)));
+  k.height = std::max(1, static_cast<int>(std::lround(k.height * factor)));
+  k.focalX *= factor;
+  k.focalY *= factor;
+  k.centerX = (k.centerX + 0.5) * factor - 0.5;
+  k.centerY = (k.centerY + 0.5) * factor - 0.5;
+  return result;
+}
+
+void reduceImage(const cv::Mat& image, const Intrinsics& size, cv::Mat& result) {
+  if (image.cols == size.width && image.rows == size.height) {
+    result = image;
+    return;
+  }
+  cv::Mat smaller; // never into `result`, which may share the pixels of a frame
+  cv::resize(image, smaller, cv::Size(size.width, size.height), 0.0, 0.0, cv::INTER_AREA);
+  result = smaller;
+}
+
+} // namespace
+
+PeopleCameras::PeopleCameras(const CameraRig& rig, const PeopleSettings& settings)
+    : settings_(settings) {
+  setRig(rig);
+  restart();
+}
+
+void PeopleCameras::setRig(const CameraRig& rig) {
+  rig_ = rig;
+  std::vector<View> views;
+  for (std::size_t k = 0; k < rig.size(); ++k) {
+    const int width = rig[k].intrinsics.width;
+    const bool reduce = settings_.imageWidth > 0 && width > settings_.imageWidth;
+    const Camera camera =
+        reduced(rig[k], reduce ? double(settings_.imageWidth) / std::max(1, width) : 1.0);
+    View view{camera, Projector(camera), {}, {}, {}, 0};
+    if (k < views_.size()) { // what was learned stays
+      view.model = std::move(views_[k].model);
+      view.learnedFrames = views_[k].learnedFrames;
+    }
+    views.push_back(std::move(view));
+  }
+  views_ = std::move(views);
+  states_.resize(views_.size());
+}
+
+void PeopleCameras::restart() {
+  frame_ = -1;
+  sinceStart_ = 0.0;
+  views_.clear();
+  states_.clear();
+  setRig(rig_);
+}
+
+bool PeopleCameras::canBeCopied() const {
+  return std::ranges::all_of(
+      views_, [](const View& view) { return !view.model || view.model->canBeCopied(); });
+}
+
+std::size_t PeopleCameras::memoryBytes() const {
+  std::size_t sum = 0;
+  for (const View& view : views_) {
+    sum += view.image.total() * view.image.elemSize() + view.mask.total();
+    sum += view.model ? view.model->memoryBytes() : 0;
+  }
+  return sum;
+}
+
+ForegroundSettings PeopleCameras::foregroundSettings() const {
+  ForegroundSettings settings = settings_.foreground;
+  const double rate = 1.0 / std::max(1e-3, interval_);
+  settings.learningFrames = static_cast<int>(std::ceil(settings_.learningTime * rate));
+  settings.memoryFrames = settings_.memory * rate;
+  return settings;
+}
+
+void PeopleCameras::begin(const FrameSet& frames, const std::vector<cv::Mat>& keep,
+                          ThreadTeam& team) {
+  const double gap = seconds(frames.time - time_);
+  interval_ = frame_ < 0 || gap <= 0.0 ? kDefaultGap : std::min(gap, kLongestGap);
+  sinceStart_ += frame_ < 0 ? 0.0 : interval_;
+  time_ = frames.time;
+  ++frame_;
+  team.forEachRange(
+      static_cast<std::int64_t>(views_.size()), [&](std::int64_t begin, std::int64_t end) {
+        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+          look(frames, k, k < keep.size() ? keep[k] : cv::Mat());
+        }
+      });
+}
+
+void PeopleCameras::learnEmptyRoom(std::size_t camera) {
+  View& view = views_[camera];
+  cv::Mat room;
+  reduceImage(emptyRooms_[camera], view.camera.intrinsics, room);
+  for (int k = 0; k < kRoomLooks; ++k) {
+    view.model->learn(room);
+  }
+}
+
+void PeopleCameras::look(const FrameSet& frames, std::size_t camera, const cv::Mat& keep) {
+  View& view = views_[camera];
+  PeopleCameraState& state = states_[camera];
+  state.usable = false;
+  state.foregroundShare = 0.0;
+  view.mask = cv::Mat();
+  if (camera >= frames.frames.size() || !frames.frames[camera] ||
+      frames.frames[camera]->image.empty()) {
+    return;
+  }
+  reduceImage(frames.frames[camera]->image, view.camera.intrinsics, view.image);
+  const bool knowsRoom = camera < emptyRooms_.size() && !emptyRooms_[camera].empty();
+  if (!view.model && (knowsRoom || frame_ > 0 || settings_.learningTime <= 0.0)) {
+    // From the second frame on, when the rate is known, unless there is nothing to wait for.
+    view.model = makeForegroundModel(foregroundSettings());
+    if (knowsRoom) {
+      learnEmptyRoom(camera);
+    }
+  }
+  const bool learning = !knowsRoom && sinceStart_ < settings_.learningTime;
+  state.learned = learning ? sinceStart_ / settings_.learningTime : 1.0;
+  if (learning || !view.model) {
+    if (view.model) {
+      view.model->learn(view.image);
+      ++view.learnedFrames;
+    }
+    return;
+  }
+  view.model->subtract(view.image, keep, view.mask);
+  state.foregroundShare =
+      static_cast<double>(cv::countNonZero(view.mask)) / static_cast<double>(view.mask.total());
+  state.usable = state.foregroundShare < kOverwhelmed;
+}
+
+} // namespace dewpoint::tracking

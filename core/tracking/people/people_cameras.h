@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/thread_team.h"
+#include "core/capture/frame.h"
+#include "core/geometry/camera.h"
+#include "core/observation/background/foreground_model.h"
+#include "core/tracking/people/people_parameters.h"
+#include "core/tracking/people/people_tracker.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace dewpoint::tracking {
+
+/// The cameras as the methods for people see them: reduced images, their motion masks, and
+/// projectors of that size.
+class PeopleCameras {
+public:
+  PeopleCameras(const CameraRig& rig, const PeopleSettings& settings);
+
+  /// Whether all background models can be copied; a copy of others would have none.
+  bool canBeCopied() const;
+  /// About how many bytes a copy takes.
+  std::size_t memoryBytes() const;
+
+  void setRig(const CameraRig& rig);
+  void configure(const PeopleSettings& settings) { settings_ = settings; }
+  void setEmptyRooms(const std::vector<cv::Mat>& rooms) { emptyRooms_ = rooms; }
+  /// The next frame is the first one.
+  void restart();
+  /// Makes the masks of a frame. `keep`: per camera where not to learn, of mask size, or empty.
+  void begin(const FrameSet& frames, const std::vector<cv::Mat>& keep, ThreadTeam& team);
+
+  std::size_t count() const { return views_.size(); }
+  const Projector& projector(std::size_t camera) const { return views_[camera].projector; }
+  /// The optical center (world, metres), the axis, and the focal length in pixels.
+  const Camera& camera(std::size_t camera) const { return views_[camera].camera; }
+  bool usable(std::size_t camera) const { return states_[camera].usable; }
+  const cv::Mat& image(std::size_t camera) const { return views_[camera].image; }
+  const cv::Mat& mask(std::size_t camera) const { return views_[camera].mask; }
+  const std::vector<PeopleCameraState>& states() const { return states_; }
+  /// Seconds between the last two frames.
+  double interval() const { return interval_; }
+  std::int64_t frame() const { return frame_; }
+
+private:
+  /// A background model that is copied with its owner.
+  class Model {
+  public:
+    Model() = default;
+    Model(std::unique_ptr<ForegroundModel> model) : model_(std::move(model)) {} // NOLINT: implicit
+    Model(const Model& other) : model_(other.model_ ? other.model_->clone() : nullptr) {}
+    Model(Model&&) noexcept = default;
+    Model& operator=(const Model&) = delete;
+    Model& operator=(Model&&) noexcept = default;
+    ~Model() = default;
+    explicit operator bool() const { return model_ != nullptr; }
+    ForegroundModel* operator->() const { return model_.get(); }
+
+  private:
+    std::unique_ptr<ForegroundModel> model_;
+  };
+  struct View {
+    Camera camera; ///< of the reduced images
+    Projector projector;
+    cv::Mat image; ///< its pixels are never written again, nor those of the mask
+    cv::Mat mask;
+    Model model;
+    int learnedFrames = 0;
+  };
+
+  void look(const FrameSet& frames, std::size_t camera, const cv::Mat& keep);
+  void learnEmptyRoom(std::size_t camera);
+  ForegroundSettings foregroundSettings() const;
+
+  PeopleSettings settings_;
+  CameraRig rig_;
+  std::vector<View> views_;
+  std::vector<PeopleCameraState> states_;
+  std::vector<cv::Mat> emptyRooms_;
+  std::int64_t frame_ = -1;
+  TimeStamp time_{};
+  double interval_ = 0.0;
+  double sinceStart_ = 0.0;
+};
+
+} // namespace dewpoint::tracking

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/people/people_parameters.h"
+
+#include <vector>
+
+namespace dewpoint::tracking {
+namespace {
+
+using Declarations = std::vector<ParameterDeclaration>;
+constexpr auto kInteger = ParameterKind::Integer;
+constexpr auto kReal = ParameterKind::Real;
+
+struct Defaults {
+  double background;
+  double imageWidth;
+};
+
+void add(Declarations& all, const Declarations& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+Declarations background(const Defaults& defaults) {
+  return {
+      {"background", kInteger, "Background model", "", 0.0, 2.0, 1.0, defaults.background,
+       "How moving regions are found: 0 one Gaussian per pixel (fast), 1 OpenCV's MOG2, 2 OpenCV's "
+       "KNN.",
+       false},
+      {"learning_time", kReal, "Learning time", "s", 0.0, 600.0, 0.1, 1.0,
+       "How long the cameras only learn what they usually show, at first; nobody should be there.",
+       false},
+      {"background_memory", kReal, "Background memory", "s", 0.5, 3600.0, 0.5, 40.0,
+       "After how long something new that stays counts as background.", true},
+      {"darkest_shadow", kReal, "Darkest shadow", "", 0.0, 1.0, 0.01, 0.5,
+       "What is darker than usual by no more than this factor, in the same tint, is a shadow.",
+       false},
+      {"image_width", kInteger, "Image width", "px", 0.0, 10000.0, 10.0, defaults.imageWidth,
+       "Images are reduced to at most this width before anything else; 0 keeps them as they are.",
+       false},
+  };
+}
+
+Declarations place() {
+  return {
+      {"area_x", kReal, "Area x", "m", -1000.0, 1000.0, 0.1, 0.0,
+       "Middle of the floor that is watched.", false},
+      {"area_y", kReal, "Area y", "m", -1000.0, 1000.0, 0.1, 0.0,
+       "Middle of the floor that is watched.", false},
+      {"area_half_x", kReal, "Area half size x", "m", 0.2, 1000.0, 0.1, 3.4,
+       "Half the size of the floor that is watched; who crosses its border has left.", false},
+      {"area_half_y", kReal, "Area half size y", "m", 0.2, 1000.0, 0.1, 3.4,
+       "Half the size of the floor that is watched; who crosses its border has left.", false},
+      {"floor_z", kReal, "Floor z", "m", -1000.0, 1000.0, 0.01, 0.0,
+       "Height of the floor in the world frame.", false},
+      {"births", kInteger, "Births", "", 0.0, 1.0, 1.0, 1.0,
+       "1: who is seen by several cameras becomes a person; 0: only people put there by hand.",
+       false},
+      {"birth_time", kReal, "Birth time", "s", 0.0, 10.0, 0.05, 0.2,
+       "How long foreground that nobody explains must stay together to become a person.", false},
+      {"survival_time", kReal, "Survival time", "s", 0.05, 60.0, 0.05, 0.6,
+       "How long a person whom no two cameras see is believed to be still there.", true},
+  };
+}
+
+/// Exactly the models of Mohedano et al. 2009; values that the paper does not give are ours.
+Declarations mohedano(bool color) {
+  Declarations all{
+      {"particles", kInteger, "Particles", "", 10.0, 100000.0, 10.0, 500.0,
+       "How many particles each person has.", true},
+      {"position_sigma", kReal, "Position noise", "m", 0.0, 1.0, 0.005, 0.03,
+       "Standard deviation of the noise on each coordinate, per frame.", false},
+      {"velocity_sigma", kReal, "Velocity noise", "m/s", 0.0, 10.0, 0.01, 0.25,
+       "Standard deviation of the noise on each component of the velocity, per frame.", false},
+      {"mask_sigma", kReal, "Mask smoothing", "px", 0.0, 50.0, 0.5, 4.0,
+       "Sigma of the Gaussian that smooths the motion masks (the paper: 4 px).", false},
+      {"motion_floor", kReal, "Motion floor", "", 0.001, 1.0, 0.01, 0.2,
+       "Least likelihood where a camera sees no motion (the paper's p_B: 0.2).", false},
+  };
+  if (color) {
+    add(all, {{"hue_sigma", kReal, "Hue sigma", "", 0.001, 1.0, 0.005, 0.03,
+               "Standard deviation of a measured hue, in [0, 1].", true},
+              {"saturation_sigma", kReal, "Saturation sigma", "", 0.001, 1.0, 0.005, 0.06,
+               "Standard deviation of a measured saturation, in [0, 1].", true},
+              {"hue_floor", kReal, "Hue floor", "", 0.001, 1.0, 0.01, 0.3,
+               "Least likelihood of a hue (the paper's h_B): something else may be seen.", false},
+              {"saturation_floor", kReal, "Saturation floor", "", 0.001, 1.0, 0.01, 0.3,
+               "Least likelihood of a saturation (the paper's s_B).", false},
+              {"color_noise", kReal, "Color noise", "", 0.0, 0.5, 0.001, 0.005,
+               "Standard deviation of the noise on hue and saturation, per frame.", false}});
+  }
+  add(all, background({1.0, 0.0}));
+  add(all, place());
+  return all;
+}
+
+Declarations ours() {
+  Declarations all{
+      {"particles", kInteger, "Particles", "", 10.0, 100000.0, 10.0, 120.0,
+       "How many particles each person has.", true},
+      {"body_points", kInteger, "Body points", "", 10.0, 100000.0, 10.0, 400.0,
+       "How many points stand for the volume of each person.", true},
+      {"acceleration_sigma", kReal, "Acceleration sigma", "m/s²", 0.05, 50.0, 0.05, 3.0,
+       "How strongly people speed up, slow down and turn.", true},
+      {"evidence", kReal, "Evidence per camera", "", 0.1, 100.0, 0.1, 8.0,
+       "How much a camera that sees a whole person says: larger trusts the masks more.", true},
+      {"color_weight", kReal, "Color weight", "", 0.0, 10.0, 0.05, 1.0,
+       "How much the colors of clothes count beside the masks when people are near each other.",
+       false},
+      {"least_distance", kReal, "Least distance", "m", 0.0, 2.0, 0.01, 0.3,
+       "How near the middles of two people can come.", false},
+      {"usual_height", kReal, "Usual height", "m", 0.3, 3.0, 0.01, 1.72,
+       "Height of a person whose own is not known yet.", false},
+  };
+  add(all, background({0.0, 160.0}));
+  add(all, place());
+  return all;
+}
+
+} // namespace
+
+PeopleSettings peopleSettings(const ParameterValues& parameters) {
+  PeopleSettings result;
+  result.area.center = {parameters.at("area_x"), parameters.at("area_y")};
+  result.area.half = {parameters.at("area_half_x"), parameters.at("area_half_y")};
+  result.area.floor = parameters.at("floor_z");
+  result.foreground.method =
+      static_cast<BackgroundMethod>(static_cast<int>(parameters.at("background")));
+  result.foreground.darkestShadow = parameters.at("darkest_shadow");
+  result.learningTime = parameters.at("learning_time");
+  result.memory = parameters.at("background_memory");
+  result.imageWidth = static_cast<int>(parameters.at("image_width"));
+  result.birthTime = parameters.at("birth_time");
+  result.survivalTime = parameters.at("survival_time");
+  result.births = parameters.at("births") != 0.0;
+  return result;
+}
+
+std::span<const ParameterDeclaration> mohedanoMsParameters() {
+  static const Declarations declarations = mohedano(false);
+  return declarations;
+}
+
+std::span<const ParameterDeclaration> mohedanoMscParameters() {
+  static const Declarations declarations = mohedano(true);
+  return declarations;
+}
+
+std::span<const ParameterDeclaration> peopleParameters() {
+  static const Declarations declarations = ours();
+  return declarations;
+}
+
+} // namespace dewpoint::tracking

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/filter/particle_filter.h"
+#include "core/observation/people/clothes_model.h"
+#include "core/tracking/people/people_track_lifecycle.h"
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace dewpoint::tracking {
+
+/// Method `people`, the project's own: one particle filter per person over place and velocity on
+/// the floor and height, weighed by how a standing body fits the masks of all cameras; what others
+/// cover is theirs, two people cannot stand in one place, clothes tell people apart who met.
+class PeopleParticleTracker final : public PeopleTrackLifecycle {
+public:
+  PeopleParticleTracker(const ParameterValues& parameters, const CameraRig& rig);
+
+  void configure(const ParameterValues& parameters) override;
+  BodyCloud body(int identity) const override;
+  std::unique_ptr<PeopleTracker> clone() const override;
+
+private:
+  struct Belief {
+    int identity = 0;
+    ParticleFilter filter;
+    ClothesModel clothes;
+  };
+  /// Two people who are, or were, near each other: what their clothes say of them being mistaken
+  /// for each other, and when that was last.
+  struct Meeting {
+    double evidence = 0.0;
+    double sinceNear = 0.0;
+  };
+
+  void born(const PersonEstimate& person, const RandomKey& key) override;
+  void gone(std::size_t index) override;
+  void forgetAll() override;
+  std::size_t beliefBytes() const override;
+  void update(ThreadTeam& team) override;
+  bool sharesMasks() const override { return true; }
+
+  std::vector<ScoreSums> scoresFor(std::size_t person) const;
+  cv::Mat coveredByOthers(std::size_t person, std::size_t camera) const;
+  void weigh(std::size_t person, ThreadTeam& team);
+  void learnClothes();
+  void judgeMeetings();
+  double clothesEvidence(std::size_t one, std::size_t other) const;
+  void exchange(std::size_t one, std::size_t other);
+  bool near(std::size_t one, std::size_t other) const;
+
+  ParameterValues parameters_;
+  std::vector<Belief> beliefs_; ///< in the order of people_
+  std::map<std::pair<int, int>, Meeting> meetings_;
+};
+
+} // namespace dewpoint::tracking

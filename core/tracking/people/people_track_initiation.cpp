@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/people/people_track_initiation.h"
+
+#include "core/observation/people/person_score.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dewpoint::tracking {
+namespace {
+
+constexpr double kStep = 0.2;            ///< metres between places of the grid
+constexpr std::size_t kMostCells = 4000; ///< a larger floor gets a coarser grid
+constexpr double kSeen = 0.2;            ///< score from which a camera sees somebody
+constexpr double kNotSeen = 0.0;         ///< score below which it sees nobody
+constexpr double kPieceFloor = -0.3;
+constexpr double kUpperShare = 0.7; ///< what the upper body counts by itself
+constexpr double kApart = 0.5;      ///< metres to people who are there already
+constexpr double kSame = 0.5;       ///< metres a candidate may move between frames
+constexpr double kPatience = 0.15;  ///< seconds that a candidate may be out of sight
+constexpr double kInImage = 0.6;    ///< share of a body in the image from which its camera counts
+
+/// Share of a silhouette that lies in the image.
+double shareInImage(const BodySilhouette& silhouette, const Intrinsics& size) {
+  if (!silhouette.visible) {
+    return 0.0;
+  }
+  const cv::Rect image(0, 0, size.width, size.height);
+  double inside = 0.0;
+  double all = 0.0;
+  for (const cv::Rect& piece : silhouette.pieces) {
+    inside += (piece & image).area();
+    all += piece.area();
+  }
+  return inside / std::max(1.0, all);
+}
+
+} // namespace
+
+void drawSilhouette(const BodySilhouette& silhouette, unsigned char value, cv::Mat& mask) {
+  if (silhouette.visible) {
+    const cv::Rect image(0, 0, mask.cols, mask.rows);
+    for (const cv::Rect& piece : silhouette.pieces) {
+      mask(piece & image).setTo(value);
+    }
+  }
+}
+
+void PeopleTrackInitiation::setCameras(const PeopleCameras& cameras, const PeopleArea& area,
+                                       double height) {
+  cells_.clear();
+  const double wanted = 4.0 * area.half.prod() / static_cast<double>(kMostCells);
+  const double step = std::max(kStep, std::sqrt(wanted));
+  const int columns = static_cast<int>(std::floor(area.half.x() / step));
+  const int rows = static_cast<int>(std::floor(area.half.y() / step));
+  std::vector<SilhouetteMaker> makers;
+  for (std::size_t k = 0; k < cameras.count(); ++k) {
+    makers.emplace_back(cameras.camera(k));
+  }
+  for (int j = -rows; j <= rows; ++j) {
+    for (int i = -columns; i <= columns; ++i) {
+      Cell cell{area.center + step * Eigen::Vector2d(i, j), {}};
+      int useful = 0;
+      for (std::size_t k = 0; k < cameras.count(); ++k) {
+        auto silhouette = makers[k].of(cell.place, area.floor, height);
+        silhouette.visible = shareInImage(silhouette, cameras.camera(k).intrinsics) >= kInImage;
+        useful += silhouette.visible ? 1 : 0;
+        cell.silhouettes.push_back(silhouette);
+      }
+      if (useful >= 2) {
+        cells_.push_back(std::move(cell));
+      }
+    }
+  }
+}
+
+double PeopleTrackInitiation::scoreOf(const Cell& cell, const PeopleCameras& cameras,
+                                      const std::vector<ScoreSums>& scores) const {
+  int seeing = 0;
+  int notSeeing = 0;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < scores.size(); ++k) {
+    const BodySilhouette& silhouette = cell.silhouettes[k];
+    if (!silhouette.visible || !cameras.usable(k)) {
+      continue;
+    }
+    // The chest first: where that is not seen, nothing more is looked at.
+    const double chest = scores[k].mean(silhouette.pieces[3]);
+    const double score =
+        chest < kNotSeen
+            ? std::min(chest, kNotSeen - 0.01)
+            : std::max(bodyScore(scores[k], silhouette, kPieceFloor),
+                       kUpperShare * upperBodyScore(scores[k], silhouette, kPieceFloor));
+    seeing += score >= kSeen ? 1 : 0;
+    notSeeing += score < kNotSeen ? 1 : 0;
+    sum += score;
+    if (notSeeing > 1) {
+      return 0.0;
+    }
+  }
+  return seeing >= 2 ? sum : 0.0;
+}
+
+void PeopleTrackInitiation::follow(const std::vector<Candidate>& peaks, double interval) {
+  for (Candidate& candidate : candidates_) {
+    candidate.seen = false;
+  }
+  for (const Candidate& peak : peaks) {
+    const auto same = std::ranges::find_if(candidates_, [&](const Candidate& one) {
+      return !one.seen && (one.place - peak.place).norm() < kSame;
+    });
+    if (same == candidates_.end()) {
+      candidates_.push_back({peak.place, peak.score, 0.0, true});
+    } else {
+      *same = {peak.place, peak.score, std::max(0.0, same->since) + interval, true};
+    }
+  }
+  std::erase_if(candidates_, [&](Candidate& one) {
+    if (!one.seen) {
+      one.since -= interval; // it loses what it had gained
+    }
+    return !one.seen && one.since < -kPatience;
+  });
+}
+
+std::vector<Eigen::Vector2d> PeopleTrackInitiation::look(const PeopleCameras& cameras,
+                                                         const std::vector<cv::Mat>& explained,
+                                                         const std::vector<Eigen::Vector2d>& taken,
+                                                         double birthTime) {
+  std::vector<ScoreSums> scores(cameras.count());
+  int usable = 0;
+  for (std::size_t k = 0; k < cameras.count(); ++k) {
+    if (cameras.usable(k)) {
+      ++usable;
+      scores[k].build(maskScores(cameras.mask(k), k < explained.size() ? explained[k] : cv::Mat()));
+    }
+  }
+  std::vector<Candidate> found;
+  for (const Cell& cell : cells_) {
+    const auto near = [&](const Eigen::Vector2d& place) {
+      return (place - cell.place).norm() < kApart;
+    };
+    if (usable < 2 || std::ranges::any_of(taken, near)) {
+      continue;
+    }
+    if (const double score = scoreOf(cell, cameras, scores); score > 0.0) {
+      found.push_back({cell.place, score, 0.0, true});
+    }
+  }
+  // The best of each neighborhood.
+  std::ranges::stable_sort(found, std::greater<>{}, &Candidate::score);
+  std::vector<Candidate> peaks;
+  for (const Candidate& one : found) {
+    if (std::ranges::none_of(peaks, [&](const Candidate& peak) {
+          return (peak.place - one.place).norm() < 2.0 * kApart;
+        })) {
+      peaks.push_back(one);
+    }
+  }
+  follow(peaks, cameras.interval());
+  const auto ready = std::ranges::find_if(
+      candidates_, [&](const Candidate& one) { return one.seen && one.since >= birthTime - 1e-9; });
+  if (ready == candidates_.end()) {
+    return {};
+  }
+  const Eigen::Vector2d place = ready->place;
+  candidates_.erase(ready);
+  return {place};
+}
+
+} // namespace dewpoint::tracking

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/observation/people/body_silhouette.h"
+#include "core/tracking/people/people_cameras.h"
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+#include <vector>
+
+namespace dewpoint::tracking {
+
+/// A standing body, drawn into a mask (CV_8UC1) with this value.
+void drawSilhouette(const BodySilhouette& silhouette, unsigned char value, cv::Mat& mask);
+
+/// Where foreground that nobody explains meets from several cameras: a grid of the floor on which a
+/// standing body is tried at every point (as the occupancy map of Fleuret et al. 2008 does, without
+/// its inference). A place must hold for some time to become a person.
+class PeopleTrackInitiation {
+public:
+  /// Prepares the grid; keeps what is under way.
+  void setCameras(const PeopleCameras& cameras, const PeopleArea& area, double height);
+  void restart() { candidates_.clear(); }
+  /// About how many bytes a copy takes.
+  std::size_t memoryBytes() const {
+    return cells_.empty() ? 0
+                          : cells_.size() * (sizeof(Cell) + cells_.front().silhouettes.size() *
+                                                                sizeof(BodySilhouette));
+  }
+
+  /// Looks at a frame. `explained`: per camera, what is already explained (CV_8UC1), or empty;
+  /// `taken`: where people stand. Returns at most one place: where somebody is born (world x, y).
+  std::vector<Eigen::Vector2d> look(const PeopleCameras& cameras,
+                                    const std::vector<cv::Mat>& explained,
+                                    const std::vector<Eigen::Vector2d>& taken, double birthTime);
+
+private:
+  struct Cell {
+    Eigen::Vector2d place;
+    std::vector<BodySilhouette> silhouettes; ///< per camera
+  };
+  struct Candidate {
+    Eigen::Vector2d place;
+    double score = 0.0;
+    double since = 0.0; ///< seconds
+    bool seen = true;   ///< in this frame
+  };
+
+  double scoreOf(const Cell& cell, const PeopleCameras& cameras,
+                 const std::vector<ScoreSums>& scores) const;
+  void follow(const std::vector<Candidate>& peaks, double interval);
+
+  std::vector<Cell> cells_;
+  std::vector<Candidate> candidates_;
+};
+
+} // namespace dewpoint::tracking

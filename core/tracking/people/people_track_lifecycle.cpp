@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/people/people_track_lifecycle.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::tracking {
+namespace {
+
+constexpr double kSeenScore = 0.25;     ///< from which a camera confirms a person
+constexpr double kFreeShare = 0.3;      ///< of a silhouette, below which a camera cannot judge
+constexpr double kHiddenPatience = 4.0; ///< a hidden person survives so many times as long
+constexpr double kExplainedWider = 1.3; ///< silhouettes explain a rim around them
+constexpr double kNear = 1.0;           ///< metres between two people who interact
+constexpr double kBirthMargin = 0.05;   ///< metres within the area's border
+
+double withinImage(const cv::Rect& piece, const cv::Mat& image) {
+  return (piece & cv::Rect(0, 0, image.cols, image.rows)).area();
+}
+
+} // namespace
+
+PeopleTrackLifecycle::PeopleTrackLifecycle(const ParameterValues& parameters, const CameraRig& rig)
+    : settings_(peopleSettings(parameters)), rig_(rig), cameras_(rig, settings_) {
+  apply(parameters);
+  prepare();
+}
+
+void PeopleTrackLifecycle::apply(const ParameterValues& parameters) {
+  settings_ = peopleSettings(parameters);
+  const auto declared = parameters.declarations();
+  if (std::ranges::find(declared, "usual_height", &ParameterDeclaration::key) != declared.end()) {
+    usualHeight_ = parameters.at("usual_height");
+  }
+}
+
+void PeopleTrackLifecycle::prepare() {
+  makers_.clear();
+  for (std::size_t k = 0; k < cameras_.count(); ++k) {
+    makers_.emplace_back(cameras_.camera(k));
+  }
+  births_.setCameras(cameras_, settings_.area, usualHeight_);
+}
+
+void PeopleTrackLifecycle::configure(const ParameterValues& parameters) {
+  apply(parameters);
+  cameras_.configure(settings_);
+  cameras_.setRig(rig_);
+  prepare();
+}
+
+void PeopleTrackLifecycle::setCameras(const CameraRig& rig) {
+  rig_ = rig;
+  cameras_.setRig(rig);
+  prepare();
+}
+
+void PeopleTrackLifecycle::setEmptyRooms(const std::vector<cv::Mat>& rooms) {
+  cameras_.setEmptyRooms(rooms);
+}
+
+void PeopleTrackLifecycle::restart(std::uint64_t seed) {
+  seed_ = seed;
+  nextIdentity_ = 1;
+  forgetAll();
+  people_.clear();
+  unseen_.clear();
+  cameras_.restart();
+  births_.restart();
+  prepare();
+}
+
+std::size_t PeopleTrackLifecycle::memoryBytes() const {
+  return cameras_.memoryBytes() + births_.memoryBytes() + people_.size() * beliefBytes();
+}
+
+RandomKey PeopleTrackLifecycle::keyOf(int identity) const {
+  return {derivedSeed(seed_, static_cast<std::uint32_t>(identity)),
+          static_cast<std::uint32_t>(std::max<std::int64_t>(0, cameras_.frame())), 0};
+}
+
+int PeopleTrackLifecycle::addPerson(const Eigen::Vector3d& middle) {
+  PersonEstimate& person = people_.emplace_back();
+  person.identity = nextIdentity_++;
+  person.position = middle;
+  unseen_.push_back(0.0);
+  const PersonEstimate copy = person; // born() may look at people_
+  born(copy, keyOf(copy.identity));
+  return copy.identity;
+}
+
+std::size_t PeopleTrackLifecycle::indexOf(int identity) const {
+  return static_cast<std::size_t>(std::ranges::find(people_, identity, &PersonEstimate::identity) -
+                                  people_.begin());
+}
+
+void PeopleTrackLifecycle::removePerson(int identity) {
+  const std::size_t index = indexOf(identity);
+  if (index < people_.size()) {
+    gone(index);
+    people_.erase(people_.begin() + static_cast<std::ptrdiff_t>(index));
+    unseen_.erase(unseen_.begin() + static_cast<std::ptrdiff_t>(index));
+  }
+}
+
+BodySilhouette PeopleTrackLifecycle::silhouette(const PersonEstimate& person,
+                                                std::size_t camera) const {
+  return makers_[camera].of(placeOf(person), settings_.area.floor, heightOf(person));
+}
+
+std::vector<cv::Mat> PeopleTrackLifecycle::silhouettesOfAll(double wider) const {
+  std::vector<cv::Mat> masks(cameras_.count());
+  for (std::size_t k = 0; k < cameras_.count(); ++k) {
+    if (people_.empty() || !cameras_.usable(k)) {
+      continue;
+    }
+    masks[k] = cv::Mat::zeros(cameras_.mask(k).size(), CV_8UC1);
+    for (const PersonEstimate& person : people_) {
+      BodySilhouette body = silhouette(person, k);
+      for (cv::Rect& piece : body.pieces) {
+        const int more = static_cast<int>(std::lround(0.5 * (wider - 1.0) * piece.width)) + 1;
+        piece.x -= more;
+        piece.width += 2 * more;
+      }
+      body.pieces.back().y -= body.pieces.back().height / 2; // above the head
+      body.pieces.back().height += body.pieces.back().height / 2;
+      drawSilhouette(body, 255, masks[k]);
+    }
+  }
+  return masks;
+}
+
+PeopleTrackLifecycle::Sight PeopleTrackLifecycle::sightOf(std::size_t person,
+                                                          std::size_t camera) const {
+  Sight sight;
+  if (!cameras_.usable(camera)) {
+    return sight;
+  }
+  const cv::Mat& mask = cameras_.mask(camera);
+  const BodySilhouette body = silhouette(people_[person], camera);
+  double all = 0.0;
+  double free = 0.0;
+  double moving = 0.0;
+  std::vector<cv::Rect> others;
+  for (std::size_t k = 0; k < people_.size() && sharesMasks(); ++k) {
+    if (k != person) {
+      const BodySilhouette other = silhouette(people_[k], camera);
+      if (other.visible) {
+        others.insert(others.end(), other.pieces.begin(), other.pieces.end());
+      }
+    }
+  }
+  const cv::Rect image(0, 0, mask.cols, mask.rows);
+  for (std::size_t k = 0; body.visible && k < kBodyPieces; ++k) {
+    all += body.pieces[k].area();
+    const cv::Rect inside = body.pieces[k] & image;
+    for (int row = inside.y; row < inside.y + inside.height; ++row) {
+      for (int column = inside.x; column < inside.x + inside.width; ++column) {
+        const auto covers = [&](const cv::Rect& other) {
+          return other.contains(cv::Point(column, row));
+        };
+        if (std::ranges::none_of(others, covers)) {
+          free += 1.0;
+          moving += mask.at<unsigned char>(row, column) != 0 ? 1.0 : 0.0;
+        }
+      }
+    }
+    sight.inView = sight.inView || withinImage(body.pieces[k], mask) > 0.0;
+  }
+  sight.free = all > 0.0 ? free / all : 0.0;
+  sight.score = free > 0.0 ? moving / free : 0.0;
+  return sight;
+}
+
+void PeopleTrackLifecycle::judgeSight() {
+  const double interval = cameras_.interval();
+  for (std::size_t person = 0; person < people_.size(); ++person) {
+    PersonEstimate& estimate = people_[person];
+    int seeing = 0;
+    int unable = 0;
+    for (std::size_t k = 0; k < cameras_.count(); ++k) {
+      const Sight sight = sightOf(person, k);
+      if (sight.inView && sight.free < kFreeShare) {
+        ++unable;
+      } else if (sight.inView && sight.score >= kSeenScore) {
+        ++seeing;
+      }
+    }
+    const int needed = std::min<int>(2, static_cast<int>(cameras_.count()));
+    double& unseen = unseen_[person];
+    if (seeing >= needed) {
+      unseen = std::max(0.0, unseen - 2.0 * interval);
+    } else {
+      unseen += seeing > 0 && seeing + unable >= needed ? interval / kHiddenPatience : interval;
+    }
+    estimate.camerasSeeing = seeing;
+    estimate.existence = std::clamp(1.0 - unseen / settings_.survivalTime, 0.0, 1.0);
+    estimate.age += interval;
+    estimate.interacting = std::ranges::any_of(people_, [&](const PersonEstimate& other) {
+      return other.identity != estimate.identity &&
+             (placeOf(other) - placeOf(estimate)).norm() < kNear;
+    });
+  }
+}
+
+void PeopleTrackLifecycle::dismiss() {
+  for (std::size_t k = people_.size(); k-- > 0;) {
+    if (!settings_.area.contains(placeOf(people_[k])) || people_[k].existence <= 0.0) {
+      removePerson(people_[k].identity);
+    }
+  }
+}
+
+void PeopleTrackLifecycle::giveBirth() {
+  std::vector<Eigen::Vector2d> taken;
+  for (const PersonEstimate& person : people_) {
+    taken.push_back(placeOf(person));
+  }
+  const auto explained = silhouettesOfAll(kExplainedWider);
+  PeopleArea inside = settings_.area;
+  inside.half.array() -= kBirthMargin;
+  for (const auto& place : births_.look(cameras_, explained, taken, settings_.birthTime)) {
+    if (inside.contains(place)) {
+      addPerson({place.x(), place.y(), settings_.area.floor + 0.5 * usualHeight_});
+    }
+  }
+}
+
+void PeopleTrackLifecycle::step(const FrameSetPtr& frames, ThreadTeam& team) {
+  cameras_.begin(*frames, silhouettesOfAll(kExplainedWider), team);
+  const bool looking = std::ranges::any_of(cameras_.states(), &PeopleCameraState::usable);
+  if (!looking) {
+    return; // learning, or no images: what is believed stays as it is
+  }
+  update(team);
+  judgeSight();
+  dismiss();
+  if (settings_.births) {
+    giveBirth();
+  }
+}
+
+} // namespace dewpoint::tracking

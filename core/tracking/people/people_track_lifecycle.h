@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/filter/particle_filter.h"
+#include "core/tracking/people/people_cameras.h"
+#include "core/tracking/people/people_track_initiation.h"
+#include "core/tracking/people/people_tracker.h"
+
+#include <vector>
+
+namespace dewpoint::tracking {
+
+/// What all methods for people share: masks, births, who is seen by whom, exits, identities. A
+/// method adds what it believes about each person.
+class PeopleTrackLifecycle : public PeopleTracker {
+public:
+  PeopleTrackLifecycle(const ParameterValues& parameters, const CameraRig& rig);
+
+  void configure(const ParameterValues& parameters) override;
+  void setCameras(const CameraRig& rig) override;
+  void setEmptyRooms(const std::vector<cv::Mat>& rooms) override;
+  void restart(std::uint64_t seed) override;
+  void step(const FrameSetPtr& frames, ThreadTeam& team) final;
+  const std::vector<PersonEstimate>& people() const override { return people_; }
+  const std::vector<PeopleCameraState>& cameraStates() const override { return cameras_.states(); }
+  cv::Mat foreground(std::size_t camera) const override { return cameras_.mask(camera); }
+  int addPerson(const Eigen::Vector3d& middle) override;
+  void removePerson(int identity) override;
+  bool canBeCopied() const override { return cameras_.canBeCopied(); }
+  std::size_t memoryBytes() const override;
+
+protected:
+  PeopleTrackLifecycle(const PeopleTrackLifecycle&) = default; ///< by clone()
+
+  /// How a camera sees a person.
+  struct Sight {
+    bool inView = false;
+    double score = 0.0; ///< 1: all that can be seen of the person is foreground
+    double free = 0.0;  ///< share of the silhouette that nobody else covers
+  };
+
+  /// Makes the method's own belief about a new person, who is the last of people_.
+  virtual void born(const PersonEstimate& person, const RandomKey& key) = 0;
+  /// people_[index] is about to go.
+  virtual void gone(std::size_t index) = 0;
+  virtual void forgetAll() = 0;
+  /// About how many bytes a copy of a belief takes.
+  virtual std::size_t beliefBytes() const = 0;
+  /// New images are there: moves and weighs everybody, and fills in what people_ says.
+  virtual void update(ThreadTeam& team) = 0;
+  /// Whether what others cover is theirs when it comes to whether a person is seen.
+  virtual bool sharesMasks() const = 0;
+
+  RandomKey keyOf(int identity) const;
+  Eigen::Vector2d placeOf(const PersonEstimate& person) const { return person.position.head<2>(); }
+  double heightOf(const PersonEstimate& person) const {
+    return person.height > 0.0 ? person.height : usualHeight_;
+  }
+  BodySilhouette silhouette(const PersonEstimate& person, std::size_t camera) const;
+  const PeopleSettings& settings() const { return settings_; }
+  const PeopleCameras& cameras() const { return cameras_; }
+  const SilhouetteMaker& maker(std::size_t camera) const { return makers_[camera]; }
+
+  std::vector<PersonEstimate> people_;
+
+private:
+  void apply(const ParameterValues& parameters);
+  void prepare();
+  Sight sightOf(std::size_t person, std::size_t camera) const;
+  void judgeSight();
+  void dismiss();
+  void giveBirth();
+  std::vector<cv::Mat> silhouettesOfAll(double wider) const;
+  std::size_t indexOf(int identity) const;
+
+  PeopleSettings settings_;
+  CameraRig rig_;
+  PeopleCameras cameras_;
+  PeopleTrackInitiation births_;
+  std::vector<SilhouetteMaker> makers_;
+  std::vector<double> unseen_; ///< seconds, one per person
+  double usualHeight_ = 1.72;
+  std::uint64_t seed_ = 0;
+  int nextIdentity_ = 1;
+};
+
+} // namespace dewpoint::tracking

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/planning/camera_placement.h"
+#include "core/calibration/planning/rig_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint::tests {
+namespace {
+
+const Eigen::AlignedBox3d kRoom(Eigen::Vector3d(-2, -2, 0), Eigen::Vector3d(2, 2, 2));
+
+Camera lens() {
+  return idealCamera("camera", 640, 480, std::numbers::pi / 2.0);
+}
+
+Camera at(const Eigen::Vector3d& place) {
+  Camera camera = lens();
+  camera.cameraFromWorld = lookAt(place, kRoom.center());
+  return camera;
+}
+
+PlacementSettings settings() {
+  PlacementSettings settings;
+  settings.volume = kRoom;
+  return settings;
+}
+
+bool onWallOrCeiling(const Eigen::Vector3d& place) {
+  const auto near = [](double a, double b) { return std::abs(a - b) < 1e-9; };
+  const bool wall = near(std::abs(place.x()), 2.0) || near(std::abs(place.y()), 2.0);
+  return place.z() >= 1.0 - 1e-9 && (wall || near(place.z(), 2.0));
+}
+
+TEST(CameraPlacement, AnIdealCameraHasItsFieldOfView) {
+  // 90 degrees: the focal length is half of the width.
+  EXPECT_NEAR(lens().intrinsics.focalX, 320.0, 1e-9);
+  EXPECT_NEAR(lens().intrinsics.centerX, 319.5, 1e-9);
+}
+
+TEST(CameraPlacement, ASecondCameraLooksAcrossTheFirst) {
+  // Of two cameras at one distance, the error across both rays is least at right angles; on the
+  // line through both there is none. Anything between 45 and 135 degrees is near the best.
+  const CameraRig rig{at({-2, 0, 1.5})};
+  const auto found = placeCamera(rig, lens(), settings());
+  ASSERT_TRUE(found) << sentence(found.error());
+  EXPECT_TRUE(onWallOrCeiling(found->camera.center())) << found->camera.center().transpose();
+  const double cosine = found->camera.opticalAxis().dot(rig[0].opticalAxis());
+  EXPECT_LT(std::abs(cosine), std::cos(std::numbers::pi / 4.0));
+  EXPECT_EQ(found->withinBefore, 0.0); // one camera triangulates nothing
+  const CameraRig across{rig[0], at({0, -2, 1.5})};
+  const RigMap byHand = RigMapper().map(gridOver(kRoom, 900), 0.5, across);
+  EXPECT_GE(found->withinAfter, summaryOf(byHand, 0.005).within);
+}
+
+TEST(CameraPlacement, IsNoWorseThanPlacesByHand) {
+  const CameraRig rig{at({-2, -2, 2}), at({2, -2, 2})};
+  const auto found = placeCamera(rig, lens(), settings());
+  ASSERT_TRUE(found);
+  RigMapper mapper;
+  const auto share = [&](const Camera& added) {
+    CameraRig with = rig;
+    with.push_back(added);
+    return summaryOf(mapper.map(gridOver(kRoom, 900), 0.5, with), 0.005).within;
+  };
+  EXPECT_NEAR(share(found->camera), found->withinAfter, 1e-12);
+  for (const Eigen::Vector3d& place :
+       {Eigen::Vector3d(0, 2, 2), Eigen::Vector3d(2, 2, 2), Eigen::Vector3d(-2, 2, 2),
+        Eigen::Vector3d(0, 0, 2), Eigen::Vector3d(0, -2, 1.5)}) {
+    EXPECT_GE(found->withinAfter, share(at(place)) - 0.02) << place.transpose();
+  }
+}
+
+TEST(CameraPlacement, TheSameInputGivesTheSamePlace) {
+  const CameraRig rig{at({-2, -2, 2})};
+  EXPECT_TRUE(placeCamera(rig, lens(), settings())->camera ==
+              placeCamera(rig, lens(), settings())->camera);
+}
+
+TEST(CameraPlacement, TheFirstCameraSeesAsMuchAsItCan) {
+  const auto found = placeCamera({}, lens(), settings());
+  ASSERT_TRUE(found);
+  RigMapper mapper;
+  const RigMap map = mapper.map(gridOver(kRoom, 900), 0.5, {found->camera});
+  const auto seen = double(std::ranges::count(map.counts, 1)) / double(map.counts.size());
+  EXPECT_GT(seen, 0.7); // a corner sees three quarters or so of a box of 4 x 4 x 2 with 90 degrees
+}
+
+TEST(CameraPlacement, CanBeCancelled) {
+  const auto found = placeCamera({}, lens(), settings(),
+                                 [](const std::string&, double part) { return part < 0.5; });
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().code, ErrorCode::Cancelled);
+}
+
+TEST(CameraPlacement, NamesWhatIsMissing) {
+  PlacementSettings flat = settings();
+  flat.volume.max().z() = 0.0;
+  EXPECT_EQ(placeCamera({}, lens(), flat).error().field, "volume");
+  EXPECT_EQ(placeCamera({}, Camera(), settings()).error().field, "lens");
+}
+
+TEST(RigMap, CellsAreNearlyCubes) {
+  // 4 x 4 x 2 m in 8640 cells: 0.1547 m each, 26 x 26 x 13.
+  const VolumeGrid grid = gridOver(kRoom, 8640);
+  EXPECT_EQ(grid.cells, (std::array<int, 3>{26, 26, 13}));
+  EXPECT_EQ(cellAt(grid, {-2, -2, 0}), 0U);
+  EXPECT_EQ(cellAt(grid, {2, 2, 2}), grid.cellCount() - 1);
+  EXPECT_FALSE(cellAt(grid, {2.1, 0, 1}));
+}
+
+TEST(RigMap, OnlyWhatChangedIsComputedAndItIsTheSame) {
+  CameraRig rig{at({-2, -2, 2}), at({2, -2, 2}), at({0, 2, 1.5})};
+  const VolumeGrid grid = gridOver(kRoom, 500);
+  RigMapper going;
+  (void)going.map(grid, 0.5, rig);
+  rig[1] = at({2, 0, 2});
+  rig[0].name = "called otherwise";
+  const RigMap moved = going.map(grid, 0.5, rig);
+  EXPECT_EQ(moved.counts, RigMapper().map(grid, 0.5, rig).counts);
+  rig.pop_back();
+  const RigMap fewer = going.map(grid, 0.5, rig);
+  const RigMap anew = RigMapper().map(grid, 0.5, rig);
+  EXPECT_EQ(fewer.counts, anew.counts);
+  EXPECT_EQ(fewer.cameraCount, 2U);
+  for (std::size_t i = 0; i < anew.sigmas.size(); ++i) {
+    if (!std::isnan(anew.sigmas[i])) {
+      EXPECT_EQ(fewer.sigmas[i], anew.sigmas[i]);
+    }
+  }
+}
+
+TEST(RigMap, TheSummaryCountsCells) {
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  const RigMap map{
+      {{0, 0, 0}, {4, 1, 1}, {4, 1, 1}}, 2, {0.001F, 0.004F, 0.02F, none}, {2, 3, 2, 1}};
+  const RigMapSummary summary = summaryOf(map, 0.005);
+  EXPECT_DOUBLE_EQ(summary.within, 0.5);
+  EXPECT_DOUBLE_EQ(summary.tooFew, 0.25);
+  EXPECT_NEAR(summary.medianSigma, 0.02, 1e-6); // two of four are below it
+}
+
+TEST(RigMap, TheRoomIsWhatTheGridCovers) {
+  ReferenceGrid grid;
+  grid.origin = {-2, -2, 0};
+  grid.size = {4, 3, 2};
+  const CameraRig rig{at({-3, 0, 1.7}), at({0, -4, 2.5})};
+  EXPECT_TRUE(roomOf(rig, grid).max().isApprox(Eigen::Vector3d(2, 1, 2.5))); // highest camera
+  EXPECT_TRUE(roomOf({}, grid).max().isApprox(Eigen::Vector3d(2, 1, 1)));    // a quarter of 4 m
+  grid.kind = GridKind::Box;
+  EXPECT_TRUE(roomOf(rig, grid).max().isApprox(Eigen::Vector3d(2, 1, 2)));
+  grid.kind = GridKind::Wall; // in the plane of x and z; both cameras are on one side or in it
+  grid.origin = {-2, 1, 0};
+  EXPECT_TRUE(roomOf(rig, grid).min().isApprox(Eigen::Vector3d(-2, -3, 0)));
+  EXPECT_TRUE(roomOf(rig, grid).max().isApprox(Eigen::Vector3d(2, 1, 2)));
+}
+
+} // namespace
+} // namespace dewpoint::tests

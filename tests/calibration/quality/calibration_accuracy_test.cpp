@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/quality/calibration_accuracy.h"
+#include "core/geometry/ray.h"
+#include "tests/calibration/waved_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace dewpoint::tests {
+namespace {
+
+using namespace simulated;
+
+struct Trial {
+  CalibrationAccuracy verdict;
+  double squares = 0.0; ///< of the true errors of places over those predicted
+  double beyond = 0.0;  ///< share of places that are off by more than position95
+  double sizeError = 0.0;
+};
+
+/// Errors of places that the found cameras triangulate from noisy images, after the best rigid
+/// motion of the places.
+std::vector<double> trueErrors(const CameraRig& truth, const CameraRig& found, double noise,
+                               std::uint32_t seed, double& sizeError) {
+  const RandomStream random(21, seed, 0, RandomPurpose::Noise);
+  std::vector<Eigen::Vector3d> real, exact, noisy;
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    const Eigen::Vector3d place = waved(seed, 0.31 * i, 0);
+    std::vector<Ray> clean, rays;
+    for (std::size_t c = 0; c < truth.size(); ++c) {
+      const auto pixel = Projector(truth[c]).project(place);
+      if (!pixel || !inImage(truth[c], *pixel)) {
+        continue;
+      }
+      const auto draw = random.normal4(i, std::uint32_t(c));
+      clean.push_back(*Unprojector(found[c]).ray(*pixel));
+      rays.push_back(
+          *Unprojector(found[c]).ray(*pixel + noise * Eigen::Vector2d(draw[0], draw[1])));
+    }
+    const auto a = nearestPoint(clean);
+    const auto b = nearestPoint(rays);
+    if (a && b) {
+      real.push_back(place);
+      exact.push_back(*a);
+      noisy.push_back(*b);
+    }
+  }
+  sizeError = alignment(exact, real, true).scale - 1.0;
+  const Similarity change = alignment(exact, real, false);
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < real.size(); ++i) {
+    errors.push_back((change * noisy[i] - real[i]).norm());
+  }
+  return errors;
+}
+
+struct Summary {
+  int trials = 0;
+  double predicted = 0.0;
+  std::vector<double> errors;
+  double sizeSquares = 0.0;
+  double sizePredicted = 0.0;
+  double worstRatio = 0.0;
+};
+
+/// Calibrates `trials` times; predicted and true errors are pooled.
+Summary manyTrials(int trials) {
+  Summary all;
+  for (int trial = 0; trial < trials; ++trial) {
+    const auto seed = std::uint32_t(trial);
+    const double noise = 0.1 + 0.1 * (trial % 4);
+    const CameraRig truth = rig(seed, 3 + trial % 3);
+    WandProblem problem = wave(truth, seed, noise, 240);
+    problem.rough = moved(truth, 0.1, 0.05, seed);
+    const auto result = calibrateFromWand(problem);
+    EXPECT_TRUE(result) << trial;
+    if (!result) {
+      continue;
+    }
+    // The simulated stick has exactly its length.
+    const auto verdict = assessCalibration(result->problem, result->bundle);
+    EXPECT_TRUE(verdict) << trial;
+    double sizeError = 0.0;
+    for (const double error : trueErrors(truth, result->cameras, noise, seed, sizeError)) {
+      all.errors.push_back(error / verdict->position95);
+    }
+    const double z = sizeError / (*verdict->scale95 / 1.96);
+    all.sizeSquares += z * z;
+    all.worstRatio = std::max(all.worstRatio, verdict->changeRatio);
+    ++all.trials;
+    if (::testing::Test::HasFailure()) {
+      break;
+    }
+  }
+  std::sort(all.errors.begin(), all.errors.end());
+  return all;
+}
+
+void expectHonest(const Summary& all) {
+  const double at95 = all.errors[std::size_t(0.95 * double(all.errors.size()))];
+  const double ratio = 1.0 / at95;
+  const double sizeRatio = 1.0 / std::sqrt(all.sizeSquares / all.trials);
+  ::testing::Test::RecordProperty("place", std::to_string(ratio));
+  std::printf("%d trials: predicted/true 95%% of places %.3f, of size (rms) %.3f, largest change "
+              "ratio %.2f\n",
+              all.trials, ratio, sizeRatio, all.worstRatio);
+  EXPECT_GT(ratio, 0.8); // the bars of the acceptance
+  EXPECT_LT(ratio, 1.25);
+  EXPECT_GT(sizeRatio, 0.6); // few trials: chi-square of 8 numbers
+  EXPECT_LT(sizeRatio, 1.8);
+}
+
+TEST(CalibrationAccuracy, PredictsTheTrueErrors) {
+  expectHonest(manyTrials(8));
+}
+
+/// The figure of the documentation; half a minute.
+TEST(CalibrationAccuracy, DISABLED_PredictsTheTrueErrorsOfFifty) {
+  expectHonest(manyTrials(50));
+}
+
+TEST(CalibrationAccuracy, SaysItInOneSentence) {
+  CalibrationAccuracy verdict;
+  verdict.position95 = 0.0031;
+  EXPECT_EQ(verdictSentence(verdict),
+            "In this volume +-3.1 mm (95 %), scale unknown, up not measured.");
+  verdict.scale95 = 0.001;
+  verdict.up95 = 0.2 / 180.0 * 3.14159265358979;
+  EXPECT_EQ(verdictSentence(verdict),
+            "In this volume +-3.1 mm (95 %), scale +-0.1 %, up +-0.2 degrees.");
+}
+
+TEST(CalibrationAccuracy, WithoutFreeCamerasThereIsNone) {
+  EXPECT_FALSE(assessCalibration({}, {}));
+}
+
+/// Errors that go with the place in the volume, as shading makes them, are no independent noise:
+/// neighboring frames share them.
+TEST(CalibrationAccuracy, WidensWhereErrorsAreNotIndependent) {
+  const CameraRig truth = rig(5);
+  WandProblem problem = wave(truth, 5, 0.05, 400);
+  for (std::size_t c = 0; c < truth.size(); ++c) {
+    for (MarkerObservation& view : problem.views[c]) {
+      const double phase = 0.8 * view.time + 2.0 * double(c);
+      view.pixel += 0.4 * Eigen::Vector2d(std::sin(phase), std::cos(1.3 * phase));
+    }
+  }
+  problem.rough = moved(truth, 0.1, 0.05, 5);
+  const auto result = calibrateFromWand(problem);
+  ASSERT_TRUE(result) << sentence(result.error());
+  const auto verdict = judgeWand(*result, {});
+  ASSERT_TRUE(verdict);
+  EXPECT_GT(verdict->modelFactor, 1.5);
+  EXPECT_GT(verdict->heldOutPx, 0.1); // the noise alone leaves 0.05 px times some 1.2
+}
+
+} // namespace
+} // namespace dewpoint::tests

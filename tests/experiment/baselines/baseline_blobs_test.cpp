@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/baselines/baseline_blobs.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+
+#include <cmath>
+
+namespace dewpoint::tests {
+namespace {
+
+TEST(FindBlobs, GivesCentersOfMassLargestFirst) {
+  cv::Mat mask = cv::Mat::zeros(40, 60, CV_8UC1);
+  mask(cv::Rect(10, 20, 2, 2)) = 255; // columns 10, 11 and rows 20, 21: center (10.5, 20.5)
+  mask(cv::Rect(30, 5, 4, 3)) = 255;  // columns 30-33, rows 5-7: center (31.5, 6)
+  mask(cv::Rect(50, 30, 3, 1)) = 255; // three pixels: noise
+  const auto blobs = findBlobs(mask);
+  ASSERT_EQ(blobs.size(), 2U);
+  EXPECT_EQ(blobs[0].area, 12);
+  EXPECT_LT((blobs[0].center - Eigen::Vector2d(31.5, 6.0)).norm(), 1e-12);
+  EXPECT_EQ(blobs[1].area, 4);
+  EXPECT_LT((blobs[1].center - Eigen::Vector2d(10.5, 20.5)).norm(), 1e-12);
+}
+
+TEST(FindBlobs, JoinsDiagonalNeighborsAndOrdersEqualOnes) {
+  cv::Mat mask = cv::Mat::zeros(20, 20, CV_8UC1);
+  for (int k = 0; k < 4; ++k) {
+    mask.at<std::uint8_t>(10 + k, 2 + k) = 255;
+    mask.at<std::uint8_t>(1, 10 + k) = 255;
+  }
+  const auto blobs = findBlobs(mask);
+  ASSERT_EQ(blobs.size(), 2U);
+  EXPECT_LT((blobs[0].center - Eigen::Vector2d(11.5, 1.0)).norm(), 1e-12) << "the upper one first";
+  EXPECT_LT((blobs[1].center - Eigen::Vector2d(3.5, 11.5)).norm(), 1e-12);
+}
+
+TEST(FindBlobs, FindsNothingInNothing) {
+  EXPECT_TRUE(findBlobs(cv::Mat()).empty());
+  EXPECT_TRUE(findBlobs(cv::Mat::zeros(10, 10, CV_8UC1)).empty());
+}
+
+/// A camera at `center` with focal length 100 px sees `point` exactly.
+Bearing bearing(std::size_t camera, std::size_t blob, const Eigen::Vector3d& center,
+                const Eigen::Vector3d& point) {
+  return {camera, blob, {center, (point - center).normalized()}, 100.0};
+}
+
+TEST(Triangulate, StatesTheCovarianceOfItsGeometry) {
+  // Two cameras 1 m from the origin, on x and y: each knows the two directions across its ray with
+  // 0.5 px * 1 m / 100 px = 5 mm. So x and y come from one camera, z from two.
+  const auto point =
+      triangulate({bearing(0, 0, {1, 0, 0}, {0, 0, 0}), bearing(1, 0, {0, 1, 0}, {0, 0, 0})});
+  ASSERT_TRUE(point.has_value());
+  EXPECT_LT(point->position.norm(), 1e-12);
+  EXPECT_LT(point->residualPx, 1e-9);
+  const Eigen::Vector3d expected(25e-6, 25e-6, 12.5e-6);
+  EXPECT_LT((point->covariance - Eigen::Matrix3d(expected.asDiagonal())).norm(), 1e-15);
+}
+
+TEST(Triangulate, StatesTheLargestResidualInPixels) {
+  // Skew by 2 cm at 1 m, the point lies in the middle: 1 cm across, sqrt(1 + 0.01²) m away.
+  const auto point = triangulate(
+      {{0, 0, {{1, 0, 0.01}, {-1, 0, 0}}, 100.0}, {1, 0, {{0, 1, -0.01}, {0, -1, 0}}, 100.0}});
+  ASSERT_TRUE(point.has_value());
+  EXPECT_NEAR(point->residualPx, 100.0 * 0.01 / std::sqrt(1.0001), 1e-9);
+}
+
+TEST(TriangulateMany, TellsTargetsApartByWhatThirdCamerasSay) {
+  // In the plane of two cameras, four crossings of two times two rays; the third camera, above,
+  // sees only the two true places.
+  const Eigen::Vector3d first(0.1, 0.0, 0.0);
+  const Eigen::Vector3d second(-0.1, 0.05, 0.0);
+  const Eigen::Vector3d a(1, 0, 0);
+  const Eigen::Vector3d b(0, 1, 0);
+  const Eigen::Vector3d c(0, 0, 1);
+  const auto places = triangulateMany({{bearing(0, 0, a, first), bearing(0, 1, a, second)},
+                                       {bearing(1, 0, b, second), bearing(1, 1, b, first)},
+                                       {bearing(2, 0, c, first), bearing(2, 1, c, second)}},
+                                      2, 2.0);
+  ASSERT_EQ(places.size(), 2U);
+  for (const auto& place : places) {
+    EXPECT_EQ(place.bearings.size(), 3U);
+    const double distance =
+        std::min((place.position - first).norm(), (place.position - second).norm());
+    EXPECT_LT(distance, 1e-9);
+  }
+  EXPECT_GT((places[0].position - places[1].position).norm(), 0.1);
+}
+
+TEST(TriangulateMany, KeepsTheGateAndTheCount) {
+  const Bearing first{0, 0, {{1, 0, 0.05}, {-1, 0, 0}}, 100.0};
+  const Bearing second{1, 0, {{0, 1, -0.05}, {0, -1, 0}}, 100.0};
+  EXPECT_TRUE(triangulateMany({{first}, {second}}, 5, 4.0).empty()) << "each is 5 px away";
+  EXPECT_EQ(triangulateMany({{first}, {second}}, 5, 6.0).size(), 1U);
+  EXPECT_TRUE(triangulateMany({{first}, {second}}, 0, 6.0).empty());
+  EXPECT_TRUE(triangulateMany({}, 1, 6.0).empty());
+}
+
+} // namespace
+} // namespace dewpoint::tests

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/baselines/baseline_methods.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <memory>
+
+namespace dewpoint::tests {
+namespace {
+
+constexpr double kFramesPerSecond = 30.0;
+
+Camera cameraAt(const std::string& name, const Eigen::Vector3d& position) {
+  Camera camera;
+  camera.name = name;
+  camera.intrinsics = {320, 240, 350.0, 350.0, 159.5, 119.5};
+  camera.cameraFromWorld = lookAt(position, {0, 0, 0});
+  return camera;
+}
+
+/// Pure red disks of 6 px on black, drawn with 4 fractional bits.
+FrameSetPtr picture(const CameraRig& rig, std::int64_t index,
+                    const std::vector<Eigen::Vector3d>& balls,
+                    const std::vector<std::size_t>& blind = {}) {
+  FrameSet set{index, timeStamp(static_cast<double>(index) / kFramesPerSecond), {}};
+  for (std::size_t k = 0; k < rig.size(); ++k) {
+    cv::Mat image = cv::Mat::zeros(240, 320, CV_8UC3);
+    for (const Eigen::Vector3d& ball : balls) {
+      const auto pixel = Projector(rig[k]).project(ball);
+      cv::circle(image, cv::Point(cvRound(16 * pixel->x()), cvRound(16 * pixel->y())), 16 * 6,
+                 cv::Scalar(0, 0, 255), cv::FILLED, cv::LINE_8, 4);
+    }
+    const bool present = std::ranges::find(blind, k) == blind.end();
+    set.frames.push_back(present ? std::make_shared<const Frame>(Frame{index, set.time, image})
+                                 : nullptr);
+  }
+  return std::make_shared<const FrameSet>(std::move(set));
+}
+
+ScenarioRun runWith(std::size_t targetCount) {
+  ScenarioRun run;
+  run.rig = {cameraAt("a", {1.0, 0.0, 0.3}), cameraAt("b", {0.0, 1.0, 0.3}),
+             cameraAt("c", {-0.7, -0.7, 0.4})};
+  for (std::size_t k = 0; k < targetCount; ++k) {
+    run.targets.push_back(
+        {"ball " + std::to_string(k), 0.02, ColorRange{350.0, 10.0, 0.5, 1.0, 0.1, 1.0}});
+  }
+  run.framesPerSecond = kFramesPerSecond;
+  return run;
+}
+
+std::unique_ptr<MultiTracker> make(const std::string& method, const ScenarioRun& run) {
+  auto tracker = makeSuiteTracker(method, run);
+  EXPECT_TRUE(tracker.has_value());
+  return std::move(*tracker);
+}
+
+const std::vector<TargetEstimate>& step(MultiTracker& tracker, FrameSetPtr frames) {
+  ThreadTeam team(1);
+  tracker.beginFrame(std::move(frames));
+  tracker.iterate(team);
+  return tracker.estimates();
+}
+
+// A disk's center of mass is within a quarter of a pixel of where it was drawn: 0.25 px / 350 px
+// at 1 m is 0.7 mm per camera.
+constexpr double kBound = 0.0015;
+// CamShift's window may cut the disk's rim: up to a pixel.
+constexpr double kCamShiftBound = 0.003;
+
+TEST(Baselines, FollowOneBall) {
+  const ScenarioRun run = runWith(1);
+  for (const std::string method : {"triangulation", "triangulation-kalman", "camshift"}) {
+    const auto tracker = make(method, run);
+    EXPECT_FALSE(tracker->estimates().front().valid);
+    for (int k = 0; k < 20; ++k) {
+      const Eigen::Vector3d ball(0.005 * k, 0.02, 0.003 * k);
+      const TargetEstimate& estimate = step(*tracker, picture(run.rig, k, {ball})).front();
+      EXPECT_TRUE(estimate.valid) << method << " at " << k;
+      EXPECT_EQ(estimate.camerasSeeing, 3);
+      // The filter needs some frames to learn the speed.
+      if (method != "triangulation-kalman" || k >= 5) {
+        EXPECT_LT((estimate.mean - ball).norm(), method == "camshift" ? kCamShiftBound : kBound)
+            << method << " at " << k;
+      }
+    }
+  }
+}
+
+TEST(Baselines, NeedTwoCameras) {
+  const ScenarioRun run = runWith(1);
+  const auto tracker = make("triangulation", run);
+  const Eigen::Vector3d ball(0.01, 0.02, 0.03);
+  EXPECT_TRUE(step(*tracker, picture(run.rig, 0, {ball}, {0})).front().valid);
+  EXPECT_FALSE(step(*tracker, picture(run.rig, 1, {ball}, {0, 1})).front().valid);
+  EXPECT_FALSE(step(*tracker, picture(run.rig, 2, {})).front().valid);
+  EXPECT_TRUE(step(*tracker, picture(run.rig, 3, {ball})).front().valid);
+}
+
+TEST(Baselines, TheKalmanFilterBridgesAGap) {
+  const ScenarioRun run = runWith(1);
+  const auto tracker = make("triangulation-kalman", run);
+  const auto ball = [](int k) { return Eigen::Vector3d(0.004 * k, 0.02, 0.0); };
+  for (int k = 0; k < 20; ++k) {
+    step(*tracker, picture(run.rig, k, {ball(k)}));
+  }
+  for (int k = 20; k < 25; ++k) {
+    const auto& estimate = step(*tracker, picture(run.rig, k, {})).front();
+    EXPECT_TRUE(estimate.valid);
+    EXPECT_LT((estimate.mean - ball(k)).norm(), 0.005); // about 1 % of the speed per frame
+  }
+  for (int k = 25; k < 40; ++k) {
+    step(*tracker, picture(run.rig, k, {}));
+  }
+  EXPECT_FALSE(tracker->estimates().front().valid) << "0.67 s without a measurement";
+}
+
+TEST(Baselines, CamShiftStartsAnewWhenTheBallJumps) {
+  const ScenarioRun run = runWith(1);
+  const auto tracker = make("camshift", run);
+  step(*tracker, picture(run.rig, 0, {{0.0, 0.0, 0.0}}));
+  const Eigen::Vector3d there(0.15, -0.1, 0.1);
+  const auto& estimate = step(*tracker, picture(run.rig, 1, {there})).front();
+  EXPECT_TRUE(estimate.valid);
+  EXPECT_LT((estimate.mean - there).norm(), kCamShiftBound);
+}
+
+TEST(Baselines, KeepTwoBallsOfOneColorApart) {
+  const ScenarioRun run = runWith(2);
+  const auto tracker = make("triangulation", run);
+  const auto left = [](int k) { return Eigen::Vector3d(-0.1 + 0.002 * k, 0.03, 0.0); };
+  const auto right = [](int k) { return Eigen::Vector3d(0.1 - 0.002 * k, -0.04, 0.02); };
+  const auto& first = step(*tracker, picture(run.rig, 0, {left(0), right(0)}));
+  const std::size_t leftOne = first[0].mean.x() < first[1].mean.x() ? 0 : 1;
+  for (int k = 1; k < 30; ++k) {
+    const auto& estimates = step(*tracker, picture(run.rig, k, {left(k), right(k)}));
+    EXPECT_LT((estimates[leftOne].mean - left(k)).norm(), kBound);
+    EXPECT_LT((estimates[1 - leftOne].mean - right(k)).norm(), kBound);
+  }
+}
+
+TEST(Baselines, AreListedAndOthersRefused) {
+  const auto methods = suiteMethods();
+  for (const std::string method :
+       {"barrera", "triangulation", "triangulation-kalman", "camshift"}) {
+    EXPECT_EQ(std::ranges::count(methods, method), 1) << method;
+    EXPECT_TRUE(makeSuiteTracker(method, runWith(1)).has_value()) << method;
+  }
+  const auto refused = makeSuiteTracker("magic", runWith(1));
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::NotFound);
+}
+
+} // namespace
+} // namespace dewpoint::tests

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text_file.h"
+#include "core/experiment/report/figure_page.h"
+#include "core/experiment/report/figure_parts.h"
+#include "core/experiment/report/report_folder.h"
+#include "core/experiment/studies/figure_experiments.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace dewpoint::tests {
+namespace {
+
+/// Names behind `mark` in a page, up to the next quote.
+std::vector<std::string> filesNamedIn(const std::string& page, const std::string& mark) {
+  std::vector<std::string> names;
+  for (auto at = page.find(mark); at != std::string::npos; at = page.find(mark, at)) {
+    at += mark.size();
+    names.push_back(page.substr(at, page.find('\'', at) - at));
+  }
+  return names;
+}
+
+class FigureExperiments : public testing::TestWithParam<FigureExperiment> {
+protected:
+  FigureExperiments()
+      : folder_(std::filesystem::path(testing::TempDir()) /
+                (std::string(GetParam().name) + std::to_string(getpid()))) {}
+  ~FigureExperiments() override { std::filesystem::remove_all(folder_); }
+  const std::filesystem::path folder_;
+};
+
+TEST_P(FigureExperiments, WritesAPageThatSaysWhatReproduces) {
+  double last = 0.0;
+  const auto made = GetParam().run({folder_, 1, [&](double part) {
+                                      EXPECT_GE(part, last);
+                                      last = part;
+                                      return true;
+                                    }});
+  ASSERT_TRUE(made) << sentence(made.error());
+  const auto page = readTextFile(folder_ / "report.html");
+  ASSERT_TRUE(page);
+  EXPECT_NE(page->find("What the paper says"), std::string::npos);
+  EXPECT_EQ(page->find("nan"), std::string::npos);
+  if (GetParam().name == "starts") {
+    // From a cube of 10 cm around the ball all runs converge, from the largest at most some: that
+    // nothing converges is not reproduced as it stands.
+    EXPECT_EQ(page->find("'chip good'>reproduced</span> <b>From random"), std::string::npos);
+    EXPECT_EQ(page->find("'chip good'>reproduced</span> <b>From a start"), std::string::npos);
+  }
+  EXPECT_FALSE(filesNamedIn(*page, "<img src='").empty() && page->find("<svg") == std::string::npos)
+      << "a figure without a picture";
+  const auto numbers = filesNamedIn(*page, "<a href='");
+  EXPECT_FALSE(numbers.empty());
+  for (const std::string& name : numbers) {
+    const auto text = readTextFile(folder_ / name);
+    ASSERT_TRUE(text) << name;
+    EXPECT_GT(std::ranges::count(*text, '\n'), 3) << name;
+  }
+}
+
+TEST_P(FigureExperiments, AnUnwritableFolderIsSaidAtOnce) {
+  std::filesystem::create_directories(folder_);
+  ASSERT_TRUE(writeTextFile(folder_ / "taken", "a file"));
+  const auto made = GetParam().run({folder_ / "taken", 1, [](double) {
+                                      ADD_FAILURE() << "nothing was to be begun";
+                                      return false;
+                                    }});
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().code, ErrorCode::FileUnwritable);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FigureExperiments,
+                         testing::ValuesIn(figureExperiments().begin(), figureExperiments().end()),
+                         [](const auto& test) {
+                           std::string name(test.param.name);
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+/// The page of one of them.
+std::string pageOf(Status (*run)(const ExperimentOptions&), const char* name) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / (name + std::to_string(getpid()));
+  EXPECT_TRUE(run({folder, 2, nullptr}));
+  const auto page = readTextFile(folder / "report.html");
+  std::filesystem::remove_all(folder);
+  return page.value_or("");
+}
+
+TEST(BarreraStarts, TheVerdictFollowsFromAllStarts) {
+  EXPECT_EQ(verdictOnNone({1.0, 0.58, 0.07}), Verdict::InPart); // as measured with 100 runs
+  EXPECT_EQ(verdictOnNone({0.0, 0.09}), Verdict::Reproduced);
+  EXPECT_EQ(verdictOnNone({1.0, 0.1}), Verdict::NotReproduced);
+}
+
+TEST(DynamicsFigure7, SaysOnceWhereTheCloudStarts) {
+  const std::string page = pageOf(&dynamicsFigure7, "figure7_start");
+  EXPECT_EQ(page.find("0.6 m from the object"), std::string::npos);
+  EXPECT_NE(page.find("the cloud starts on the object"), std::string::npos);
+}
+
+TEST(ReportFolder, IsTriedBeforeAnythingIsBegun) {
+  const auto folder =
+      std::filesystem::path(testing::TempDir()) / ("report_folder" + std::to_string(getpid()));
+  ASSERT_TRUE(prepareReportFolder(folder / "deep" / "er"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "deep" / "er"));
+  std::filesystem::create_directories(folder / "report.html");
+  const auto taken = prepareReportFolder(folder);
+  ASSERT_FALSE(taken);
+  EXPECT_EQ(taken.error().code, ErrorCode::FileUnwritable);
+  EXPECT_EQ(taken.error().file, (folder / "report.html").string());
+  std::filesystem::remove_all(folder);
+  const auto nowhere = prepareReportFolder("/proc/dewpoint");
+  ASSERT_FALSE(nowhere);
+  EXPECT_EQ(nowhere.error().code, ErrorCode::FileUnwritable);
+}
+
+TEST(FigureParts, EveryPointIsWithinTheAxes) {
+  Eigen::ArrayXXd places(3, 2);
+  places << 0.2, -0.7, 3.0, 0.1, 1.0, 1.4; // one below zero, as beside camera 1
+  Plot plot;
+  plot.series.push_back(pointsOf("m0", places, 0, 1));
+  showAll({&plot});
+  EXPECT_LT(plot.x.low, 0.2);
+  EXPECT_GT(plot.x.high, 3.0);
+  EXPECT_LT(plot.y.low, -0.7);
+  EXPECT_GT(plot.y.high, 1.4);
+  // A metre is as long across as upwards: a plot is 320 by 200 units.
+  EXPECT_NEAR((plot.x.high - plot.x.low) / (plot.y.high - plot.y.low), 1.6, 1e-9);
+}
+
+} // namespace
+} // namespace dewpoint::tests

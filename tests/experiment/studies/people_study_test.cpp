@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/studies/people_study.h"
+#include "core/experiment/studies/people_summary.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace dewpoint::tests {
+namespace {
+
+TEST(PeopleScenario, IsDrawnFromItsSeedAlone) {
+  for (const std::string& name : peopleScenarioNames()) {
+    EXPECT_FALSE(peopleScenarioSentence(name).empty());
+    const auto one = makePeopleScenario(name, PeopleClothes::Different, 5);
+    const auto again = makePeopleScenario(name, PeopleClothes::Different, 5);
+    ASSERT_TRUE(one) << name;
+    EXPECT_EQ(one->scene.people[0].place(3.0), again->scene.people[0].place(3.0));
+    const auto other = makePeopleScenario(name, PeopleClothes::Different, 6);
+    EXPECT_NE(one->scene.people[0].place(3.0), other->scene.people[0].place(3.0));
+  }
+  EXPECT_FALSE(makePeopleScenario("dance", PeopleClothes::Similar, 1));
+}
+
+TEST(PeopleScenario, CrossingComesAsNearAsItSays) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const auto scenario = makePeopleScenario("crossing", PeopleClothes::Similar, seed);
+    ASSERT_TRUE(scenario);
+    double nearest = 10.0;
+    for (double time = 1.3; time < 5.5; time += 0.01) {
+      nearest = std::min(
+          nearest,
+          (scenario->scene.people[0].place(time) - scenario->scene.people[1].place(time)).norm());
+    }
+    EXPECT_GT(nearest, 0.44);
+    EXPECT_LT(nearest, 0.61);
+  }
+}
+
+TEST(IdentitiesKept, NeedsTheSamePairs) {
+  const Eigen::Vector3d left(-1.0, 0.0, 0.0);
+  const Eigen::Vector3d right(1.0, 0.0, 0.0);
+  const TrackFrame before{0, 0.0, {{0, left}, {1, right}}, {{7, left}, {9, right}}};
+  TrackFrame after{9, 1.0, {{0, right}, {1, left}}, {{7, right}, {9, left}}};
+  EXPECT_TRUE(identitiesKept(before, after, 0.5));
+  std::swap(after.estimates[0].identity, after.estimates[1].identity);
+  EXPECT_FALSE(identitiesKept(before, after, 0.5));
+  after.estimates.pop_back();
+  EXPECT_FALSE(identitiesKept(before, after, 0.5));
+}
+
+TEST(PeopleStudy, OursKeepsTwoInSimilarClothesApart) {
+  simulation::ViewCache views;
+  PeopleStudySetup setup;
+  setup.scenario = "crossing";
+  setup.clothes = PeopleClothes::Similar;
+  setup.methods = {"people"};
+  setup.seed = 1;
+  const auto trials = studyPeople(setup, views);
+  ASSERT_TRUE(trials);
+  ASSERT_EQ(trials->size(), 1U);
+  const PeopleTrial& trial = trials->front();
+  EXPECT_TRUE(trial.kept);
+  EXPECT_GT(trial.mota, 0.85);
+  EXPECT_LT(trial.motp, 0.1);         // metres
+  EXPECT_LE(trial.longestGhost, 1.0); // seconds: the bar
+  EXPECT_LE(trial.longestMissed, 1.0);
+  // A person of 1.75 m and 75 kg is 0.075 m³; the hull is larger.
+  EXPECT_GT(trial.hullVolume, 0.04);
+  EXPECT_LT(trial.hullVolume, 0.4);
+}
+
+TEST(PeopleStudy, NamesABadParameter) {
+  simulation::ViewCache views;
+  PeopleStudySetup setup;
+  setup.scenario = "apart";
+  setup.methods = {"people"};
+  setup.parameters = {{"particles", 0.5}};
+  const auto trials = studyPeople(setup, views);
+  ASSERT_FALSE(trials);
+  EXPECT_EQ(trials.error().field, "particles");
+}
+
+TEST(PeopleSummary, CountsAndTakesTheWorst) {
+  PeopleTrial trial;
+  trial.scenario = "crossing";
+  trial.method = "people";
+  trial.kept = true;
+  trial.mota = 0.8;
+  trial.longestGhost = 0.5;
+  PeopleTrial second = trial;
+  second.kept = false;
+  second.mota = 0.6;
+  second.longestGhost = 1.5;
+  second.motp = std::nan("");
+  const auto sums = summarize({trial, second});
+  ASSERT_EQ(sums.size(), 1U);
+  EXPECT_EQ(sums[0].runs, 2);
+  EXPECT_EQ(sums[0].kept, 1);
+  EXPECT_NEAR(sums[0].mota, 0.7, 1e-12);
+  EXPECT_EQ(sums[0].longestGhost, 1.5);
+  EXPECT_EQ(sums[0].motp, 0.0);
+  EXPECT_NE(peopleReport("crossing", {trial, second}).html().find("1 of 2"), std::string::npos);
+}
+
+PeopleTrial trialOf(const char* scenario, const char* method, bool kept) {
+  PeopleTrial trial;
+  trial.scenario = scenario;
+  trial.method = method;
+  trial.kept = kept;
+  return trial;
+}
+
+TEST(PeopleReport, AFewRunsAreNoVerdict) {
+  std::vector<PeopleTrial> trials{trialOf("crossing", "mohedano-ms", true),
+                                  trialOf("crossing", "mohedano-ms", false)};
+  const std::string few = peopleReport("crossing", trials).html();
+  EXPECT_NE(few.find("so far yes"), std::string::npos);
+  EXPECT_NE(few.find("fewer than 28 of 30 runs (here lost in 1 of 2, kept in 1)"),
+            std::string::npos);
+  trials.assign(30, trialOf("crossing", "mohedano-ms", true)); // 30 of 30: nothing is lost
+  const std::string many = peopleReport("crossing", trials).html();
+  EXPECT_EQ(many.find("so far yes"), std::string::npos);
+  EXPECT_NE(many.find("chip bad'>no<"), std::string::npos);
+}
+
+TEST(PeopleReport, IdentitiesOfThoseWhoComeAndGoAreJudgedToo) {
+  const std::string page =
+      peopleReport("enter-leave", {trialOf("enter-leave", "people", false)}).html();
+  EXPECT_NE(page.find("keeps identities in at least 28 of 30 runs (here in 0 of 1)"),
+            std::string::npos);
+  EXPECT_NE(page.find("no ghost and nobody missed"), std::string::npos);
+}
+
+TEST(PeoplePictures, ShowTheMeetingAndBothSidesOfIt) {
+  const auto crossing = makePeopleScenario("crossing", PeopleClothes::Different, 1);
+  ASSERT_TRUE(crossing);
+  const auto moments = tellingMoments(*crossing);
+  ASSERT_EQ(moments.size(), 3U);
+  EXPECT_LT(moments[0].frame, moments[1].frame);
+  EXPECT_LT(moments[1].frame, moments[2].frame);
+  const double time = crossing->scene.timeOf(moments[1].frame);
+  const auto& people = crossing->scene.people;
+  EXPECT_LT((people[0].place(time) - people[1].place(time)).norm(),
+            0.7); // 0.45 to 0.6 m is aimed at
+  const auto visit = makePeopleScenario("enter-leave", PeopleClothes::Different, 1);
+  ASSERT_TRUE(visit);
+  EXPECT_EQ(tellingMoments(*visit).size(), 1U);
+}
+
+TEST(PeopleStudy, AParameterThatNoMethodHasIsSaid) {
+  PeopleStudySetup setup;
+  setup.methods = {"people", "mohedano-ms"};
+  setup.parameters = {{"body_points", 200.0}}; // of people alone
+  EXPECT_TRUE(checkPeopleParameters(setup));
+  setup.parameters = {{"foo", 1.0}};
+  const auto checked = checkPeopleParameters(setup);
+  ASSERT_FALSE(checked);
+  EXPECT_EQ(checked.error().code, ErrorCode::UnknownKey);
+  EXPECT_EQ(checked.error().field, "foo");
+}
+
+} // namespace
+} // namespace dewpoint::tests

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/suite/suite_recorder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace dewpoint::tests {
+namespace {
+
+constexpr std::int64_t kFrames = 20;
+
+/// Targets at rest at (0, 0, 0), (1, 0, 0), ...; the camera looks along +y.
+ScenarioRun runWith(std::size_t targetCount) {
+  ScenarioRun run;
+  run.scenario = "S0-test";
+  run.seed = 5;
+  Camera camera;
+  camera.cameraFromWorld = lookAt({0, -1, 0}, {0, 0, 0});
+  run.rig = run.trueRig = {camera};
+  run.frameCount = kFrames;
+  for (std::size_t k = 0; k < targetCount; ++k) {
+    run.targets.push_back({"ball " + std::to_string(k), 0.02, ColorRange{}});
+    for (std::int64_t frame = 0; frame < kFrames; ++frame) {
+      TrajectorySample sample;
+      sample.frame = frame;
+      sample.target = run.targets.back().name;
+      sample.position = Eigen::Vector3d(static_cast<double>(k), 0.0, 0.0);
+      run.truth.samples.push_back(sample);
+    }
+  }
+  return run;
+}
+
+TargetEstimate estimateAt(const Eigen::Vector3d& place, double sigma = 0.003) {
+  TargetEstimate estimate;
+  estimate.mean = place;
+  estimate.covariance = sigma * sigma * Eigen::Matrix3d::Identity();
+  estimate.valid = true;
+  estimate.existence = 1.0;
+  return estimate;
+}
+
+TEST(SuiteRecorder, SplitsAConstantError) {
+  // 4 mm along the camera's axis and 3 mm across: 5 mm in all; normalized with 3 mm per axis it is
+  // 25 / 9, inside the 95 % ellipsoid (7.81).
+  const ScenarioRun run = runWith(1);
+  SuiteRecorder recorder(run, "test");
+  for (std::int64_t k = 0; k < kFrames; ++k) {
+    recorder.add({estimateAt({0.003, 0.004, 0.0})});
+  }
+  const SuiteRow row = recorder.result(12.0).row;
+  EXPECT_EQ(row.key, (RunKey{"S0-test", Grade::Ideal, "test", 5}));
+  EXPECT_NEAR(*row.rmseMm, 5.0, 1e-9);
+  EXPECT_NEAR(*row.medianMm, 5.0, 1e-9);
+  EXPECT_NEAR(*row.biasMm, 5.0, 1e-9);
+  EXPECT_NEAR(*row.depthMm, 4.0, 1e-9);
+  EXPECT_NEAR(*row.depthBiasMm, 4.0, 1e-9);
+  EXPECT_NEAR(*row.lateralMm, 3.0, 1e-9);
+  EXPECT_NEAR(*row.nees, 25.0 / 9.0, 1e-9);
+  EXPECT_EQ(*row.coverage95Percent, 100.0);
+  EXPECT_EQ(*row.framesToConverge, 0.0);
+  EXPECT_EQ(*row.lostPercent, 0.0);
+  EXPECT_EQ(*row.falseAlarmPercent, 0.0);
+  EXPECT_EQ(*row.existenceEce, 0.0);
+  EXPECT_EQ(*row.mota, 1.0);
+  EXPECT_EQ(*row.usPerFrame, 12.0);
+  EXPECT_EQ(*row.frames, kFrames);
+  EXPECT_FALSE(row.framesToReacquire || row.framesToDeclareLoss || row.blackoutRmseMm ||
+               row.largestStepMm)
+      << "nothing happened that they could refer to";
+}
+
+TEST(SuiteRecorder, CountsFromConvergenceOn) {
+  // 4 frames far away, 11 good ones, 5 without an estimate.
+  const ScenarioRun run = runWith(1);
+  SuiteRecorder recorder(run, "test");
+  for (std::int64_t k = 0; k < kFrames; ++k) {
+    TargetEstimate estimate = estimateAt({k < 4 ? 0.5 : 0.002, 0.0, 0.0});
+    estimate.valid = k < 15;
+    estimate.existence = k < 15 ? 1.0 : 0.0;
+    recorder.add({estimate});
+  }
+  const SuiteResult result = recorder.result(0.0);
+  EXPECT_EQ(*result.row.framesToConverge, 4.0);
+  EXPECT_NEAR(*result.row.rmseMm, 2.0, 1e-9);
+  EXPECT_NEAR(*result.row.lostPercent, 100.0 * 5.0 / 16.0, 1e-9);
+  EXPECT_NEAR(*result.row.falseAlarmPercent, 100.0 * 4.0 / 20.0, 1e-9);
+  ASSERT_EQ(result.trace.errorsMm.size(), 1U);
+  EXPECT_NEAR(result.trace.errorsMm[0][0], 500.0, 1e-9);
+  EXPECT_TRUE(std::isnan(result.trace.errorsMm[0][19]));
+}
+
+TEST(SuiteRecorder, NeverConvergedIsInfinite) {
+  const ScenarioRun run = runWith(1);
+  SuiteRecorder recorder(run, "test");
+  for (std::int64_t k = 0; k < kFrames; ++k) {
+    recorder.add({TargetEstimate{}});
+  }
+  const SuiteRow row = recorder.result(0.0).row;
+  EXPECT_TRUE(std::isinf(*row.framesToConverge));
+  EXPECT_EQ(*row.lostPercent, 100.0);
+  EXPECT_FALSE(row.rmseMm.has_value());
+}
+
+TEST(SuiteRecorder, MeasuresEvents) {
+  ScenarioRun run = runWith(1);
+  using Kind = ScenarioEvent::Kind;
+  run.events = {{Kind::BlackoutBegin, 6, 0}, {Kind::BlackoutEnd, 8, 0}, {Kind::CameraLost, 12, 0}};
+  SuiteRecorder recorder(run, "test");
+  for (std::int64_t k = 0; k < kFrames; ++k) {
+    // 10 and 20 mm in the blackout, 50 mm in the frame after it, a step of 3 mm at frame 12.
+    const double error = k == 6 ? 0.010 : k == 7 ? 0.020 : k == 8 ? 0.050 : k < 12 ? 0.0 : 0.003;
+    recorder.add({estimateAt({k == 8 ? error : 0.0, k == 8 ? 0.0 : error, 0.0})});
+  }
+  const SuiteRow row = recorder.result(0.0).row;
+  EXPECT_EQ(*row.framesToReacquire, 1.0);
+  EXPECT_NEAR(*row.blackoutRmseMm, std::sqrt(250.0), 1e-9);
+  // Mean of the five frames before: (20 mm in depth + 50 mm across) / 5.
+  EXPECT_NEAR(*row.largestStepMm, std::hypot(3.0 - 4.0, 10.0), 1e-9);
+}
+
+TEST(SuiteRecorder, LossHasToBeDeclared) {
+  ScenarioRun run = runWith(1);
+  run.events = {{ScenarioEvent::Kind::Vanish, 10, -1}};
+  for (TrajectorySample& sample : run.truth.samples) {
+    sample.valid = sample.frame < 10;
+  }
+  SuiteRecorder recorder(run, "test");
+  for (std::int64_t k = 0; k < kFrames; ++k) {
+    TargetEstimate estimate = estimateAt({0, 0, 0});
+    estimate.valid = k < 12;
+    estimate.existence = k < 12 ? 1.0 : 0.0;
+    recorder.add({estimate});
+  }
+  const SuiteRow row = recorder.result(0.0).row;
+  EXPECT_EQ(*row.framesToDeclareLoss, 2.0);
+  EXPECT_NEAR(*row.falseAlarmPercent, 10.0, 1e-9);
+  // 12 forecasts of 1 of which 10 came true, 8 of 0: ECE is 2 / 20.
+  EXPECT_NEAR(*row.existenceEce, 0.1, 1e-9);
+}
+
+TEST(SuiteRecorder, NamesOfIdenticalTargetsAreTheMethods) {
+  // The method has the two the other way round all the time, then mixes them up for 4 frames.
+  const ScenarioRun run = runWith(2);
+  SuiteRecorder recorder(run, "test");
+  for (std::int64_t k = 0; k < kFrames; ++k) {
+    const bool mixed = k >= 16;
+    recorder.add(
+        {estimateAt({mixed ? 0.0 : 1.0, 0.0, 0.001}), estimateAt({mixed ? 1.0 : 0.0, 0.0, 0.001})});
+  }
+  const SuiteRow row = recorder.result(0.0).row;
+  EXPECT_EQ(*row.framesToConverge, 0.0);
+  EXPECT_EQ(*row.identitySwitches, 2.0);
+  EXPECT_NEAR(*row.lostPercent, 20.0, 1e-9);
+  EXPECT_NEAR(*row.medianMm, 1.0, 1e-9);
+}
+
+} // namespace
+} // namespace dewpoint::tests

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run/camera_motion_watch.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint::tests {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kRadius = 0.1; // metres
+
+CameraRig threeCameras() {
+  CameraRig rig;
+  for (int k = 0; k < 3; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / 3;
+    Camera camera;
+    camera.name = "camera " + std::to_string(k + 1);
+    camera.intrinsics = {640, 480, 500.0, 500.0, 319.5, 239.5};
+    camera.cameraFromWorld =
+        lookAt({2.5 * std::cos(angle), 2.5 * std::sin(angle), 1.6}, {0.0, 0.0, 0.5});
+    rig.push_back(camera);
+  }
+  return rig;
+}
+
+Target redBall() {
+  Target target;
+  target.name = "red";
+  target.radius = kRadius;
+  target.color = {340.0, 20.0, 0.5, 1.0, 0.1, 0.9};
+  return target;
+}
+
+Eigen::Vector3d place(double time) {
+  return {0.4 * std::cos(time), 0.4 * std::sin(0.7 * time), 0.5 + 0.3 * std::sin(1.3 * time)};
+}
+
+/// A red disc before a wall of dots.
+cv::Mat picture(const Camera& camera, double time) {
+  cv::Mat image(480, 640, CV_8UC3, cv::Scalar::all(100));
+  const Projector projector(camera);
+  for (int i = 0; i < 400; ++i) {      // dots far away
+    const double angle = 2.399963 * i; // the golden angle: evenly around
+    const auto at =
+        projector.project({30.0 * std::cos(angle), 30.0 * std::sin(angle), -25.0 + 0.11 * i});
+    if (at) {
+      constexpr int kShift = 6;
+      const auto fixed = [](double value) { return int(std::lround(value * (1 << kShift))); };
+      cv::circle(image, {fixed(at->x()), fixed(at->y())}, fixed(9.0), cv::Scalar::all(40 + i % 180),
+                 cv::FILLED, cv::LINE_AA, kShift);
+    }
+  }
+  const auto disc = SphereProjector(camera).project(place(time), kRadius);
+  constexpr int kShift = 6;
+  const auto fixed = [](double value) { return int(std::lround(value * (1 << kShift))); };
+  cv::circle(image, {fixed(disc->center.x()), fixed(disc->center.y())}, fixed(disc->radius),
+             {30, 30, 220}, cv::FILLED, cv::LINE_AA, kShift);
+  return image;
+}
+
+/// Twenty seconds in which the second camera is turned after ten. The tracker is right all along.
+void run(CameraMotionWatch& watch, const Camera& bumped) {
+  CameraRig rig = threeCameras();
+  TargetEstimate estimate;
+  estimate.valid = true;
+  estimate.radius = kRadius;
+  for (int i = 0; i < 200; ++i) {
+    const double time = i / 10.0;
+    if (i == 100) {
+      rig[1] = bumped;
+    }
+    FrameSet frames;
+    frames.index = i;
+    frames.time = timeStamp(time);
+    for (const Camera& camera : rig) {
+      auto frame = std::make_shared<Frame>();
+      frame->image = picture(camera, time);
+      frames.frames.push_back(frame);
+    }
+    estimate.mean = place(time);
+    watch.watch(frames, {redBall()}, {estimate});
+    if (i < 100) {
+      ASSERT_TRUE(watch.reports().empty()) << time;
+    }
+  }
+}
+
+double angleBetween(const Camera& a, const Camera& b) {
+  return Eigen::AngleAxisd(a.cameraFromWorld.linear() * b.cameraFromWorld.linear().transpose())
+      .angle();
+}
+
+TEST(CameraMotionWatch, ReportsAndSolvesABumpedCamera) {
+  Camera bumped = turnedCamera(threeCameras()[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
+  bumped.cameraFromWorld.translation().x() += 0.003;
+  CameraMotionWatch watch(threeCameras());
+  run(watch, bumped);
+  ASSERT_EQ(watch.reports().size(), 1U);
+  const CameraMotionReport& report = watch.reports()[0];
+  EXPECT_EQ(report.event.camera, 1U);
+  ASSERT_TRUE(report.targetPixels);
+  EXPECT_NEAR(*report.targetPixels, 3.1, 1.0);
+  EXPECT_LT(seconds(report.event.time), 12.0);
+  ASSERT_TRUE(report.resolved);
+  EXPECT_LT(angleBetween(report.resolved->camera, bumped), 0.05 * kDegree);
+  EXPECT_LT(report.resolved->pixelsAfter, 0.3);
+  EXPECT_GT(report.resolved->pixelsBefore, 2.0); // 0.36 degrees at 500 px are 3.1 px
+  ASSERT_EQ(watch.notices().size(), 1U);
+  EXPECT_EQ(watch.notices()[0].field, "camera 2");
+  EXPECT_NE(watch.notices()[0].detail.find("degrees"), std::string::npos);
+}
+
+TEST(CameraMotionWatch, ACameraThatIsCalibratedAgainIsNotReportedAnyMore) {
+  CameraRig rig = threeCameras();
+  const Camera bumped = turnedCamera(rig[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
+  CameraMotionWatch watch(rig);
+  run(watch, bumped);
+  ASSERT_EQ(watch.reports().size(), 1U);
+  ASSERT_TRUE(watch.reports()[0].resolved);
+  rig[1] = watch.reports()[0].resolved->camera;
+  watch.setCameras(rig);
+  EXPECT_TRUE(watch.reports().empty());
+}
+
+TEST(CameraMotionWatch, WhatWasSolvedIsNotReportedWhenTheRecordingPlaysAgain) {
+  const Camera bumped = turnedCamera(threeCameras()[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
+  CameraMotionWatch watch(threeCameras());
+  run(watch, bumped);
+  ASSERT_EQ(watch.reports().size(), 1U);
+  CameraRig solved = threeCameras();
+  solved[1] = bumped;
+  watch.setCameras(solved);
+  watch.restart();
+  run(watch, bumped);
+  EXPECT_TRUE(watch.reports().empty());
+  // Taken back, it is news again.
+  watch.setCameras(threeCameras());
+  watch.restart();
+  run(watch, bumped);
+  EXPECT_EQ(watch.reports().size(), 1U);
+}
+
+TEST(CameraMotionWatch, ForgetsWhenTheRunBeginsAnew) {
+  CameraMotionWatch watch(threeCameras());
+  run(watch, turnedCamera(threeCameras()[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree));
+  watch.restart();
+  EXPECT_TRUE(watch.reports().empty());
+  EXPECT_TRUE(watch.notices().empty());
+}
+
+} // namespace
+} // namespace dewpoint::tests

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the frames of a recording to lenses and poses, as the window and the command line do it.
+#include "core/calibration/board/board_picture.h"
+#include "core/capture/recording.h"
+#include "core/setup/board_outcome.h"
+#include "tests/calibration/board_views.h"
+
+#include <opencv2/imgproc.hpp>
+
+namespace dewpoint::tests {
+namespace {
+
+constexpr int kFrames = 14;
+
+/// Two cameras beside each other, a board that is shown around before them; in frame 0 it lies at
+/// the world's origin, turned up to the cameras.
+struct Recorded {
+  BoardDescription board = boardOf("charuco:7x5:0.03:0.022:DICT_4X4_50");
+  CameraRig cameras;
+  std::vector<Eigen::Isometry3d> worldFromBoard;
+  Project project;
+
+  Recorded() {
+    for (int k = 0; k < 2; ++k) {
+      Camera camera = testCamera(480, 360);
+      camera.distortion = {-0.1, 0.02, 0.0, 0.0, 0.0};
+      camera.name = k == 0 ? "left" : "right";
+      camera.cameraFromWorld = lookAt({k == 0 ? -0.1 : 0.25, -0.25, 0.35}, {0.1, -0.06, 0.0});
+      cameras.push_back(camera);
+      ProjectCamera known;
+      known.camera = camera;
+      known.camera.cameraFromWorld.setIdentity(); // to be found
+      project.cameras.push_back(known);
+    }
+    for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
+      Eigen::Isometry3d pose = worldFromFlatBoard();
+      if (frame > 0) {
+        const RandomStream random(8, frame, 0, RandomPurpose::Simulation);
+        const auto u = random.uniform3(0);
+        const auto v = random.uniform3(1);
+        pose.translation() = Eigen::Vector3d(0.1 * u[0] - 0.05, 0.1 * u[1] - 0.05, 0.08 * u[2]);
+        pose.rotate(Eigen::AngleAxisd(1.2 * v[0] - 0.6, Eigen::Vector3d::UnitX()) *
+                    Eigen::AngleAxisd(1.2 * v[1] - 0.6, Eigen::Vector3d::UnitY()));
+      }
+      worldFromBoard.push_back(pose);
+    }
+  }
+
+  std::unique_ptr<FrameSetSource> open() const {
+    std::vector<RecordedCamera> recorded;
+    for (const Camera& camera : cameras) {
+      RecordedCamera one;
+      one.name = camera.name;
+      one.kind = RecordedCamera::Kind::Generated;
+      one.generatedFrames = kFrames;
+      one.generate = [this, &camera](std::int64_t frame) {
+        cv::Mat picture = renderBoard(
+            board, camera, camera.cameraFromWorld * worldFromBoard[static_cast<std::size_t>(frame)],
+            4);
+        cv::cvtColor(picture, picture, cv::COLOR_GRAY2BGR);
+        return picture;
+      };
+      recorded.push_back(one);
+    }
+    return std::move(openRecording(recorded, 30.0).value());
+  }
+
+  BoardCalibrationRequest wish() const {
+    BoardCalibrationRequest wanted;
+    wanted.board = board;
+    return wanted;
+  }
+};
+
+TEST(BoardCalibration, LensesAndPosesOfARecording) {
+  const Recorded recorded;
+  BoardCalibrationRequest wish = recorded.wish();
+  wish.worldFrame = 0;
+  const auto source = recorded.open();
+  const auto seen = lookForBoards(recorded.project, *source, wish);
+  ASSERT_TRUE(seen) << sentence(seen.error());
+  ASSERT_EQ(seen->cameras.size(), 2U);
+  EXPECT_EQ(seen->cameras[0].looked, kFrames);
+  EXPECT_GE(seen->cameras[0].views.size(), 12U);
+
+  const auto lenses = intrinsicsFromBoards(*seen, wish);
+  ASSERT_TRUE(lenses) << sentence(lenses.error());
+  EXPECT_NEAR(lenses->cameras[0]->camera.intrinsics.focalX, 0.85 * 480, 3.0);
+
+  const auto poses = extrinsicsFromBoards(recorded.project, *seen, wish);
+  ASSERT_TRUE(poses) << sentence(poses.error());
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_LT((poses->cameras[k].center() - recorded.cameras[k].center()).norm(), 0.001) << k;
+  }
+
+  const Project calibrated =
+      withCameras(withIntrinsics(recorded.project, lenses->cameras), poses->cameras);
+  EXPECT_EQ(calibrated.cameras[1].camera.name, "right");
+  EXPECT_EQ(calibrated.cameras[1].camera.cameraFromWorld.matrix(),
+            poses->cameras[1].cameraFromWorld.matrix());
+
+  // Once more, the same to the last bit.
+  const auto again =
+      lookForBoards(recorded.project, *source, wish).and_then([&](const auto& boards) {
+        return extrinsicsFromBoards(recorded.project, boards, wish);
+      });
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->cameras, poses->cameras);
+}
+
+TEST(BoardCalibration, StopsWhenTold) {
+  const Recorded recorded;
+  const auto source = recorded.open();
+  int calls = 0;
+  const auto seen = lookForBoards(recorded.project, *source, recorded.wish(),
+                                  [&](const std::string&, double) { return ++calls < 3; });
+  ASSERT_FALSE(seen);
+  EXPECT_EQ(seen.error().code, ErrorCode::Cancelled);
+  EXPECT_EQ(calls, 3);
+}
+
+TEST(BoardCalibration, FramesBetweenThoseLookedAtArePassedOver) {
+  const Recorded recorded;
+  BoardCalibrationRequest wish = recorded.wish();
+  wish.looks = 5; // every third frame
+  wish.worldFrame = 7;
+  const auto source = recorded.open();
+  const auto seen = lookForBoards(recorded.project, *source, wish);
+  ASSERT_TRUE(seen);
+  std::vector<std::int64_t> instants;
+  for (const BoardView& view : seen->cameras[0].views) {
+    instants.push_back(view.instant);
+  }
+  EXPECT_EQ(instants, (std::vector<std::int64_t>{0, 3, 6, 7, 9, 12}));
+}
+
+/// A third camera that looks the other way, and where the others saw the board.
+struct BlindCamera {
+  Recorded recorded;
+  SeenBoards seen;
+
+  BlindCamera() {
+    const auto source = recorded.open();
+    seen = lookForBoards(recorded.project, *source, recorded.wish()).value();
+    SeenBoards::PerCamera blind = seen.cameras[0];
+    blind.name = "door";
+    blind.views.clear();
+    seen.cameras.insert(seen.cameras.begin(), blind);
+    ProjectCamera camera = recorded.project.cameras[0];
+    camera.camera.name = "door";
+    camera.camera.cameraFromWorld.translation().z() = 4.0;
+    recorded.project.cameras.insert(recorded.project.cameras.begin(), camera);
+  }
+};
+
+TEST(BoardCalibration, ACameraThatNeverSawTheBoardKeepsWhatItHas) {
+  const BlindCamera blind;
+  const auto outcome =
+      calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(), {true, true});
+  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  EXPECT_EQ(outcome->project.cameras[0], blind.recorded.project.cameras[0]);
+  EXPECT_NE(outcome->project.cameras[1].camera.intrinsics,
+            blind.recorded.project.cameras[1].camera.intrinsics);
+  const auto remarks = remarksOn(*outcome);
+  ASSERT_EQ(remarks.size(), 2U);
+  EXPECT_EQ(remarks[0], "door keeps its lens: it never saw the board, in 14 pictures.");
+  EXPECT_EQ(remarks[1], "'door' never saw the board: it keeps its pose.");
+  EXPECT_TRUE(outcome->places->fits[0].views.empty());
+  EXPECT_GE(outcome->places->fits[2].views.size(), 10U);
+  // The distance between the other two is that of the scene.
+  const double apart =
+      (outcome->project.cameras[1].camera.center() - outcome->project.cameras[2].camera.center())
+          .norm();
+  EXPECT_NEAR(apart, 0.35, 0.003);
+  EXPECT_NE(outcome->report.find("door keeps its lens"), std::string::npos);
+}
+
+TEST(BoardCalibration, LensesRemainWherePlacesCannotBeFound) {
+  BlindCamera blind;
+  blind.seen.cameras[2].views.clear(); // one camera is left
+  const auto outcome =
+      calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(), {true, true});
+  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_TRUE(outcome->noPlaces);
+  EXPECT_NE(outcome->noPlaces->detail.find("'right'"), std::string::npos);
+  EXPECT_TRUE(outcome->lenses->cameras[1]);
+  EXPECT_EQ(remarksOn(*outcome).size(), 3U);
+  EXPECT_FALSE(calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(),
+                                   {false, true}));
+}
+
+TEST(BoardCalibration, NobodySawTheBoard) {
+  BlindCamera blind;
+  for (auto& camera : blind.seen.cameras) {
+    camera.views.clear();
+  }
+  const auto outcome =
+      calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(), {true, false});
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().field, "door");
+}
+
+TEST(BoardCalibration, SaysAVerdictAndNoFault) {
+  Recorded recorded;
+  for (std::size_t k = 0; k < 2; ++k) {
+    recorded.project.cameras[k].camera.cameraFromWorld = recorded.cameras[k].cameraFromWorld;
+  }
+  BoardCalibrationRequest wish = recorded.wish();
+  wish.worldFrame = 0;
+  const auto source = recorded.open();
+  const auto outcome =
+      lookForBoards(recorded.project, *source, wish).and_then([&](const SeenBoards& seen) {
+        return calibrateFromBoards(recorded.project, seen, wish, {false, true});
+      });
+  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_TRUE(outcome->verdict) << outcome->verdictSentence;
+  EXPECT_TRUE(outcome->places->faults.empty()) << outcome->places->faults[0].sentence;
+  // 0.2 mm over 7 squares of 30 mm are 0.1 % (one sigma), at least.
+  EXPECT_NEAR(outcome->verdict->scale95.value(), 1.96 * 0.2 / 210.0, 0.0005);
+  EXPECT_GT(outcome->verdict->up95.value(), 0.001);
+  EXPECT_LT(outcome->verdict->up95.value(), 0.05);
+  EXPECT_LT(outcome->verdict->position95, 0.002);
+  EXPECT_NE(outcome->report.find("In this volume"), std::string::npos);
+}
+
+TEST(BoardCalibration, AWrongSquareSizeIsNamed) {
+  Recorded recorded;
+  for (std::size_t k = 0; k < 2; ++k) {
+    recorded.project.cameras[k].camera.cameraFromWorld = recorded.cameras[k].cameraFromWorld;
+  }
+  BoardCalibrationRequest wish = recorded.wish();
+  const auto source = recorded.open();
+  auto seen = lookForBoards(recorded.project, *source, wish);
+  ASSERT_TRUE(seen);
+  wish.board.squareSize *= 1000.0; // typed in millimetres
+  wish.board.markerSize *= 1000.0;
+  const auto outcome = calibrateFromBoards(recorded.project, *seen, wish, {false, true});
+  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_EQ(outcome->places->faults.size(), 1U);
+  EXPECT_EQ(outcome->places->faults[0].fault, CalibrationFault::MillimetresMixed);
+}
+
+} // namespace
+} // namespace dewpoint::tests

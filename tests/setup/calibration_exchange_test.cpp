@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/formats/calibration_file.h"
+#include "core/session/run/tracking_run.h"
+#include "core/setup/calibration_exchange.h"
+#include "tests/session/fake_recording.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace dewpoint::tests {
+namespace {
+
+const std::filesystem::path kGolden = DEWPOINT_SOURCE_DIR "/tests/calibration/golden";
+
+class CalibrationExchange : public testing::Test {
+protected:
+  void SetUp() override {
+    folder_ =
+        std::filesystem::path(testing::TempDir()) /
+        ("exchange-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  Project project_ = test::twoCameraProject();
+  std::filesystem::path folder_;
+};
+
+TEST_F(CalibrationExchange, WhatIsExportedIsImportedAgain) {
+  for (const CalibrationFormat& format : calibrationFormats()) {
+    if (format.write == nullptr) {
+      continue;
+    }
+    SCOPED_TRACE(format.name);
+    CalibrationTarget target;
+    target.format = format.name;
+    target.path = folder_ / (std::string("out-") + format.name +
+                             (format.layout == FileLayout::OneFile ? format.extension : ""));
+    const auto preview = previewExport(project_, target);
+    ASSERT_TRUE(preview) << sentence(preview.error());
+    EXPECT_FALSE(std::filesystem::exists(target.path)) << "a preview leaves no file";
+    const auto written = exportCalibration(project_, target);
+    ASSERT_TRUE(written) << sentence(written.error());
+    EXPECT_EQ(written->largestPixels, preview->largestPixels);
+    EXPECT_LT(written->largestPixels, 1e-6); // a pinhole without distortion fits every format
+    EXPECT_FALSE(written->written.empty());
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "preview"));
+  }
+}
+
+TEST_F(CalibrationExchange, ImportMatchesByNameAndSaysWhatChanges) {
+  CameraRig rig = rigOf(project_);
+  // The right camera 0.25 m higher, and the file in the other order.
+  rig[1].cameraFromWorld.translation() -=
+      rig[1].cameraFromWorld.linear() * Eigen::Vector3d(0, 0, .25);
+  std::swap(rig[0], rig[1]);
+  CalibrationTarget target;
+  target.format = "anipose";
+  target.path = folder_ / "calibration.toml";
+  ASSERT_TRUE(writeCalibration(rig, target));
+
+  ImportRequest wish{target.path, {}};
+  const auto open = importCalibration(project_, wish); // anipose does not say its unit
+  ASSERT_FALSE(open);
+  EXPECT_EQ(open.error().field, "unit");
+  const AskedQuestion asked = askedQuestion(open.error());
+  EXPECT_EQ(asked.question, ImportQuestion::Unit);
+  EXPECT_EQ(asked.error.detail.find("--"), std::string::npos) << asked.error.detail;
+  EXPECT_NE(asked.error.detail.find("likely mm"), std::string::npos) << asked.error.detail;
+  wish.hints.unit = 0.001;
+  const auto made = importCalibration(project_, wish);
+  ASSERT_TRUE(made) << sentence(made.error());
+  EXPECT_FALSE(made->matchedByOrder);
+  EXPECT_FALSE(made->lensOnly);
+  EXPECT_LT(made->largestPixels, 1e-6);
+  ASSERT_EQ(made->cameras.size(), 2U);
+  EXPECT_EQ(made->cameras[0].name, "left");
+  EXPECT_NEAR(made->cameras[0].shift.metres, 0.0, 1e-9);
+  EXPECT_NEAR(made->cameras[1].shift.metres, 0.25, 1e-9);
+  EXPECT_NEAR(made->cameras[1].shift.radians, 0.0, 1e-6);
+  EXPECT_NEAR(made->project.cameras[1].camera.center().z(),
+              project_.cameras[1].camera.center().z() + 0.25, 1e-9);
+  EXPECT_FALSE(made->decisions.empty());
+}
+
+TEST_F(CalibrationExchange, AFileOfOneCameraIsForTheOneThatIsNamed) {
+  ImportRequest wish{kGolden / "opencv_sample.yml", {}};
+  wish.hints.unit = 1.0;
+  const auto unknown = importCalibration(project_, wish);
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().field, "camera");
+  wish.camera = "right";
+  const auto made = importCalibration(project_, wish);
+  ASSERT_TRUE(made) << sentence(made.error());
+  EXPECT_EQ(made->project.cameras[0].camera, project_.cameras[0].camera);
+  EXPECT_NE(made->project.cameras[1].camera.intrinsics.focalX, 150.0);
+  EXPECT_EQ(made->project.cameras[1].camera.name, "right");
+  ASSERT_EQ(made->cameras.size(), 1U);
+}
+
+} // namespace
+} // namespace dewpoint::tests

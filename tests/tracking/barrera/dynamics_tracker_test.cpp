@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/barrera/dynamics_parameters.h"
+#include "core/tracking/barrera/dynamics_tracker.h"
+#include "tests/tracking/drawn_run.h"
+
+#include <gtest/gtest.h>
+
+namespace dewpoint::tests {
+namespace {
+
+ParameterValues startingAt(const Eigen::Vector3d& start) {
+  ParameterValues parameters(dynamicsParameters());
+  EXPECT_TRUE(parameters.set("start_x", start.x()));
+  EXPECT_TRUE(parameters.set("start_y", start.y()));
+  EXPECT_TRUE(parameters.set("start_z", start.z()));
+  return parameters;
+}
+
+TEST(DynamicsTracker, MeasuresWhereTheColorsMassIs) {
+  const CameraRig rig = drawn::rigAround(3);
+  DynamicsTracker tracker(startingAt(drawn::kMiddle), rig, drawn::redBall());
+  const Eigen::Vector3d ball = drawn::kMiddle + Eigen::Vector3d(0.05, -0.04, 0.03);
+  tracker.restart(1);
+  tracker.beginFrame(drawn::framesOf(rig, {{ball}}, 0));
+  ASSERT_TRUE(tracker.measured());
+  // Disks of about 20 pixels: their centers of mass are good to a tenth of a pixel, 1 mm is 0.5.
+  EXPECT_LT((*tracker.measured() - ball).norm(), 0.002);
+  ThreadTeam team(1);
+  const TargetEstimate estimate = tracker.iterate(team);
+  EXPECT_TRUE(estimate.valid);
+  EXPECT_EQ(estimate.camerasSeeing, 3);
+  EXPECT_EQ(tracker.explain().front().trouble, CameraStatus::None);
+}
+
+TEST(DynamicsTracker, OneCameraAloneMeasuresNothing) {
+  const CameraRig rig = drawn::rigAround(1);
+  DynamicsTracker tracker(startingAt(drawn::kMiddle), rig, drawn::redBall());
+  tracker.restart(1);
+  tracker.beginFrame(drawn::framesOf(rig, {{drawn::kMiddle}}, 0));
+  EXPECT_FALSE(tracker.measured());
+  ThreadTeam team(1);
+  EXPECT_FALSE(tracker.iterate(team).valid);
+  tracker.beginFrame(drawn::framesOf(rig, {}, 1));
+  EXPECT_EQ(tracker.explain().front().trouble, CameraStatus::NoColor);
+}
+
+TEST(DynamicsTracker, FollowsGivenPositionsAndSpreadsWithout) {
+  DynamicsTracker tracker(startingAt({0.0, 0.0, 0.0}), {}, {});
+  tracker.restart(7);
+  ThreadTeam team(1);
+  const Eigen::Vector3d place(0.2, 0.1, 0.0);
+  TargetEstimate estimate;
+  for (int k = 0; k < 40; ++k) {
+    tracker.beginFrame(k, place);
+    estimate = tracker.iterate(team);
+  }
+  // The steady spread s of a random walk under a Gaussian: s^2 = (s^2 + m^2) o^2 / (s^2 + m^2 +
+  // o^2) with m = 0.03, o = 0.1 per axis: s = 0.0505; the mean of about 150 such particles.
+  EXPECT_LT((estimate.mean - place).norm(), 4.0 * 0.0505 * std::sqrt(3.0 / 150.0));
+  EXPECT_NEAR(estimate.spread(), 0.0505 * std::sqrt(3.0), 0.02);
+  const double before = estimate.spread();
+  for (int k = 40; k < 60; ++k) {
+    tracker.beginFrame(k, std::nullopt);
+    estimate = tracker.iterate(team);
+  }
+  EXPECT_FALSE(estimate.valid);
+  EXPECT_GT(estimate.spread(), before);
+}
+
+TEST(DynamicsTracker, AFarMeasurementDoesNotUnderflow) {
+  DynamicsTracker tracker(startingAt({0.0, 0.0, 0.0}), {}, {});
+  tracker.restart(7);
+  ThreadTeam team(1);
+  tracker.beginFrame(0, Eigen::Vector3d(50.0, 0.0, 0.0)); // exp(-125000) as a plain number
+  const TargetEstimate estimate = tracker.iterate(team);
+  EXPECT_FALSE(estimate.degenerate);
+  EXPECT_GT(estimate.mean.x(), 0.0) << "those nearer to it count more";
+}
+
+} // namespace
+} // namespace dewpoint::tests

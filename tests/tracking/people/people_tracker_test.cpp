@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/observation/people/body_silhouette.h"
+#include "core/tracking/people/people_tracker.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+
+#include <array>
+
+namespace dewpoint::tests {
+namespace {
+
+constexpr double kRate = 15.0;
+
+CameraRig room() {
+  CameraRig rig;
+  for (const auto& corner : {std::array{-3.0, -3.0}, {3.0, -3.0}, {3.0, 3.0}, {-3.0, 3.0}}) {
+    Camera camera;
+    camera.name = "camera " + std::to_string(rig.size() + 1);
+    camera.intrinsics = {320, 240, 230.0, 230.0, 159.5, 119.5};
+    camera.cameraFromWorld = lookAt({corner[0], corner[1], 2.4}, {0.0, 0.0, 0.8});
+    rig.push_back(camera);
+  }
+  return rig;
+}
+
+struct Person {
+  Eigen::Vector2d place;
+  cv::Scalar color;
+};
+
+/// A gray room in which flat bodies stand.
+FrameSetPtr draw(const CameraRig& rig, std::int64_t frame, const std::vector<Person>& people) {
+  FrameSet set{frame, timeStamp(static_cast<double>(frame) / kRate), {}};
+  for (const Camera& camera : rig) {
+    cv::Mat image(240, 320, CV_8UC3, cv::Scalar(120, 125, 130));
+    const SilhouetteMaker maker(camera);
+    for (const Person& person : people) {
+      for (const cv::Rect& piece : maker.of(person.place, 0.0, 1.72).pieces) {
+        const cv::Rect body(piece.x + piece.width / 6, piece.y, piece.width - piece.width / 3,
+                            piece.height);
+        image(body & cv::Rect(0, 0, 320, 240)).setTo(person.color);
+      }
+    }
+    set.frames.push_back(std::make_shared<const Frame>(Frame{frame, set.time, image}));
+  }
+  return std::make_shared<const FrameSet>(std::move(set));
+}
+
+const cv::Scalar kBlue(190, 70, 40);
+const cv::Scalar kRed(40, 50, 190);
+
+std::unique_ptr<PeopleTracker> trackerOf(const std::string& method) {
+  ParameterValues parameters(peopleMethodParameters(method));
+  EXPECT_TRUE(parameters.set("learning_time", 0.5));
+  auto tracker = makePeopleTracker(method, parameters, room());
+  EXPECT_TRUE(tracker);
+  (*tracker)->restart(1);
+  return std::move(*tracker);
+}
+
+class PeopleMethods : public testing::TestWithParam<std::string> {};
+
+TEST_P(PeopleMethods, SeeSomebodyComeWalkAndGo) {
+  const CameraRig rig = room();
+  const auto tracker = trackerOf(GetParam());
+  ThreadTeam team(1);
+  std::int64_t frame = 0;
+  for (; frame < 12; ++frame) { // 0.8 s: longer than it learns
+    tracker->step(draw(rig, frame, {}), team);
+    EXPECT_TRUE(tracker->people().empty());
+  }
+  EXPECT_EQ(tracker->cameraStates()[0].learned, 1.0);
+  for (; frame < 42; ++frame) { // 2 s at 0.6 m/s
+    const Eigen::Vector2d place(-0.6 + 0.04 * static_cast<double>(frame - 12), 0.3);
+    tracker->step(draw(rig, frame, {{place, kBlue}}), team);
+    if (frame >= 24) { // 0.8 s after it came
+      ASSERT_EQ(tracker->people().size(), 1U) << frame;
+      EXPECT_EQ(tracker->people()[0].identity, 1);
+      EXPECT_LT((tracker->people()[0].position.head<2>() - place).norm(), 0.2) << frame;
+      EXPECT_EQ(tracker->people()[0].camerasSeeing, 4);
+    }
+  }
+  const BodyCloud body = tracker->body(1);
+  EXPECT_NEAR(body.weights.sum(), 1.0, 1e-9);
+  EXPECT_EQ(tracker->body(99).points.rows(), 0);
+  for (; frame < 57; ++frame) { // 1 s
+    tracker->step(draw(rig, frame, {}), team);
+  }
+  EXPECT_TRUE(tracker->people().empty());
+}
+
+TEST_P(PeopleMethods, GiveTheSameBitsForAnyNumberOfThreads) {
+  const CameraRig rig = room();
+  std::vector<Eigen::Vector3d> places;
+  for (const int threads : {1, 3}) {
+    const auto tracker = trackerOf(GetParam());
+    ThreadTeam team(threads);
+    for (std::int64_t frame = 0; frame < 30; ++frame) {
+      const double x = 0.02 * static_cast<double>(frame);
+      tracker->step(frame < 10 ? draw(rig, frame, {})
+                               : draw(rig, frame, {{{x, -0.6}, kBlue}, {{-x, 0.7}, kRed}}),
+                    team);
+    }
+    ASSERT_EQ(tracker->people().size(), 2U);
+    if (places.empty()) {
+      for (const auto& person : tracker->people()) {
+        places.push_back(person.position);
+      }
+    } else {
+      EXPECT_EQ(tracker->people()[0].position, places[0]);
+      EXPECT_EQ(tracker->people()[1].position, places[1]);
+    }
+  }
+}
+
+TEST_P(PeopleMethods, TakeAPersonPutThereByHand) {
+  const CameraRig rig = room();
+  ParameterValues parameters(peopleMethodParameters(GetParam()));
+  EXPECT_TRUE(parameters.set("births", 0.0));
+  auto tracker = std::move(*makePeopleTracker(GetParam(), parameters, rig));
+  // The empty room is known: nothing is learned first.
+  std::vector<cv::Mat> rooms;
+  const FrameSetPtr empty = draw(rig, 0, {});
+  for (const auto& frame : empty->frames) {
+    rooms.push_back(frame->image);
+  }
+  tracker->setEmptyRooms(rooms);
+  tracker->restart(2);
+  ThreadTeam team(1);
+  EXPECT_EQ(tracker->addPerson({0.4, 0.1, 0.85}), 1);
+  for (std::int64_t frame = 0; frame < 8; ++frame) {
+    tracker->step(draw(rig, frame, {{{0.5, 0.1}, kRed}, {{-1.0, -1.0}, kBlue}}), team);
+  }
+  ASSERT_EQ(tracker->people().size(), 1U); // the other one is not born
+  EXPECT_NEAR(tracker->people()[0].position.x(), 0.5, 0.15);
+  tracker->removePerson(1);
+  EXPECT_TRUE(tracker->people().empty());
+}
+
+TEST_P(PeopleMethods, LiveWithoutSomeCamera) {
+  const CameraRig rig = room();
+  const auto tracker = trackerOf(GetParam());
+  ThreadTeam team(1);
+  for (std::int64_t frame = 0; frame < 40; ++frame) {
+    FrameSet set = *draw(
+        rig, frame, frame < 12 ? std::vector<Person>{} : std::vector<Person>{{{0.2, 0.2}, kRed}});
+    set.frames[1] = nullptr;
+    if (frame > 30) {
+      set.frames[2] = nullptr;
+    }
+    tracker->step(std::make_shared<const FrameSet>(std::move(set)), team);
+  }
+  ASSERT_EQ(tracker->people().size(), 1U);
+  EXPECT_LT((tracker->people()[0].position.head<2>() - Eigen::Vector2d(0.2, 0.2)).norm(), 0.25);
+  EXPECT_FALSE(tracker->cameraStates()[1].usable);
+  EXPECT_TRUE(tracker->foreground(1).empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PeopleMethods, testing::ValuesIn(peopleMethodNames()),
+                         [](const auto& method) {
+                           std::string name = method.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST(PeopleMethod, KeepsTwoInTheSameClothesApart) {
+  const CameraRig rig = room();
+  const auto tracker = trackerOf("people");
+  ThreadTeam team(1);
+  std::int64_t frame = 0;
+  for (; frame < 10; ++frame) {
+    tracker->step(draw(rig, frame, {}), team);
+  }
+  for (; frame < 75; ++frame) { // they pass each other at 0.5 m
+    const double x = -1.3 + 0.04 * static_cast<double>(frame - 10);
+    tracker->step(draw(rig, frame, {{{x, -0.25}, kBlue}, {{-x, 0.25}, kBlue}}), team);
+  }
+  ASSERT_EQ(tracker->people().size(), 2U);
+  for (const PersonEstimate& person : tracker->people()) {
+    // Whoever is on the right at the end began on the left; births were in an order of their own.
+    EXPECT_NEAR(std::abs(person.position.x()), 1.26, 0.2);
+  }
+  EXPECT_LT(tracker->people()[0].position.x() * tracker->people()[1].position.x(), 0.0);
+}
+
+TEST(PeopleMethodNames, HaveParametersAndSentences) {
+  for (const std::string& method : peopleMethodNames()) {
+    EXPECT_FALSE(peopleMethodSentence(method).empty());
+    for (const ParameterDeclaration& one : peopleMethodParameters(method)) {
+      EXPECT_LE(one.minimum, one.defaultValue) << one.key;
+      EXPECT_GE(one.maximum, one.defaultValue) << one.key;
+      EXPECT_FALSE(one.sentence.empty()) << one.key;
+    }
+  }
+  EXPECT_TRUE(peopleMethodParameters("barrera").empty());
+  const auto unknown = makePeopleTracker("barrera", ParameterValues(), room());
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().code, ErrorCode::NotFound);
+  const auto missing = makePeopleTracker("people", ParameterValues(), room());
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, ErrorCode::MissingKey);
+}
+
+} // namespace
+} // namespace dewpoint::tests

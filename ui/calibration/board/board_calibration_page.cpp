@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/board/board_calibration_page.h"
+
+#include "ui/calibration/board/board_calibrator.h"
+#include "ui/calibration/board/board_form.h"
+#include "ui/calibration/board/board_goal_form.h"
+#include "ui/calibration/board/board_live.h"
+#include "ui/calibration/board/board_text.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/page_title.h"
+
+#include <QDesktopServices>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTimer>
+#include <QUrl>
+#include <QVBoxLayout>
+
+namespace dewpoint::ui {
+namespace {
+
+constexpr int kSteps = 1000;
+
+} // namespace
+
+BoardCalibrationPage::BoardCalibrationPage(BoardCalibrator& desk, QWidget* parent)
+    : QWidget(parent), desk_(desk) {
+  setObjectName(QStringLiteral("boardPage"));
+  build();
+  connect(calibrate_, &QPushButton::clicked, &desk_, &BoardCalibrator::calibrate);
+  connect(cancel_, &QPushButton::clicked, &desk_, &BoardCalibrator::cancel);
+  connect(apply_, &QPushButton::clicked, &desk_, &BoardCalibrator::apply);
+  connect(report_, &QPushButton::clicked, this, &BoardCalibrationPage::askReport);
+  connect(&desk_, &BoardCalibrator::changed, this, &BoardCalibrationPage::refresh);
+  connect(&desk_, &BoardCalibrator::wishChanged, this, &BoardCalibrationPage::refresh);
+  connect(&desk_, &BoardCalibrator::calibrated, this, [this] {
+    QTimer::singleShot(0, this, &BoardCalibrationPage::showResult); // laid out by then
+  });
+  connect(&desk_, &BoardCalibrator::progressChanged, this, &BoardCalibrationPage::showProgress);
+  onRetranslate(this, [this] { say(); });
+}
+
+void BoardCalibrationPage::build() {
+  guide_ = new QLabel(this);
+  guide_->setWordWrap(true);
+  boardTitle_ = makePageTitle(this);
+  fields_ = new BoardForm(desk_, this);
+  goalTitle_ = makePageTitle(this);
+  auto* goal = new BoardGoalForm(desk_, this);
+  runTitle_ = makePageTitle(this);
+  const auto button = [this](const char* name) {
+    auto* made = new QPushButton(this);
+    made->setObjectName(QLatin1String(name));
+    return made;
+  };
+  calibrate_ = button("boardCalibrate");
+  cancel_ = button("boardCancel");
+  apply_ = button("boardApply");
+  report_ = button("boardReport");
+  progress_ = new QProgressBar(this);
+  progress_->setObjectName(QStringLiteral("boardProgress"));
+  live_ = new BoardLive(desk_, this);
+  result_ = new QLabel(this);
+  result_->setObjectName(QStringLiteral("boardResult"));
+  result_->setWordWrap(true);
+  result_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  auto* run = new QHBoxLayout;
+  run->addWidget(calibrate_, 1);
+  run->addWidget(progress_, 2);
+  run->addWidget(cancel_);
+  auto* after = new QHBoxLayout;
+  after->addWidget(apply_, 1);
+  after->addWidget(report_, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  column->addWidget(guide_);
+  column->addWidget(boardTitle_);
+  column->addWidget(fields_);
+  column->addWidget(goalTitle_);
+  column->addWidget(goal);
+  column->addWidget(runTitle_);
+  column->addWidget(live_);
+  column->addLayout(run);
+  column->addWidget(result_);
+  column->addLayout(after);
+  column->addStretch(1);
+}
+
+void BoardCalibrationPage::print() {
+  fields_->print();
+}
+
+void BoardCalibrationPage::say() {
+  boardTitle_->setText(tr("Board"));
+  goalTitle_->setText(tr("What to find"));
+  calibrate_->setText(tr("Calibrate"));
+  calibrate_->setToolTip(tr("Look for the board in the recording, and calibrate the cameras with "
+                            "it; one step that can be undone"));
+  cancel_->setText(tr("Cancel"));
+  cancel_->setToolTip(tr("Stop; the former calibration is kept"));
+  apply_->setText(tr("Apply"));
+  apply_->setToolTip(tr("Take the calibration into the project; one step that can be undone"));
+  report_->setText(tr("Report…"));
+  report_->setToolTip(tr("Save a page with residuals, coverage and errors of all pictures, and "
+                         "open it"));
+  progress_->setAccessibleName(tr("How far the calibration is"));
+  refresh();
+}
+
+void BoardCalibrationPage::refresh() {
+  const bool live = desk_.isLive();
+  const bool computing = desk_.isComputing();
+  const auto outcome = desk_.outcome();
+  guide_->setText(live ? tr("Show a printed board to the cameras: you are told what to show next, "
+                            "and it is taken when you hold it still.")
+                       : tr("A recording in which a printed board is shown to the cameras, held "
+                            "still in many places, near and tilted, calibrates them."));
+  runTitle_->setText(live ? tr("Live cameras") : tr("This recording"));
+  live_->setVisible(live);
+  calibrate_->setVisible(!live && !computing);
+  calibrate_->setEnabled(desk_.shownFrame() >= 0);
+  progress_->setVisible(computing);
+  cancel_->setVisible(computing);
+  apply_->setVisible(outcome != nullptr && !desk_.isApplied());
+  const bool doubted = outcome != nullptr && outcome->places && !outcome->places->faults.empty();
+  apply_->setText(doubted ? tr("Use it anyway") : tr("Apply"));
+  report_->setVisible(outcome != nullptr);
+  QString words = outcome ? outcomeWords(desk_, *outcome) : QString();
+  if (!desk_.failure().isEmpty()) {
+    words = QStringLiteral("⚠ ") + desk_.failure();
+  } else if (desk_.isApplied()) {
+    words = tr("✓ The cameras are calibrated (Ctrl+Z takes it back).") + QLatin1Char('\n') + words;
+  }
+  result_->setText(words);
+  result_->setVisible(!words.isEmpty());
+  if (computing) {
+    showProgress(desk_.isLooking() ? 0.0 : -1.0);
+  }
+}
+
+void BoardCalibrationPage::showProgress(double part) {
+  progress_->setRange(0, part < 0.0 ? 0 : kSteps);
+  progress_->setValue(static_cast<int>(part * kSteps));
+  progress_->setFormat(desk_.isLooking() ? tr("Looking for the board: %p %") : tr("Solving"));
+}
+
+void BoardCalibrationPage::showResult() {
+  for (QWidget* parent = parentWidget(); parent != nullptr; parent = parent->parentWidget()) {
+    if (auto* scroll = qobject_cast<QScrollArea*>(parent)) {
+      scroll->ensureWidgetVisible(report_->isVisible() ? static_cast<QWidget*>(report_) : result_);
+      return;
+    }
+  }
+}
+
+void BoardCalibrationPage::askReport() {
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Save the report"), QStringLiteral("calibration.html"), tr("Page (*.html)"));
+  if (!file.isEmpty()) {
+    connect(
+        &desk_, &BoardCalibrator::saved, this,
+        [file](const QString& saved) {
+          if (saved == file) {
+            QDesktopServices::openUrl(QUrl::fromLocalFile(saved));
+          }
+        },
+        Qt::SingleShotConnection);
+    desk_.saveReport(file);
+  }
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace dewpoint::ui {
+
+class BoardCalibrator;
+class BoardForm;
+class BoardLive;
+
+/// The page of the calibration place for calibrating with a printed board.
+class BoardCalibrationPage : public QWidget {
+  Q_OBJECT
+public:
+  explicit BoardCalibrationPage(BoardCalibrator& desk, QWidget* parent = nullptr);
+
+  /// Asks for a file and writes the board as a PDF.
+  void print();
+
+private:
+  void build();
+  void say();
+  void refresh();
+  void showProgress(double part);
+  void showResult();
+  void askReport();
+
+  BoardCalibrator& desk_;
+  QLabel* guide_;
+  QLabel* boardTitle_;
+  BoardForm* fields_;
+  QLabel* goalTitle_;
+  QLabel* runTitle_;
+  QPushButton* calibrate_;
+  QPushButton* cancel_;
+  QProgressBar* progress_;
+  BoardLive* live_;
+  QLabel* result_;
+  QPushButton* apply_;
+  QPushButton* report_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/board/board_calibrator.h"
+
+#include "core/base/text_file.h"
+#include "core/calibration/board/board_print.h"
+#include "ui/document/document.h"
+#include "ui/jobs/long_job.h"
+#include "ui/text/error_sentence.h"
+
+#include <QMetaObject>
+#include <QSettings>
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint::ui {
+namespace {
+
+constexpr double kLookingShare = 0.85; ///< of the time that a recording takes
+const QString kBoard = QStringLiteral("calibration/board");
+const QString kModel = QStringLiteral("calibration/boardModel");
+const QString kLenses = QStringLiteral("calibration/boardLenses");
+const QString kPlaces = QStringLiteral("calibration/boardPlaces");
+const QString kLensAccuracy = QStringLiteral("calibration/boardLensAccuracy");
+const QString kPlaceAccuracy = QStringLiteral("calibration/boardPlaceAccuracy");
+
+/// Lenses of a live camera are found from all that was taken.
+BoardCalibrationRequest wishForLive(const BoardGuideRequest& wish, const BoardGuideState& state) {
+  BoardCalibrationRequest all = wish.board;
+  all.views = std::max(all.views, wish.lenses.mostViews);
+  all.worldFrame = state.floorFrame;
+  return all;
+}
+
+} // namespace
+
+BoardCalibrator::BoardCalibrator(Document& document, Opener open, QObject* parent)
+    : QObject(parent), document_(document), open_(std::move(open)),
+      looking_(std::make_shared<std::atomic<bool>>(false)), job_(new LongJob(this)),
+      writer_(new LongJob(this)), watch_([this] {
+        if (!pending_.exchange(true)) {
+          QMetaObject::invokeMethod(this, &BoardCalibrator::drain, Qt::QueuedConnection);
+        }
+      }) {
+  wish_.goal = {true, true};
+  recall();
+  connect(job_, &LongJob::progressChanged, this, &BoardCalibrator::progressChanged);
+  connect(job_, &LongJob::ended, this, [this](bool cancelled) {
+    if (cancelled && !std::exchange(forgotten_, false)) {
+      failure_ = tr("Stopped: the former calibration is kept.");
+    }
+    Q_EMIT changed();
+    Q_EMIT calibrated();
+  });
+  connect(&document_, &Document::replaced, this, &BoardCalibrator::forget);
+  connect(&document_, &Document::sourcesChanged, this, &BoardCalibrator::forget);
+  connect(&document_, &Document::calibrationChanged, this, &BoardCalibrator::changed);
+}
+
+BoardCalibrator::~BoardCalibrator() = default;
+
+const Project& BoardCalibrator::project() const {
+  return document_.project();
+}
+
+QString BoardCalibrator::nameOf(std::size_t camera) const {
+  const auto& cameras = project().cameras;
+  const QString name =
+      camera < cameras.size() ? QString::fromStdString(cameras[camera].camera.name) : QString();
+  return name.isEmpty() ? tr("camera %1").arg(camera + 1) : name;
+}
+
+void BoardCalibrator::setWish(const BoardGuideRequest& wish) {
+  wish_ = wish;
+  remember();
+  if (watching_) {
+    start(); // what was taken is of another board, or for another lens
+  }
+  Q_EMIT wishChanged();
+}
+
+void BoardCalibrator::remember() const {
+  QSettings settings;
+  settings.setValue(kBoard, QString::fromStdString(boardText(wish_.board.board)));
+  settings.setValue(kModel, static_cast<int>(wish_.board.model));
+  settings.setValue(kLenses, wish_.goal.lenses);
+  settings.setValue(kPlaces, wish_.goal.places);
+  settings.setValue(kLensAccuracy, wish_.lenses.requestedProjectionPx);
+  settings.setValue(kPlaceAccuracy, wish_.requestedPlace);
+}
+
+void BoardCalibrator::recall() {
+  const QSettings settings;
+  if (const auto board = parseBoard(settings.value(kBoard).toString().toStdString())) {
+    wish_.board.board = *board;
+  }
+  wish_.board.model =
+      static_cast<IntrinsicsModel>(std::clamp(settings.value(kModel, 0).toInt(), 0, 2));
+  wish_.goal.lenses = settings.value(kLenses, true).toBool();
+  wish_.goal.places = settings.value(kPlaces, true).toBool() || !wish_.goal.lenses;
+  wish_.lenses.requestedProjectionPx =
+      settings.value(kLensAccuracy, wish_.lenses.requestedProjectionPx).toDouble();
+  wish_.requestedPlace = settings.value(kPlaceAccuracy, wish_.requestedPlace).toDouble();
+}
+
+void BoardCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
+  const bool live = snapshot && snapshot->frames && !snapshot->frameCount;
+  const bool first = shownFrame_ < 0;
+  shownFrame_ = snapshot ? snapshot->frame : -1;
+  if (live && watching_ && !snapshot->past && snapshot->frames != shownToWatch_) {
+    shownToWatch_ = snapshot->frames;
+    watch_.show(snapshot->frames);
+  }
+  if (live != live_ || first != (shownFrame_ < 0)) {
+    live_ = live;
+    Q_EMIT changed();
+  }
+}
+
+bool BoardCalibrator::isComputing() const {
+  return job_->isRunning();
+}
+
+void BoardCalibrator::compute(Computation computation, bool applyIt) {
+  outcome_.reset();
+  failure_.clear();
+  job_->start([this, computation = std::move(computation), looking = looking_,
+               applyIt](const LongJob::Progress& progress) -> std::function<void()> {
+    auto result = std::make_shared<Result<BoardOutcome>>(
+        computation([&](const std::string& stage, double part) {
+          *looking = stage == "looking for the board";
+          return progress(*looking ? kLookingShare * part : -1.0);
+        }));
+    *looking = false;
+    return [this, result, applyIt] { adopt(result, applyIt); };
+  });
+  Q_EMIT changed();
+}
+
+void BoardCalibrator::adopt(const std::shared_ptr<Result<BoardOutcome>>& result, bool applyIt) {
+  if (!*result) {
+    failure_ = errorSentence(result->error());
+    return;
+  }
+  outcome_ = std::make_shared<const BoardOutcome>(std::move(**result));
+  if (applyIt && !(outcome_->places && !outcome_->places->faults.empty())) {
+    apply(); // with a fault that has a name a person decides
+  }
+}
+
+void BoardCalibrator::calibrate() {
+  if (isComputing() || live_) {
+    return;
+  }
+  *looking_ = true;
+  compute(
+      [open = open_, project = project(), wish = wish_](const CalibrationProgress& progress) {
+        return open(project).and_then([&](const SessionInputs& inputs) {
+          return lookForBoards(inputs.project, *inputs.source, wish.board, progress)
+              .and_then([&](const SeenBoards& seen) {
+                return calibrateFromBoards(inputs.project, seen, wish.board, wish.goal, progress);
+              });
+        });
+      },
+      true);
+}
+
+void BoardCalibrator::cancel() {
+  job_->cancel();
+}
+
+void BoardCalibrator::start() {
+  outcome_.reset();
+  failure_.clear();
+  shownToWatch_.reset();
+  watching_ = true;
+  watch_.begin(project(), wish_);
+  Q_EMIT playWanted();
+  Q_EMIT changed();
+  Q_EMIT guideChanged();
+}
+
+void BoardCalibrator::stop() {
+  watching_ = false;
+  Q_EMIT changed();
+}
+
+bool BoardCalibrator::hasViews() const {
+  const auto state = guide();
+  return state->seen && std::ranges::any_of(state->seen->cameras, [](const auto& camera) {
+           return !camera.views.empty();
+         });
+}
+
+void BoardCalibrator::finish() {
+  if (isComputing() || !hasViews()) {
+    return;
+  }
+  watching_ = false;
+  const auto state = guide();
+  compute(
+      [project = project(), seen = state->seen, wish = wishForLive(wish_, *state),
+       goal = wish_.goal](const CalibrationProgress& progress) {
+        return calibrateFromBoards(project, *seen, wish, goal, progress);
+      },
+      false);
+}
+
+void BoardCalibrator::drain() {
+  // Cleared before reading: what is published from here on earns a wake-up of its own.
+  pending_ = false;
+  if (watching_ && guide()->phase == BoardGuideState::Phase::Finished && hasViews()) {
+    finish();
+  }
+  Q_EMIT guideChanged();
+}
+
+bool BoardCalibrator::isApplied() const {
+  return outcome_ && outcome_->project.cameras.size() == project().cameras.size() &&
+         withOutcome(project(), *outcome_).cameras == project().cameras;
+}
+
+void BoardCalibrator::apply() {
+  const auto outcome = outcome_;
+  if (!outcome || isApplied()) {
+    return;
+  }
+  if (outcome->project.cameras.size() != project().cameras.size()) {
+    failure_ = tr("The project has other cameras by now: calibrate again.");
+    outcome_.reset();
+    Q_EMIT changed();
+    return;
+  }
+  const auto made = document_.edit(tr("Calibrate with a board"), [&](Project& project) {
+    project = withOutcome(std::move(project), *outcome);
+  });
+  failure_ = made ? QString() : errorSentence(made.error());
+  Q_EMIT changed();
+}
+
+void BoardCalibrator::write(const std::function<Status()>& task, const QString& file) {
+  writer_->start([this, task, file](const LongJob::Progress&) -> std::function<void()> {
+    const Status done = task();
+    const QString sentence = done ? QString() : errorSentence(done.error());
+    return [this, sentence, file] {
+      sentence.isEmpty() ? Q_EMIT saved(file) : Q_EMIT failed(sentence);
+    };
+  });
+}
+
+void BoardCalibrator::saveReport(const QString& file) {
+  if (outcome_) {
+    write([outcome = outcome_,
+           path = file.toStdString()] { return writeTextFile(path, outcome->report); },
+          file);
+  }
+}
+
+void BoardCalibrator::printBoard(const QString& paper, const QString& file) {
+  write(
+      [board = wish_.board.board, name = paper.toStdString(), path = file.toStdString()] {
+        return paperNamed(name).and_then([&](const Paper& sheet) {
+          return dewpoint::calibration::printBoard(board, sheet, path);
+        });
+      },
+      file);
+}
+
+void BoardCalibrator::forget() {
+  forgotten_ = isComputing();
+  job_->cancel();
+  watching_ = false;
+  outcome_.reset();
+  failure_.clear();
+  wish_.board.worldFrame.reset();
+  Q_EMIT wishChanged();
+  Q_EMIT changed();
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/board/board_form.h"
+
+#include "core/calibration/board/board_print.h"
+#include "ui/calibration/board/board_calibrator.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/number_field.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dewpoint::ui {
+namespace {
+
+struct Unit {
+  const char* name;
+  double metres;
+  NumberRange range;
+};
+const std::array<Unit, 4> kUnits{{{"mm", 0.001, {1.0, 2000.0, 1.0, 2}},
+                                  {"cm", 0.01, {0.1, 200.0, 0.1, 3}},
+                                  {"m", 1.0, {0.001, 2.0, 0.001, 5}},
+                                  {"in", 0.0254, {0.04, 80.0, 0.05, 4}}}};
+constexpr double kMarkerPart = 0.75; ///< of a square, where it is not known yet
+
+QSpinBox* makeCount(const char* name, QWidget* parent) {
+  auto* box = new QSpinBox(parent);
+  box->setObjectName(QLatin1String(name));
+  box->setRange(3, 60);
+  box->setKeyboardTracking(false);
+  return box;
+}
+
+/// Squares in a row or column, whatever the kind counts.
+int squares(int counted, BoardDescription::Kind kind) {
+  return kind == BoardDescription::Kind::Chessboard ? counted + 1 : counted;
+}
+int counted(int squares, BoardDescription::Kind kind) {
+  return kind == BoardDescription::Kind::Chessboard ? squares - 1 : squares;
+}
+
+/// Without the noise of units and ratios: 0.01875, not 0.018750000000000003.
+double rounded(double metres) {
+  constexpr double kPerMetre = 1e8;
+  return std::round(metres * kPerMetre) / kPerMetre;
+}
+
+/// The same squares as a board of the other kind.
+void changeKind(BoardDescription& board, BoardDescription::Kind kind) {
+  const int columns = squares(board.columns, board.kind);
+  const int rows = squares(board.rows, board.kind);
+  board.kind = kind;
+  board.columns = counted(columns, kind);
+  board.rows = counted(rows, kind);
+  const bool markers = kind == BoardDescription::Kind::Charuco;
+  board.markerSize = markers ? rounded(kMarkerPart * board.squareSize) : 0.0;
+  board.dictionary = markers ? "DICT_4X4_100" : "";
+  board.legacy = false;
+  board.inverted = false;
+}
+
+} // namespace
+
+BoardForm::BoardForm(BoardCalibrator& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+  setObjectName(QStringLiteral("boardFields"));
+  build();
+  connectFields();
+  onRetranslate(this, [this] { say(); });
+}
+
+void BoardForm::build() {
+  const auto combo = [this](const char* name) {
+    auto* box = new QComboBox(this);
+    box->setObjectName(QLatin1String(name));
+    makeNarrow(*box);
+    return box;
+  };
+  kindLabel_ = new QLabel(this);
+  kind_ = combo("boardKind");
+  squaresLabel_ = new QLabel(this);
+  columns_ = makeCount("boardColumns", this);
+  rows_ = makeCount("boardRows", this);
+  sizeLabel_ = new QLabel(this);
+  size_ = makeNumberField(QStringLiteral("boardSquareSize"), kUnits[0].range, this);
+  unit_ = combo("boardUnit");
+  for (const Unit& unit : kUnits) {
+    unit_->addItem(QLatin1String(unit.name));
+  }
+  markerLabel_ = new QLabel(this);
+  marker_ = makeNumberField(QStringLiteral("boardMarkerSize"), kUnits[0].range, this);
+  dictionaryLabel_ = new QLabel(this);
+  dictionary_ = combo("boardDictionary");
+  dictionary_->setMinimumContentsLength(15); // DICT_4X4_1000 must not look like DICT_4X4_100
+  for (const std::string& name : markerDictionaries()) {
+    dictionary_->addItem(QString::fromStdString(name));
+  }
+  legacy_ = new QCheckBox(this);
+  legacy_->setObjectName(QStringLiteral("boardLegacy"));
+  inverted_ = new QCheckBox(this);
+  inverted_->setObjectName(QStringLiteral("boardInverted"));
+  summary_ = new QLabel(this);
+  summary_->setObjectName(QStringLiteral("boardSummary"));
+  summary_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  summary_->setWordWrap(true);
+  print_ = new QPushButton(this);
+  print_->setObjectName(QStringLiteral("boardPrint"));
+  paper_ = combo("boardPaper");
+  for (const Paper& paper : papers()) {
+    paper_->addItem(QString::fromStdString(paper.name));
+  }
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(6);
+  for (int column = 0; column < 3; ++column) {
+    grid->setColumnStretch(column, 1);
+  }
+  grid->addWidget(kindLabel_, 0, 0);
+  grid->addWidget(kind_, 0, 1, 1, 2);
+  grid->addWidget(squaresLabel_, 1, 0);
+  grid->addWidget(columns_, 1, 1);
+  grid->addWidget(rows_, 1, 2);
+  grid->addWidget(sizeLabel_, 2, 0);
+  grid->addWidget(size_, 2, 1);
+  grid->addWidget(unit_, 2, 2);
+  grid->addWidget(markerLabel_, 3, 0);
+  grid->addWidget(marker_, 3, 1);
+  grid->addWidget(dictionaryLabel_, 4, 0);
+  grid->addWidget(dictionary_, 4, 1, 1, 2);
+  grid->addWidget(legacy_, 5, 0, 1, 3);
+  grid->addWidget(inverted_, 6, 0, 1, 3);
+  grid->addWidget(summary_, 7, 0, 1, 3);
+  grid->addWidget(print_, 8, 0, 1, 2);
+  grid->addWidget(paper_, 8, 2);
+  kindLabel_->setBuddy(kind_);
+  squaresLabel_->setBuddy(columns_);
+  sizeLabel_->setBuddy(size_);
+  markerLabel_->setBuddy(marker_);
+  dictionaryLabel_->setBuddy(dictionary_);
+}
+
+double BoardForm::metresPerUnit() const {
+  return kUnits.at(static_cast<std::size_t>(std::max(0, unit_->currentIndex()))).metres;
+}
+
+void BoardForm::connectFields() {
+  using Board = BoardDescription;
+  connect(&desk_, &BoardCalibrator::wishChanged, this, &BoardForm::refresh);
+  connect(kind_, &QComboBox::activated, this, [this](int index) {
+    edit([index](Board& board) { changeKind(board, static_cast<Board::Kind>(index)); });
+  });
+  connect(columns_, &QSpinBox::valueChanged, this, [this](int value) {
+    edit([value](Board& board) { board.columns = counted(value, board.kind); });
+  });
+  connect(rows_, &QSpinBox::valueChanged, this, [this](int value) {
+    edit([value](Board& board) { board.rows = counted(value, board.kind); });
+  });
+  connect(size_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    edit([metres = rounded(value * metresPerUnit())](Board& board) {
+      board.markerSize = rounded(board.markerSize * metres / board.squareSize);
+      board.squareSize = metres;
+    });
+  });
+  connect(marker_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    edit([metres = rounded(value * metresPerUnit())](Board& board) { board.markerSize = metres; });
+  });
+  connect(unit_, &QComboBox::activated, this, &BoardForm::refresh);
+  connect(dictionary_, &QComboBox::textActivated, this, [this](const QString& name) {
+    edit([&](Board& board) { board.dictionary = name.toStdString(); });
+  });
+  connect(legacy_, &QCheckBox::clicked, this,
+          [this](bool on) { edit([on](Board& board) { board.legacy = on; }); });
+  connect(inverted_, &QCheckBox::clicked, this,
+          [this](bool on) { edit([on](Board& board) { board.inverted = on; }); });
+  connect(print_, &QPushButton::clicked, this, &BoardForm::print);
+}
+
+void BoardForm::edit(const std::function<void(BoardDescription&)>& change) {
+  BoardGuideRequest wish = desk_.wish();
+  BoardDescription board = wish.board.board;
+  change(board);
+  const auto checked = parseBoard(boardText(board));
+  if (checked) {
+    wish.board.board = *checked;
+    desk_.setWish(wish);
+  }
+  refresh(); // also when it was refused
+  if (!checked) {
+    summary_->setText(QStringLiteral("⚠ ") + QString::fromStdString(checked.error().detail));
+  }
+}
+
+void BoardForm::print() {
+  const QString chosen = QFileDialog::getSaveFileName(
+      this, tr("Print the board"), QStringLiteral("board.pdf"), tr("PDF (*.pdf)"));
+  if (!chosen.isEmpty()) {
+    desk_.printBoard(paper_->currentText(), chosen);
+  }
+}
+
+void BoardForm::say() {
+  const auto name = [](QWidget* field, const QString& text, const QString& tip) {
+    field->setAccessibleName(text);
+    field->setToolTip(tip);
+  };
+  kindLabel_->setText(tr("Kind"));
+  {
+    const QSignalBlocker quiet(kind_);
+    kind_->clear();
+    kind_->addItems({tr("Chessboard"), tr("ChArUco (with markers)")});
+  }
+  name(kind_, tr("Kind of board"),
+       tr("ChArUco boards may be partly hidden or outside the image; chessboards must be seen "
+          "whole"));
+  squaresLabel_->setText(tr("Squares across, down"));
+  name(columns_, tr("Squares in a row"), tr("All squares of a row, black and white"));
+  name(rows_, tr("Squares in a column"), tr("All squares of a column, black and white"));
+  sizeLabel_->setText(tr("Side of a square"));
+  name(size_, tr("Side of a square"),
+       tr("Measured on the print: a long row with a ruler, divided by its squares"));
+  name(unit_, tr("Unit of the sizes"), tr("Unit in which the sizes are typed"));
+  markerLabel_->setText(tr("Side of a marker"));
+  name(marker_, tr("Side of a marker"), tr("Of the black square around the pattern"));
+  dictionaryLabel_->setText(tr("Dictionary"));
+  name(dictionary_, tr("Dictionary of the markers"), tr("As the program called it that made it"));
+  legacy_->setText(tr("Even rows of older software"));
+  legacy_->setToolTip(tr("A ChArUco board with an even number of rows from software older than "
+                         "OpenCV 4.6: its first square is white"));
+  inverted_->setText(tr("Black and white exchanged"));
+  inverted_->setToolTip(tr("White markers and corners on a black page"));
+  print_->setText(tr("Print this board…"));
+  print_->setToolTip(tr("Write the board as a PDF in its true size, with a bar to check it with a "
+                        "ruler"));
+  name(paper_, tr("Paper"), tr("Size of the sheet that is printed on"));
+  refresh();
+}
+
+void BoardForm::refresh() {
+  const BoardDescription& board = desk_.wish().board.board;
+  const bool markers = board.kind == BoardDescription::Kind::Charuco;
+  const auto count = [](QSpinBox* box, int value) {
+    const QSignalBlocker quiet(box);
+    box->setValue(value);
+  };
+  kind_->setCurrentIndex(static_cast<int>(board.kind));
+  count(columns_, squares(board.columns, board.kind));
+  count(rows_, squares(board.rows, board.kind));
+  const Unit& unit = kUnits.at(static_cast<std::size_t>(std::max(0, unit_->currentIndex())));
+  const QString suffix = QLatin1Char(' ') + QLatin1String(unit.name);
+  setRange(*size_, unit.range, suffix);
+  setRange(*marker_, unit.range, suffix);
+  showValue(*size_, board.squareSize / unit.metres);
+  showValue(*marker_, board.markerSize / unit.metres);
+  dictionary_->setCurrentText(QString::fromStdString(board.dictionary));
+  for (QWidget* field : std::initializer_list<QWidget*>{markerLabel_, marker_, dictionaryLabel_,
+                                                        dictionary_, legacy_, inverted_}) {
+    field->setVisible(markers);
+  }
+  legacy_->setEnabled(board.rows % 2 == 0);
+  legacy_->setChecked(board.legacy);
+  inverted_->setChecked(board.inverted);
+  summary_->setText(
+      tr("%1 × %2 inner corners; for the command line:")
+          .arg(QString::number(board.cornerColumns()), QString::number(board.cornerRows())) +
+      QLatin1Char('\n') + QString::fromStdString(boardText(board)));
+}
+
+} // namespace dewpoint::ui

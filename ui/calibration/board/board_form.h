@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/board/board.h"
+
+#include <QWidget>
+
+#include <functional>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+
+namespace dewpoint::ui {
+
+class BoardCalibrator;
+
+/// The board that is shown: kind, squares, sizes, markers; and a button to print it.
+class BoardForm : public QWidget {
+  Q_OBJECT
+public:
+  explicit BoardForm(BoardCalibrator& desk, QWidget* parent = nullptr);
+
+  /// Asks for a file and writes the board as a PDF in its true size.
+  void print();
+
+private:
+  void build();
+  void connectFields();
+  void say();
+  void refresh();
+  void edit(const std::function<void(BoardDescription&)>& change);
+  double metresPerUnit() const;
+
+  BoardCalibrator& desk_;
+  QLabel* kindLabel_;
+  QComboBox* kind_;
+  QLabel* squaresLabel_;
+  QSpinBox* columns_;
+  QSpinBox* rows_;
+  QLabel* sizeLabel_;
+  QDoubleSpinBox* size_;
+  QComboBox* unit_;
+  QLabel* markerLabel_;
+  QLabel* dictionaryLabel_;
+  QDoubleSpinBox* marker_;
+  QComboBox* dictionary_;
+  QCheckBox* legacy_;
+  QCheckBox* inverted_;
+  QLabel* summary_;
+  QPushButton* print_;
+  QComboBox* paper_;
+};
+
+} // namespace dewpoint::ui

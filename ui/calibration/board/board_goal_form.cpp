@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/board/board_goal_form.h"
+
+#include "ui/calibration/board/board_calibrator.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/number_field.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+
+#include <array>
+#include <limits>
+
+namespace dewpoint::ui {
+namespace {
+
+/// In the order of the choice.
+constexpr std::array<BoardGoal, 3> kGoals{{{true, true}, {true, false}, {false, true}}};
+constexpr double kMillimetre = 1e-3;
+
+} // namespace
+
+BoardGoalForm::BoardGoalForm(BoardCalibrator& desk, QWidget* parent)
+    : QWidget(parent), desk_(desk) {
+  setObjectName(QStringLiteral("boardGoalFields"));
+  build();
+  connectFields();
+  onRetranslate(this, [this] { say(); });
+}
+
+void BoardGoalForm::build() {
+  const auto combo = [this](const char* name) {
+    auto* box = new QComboBox(this);
+    box->setObjectName(QLatin1String(name));
+    makeNarrow(*box);
+    return box;
+  };
+  goalLabel_ = new QLabel(this);
+  goal_ = combo("boardGoal");
+  modelLabel_ = new QLabel(this);
+  model_ = combo("boardModel");
+  floor_ = new QCheckBox(this);
+  floor_->setObjectName(QStringLiteral("boardFloor"));
+  floorFrame_ = new QSpinBox(this);
+  floorFrame_->setObjectName(QStringLiteral("boardFloorFrame"));
+  floorFrame_->setRange(0, std::numeric_limits<int>::max());
+  floorFrame_->setKeyboardTracking(false);
+  floorHere_ = new QPushButton(this);
+  floorHere_->setObjectName(QStringLiteral("boardFloorHere"));
+  accuracyLabel_ = new QLabel(this);
+  lensAccuracy_ = makeNumberField(QStringLiteral("boardLensAccuracy"), {0.05, 20.0, 0.05, 2}, this);
+  placeAccuracy_ =
+      makeNumberField(QStringLiteral("boardPlaceAccuracy"), {0.05, 100.0, 0.5, 2}, this);
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(6);
+  for (int column = 0; column < 3; ++column) {
+    grid->setColumnStretch(column, 1);
+  }
+  grid->addWidget(goalLabel_, 0, 0);
+  grid->addWidget(goal_, 0, 1, 1, 2);
+  grid->addWidget(modelLabel_, 1, 0);
+  grid->addWidget(model_, 1, 1, 1, 2);
+  grid->addWidget(floor_, 2, 0, 1, 3);
+  grid->addWidget(floorFrame_, 3, 1);
+  grid->addWidget(floorHere_, 3, 2);
+  grid->addWidget(accuracyLabel_, 4, 0);
+  grid->addWidget(lensAccuracy_, 4, 1);
+  grid->addWidget(placeAccuracy_, 4, 2);
+  goalLabel_->setBuddy(goal_);
+  modelLabel_->setBuddy(model_);
+  accuracyLabel_->setBuddy(lensAccuracy_);
+}
+
+void BoardGoalForm::edit(const std::function<void(BoardGuideRequest&)>& change) {
+  BoardGuideRequest wish = desk_.wish();
+  change(wish);
+  desk_.setWish(wish);
+}
+
+void BoardGoalForm::connectFields() {
+  connect(&desk_, &BoardCalibrator::wishChanged, this, &BoardGoalForm::refresh);
+  connect(&desk_, &BoardCalibrator::changed, this, &BoardGoalForm::refresh);
+  connect(goal_, &QComboBox::activated, this, [this](int index) {
+    edit([index](BoardGuideRequest& wish) {
+      wish.goal = kGoals.at(static_cast<std::size_t>(index));
+    });
+  });
+  connect(model_, &QComboBox::activated, this, [this](int index) {
+    edit([index](BoardGuideRequest& wish) {
+      wish.board.model = static_cast<IntrinsicsModel>(index);
+    });
+  });
+  connect(floor_, &QCheckBox::clicked, this, [this](bool on) {
+    edit([&](BoardGuideRequest& wish) {
+      wish.board.worldFrame = on ? std::optional<std::int64_t>(floorFrame_->value()) : std::nullopt;
+    });
+  });
+  connect(floorFrame_, &QSpinBox::valueChanged, this, [this](int frame) {
+    edit([frame](BoardGuideRequest& wish) { wish.board.worldFrame = frame; });
+  });
+  connect(floorHere_, &QPushButton::clicked, this, [this] {
+    edit([this](BoardGuideRequest& wish) { wish.board.worldFrame = desk_.shownFrame(); });
+  });
+  connect(lensAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double pixels) {
+    edit([pixels](BoardGuideRequest& wish) { wish.lenses.requestedProjectionPx = pixels; });
+  });
+  connect(placeAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double millimetres) {
+    edit([=](BoardGuideRequest& wish) { wish.requestedPlace = kMillimetre * millimetres; });
+  });
+}
+
+void BoardGoalForm::say() {
+  const auto name = [](QWidget* field, const QString& text, const QString& tip) {
+    field->setAccessibleName(text);
+    field->setToolTip(tip);
+  };
+  const auto fill = [](QComboBox* box, const QStringList& items) {
+    const QSignalBlocker quiet(box);
+    box->clear();
+    box->addItems(items);
+  };
+  goalLabel_->setText(tr("Find"));
+  fill(goal_, {tr("Lenses and places"), tr("Lenses"), tr("Places of the cameras")});
+  name(goal_, tr("What is found"),
+       tr("Lenses: how each camera sees, by itself. Places: where the cameras stand, from a board "
+          "that several of them see at once"));
+  modelLabel_->setText(tr("Lens model"));
+  fill(model_,
+       {tr("Pinhole, 5 coefficients"), tr("Pinhole, 8 coefficients (wide)"), tr("Fisheye")});
+  name(model_, tr("Lens model"),
+       tr("5 for most lenses; 8 for wide ones; fisheye from about 120° on"));
+  floor_->setText(tr("The board lies on the floor in frame"));
+  floor_->setToolTip(tr("That frame makes the world: X along the rows, Y to the upper edge, Z up. "
+                        "Without it the first camera keeps its place"));
+  name(floorFrame_, tr("Frame in which the board lies on the floor"), tr("Number of the frame"));
+  floorHere_->setText(tr("This one"));
+  name(floorHere_, tr("The frame shown"), tr("Take the frame that is shown now"));
+  accuracyLabel_->setText(tr("Enough at"));
+  name(lensAccuracy_, tr("Accuracy wanted of lenses"),
+       tr("The guidance ends when a ray is known to so many pixels all over the image"));
+  lensAccuracy_->setSuffix(QStringLiteral(" px"));
+  name(placeAccuracy_, tr("Accuracy wanted of places"),
+       tr("The guidance ends when the place of each camera is known so well"));
+  placeAccuracy_->setSuffix(QStringLiteral(" mm"));
+  refresh();
+}
+
+void BoardGoalForm::refresh() {
+  const BoardGuideRequest& wish = desk_.wish();
+  for (std::size_t k = 0; k < kGoals.size(); ++k) {
+    if (kGoals.at(k) == wish.goal) {
+      goal_->setCurrentIndex(static_cast<int>(k));
+    }
+  }
+  model_->setCurrentIndex(static_cast<int>(wish.board.model));
+  modelLabel_->setVisible(wish.goal.lenses);
+  model_->setVisible(wish.goal.lenses);
+  const bool live = desk_.isLive();
+  const bool onFloor = wish.board.worldFrame.has_value();
+  floor_->setChecked(onFloor);
+  floor_->setVisible(!live && wish.goal.places);
+  floorFrame_->setVisible(onFloor && floor_->isVisibleTo(this));
+  floorHere_->setVisible(onFloor && floor_->isVisibleTo(this));
+  floorHere_->setEnabled(desk_.shownFrame() >= 0);
+  {
+    const QSignalBlocker quiet(floorFrame_);
+    floorFrame_->setValue(static_cast<int>(wish.board.worldFrame.value_or(0)));
+  }
+  accuracyLabel_->setVisible(live);
+  lensAccuracy_->setVisible(live && wish.goal.lenses);
+  placeAccuracy_->setVisible(live && wish.goal.places);
+  showValue(*lensAccuracy_, wish.lenses.requestedProjectionPx);
+  showValue(*placeAccuracy_, wish.requestedPlace / kMillimetre);
+}
+
+} // namespace dewpoint::ui

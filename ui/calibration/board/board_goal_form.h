@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QWidget>
+
+#include <functional>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+
+namespace dewpoint::setup {
+struct BoardGuideRequest;
+} // namespace dewpoint::setup
+
+namespace dewpoint::ui {
+
+class BoardCalibrator;
+
+/// What is to be found with the board: lenses, places or both, which lens model, how well, and
+/// whether the board lies on the floor somewhere in the recording.
+class BoardGoalForm : public QWidget {
+  Q_OBJECT
+public:
+  explicit BoardGoalForm(BoardCalibrator& desk, QWidget* parent = nullptr);
+
+private:
+  void build();
+  void connectFields();
+  void say();
+  void refresh();
+  void edit(const std::function<void(BoardGuideRequest&)>& change);
+
+  BoardCalibrator& desk_;
+  QLabel* goalLabel_;
+  QComboBox* goal_;
+  QLabel* modelLabel_;
+  QComboBox* model_;
+  QCheckBox* floor_;
+  QSpinBox* floorFrame_;
+  QPushButton* floorHere_;
+  QLabel* accuracyLabel_;
+  QDoubleSpinBox* lensAccuracy_;
+  QDoubleSpinBox* placeAccuracy_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QWidget>
+
+namespace dewpoint::ui {
+
+class BoardCalibrator;
+class CameraView;
+
+/// Lies over a camera view while the board is looked for live: the outline of the board that is
+/// found, lit for a moment when it is taken. Takes no mouse and no keys.
+class BoardLayer : public QWidget {
+  Q_OBJECT
+public:
+  BoardLayer(int camera, CameraView* view, BoardCalibrator& desk);
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  void follow();
+
+  std::size_t camera_;
+  CameraView* view_;
+  BoardCalibrator& desk_;
+  std::size_t taken_ = 0;
+  bool lit_ = false;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/board/board_live.h"
+
+#include "ui/calibration/board/board_calibrator.h"
+#include "ui/calibration/board/board_map.h"
+#include "ui/calibration/board/board_text.h"
+#include "ui/text/retranslation.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace dewpoint::ui {
+namespace {
+
+constexpr int kHeldSteps = 100;
+
+QPushButton* makeButton(const char* name, QWidget* parent) {
+  auto* button = new QPushButton(parent);
+  button->setObjectName(QLatin1String(name));
+  return button;
+}
+
+} // namespace
+
+BoardLive::BoardLive(BoardCalibrator& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+  setObjectName(QStringLiteral("boardLive"));
+  build();
+  connect(start_, &QPushButton::clicked, &desk_, &BoardCalibrator::start);
+  connect(capture_, &QPushButton::clicked, &desk_, &BoardCalibrator::captureNow);
+  connect(floor_, &QPushButton::clicked, &desk_, &BoardCalibrator::captureFloor);
+  connect(next_, &QPushButton::clicked, &desk_, &BoardCalibrator::goOn);
+  connect(finish_, &QPushButton::clicked, &desk_, &BoardCalibrator::finish);
+  connect(&desk_, &BoardCalibrator::changed, this, &BoardLive::refresh);
+  connect(&desk_, &BoardCalibrator::wishChanged, this, &BoardLive::refresh);
+  connect(&desk_, &BoardCalibrator::guideChanged, this, &BoardLive::refresh);
+  onRetranslate(this, [this] { say(); });
+}
+
+void BoardLive::build() {
+  start_ = makeButton("boardStart", this);
+  capture_ = makeButton("boardCapture", this);
+  floor_ = makeButton("boardFloorNow", this);
+  next_ = makeButton("boardNext", this);
+  finish_ = makeButton("boardFinish", this);
+  overall_ = new QLabel(this);
+  overall_->setObjectName(QStringLiteral("boardOverall"));
+  overall_->setWordWrap(true);
+  list_ = new QWidget(this);
+  grid_ = new QGridLayout(list_);
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setHorizontalSpacing(8);
+  grid_->setVerticalSpacing(8);
+  grid_->setColumnStretch(1, 1);
+  auto* buttons = new QGridLayout;
+  buttons->setSpacing(6);
+  buttons->addWidget(start_, 0, 0);
+  buttons->addWidget(capture_, 0, 1);
+  buttons->addWidget(floor_, 1, 0);
+  buttons->addWidget(next_, 1, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  column->addLayout(buttons);
+  column->addWidget(overall_);
+  column->addWidget(list_);
+  column->addWidget(finish_);
+}
+
+void BoardLive::makeRows(std::size_t count) {
+  for (const Row& row : rows_) {
+    delete row.map->parentWidget();
+  }
+  rows_.clear();
+  for (std::size_t k = 0; k < count; ++k) {
+    auto* frame = new QWidget(list_);
+    frame->setObjectName(QStringLiteral("boardCamera%1").arg(k));
+    const auto label = [&](const char* name) {
+      auto* made = new QLabel(frame);
+      made->setObjectName(QLatin1String(name) + QString::number(k));
+      made->setWordWrap(true);
+      return made;
+    };
+    Row row{new BoardMap(frame),    label("boardName"),      label("boardAdvice"),
+            label("boardAccuracy"), label("boardSharpness"), new QProgressBar(frame)};
+    row.map->setObjectName(QStringLiteral("boardMap%1").arg(k));
+    row.held->setObjectName(QStringLiteral("boardHeld%1").arg(k));
+    row.held->setRange(0, kHeldSteps);
+    row.held->setTextVisible(false);
+    row.held->setMaximumHeight(8);
+    QFont bold = row.name->font();
+    bold.setBold(true);
+    row.name->setFont(bold);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(3);
+    for (QWidget* part : std::initializer_list<QWidget*>{row.name, row.advice, row.held,
+                                                         row.accuracy, row.sharpness}) {
+      words->addWidget(part);
+    }
+    words->addStretch(1);
+    auto* line = new QHBoxLayout(frame);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addWidget(row.map, 0, Qt::AlignTop);
+    line->addLayout(words, 1);
+    grid_->addWidget(frame, static_cast<int>(k), 0, 1, 2);
+    rows_.push_back(row);
+  }
+}
+
+void BoardLive::fillRow(const Row& row, const BoardGuideState& state, std::size_t camera) {
+  const auto& of = state.cameras[camera];
+  const bool lens = state.phase == BoardGuideState::Phase::Lenses ||
+                    (!desk_.wish().goal.places && desk_.wish().goal.lenses);
+  row.map->show(of, lens);
+  row.name->setText(desk_.nameOf(camera));
+  row.advice->setText(lens ? adviceWords(of) : seenWords(of));
+  row.accuracy->setText(lens ? accuracyWords(of, desk_.wish().lenses) : placeWords(of));
+  row.sharpness->setText(sharpnessWords(of, desk_.wish().lenses));
+  const double held = lens ? of.lens.held : of.seen ? state.places.held : 0.0;
+  row.held->setValue(static_cast<int>(kHeldSteps * held));
+  row.held->setAccessibleName(
+      tr("How long the board was held still before %1").arg(desk_.nameOf(camera)));
+  row.map->setAccessibleName(tr("Where %1 saw the board").arg(desk_.nameOf(camera)));
+  row.map->setToolTip(tr("Filled: the regions and tilts that the board was shown in. Orange: what "
+                         "is asked for. Green: the board as it is seen now"));
+}
+
+void BoardLive::say() {
+  capture_->setText(tr("Capture now"));
+  capture_->setToolTip(tr("Take the board as it is shown now, also when it is not held still"));
+  floor_->setText(tr("On the floor now"));
+  floor_->setToolTip(tr("Take the board as it lies on the floor now: it makes the world. X along "
+                        "its rows, Y to its upper edge, Z up"));
+  next_->setText(tr("Next: places"));
+  next_->setToolTip(tr("Leave the lenses as well known as they are, and show the board to several "
+                       "cameras at once"));
+  finish_->setText(tr("Calibrate with these views"));
+  finish_->setToolTip(tr("End here: what was taken so far is enough"));
+  refresh();
+}
+
+void BoardLive::refresh() {
+  const bool watching = desk_.isWatching();
+  const auto state = desk_.guide();
+  const bool places = state->phase == BoardGuideState::Phase::Places;
+  start_->setText(watching || desk_.hasViews() ? tr("Start over") : tr("Start"));
+  start_->setToolTip(tr("Look for the board in the live images, and be told what to show"));
+  start_->setEnabled(!desk_.isComputing());
+  capture_->setEnabled(watching);
+  floor_->setVisible(desk_.wish().goal.places);
+  floor_->setEnabled(watching && places);
+  next_->setVisible(desk_.wish().goal.places && desk_.wish().goal.lenses);
+  next_->setEnabled(watching && !places);
+  finish_->setEnabled(desk_.hasViews() && !desk_.isComputing() && !desk_.outcome());
+  list_->setVisible(!state->cameras.empty());
+  overall_->setVisible(watching);
+  followGuide();
+}
+
+void BoardLive::followGuide() {
+  const auto state = desk_.guide();
+  if (rows_.size() != state->cameras.size()) {
+    makeRows(state->cameras.size());
+  }
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    fillRow(rows_[k], *state, k);
+  }
+  overall_->setText(
+      state->frame < 0 ? tr("Waiting for images: are the cameras playing?")
+      : state->phase == BoardGuideState::Phase::Places
+          ? pairWords(desk_, state->places)
+          : tr("Show the board to one camera after the other, as each of them asks."));
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/board_guide.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace dewpoint::ui {
+
+class BoardCalibrator;
+class BoardMap;
+
+/// Guidance before live cameras: buttons, and for each camera its coverage, sharpness, accuracy and
+/// what to show it next.
+class BoardLive : public QWidget {
+  Q_OBJECT
+public:
+  explicit BoardLive(BoardCalibrator& desk, QWidget* parent = nullptr);
+
+private:
+  /// What is said of one camera.
+  struct Row {
+    BoardMap* map;
+    QLabel* name;
+    QLabel* advice;
+    QLabel* accuracy;
+    QLabel* sharpness;
+    QProgressBar* held;
+  };
+  void build();
+  void say();
+  void refresh();
+  void followGuide();
+  void makeRows(std::size_t count);
+  void fillRow(const Row& row, const BoardGuideState& state, std::size_t camera);
+
+  BoardCalibrator& desk_;
+  QPushButton* start_;
+  QPushButton* capture_;
+  QPushButton* floor_;
+  QPushButton* next_;
+  QPushButton* finish_;
+  QLabel* overall_;
+  QWidget* list_;
+  QGridLayout* grid_;
+  std::vector<Row> rows_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/board/board_text.h"
+
+#include "ui/calibration/board/board_calibrator.h"
+#include "ui/text/calibration_text.h"
+#include "ui/text/error_sentence.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+#include <numbers>
+
+namespace dewpoint::ui {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(BoardWords)
+};
+
+constexpr double kPoorlyKnownPx = 5.0; ///< somewhere in the image: worth a warning
+
+QString figure(double value, int decimals) {
+  return QLocale().toString(value, 'f', decimals);
+}
+
+QString lensLine(const QString& name, const IntrinsicsResult& lens) {
+  const auto used = std::ranges::count(lens.views, true, &ViewFit::used);
+  QString line = Words::tr("%1: rms %2 px, focal length %3 px, %4 pictures; known to %5 px")
+                     .arg(name, figure(lens.rmsPx, 3), figure(lens.camera.intrinsics.focalX, 1),
+                          QString::number(used), figure(lens.worstProjectionPx, 2));
+  if (lens.worstProjectionPx > kPoorlyKnownPx) {
+    line += QStringLiteral("\n⚠ ") + Words::tr("Corners in only %1 % of its image: show the board "
+                                               "in all of it, also tilted.")
+                                         .arg(figure(100.0 * lens.coverage.imagePart(), 0));
+  }
+  return line;
+}
+
+QString placeLine(const QString& name, const CameraFit& fit) {
+  if (fit.views.empty()) {
+    return Words::tr("%1 keeps its place: it never saw the board.").arg(name);
+  }
+  QString line = Words::tr("%1: rms %2 px").arg(name, figure(fit.rmsPx, 3));
+  if (fit.centerSigma > 0.0) {
+    line += Words::tr(", place ±%1 mm, direction ±%2°")
+                .arg(figure(1e3 * fit.centerSigma, 2),
+                     figure(fit.turnSigma * 180.0 / std::numbers::pi, 3));
+  }
+  return line;
+}
+
+void addLenses(const BoardCalibrator& desk, const LensesFromBoards& lenses, QStringList& lines) {
+  lines << Words::tr("Lenses");
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < lenses.cameras.size(); ++k) {
+    if (lenses.cameras[k]) {
+      lines << lensLine(desk.nameOf(k), *lenses.cameras[k]);
+    } else {
+      lines << QStringLiteral("⚠ ") +
+                   Words::tr("%1 keeps its lens: %2")
+                       .arg(desk.nameOf(k), QString::fromStdString(lenses.kept.at(kept++).detail));
+    }
+  }
+}
+
+void addPlaces(const BoardCalibrator& desk, const ExtrinsicsResult& places, QStringList& lines) {
+  if (!lines.isEmpty()) {
+    lines << QString();
+  }
+  lines << Words::tr("Places: rms %1 px over %2 positions of the board")
+               .arg(figure(places.rmsPx, 3), QString::number(places.places.size()));
+  for (std::size_t k = 0; k < places.fits.size(); ++k) {
+    lines << placeLine(desk.nameOf(k), places.fits[k]);
+  }
+  // The last ones are about cameras that never saw the board: said already.
+  const auto blind =
+      std::ranges::count_if(places.fits, [](const CameraFit& fit) { return fit.views.empty(); });
+  for (std::size_t k = 0; k + static_cast<std::size_t>(blind) < places.notices.size(); ++k) {
+    lines << QStringLiteral("⚠ ") + QString::fromStdString(places.notices[k]) + QLatin1Char('.');
+  }
+}
+
+} // namespace
+
+QString regionWords(int region) {
+  const int column = region % BoardCoverage::kColumns / 2;    // left, middle, right
+  const int row = (region / BoardCoverage::kColumns + 1) / 2; // top, middle, bottom
+  const QString names[3][3] = {
+      {Words::tr("upper left"), Words::tr("top"), Words::tr("upper right")},
+      {Words::tr("left"), Words::tr("middle"), Words::tr("right")},
+      {Words::tr("lower left"), Words::tr("bottom"), Words::tr("lower right")}};
+  return names[std::clamp(row, 0, 2)][std::clamp(column, 0, 2)];
+}
+
+QString tiltWords(BoardTilt tilt) {
+  switch (tilt) {
+  case BoardTilt::LeftNear:
+    return Words::tr("its left side nearer");
+  case BoardTilt::RightNear:
+    return Words::tr("its right side nearer");
+  case BoardTilt::TopNear:
+    return Words::tr("its upper side nearer");
+  case BoardTilt::BottomNear:
+    return Words::tr("its lower side nearer");
+  case BoardTilt::Flat:
+    break;
+  }
+  return Words::tr("facing the camera");
+}
+
+QString adviceWords(const BoardGuideState::PerCamera& camera) {
+  if (camera.width == 0) {
+    return Words::tr("No image yet");
+  }
+  switch (camera.lens.advice) {
+  case GuidanceAdvice::ShowBoard:
+    return Words::tr("Show it the whole board");
+  case GuidanceAdvice::MoveTo:
+    return Words::tr("Move the board to: %1").arg(regionWords(camera.lens.region));
+  case GuidanceAdvice::TiltTo:
+    return Words::tr("Tilt it, %1").arg(tiltWords(camera.lens.tilt));
+  case GuidanceAdvice::ComeNearer:
+    return Words::tr("Come nearer with the board");
+  case GuidanceAdvice::HoldStill:
+    return Words::tr("Hold it still");
+  case GuidanceAdvice::Sharpen:
+    return Words::tr("The image is soft: focus, or more light");
+  case GuidanceAdvice::Finished:
+    break;
+  }
+  return Words::tr("✓ Done");
+}
+
+QString pairWords(const BoardCalibrator& desk, const RigGuidance::State& state) {
+  if (state.showTo < 0 || state.andTo < 0) {
+    return Words::tr("✓ All cameras have seen enough together");
+  }
+  return Words::tr("Show the board to %1 and %2 at once, hold it still, then elsewhere")
+      .arg(desk.nameOf(static_cast<std::size_t>(state.showTo)),
+           desk.nameOf(static_cast<std::size_t>(state.andTo)));
+}
+
+QString sharpnessWords(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings) {
+  if (!camera.seen) {
+    return Words::tr("no board in sight");
+  }
+  const QString edges = figure(camera.seen->edgeWidthPx, 1);
+  return camera.seen->edgeWidthPx > settings.softEdgePart * camera.width
+             ? Words::tr("⚠ soft, edges of %1 px").arg(edges)
+             : Words::tr("sharp, edges of %1 px").arg(edges);
+}
+
+QString accuracyWords(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings) {
+  if (!camera.lens.projectionPx) {
+    return Words::tr("%1 of at least %2 views")
+        .arg(QString::number(camera.lens.views), QString::number(settings.leastViews));
+  }
+  return Words::tr("%1 views, known to %2 px (wanted: %3 px)")
+      .arg(QString::number(camera.lens.views), figure(*camera.lens.projectionPx, 2),
+           figure(settings.requestedProjectionPx, 2));
+}
+
+QString seenWords(const BoardGuideState::PerCamera& camera) {
+  return camera.width == 0 ? Words::tr("No image yet")
+         : camera.seen     ? Words::tr("● sees the board")
+                           : Words::tr("○ does not see the board");
+}
+
+QString placeWords(const BoardGuideState::PerCamera& camera) {
+  const QString views = QString::number(camera.pairViews);
+  return camera.placeSigma ? Words::tr("%1 views, place known to %2 mm")
+                                 .arg(views, figure(1e3 * *camera.placeSigma, 2))
+                           : Words::tr("%1 views with others").arg(views);
+}
+
+QString outcomeWords(const BoardCalibrator& desk, const BoardOutcome& outcome) {
+  QStringList lines;
+  if (outcome.lenses) {
+    addLenses(desk, *outcome.lenses, lines);
+  }
+  if (outcome.noPlaces) {
+    lines << QStringLiteral("⚠ ") +
+                 Words::tr("The places were not found: %1").arg(errorSentence(*outcome.noPlaces));
+  }
+  if (outcome.places) {
+    addPlaces(desk, *outcome.places, lines);
+    lines << (outcome.verdict ? verdictWords(*outcome.verdict)
+                              : Words::tr("How good it is cannot be said: too few places were seen "
+                                          "by two cameras."));
+    QStringList names;
+    for (std::size_t k = 0; k < outcome.places->cameras.size(); ++k) {
+      names << desk.nameOf(k);
+    }
+    for (const NamedFault& fault : outcome.places->faults) {
+      lines << QStringLiteral("⚠ ") + faultWords(fault, names);
+    }
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
+} // namespace dewpoint::ui

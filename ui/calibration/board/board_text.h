@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/board_guide.h"
+
+#include <QString>
+
+namespace dewpoint::ui {
+
+class BoardCalibrator;
+
+/// "upper left": a region of BoardCoverage.
+QString regionWords(int region);
+/// "its left side nearer".
+QString tiltWords(BoardTilt tilt);
+
+/// What to show to one camera next, in one line.
+QString adviceWords(const BoardGuideState::PerCamera& camera);
+/// What to show next for the places of the cameras.
+QString pairWords(const BoardCalibrator& desk, const RigGuidance::State& state);
+/// "sharp" or "soft", with the width of edges.
+QString sharpnessWords(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings);
+/// How well its lens is known so far, and how well it is to be.
+QString accuracyWords(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings);
+
+/// In the phase of places: whether it sees the board.
+QString seenWords(const BoardGuideState::PerCamera& camera);
+/// How often it was seen together with other cameras, and how well its place is known so far.
+QString placeWords(const BoardGuideState::PerCamera& camera);
+
+/// The result in sentences: what was found, camera by camera, verdict and remarks.
+QString outcomeWords(const BoardCalibrator& desk, const BoardOutcome& outcome);
+
+} // namespace dewpoint::ui

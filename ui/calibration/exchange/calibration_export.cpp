@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/exchange/calibration_export.h"
+
+#include "ui/document/document.h"
+#include "ui/text/error_sentence.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+namespace dewpoint::ui {
+
+CalibrationExportDialog::CalibrationExportDialog(Document& document, QWidget* parent)
+    : ExchangeDialog(QStringLiteral("calibrationExport"), parent), document_(document),
+      format_(addChoice("Format")), unit_(addChoice("Unit")) {
+  formatLabel_ = addRow(format_);
+  unitLabel_ = addRow(unit_);
+  for (const CalibrationFormat& format : calibrationFormats()) {
+    if (format.write != nullptr) {
+      format_->addItem(QString::fromUtf8(format.title), QLatin1String(format.name));
+    }
+  }
+  connect(format_, &QComboBox::currentIndexChanged, this, &CalibrationExportDialog::formatChanged);
+  connect(&document_, &Document::replaced, this, &QDialog::close);
+  connect(&document_, &Document::calibrationChanged, this, [this] {
+    if (isVisible()) {
+      refresh();
+    }
+  });
+  begin();
+}
+
+const CalibrationFormat& CalibrationExportDialog::format() const {
+  return **calibrationFormat(format_->currentData().toString().toStdString());
+}
+
+bool CalibrationExportDialog::isFolder() const {
+  const FileLayout layout = format().layout;
+  return layout == FileLayout::CameraPair ||
+         (layout == FileLayout::FilePerCamera && document_.project().cameras.size() > 1);
+}
+
+void CalibrationExportDialog::formatChanged() {
+  unit_->setEnabled(!format().unit.has_value());
+  const QFileInfo before(file());
+  if (file().isEmpty()) {
+    return;
+  }
+  // The same place, with the ending of the format; folders have none.
+  const QString name = before.fileName().section(QLatin1Char('.'), 0, 0);
+  setFile(before.path() + QLatin1Char('/') + name +
+          (isFolder() ? QString() : QLatin1String(format().extension)));
+}
+
+void CalibrationExportDialog::chooseFile() {
+  const QString proposed = file().isEmpty()
+                               ? QStringLiteral("calibration") +
+                                     (isFolder() ? QString() : QLatin1String(format().extension))
+                               : file();
+  const QString chosen =
+      isFolder() ? QFileDialog::getExistingDirectory(this, tr("Choose a folder"),
+                                                     QFileInfo(proposed).path())
+                 : QFileDialog::getSaveFileName(this, tr("Export the calibration"), proposed,
+                                                QStringLiteral("%1 (*%2)")
+                                                    .arg(QString::fromUtf8(format().title),
+                                                         QLatin1String(format().extension)));
+  if (!chosen.isEmpty()) {
+    setFile(chosen);
+  }
+}
+
+void CalibrationExportDialog::sayAll() {
+  setWindowTitle(tr("Export the calibration"));
+  fileLabel_->setText(tr("File"));
+  accept_->setText(tr("Export"));
+  accept_->setToolTip(tr("Write the file; one that exists is replaced"));
+  formatLabel_->setText(tr("Format"));
+  format_->setAccessibleName(tr("Format"));
+  format_->setToolTip(tr("The program that is to read the file"));
+  unitLabel_->setText(tr("Unit"));
+  unit_->setAccessibleName(tr("Unit"));
+  unit_->setToolTip(tr("Of lengths, where the format leaves it open"));
+  {
+    const QSignalBlocker quiet(unit_);
+    const int chosen = std::max(0, unit_->currentIndex());
+    unit_->clear();
+    unit_->addItem(tr("as usual for the format"));
+    unit_->addItem(tr("metres"), QStringLiteral("m"));
+    unit_->addItem(tr("millimetres"), QStringLiteral("mm"));
+    unit_->addItem(tr("centimetres"), QStringLiteral("cm"));
+    unit_->setCurrentIndex(chosen);
+    unit_->setEnabled(!format().unit.has_value());
+  }
+}
+
+CalibrationTarget CalibrationExportDialog::target() const {
+  CalibrationTarget target;
+  target.path = file().toStdString();
+  target.format = format().name;
+  target.unit = unit_->isEnabled() ? metresOfUnit(unit_->currentData().toString().toStdString())
+                                   : std::nullopt;
+  target.replace = true;
+  return target;
+}
+
+QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion) const {
+  QStringList lines;
+  for (const std::string& decision : conversion.decisions) {
+    lines << QString::fromStdString(decision);
+  }
+  lines << QString();
+  for (const CameraDifference& camera : conversion.cameras) {
+    lines << (camera.refitted ? tr("%1: largest reprojection difference %2 px (fitted anew)")
+                              : tr("%1: largest reprojection difference %2 px"))
+                 .arg(QString::fromStdString(camera.camera),
+                      QLocale().toString(camera.largestPixels, 'g', 2));
+    if (camera.lostDirections > 0) {
+      lines << tr("%1: %2 of 81 directions have no pixel any more")
+                   .arg(QString::fromStdString(camera.camera))
+                   .arg(camera.lostDirections);
+    }
+  }
+  if (QFileInfo::exists(file()) && !isFolder()) {
+    lines << tr("%1 exists and will be replaced.").arg(file());
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
+ExchangeDialog::Preview CalibrationExportDialog::preview() {
+  return [this, project = document_.project(), target = target()] {
+    const auto outcome =
+        std::make_shared<Result<CalibrationConversion>>(previewExport(project, target));
+    return [this, outcome] { adopt(*outcome); };
+  };
+}
+
+void CalibrationExportDialog::adopt(const Result<CalibrationConversion>& outcome) {
+  if (outcome) {
+    showPreview(textOf(*outcome), true);
+  } else {
+    const QString sentence = errorSentence(askedQuestion(outcome.error()).error);
+    showPreview(QStringLiteral("⚠ ") + sentence, false);
+    Q_EMIT failed(sentence);
+  }
+}
+
+void CalibrationExportDialog::accepted() {
+  if (!isReady()) {
+    return;
+  }
+  work([this, project = document_.project(), target = target()] {
+    const auto written =
+        std::make_shared<Result<CalibrationConversion>>(exportCalibration(project, target));
+    return [this, written] { finish(*written); };
+  });
+}
+
+void CalibrationExportDialog::finish(const Result<CalibrationConversion>& written) {
+  if (!written) {
+    Q_EMIT failed(errorSentence(askedQuestion(written.error()).error));
+    refresh();
+    return;
+  }
+  QStringList files;
+  for (const auto& one : written->written) {
+    files << QString::fromStdString(one.string());
+  }
+  Q_EMIT done(tr("Saved %1.").arg(files.join(QStringLiteral(", "))));
+  close();
+}
+
+} // namespace dewpoint::ui

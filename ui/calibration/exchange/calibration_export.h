@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/calibration_exchange.h"
+#include "ui/calibration/exchange/exchange_dialog.h"
+
+namespace dewpoint::ui {
+
+class Document;
+
+/// Writes the project's cameras for another tool, with a preview of what is decided and lost.
+class CalibrationExportDialog : public ExchangeDialog {
+  Q_OBJECT
+public:
+  explicit CalibrationExportDialog(Document& document, QWidget* parent = nullptr);
+
+  void chooseFile() override;
+
+protected:
+  Preview preview() override;
+  void accepted() override;
+  void sayAll() override;
+
+private:
+  const CalibrationFormat& format() const;
+  CalibrationTarget target() const;
+  bool isFolder() const;
+  void formatChanged();
+  void adopt(const Result<CalibrationConversion>& outcome);
+  void finish(const Result<CalibrationConversion>& written);
+  QString textOf(const CalibrationConversion& conversion) const;
+
+  Document& document_;
+  QComboBox* format_;
+  QComboBox* unit_;
+  QLabel* formatLabel_;
+  QLabel* unitLabel_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/exchange/calibration_import.h"
+
+#include "ui/document/document.h"
+#include "ui/text/error_sentence.h"
+#include "ui/widgets/number_field.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSignalBlocker>
+
+#include <numbers>
+#include <set>
+
+namespace dewpoint::ui {
+namespace {
+
+/// Other texts with data; what is chosen stays.
+using Choices = std::vector<std::pair<QString, QString>>;
+
+void setChoices(QComboBox& box, const Choices& choices) {
+  const QSignalBlocker quiet(box);
+  const int chosen = std::max(0, box.currentIndex());
+  box.clear();
+  for (const auto& [text, data] : choices) {
+    box.addItem(text, data);
+  }
+  box.setCurrentIndex(std::min(chosen, box.count() - 1));
+}
+
+QString figure(double value, int decimals) {
+  return QLocale().toString(value, 'f', decimals);
+}
+
+} // namespace
+
+CalibrationImportDialog::CalibrationImportDialog(Document& document, QWidget* parent)
+    : ExchangeDialog(QStringLiteral("calibrationImport"), parent), document_(document),
+      format_(addChoice("Format")), unit_(addChoice("Unit")), lens_(addChoice("Lens")),
+      size_(new QLineEdit(this)), poses_(addChoice("Poses")), camera_(addChoice("Camera")),
+      folder_(new QPushButton(this)) {
+  size_->setObjectName(QStringLiteral("calibrationImportSize"));
+  folder_->setObjectName(QStringLiteral("calibrationImportFolder"));
+  unit_->setEditable(true);
+  unit_->setInsertPolicy(QComboBox::NoInsert);
+  addButton(folder_);
+  for (QWidget* field :
+       std::initializer_list<QWidget*>{format_, unit_, lens_, size_, poses_, camera_}) {
+    labels_.push_back(addRow(field));
+  }
+  connect(folder_, &QPushButton::clicked, this, [this] {
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Choose a folder"));
+    if (!folder.isEmpty()) {
+      setFile(folder);
+    }
+  });
+  connect(&document_, &Document::replaced, this, &QDialog::close);
+  begin();
+}
+
+QString CalibrationImportDialog::fileFilter() {
+  std::set<QString> endings;
+  QStringList filters;
+  for (const CalibrationFormat& format : calibrationFormats()) {
+    QString ending = QStringLiteral("*") + QLatin1String(format.extension);
+    endings.insert(ending);
+    if (ending == QLatin1String("*.yaml") || ending == QLatin1String("*.yml")) {
+      ending = QStringLiteral("*.yaml *.yml");
+      endings.insert(QStringLiteral("*.yml"));
+      endings.insert(QStringLiteral("*.yaml"));
+    }
+    filters << QStringLiteral("%1 (%2)").arg(QString::fromUtf8(format.title), ending);
+  }
+  QStringList all;
+  for (const QString& ending : endings) {
+    all << ending;
+  }
+  filters.prepend(tr("Calibrations") + QStringLiteral(" (%1)").arg(all.join(QLatin1Char(' '))));
+  filters << tr("All files") + QStringLiteral(" (*)");
+  return filters.join(QStringLiteral(";;"));
+}
+
+void CalibrationImportDialog::chooseFile() {
+  const QString chosen = QFileDialog::getOpenFileName(this, tr("Import a calibration"),
+                                                      QFileInfo(file()).path(), fileFilter());
+  if (!chosen.isEmpty()) {
+    setFile(chosen);
+  }
+}
+
+void CalibrationImportDialog::fillCameras() {
+  Choices choices = {{tr("as the names say"), {}}};
+  for (const ProjectCamera& camera : document_.project().cameras) {
+    const QString name = QString::fromStdString(camera.camera.name);
+    choices.emplace_back(tr("only %1").arg(name), name);
+  }
+  setChoices(*camera_, choices);
+}
+
+void CalibrationImportDialog::sayAll() {
+  setWindowTitle(tr("Import a calibration"));
+  fileLabel_->setText(tr("File"));
+  folder_->setText(tr("Folder…"));
+  folder_->setAccessibleName(tr("Choose a folder"));
+  folder_->setToolTip(tr("Find a folder with a file for each camera"));
+  accept_->setText(tr("Use these cameras"));
+  accept_->setToolTip(tr("Take the calibration into the project; it can be undone"));
+  const QString own = tr("as the file says");
+  Choices formats = {{tr("recognized from the content"), {}}};
+  for (const CalibrationFormat& format : calibrationFormats()) {
+    formats.emplace_back(QString::fromUtf8(format.title), QLatin1String(format.name));
+  }
+  setChoices(*format_, formats);
+  setChoices(*unit_, {{own, {}},
+                      {tr("metres"), QStringLiteral("m")},
+                      {tr("millimetres"), QStringLiteral("mm")},
+                      {tr("centimetres"), QStringLiteral("cm")},
+                      {tr("inches"), QStringLiteral("in")},
+                      {tr("feet"), QStringLiteral("ft")}});
+  setChoices(*lens_, {{own, {}},
+                      {tr("k1 k2 p1 p2 of a pinhole"), QStringLiteral("pinhole")},
+                      {tr("k1 k2 k3 k4 of a fisheye"), QStringLiteral("fisheye")}});
+  setChoices(*poses_, {{tr("as the format has them"), {}},
+                       {tr("camera from world"), QStringLiteral("no")},
+                       {tr("world from camera"), QStringLiteral("yes")}});
+  size_->setPlaceholderText(own);
+  fillCameras();
+  const std::pair<QString, QString> names[] = {
+      {tr("Format"), tr("The program that wrote the file")},
+      {tr("Unit"), tr("Of lengths in the file; or type the metres of one unit, such as 0.025 for "
+                      "squares of 25 mm")},
+      {tr("Four coefficients"), tr("What four lens coefficients mean")},
+      {tr("Size of images"), tr("Width and height in pixels, such as 1280x720")},
+      {tr("Poses"), tr("Which way the poses in the file go")},
+      {tr("For"), tr("Which camera a file of one camera is about")}};
+  QWidget* const fields[] = {format_, unit_, lens_, size_, poses_, camera_};
+  for (std::size_t k = 0; k < labels_.size(); ++k) {
+    labels_[k]->setText(names[k].first);
+    fields[k]->setAccessibleName(names[k].first);
+    fields[k]->setToolTip(names[k].second);
+  }
+}
+
+ImportRequest CalibrationImportDialog::wish() const {
+  ImportRequest wish;
+  wish.path = file().toStdString();
+  wish.hints.format = format_->currentData().toString().toStdString();
+  const int listed = unit_->findText(unit_->currentText());
+  const QString unit = listed >= 0 ? unit_->itemData(listed).toString() : unit_->currentText();
+  wish.hints.unit = metresOfUnit(unit.trimmed().toStdString());
+  const QString lens = lens_->currentData().toString();
+  if (!lens.isEmpty()) {
+    wish.hints.lens = lens == QLatin1String("fisheye") ? LensModel::Fisheye : LensModel::Pinhole;
+  }
+  static const QRegularExpression kSize(
+      QStringLiteral("^\\s*(\\d{1,6})\\s*[x×*]\\s*(\\d{1,6})\\s*$"));
+  if (const auto size = kSize.match(size_->text()); size.hasMatch()) {
+    wish.hints.size = {size.captured(1).toInt(), size.captured(2).toInt()};
+  }
+  const QString poses = poses_->currentData().toString();
+  if (!poses.isEmpty()) {
+    wish.hints.posesAreWorldFromCamera = poses == QLatin1String("yes");
+  }
+  wish.camera = camera_->currentData().toString().toStdString();
+  return wish;
+}
+
+ExchangeDialog::Preview CalibrationImportDialog::preview() {
+  made_.reset();
+  return [this, project = document_.project(), wish = wish()] {
+    const auto made = std::make_shared<Result<CalibrationImport>>(importCalibration(project, wish));
+    return [this, made] { adopt(*made); };
+  };
+}
+
+void CalibrationImportDialog::mark(ImportQuestion question) {
+  for (std::size_t k = 0; k < labels_.size(); ++k) {
+    QFont font = labels_[k]->font();
+    font.setBold(static_cast<int>(question) == static_cast<int>(k) + 1);
+    labels_[k]->setFont(font);
+  }
+}
+
+void CalibrationImportDialog::adoptError(const Error& error) {
+  const AskedQuestion asked = askedQuestion(error);
+  const QString sentence = errorSentence(asked.error);
+  mark(asked.question);
+  QString text = QStringLiteral("⚠ ") + sentence;
+  if (asked.question != ImportQuestion::None) {
+    const QString label = labels_[static_cast<std::size_t>(asked.question) - 1]->text();
+    text += QStringLiteral("\n\n") +
+            tr("The file leaves something open. Answer “%1” above.").arg(label);
+  }
+  showPreview(text, false);
+  Q_EMIT failed(sentence);
+}
+
+void CalibrationImportDialog::adopt(const Result<CalibrationImport>& made) {
+  if (!made) {
+    adoptError(made.error());
+    return;
+  }
+  mark(ImportQuestion::None);
+  made_ = std::make_shared<const CalibrationImport>(*made);
+  QStringList lines;
+  for (const std::string& decision : made->decisions) {
+    lines << QString::fromStdString(decision);
+  }
+  if (made->matchedByOrder) {
+    lines << tr("The calibration names its cameras differently: they were taken in its order.");
+  }
+  if (made->lensOnly) {
+    lines << tr("There is no pose in the file: only the lens is taken, the pose stays.");
+  }
+  lines << QString();
+  for (const ImportedCamera& camera : made->cameras) {
+    lines << tr("%1 (in the file: %2): %3 cm and %4° from where it is now")
+                 .arg(QString::fromStdString(camera.name), QString::fromStdString(camera.fileName),
+                      figure(100.0 * camera.shift.metres, 1),
+                      figure(camera.shift.radians * 180.0 / std::numbers::pi, 2));
+  }
+  lines << tr("Largest reprojection difference to the file: %1 px")
+               .arg(QLocale().toString(made->largestPixels, 'g', 2));
+  showPreview(lines.join(QLatin1Char('\n')), true);
+}
+
+void CalibrationImportDialog::accepted() {
+  if (!isReady() || !made_) {
+    return;
+  }
+  const auto edited = document_.edit(tr("Import calibration"), [this](Project& project) {
+    for (std::size_t k = 0; k < std::min(project.cameras.size(), made_->project.cameras.size());
+         ++k) {
+      project.cameras[k].camera = made_->project.cameras[k].camera;
+      project.cameras[k].adjusted = made_->project.cameras[k].adjusted;
+    }
+  });
+  if (!edited) {
+    Q_EMIT failed(errorSentence(edited.error()));
+    return;
+  }
+  Q_EMIT done(tr("The cameras have the calibration of %1 now.").arg(file()));
+  close();
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/calibration_exchange.h"
+#include "ui/calibration/exchange/exchange_dialog.h"
+
+#include <memory>
+
+namespace dewpoint::ui {
+
+class Document;
+
+/// Takes the calibration of any tool into the project: asks what the file leaves open, shows what
+/// was decided and what would change, and makes it one step of the document.
+class CalibrationImportDialog : public ExchangeDialog {
+  Q_OBJECT
+public:
+  explicit CalibrationImportDialog(Document& document, QWidget* parent = nullptr);
+
+  /// For a dialog that chooses a file: every dialect by its name and ending.
+  static QString fileFilter();
+  void chooseFile() override;
+
+protected:
+  Preview preview() override;
+  void accepted() override;
+  void sayAll() override;
+
+private:
+  ImportRequest wish() const;
+  void adopt(const Result<CalibrationImport>& made);
+  void adoptError(const Error& error);
+  void mark(ImportQuestion question);
+  void fillCameras();
+
+  Document& document_;
+  QComboBox* format_;
+  QComboBox* unit_;
+  QComboBox* lens_;
+  QLineEdit* size_;
+  QComboBox* poses_;
+  QComboBox* camera_;
+  std::vector<QLabel*> labels_; ///< by ImportQuestion, from Format on
+  QPushButton* folder_;
+  std::shared_ptr<const CalibrationImport> made_;
+};
+
+} // namespace dewpoint::ui

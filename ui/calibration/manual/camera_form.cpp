@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/manual/camera_form.h"
+
+#include "ui/calibration/manual_calibration.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/number_field.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include <numbers>
+
+namespace dewpoint::ui {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+const char* const kAxes[] = {"X", "Y", "Z"};
+
+QComboBox* makeChoice(const char* name, QWidget* parent) {
+  auto* box = new QComboBox(parent);
+  box->setObjectName(QLatin1String(name));
+  makeNarrow(*box);
+  return box;
+}
+
+/// The texts of a choice, which stays where it is.
+void setTexts(QComboBox& box, const QStringList& texts) {
+  const QSignalBlocker quiet(box);
+  const int chosen = std::max(0, box.currentIndex());
+  box.clear();
+  box.addItems(texts);
+  box.setCurrentIndex(chosen);
+}
+
+} // namespace
+
+CameraForm::CameraForm(ManualCalibration& hand, QWidget* parent) : QWidget(parent), hand_(hand) {
+  setObjectName(QStringLiteral("cameraFields"));
+  build();
+  connectFields();
+  onRetranslate(this, [this] { say(); });
+}
+
+void CameraForm::build() {
+  cameraLabel_ = new QLabel(this);
+  camera_ = makeChoice("handCamera", this);
+  positionLabel_ = new QLabel(this);
+  unit_ = makeChoice("handUnit", this);
+  aimLabel_ = new QLabel(this);
+  aimMode_ = makeChoice("handAimMode", this);
+  lensLabel_ = new QLabel(this);
+  lensMode_ = makeChoice("handLensMode", this);
+  lens_ = makeNumberField(QStringLiteral("handLens"), {}, this);
+  dragLabel_ = new QLabel(this);
+  dragMode_ = makeChoice("handDragMode", this);
+  focalMay_ = new QCheckBox(this);
+  focalMay_->setObjectName(QStringLiteral("handFocalMay"));
+  keysLabel_ = new QLabel(this);
+  keyMode_ = makeChoice("handKeyMode", this);
+  keyFrame_ = makeChoice("handKeyFrame", this);
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(6);
+  for (int column = 0; column < 3; ++column) {
+    grid->setColumnStretch(column, 1);
+  }
+  grid->addWidget(cameraLabel_, 0, 0);
+  grid->addWidget(camera_, 0, 1, 1, 2);
+  grid->addWidget(positionLabel_, 1, 0);
+  grid->addWidget(unit_, 1, 1, 1, 2);
+  for (std::size_t k = 0; k < 3; ++k) {
+    position_[k] =
+        makeNumberField(QStringLiteral("handPosition") + QLatin1String(kAxes[k]), {}, this);
+    grid->addWidget(position_[k], 2, static_cast<int>(k));
+  }
+  grid->addWidget(aimLabel_, 3, 0);
+  grid->addWidget(aimMode_, 3, 1, 1, 2);
+  const char* const names[] = {"handAimX", "handAimY", "handAimZ", "handRoll"};
+  for (std::size_t k = 0; k < 4; ++k) {
+    aim_[k] = makeNumberField(QLatin1String(names[k]), {}, this);
+    grid->addWidget(aim_[k], k < 3 ? 4 : 5, k < 3 ? static_cast<int>(k) : 0);
+  }
+  grid->addWidget(lensLabel_, 6, 0);
+  grid->addWidget(lensMode_, 6, 1);
+  grid->addWidget(lens_, 6, 2);
+  grid->addWidget(dragLabel_, 7, 0);
+  grid->addWidget(dragMode_, 7, 1, 1, 2);
+  grid->addWidget(focalMay_, 8, 0, 1, 3);
+  grid->addWidget(keysLabel_, 9, 0);
+  grid->addWidget(keyMode_, 9, 1);
+  grid->addWidget(keyFrame_, 9, 2);
+  cameraLabel_->setBuddy(camera_);
+  positionLabel_->setBuddy(position_[0]);
+  aimLabel_->setBuddy(aim_[0]);
+  lensLabel_->setBuddy(lens_);
+  dragLabel_->setBuddy(dragMode_);
+  keysLabel_->setBuddy(keyMode_);
+}
+
+void CameraForm::connectFields() {
+  connect(&hand_, &ManualCalibration::changed, this, &CameraForm::refresh);
+  connect(&hand_, &ManualCalibration::cameraSelected, this, &CameraForm::refresh);
+  connect(camera_, &QComboBox::activated, &hand_, &ManualCalibration::selectCamera);
+  for (QComboBox* mode : {unit_, aimMode_, lensMode_}) {
+    connect(mode, &QComboBox::currentIndexChanged, this, [this] {
+      showUnits();
+      refresh();
+    });
+  }
+  for (int k = 0; k < 3; ++k) {
+    connect(position_[static_cast<std::size_t>(k)], &QDoubleSpinBox::valueChanged, this,
+            [this, k](double value) { editPosition(k, value); });
+  }
+  for (int k = 0; k < 4; ++k) {
+    connect(aim_[static_cast<std::size_t>(k)], &QDoubleSpinBox::valueChanged, this,
+            [this, k](double value) { editAim(k, value); });
+  }
+  connect(lens_, &QDoubleSpinBox::valueChanged, this, &CameraForm::editLens);
+  for (QDoubleSpinBox* field : findChildren<QDoubleSpinBox*>()) {
+    connect(field, &QDoubleSpinBox::editingFinished, &hand_, &ManualCalibration::endMerging);
+  }
+  const auto drag = [this] {
+    hand_.setDragSettings({dragMode_->currentIndex() == 1 ? DragMode::Slide : DragMode::Turn,
+                           focalMay_->isChecked()});
+  };
+  connect(dragMode_, &QComboBox::currentIndexChanged, this, drag);
+  connect(focalMay_, &QCheckBox::toggled, this, drag);
+  connect(keyMode_, &QComboBox::currentIndexChanged, this,
+          [this](int index) { hand_.setKeyMode(index == 1 ? KeyMode::Turn : KeyMode::Move); });
+  connect(keyFrame_, &QComboBox::currentIndexChanged, this, [this](int index) {
+    hand_.setNudgeFrame(index == 1 ? NudgeFrame::World : NudgeFrame::Camera);
+  });
+}
+
+void CameraForm::say() {
+  const auto name = [](QWidget* field, const QString& text, const QString& tip) {
+    field->setAccessibleName(text);
+    field->setToolTip(tip);
+  };
+  cameraLabel_->setText(tr("Camera"));
+  name(camera_, tr("Camera"),
+       tr("The camera that is adjusted; clicking into its image chooses it too"));
+  positionLabel_->setText(tr("Position"));
+  setTexts(*unit_, {tr("metres"), tr("centimetres")});
+  name(unit_, tr("Unit of positions"), tr("Unit in which positions are shown and typed"));
+  aimLabel_->setText(tr("Looks"));
+  setTexts(*aimMode_, {tr("at a point, roll"), tr("yaw, pitch, roll")});
+  name(aimMode_, tr("How the direction is said"),
+       tr("A point that the camera looks at, or angles: yaw from x towards y, pitch above the "
+          "horizon, roll about the line of sight"));
+  lensLabel_->setText(tr("Lens"));
+  setTexts(*lensMode_, {tr("focal length"), tr("field of view")});
+  name(lensMode_, tr("How the lens is said"),
+       tr("Focal length in pixels, or the horizontal field of view in degrees"));
+  name(lens_, tr("Focal length or field of view"),
+       tr("How much the camera magnifies; the keys + and − change it too"));
+  dragLabel_->setText(tr("Dragging"));
+  setTexts(*dragMode_, {tr("turns the camera"), tr("slides the camera")});
+  name(dragMode_, tr("What dragging does"),
+       tr("What the camera does while the grid is dragged and nothing is held. Click points of the "
+          "grid to hold up to three of them."));
+  focalMay_->setText(tr("Three held points: the focal length gives way"));
+  focalMay_->setToolTip(tr("Three held points fix the pose; dragging then changes the focal "
+                           "length, and the camera follows"));
+  keysLabel_->setText(tr("Keys"));
+  setTexts(*keyMode_, {tr("move"), tr("turn")});
+  name(keyMode_, tr("What keys do"),
+       tr("Arrows or W A S D, with Q and E or the page keys: 1 cm or 0.2° a step. Shift: ten times "
+          "as much; Ctrl with arrows and page keys: a tenth."));
+  setTexts(*keyFrame_, {tr("as it looks"), tr("along x, y, z")});
+  name(keyFrame_, tr("Directions of keys"),
+       tr("Right, forward and up as the camera looks, or the axes of the world"));
+  showUnits();
+  refresh();
+}
+
+double CameraForm::metresPerUnit() const {
+  return unit_->currentIndex() == 1 ? 0.01 : 1.0;
+}
+
+bool CameraForm::looksAtPoint() const {
+  return aimMode_->currentIndex() != 1;
+}
+
+bool CameraForm::showsFieldOfView() const {
+  return lensMode_->currentIndex() == 1;
+}
+
+void CameraForm::showUnits() {
+  const bool centimetres = unit_->currentIndex() == 1;
+  const NumberRange length =
+      centimetres ? NumberRange{-1e6, 1e6, 1.0, 1} : NumberRange{-1e4, 1e4, 0.01, 3};
+  const QString unit = centimetres ? QStringLiteral(" cm") : QStringLiteral(" m");
+  const QString degrees = QStringLiteral("°");
+  const QString heading[] = {tr("Yaw"), tr("Pitch"), QString()};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const QString axis = QLatin1String(kAxes[k]);
+    setRange(*position_[k], length, unit);
+    position_[k]->setPrefix(axis.toLower() + QLatin1Char(' '));
+    position_[k]->setAccessibleName(tr("Position %1").arg(axis));
+    position_[k]->setToolTip(tr("Where the camera stands, along %1").arg(axis));
+    if (looksAtPoint()) {
+      setRange(*aim_[k], length, unit);
+      aim_[k]->setPrefix(axis.toLower() + QLatin1Char(' '));
+      aim_[k]->setAccessibleName(tr("Looks at %1").arg(axis));
+      aim_[k]->setToolTip(tr("The point the camera looks at, along %1").arg(axis));
+    } else {
+      setRange(*aim_[k], {-180.0, 180.0, 0.1, 2}, degrees);
+      aim_[k]->setPrefix({});
+      aim_[k]->setAccessibleName(heading[k]);
+      aim_[k]->setToolTip(k == 0 ? tr("Direction from above: 0° along x, 90° along y")
+                                 : tr("Above the horizon; straight down is −90°"));
+    }
+  }
+  aim_[2]->setVisible(looksAtPoint());
+  setRange(*aim_[3], {-180.0, 180.0, 0.1, 2}, degrees);
+  aim_[3]->setPrefix(tr("roll") + QLatin1Char(' '));
+  aim_[3]->setAccessibleName(tr("Roll"));
+  aim_[3]->setToolTip(tr("Turned about its line of sight, clockwise"));
+  showsFieldOfView() ? setRange(*lens_, {1.0, 179.0, 0.1, 2}, degrees)
+                     : setRange(*lens_, {1.0, 1e5, 1.0, 1}, QStringLiteral(" px"));
+}
+
+void CameraForm::refreshCameras() {
+  QStringList names;
+  for (int k = 0; k < hand_.cameraCount(); ++k) {
+    names << hand_.nameOf(k);
+  }
+  const QSignalBlocker quiet(camera_);
+  QStringList shown;
+  for (int k = 0; k < camera_->count(); ++k) {
+    shown << camera_->itemText(k);
+  }
+  if (shown != names) {
+    camera_->clear();
+    camera_->addItems(names);
+  }
+  camera_->setCurrentIndex(hand_.camera());
+}
+
+void CameraForm::refresh() {
+  refreshCameras();
+  setEnabled(hand_.cameraCount() > 0);
+  if (hand_.cameraCount() == 0) {
+    return;
+  }
+  const Camera camera = hand_.cameraAt(hand_.camera());
+  const Heading heading = headingOf(camera);
+  const Eigen::Vector3d target = lookedAt(camera, hand_.grid().origin.z());
+  const double angles[] = {heading.yaw / kDegree, heading.pitch / kDegree, 0.0};
+  for (int k = 0; k < 3; ++k) {
+    const auto index = static_cast<std::size_t>(k);
+    showValue(*position_[index], camera.center()[k] / metresPerUnit());
+    showValue(*aim_[index], looksAtPoint() ? target[k] / metresPerUnit() : angles[k]);
+  }
+  showValue(*aim_[3], heading.roll / kDegree);
+  showValue(*lens_, showsFieldOfView() ? fieldOfView(camera) / kDegree : camera.intrinsics.focalX);
+}
+
+void CameraForm::change(const QString& what, const QString& value, const Camera& camera,
+                        const char* key) {
+  hand_.change(hand_.camera(),
+               tr("%1: %2 %3").arg(hand_.nameOf(hand_.camera()), what, value).simplified(), camera,
+               key);
+  refresh(); // also when it was refused
+}
+
+void CameraForm::editPosition(int axis, double value) {
+  const Camera camera = hand_.cameraAt(hand_.camera());
+  Eigen::Vector3d position = camera.center();
+  position[axis] = value * metresPerUnit();
+  const auto* field = position_[static_cast<std::size_t>(axis)];
+  change(tr("position"), field->text(), withPosition(camera, position), kAxes[axis]);
+}
+
+void CameraForm::editAim(int index, double value) {
+  const Camera camera = hand_.cameraAt(hand_.camera());
+  const auto* field = aim_[static_cast<std::size_t>(index)];
+  const char* const keys[] = {"aim x", "aim y", "aim z", "roll"};
+  if (index < 3 && looksAtPoint()) {
+    Eigen::Vector3d target = lookedAt(camera, hand_.grid().origin.z());
+    target[index] = value * metresPerUnit();
+    change(tr("looks at"), field->text(), lookingAt(camera, target), keys[index]);
+    return;
+  }
+  Heading heading = headingOf(camera);
+  (index == 0 ? heading.yaw : index == 1 ? heading.pitch : heading.roll) = value * kDegree;
+  change(index == 0   ? tr("yaw")
+         : index == 1 ? tr("pitch")
+                      : QString(),
+         field->text(), withHeading(camera, heading), keys[index]);
+}
+
+void CameraForm::editLens(double value) {
+  const Camera camera = hand_.cameraAt(hand_.camera());
+  const double focal = showsFieldOfView() ? focalLengthOf(camera, value * kDegree) : value;
+  change(showsFieldOfView() ? tr("field of view") : tr("focal length"), lens_->text(),
+         withFocalLength(camera, focal), "lens");
+}
+
+} // namespace dewpoint::ui

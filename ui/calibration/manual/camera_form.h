@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/camera.h"
+
+#include <QWidget>
+
+#include <array>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+
+namespace dewpoint::ui {
+
+class ManualCalibration;
+
+/// The chosen camera in numbers: position in metres or centimetres, where it looks (a point and
+/// roll, or yaw, pitch and roll), focal length or field of view; and what mouse and keys do.
+class CameraForm : public QWidget {
+  Q_OBJECT
+public:
+  explicit CameraForm(ManualCalibration& hand, QWidget* parent = nullptr);
+
+private:
+  void build();
+  void connectFields();
+  void say();
+  void refresh();
+  void refreshCameras();
+  void showUnits();
+  void editPosition(int axis, double value);
+  void editAim(int field, double value);
+  void editLens(double value);
+  double metresPerUnit() const;
+  bool looksAtPoint() const;
+  bool showsFieldOfView() const;
+  void change(const QString& what, const QString& value, const Camera& camera, const char* key);
+
+  ManualCalibration& hand_;
+  QLabel* cameraLabel_;
+  QComboBox* camera_;
+  QLabel* positionLabel_;
+  QComboBox* unit_;
+  std::array<QDoubleSpinBox*, 3> position_;
+  QLabel* aimLabel_;
+  QComboBox* aimMode_;
+  std::array<QDoubleSpinBox*, 4> aim_; ///< x, y, z of the point, roll; or yaw, pitch, -, roll
+  QLabel* lensLabel_;
+  QComboBox* lensMode_;
+  QDoubleSpinBox* lens_;
+  QLabel* dragLabel_;
+  QComboBox* dragMode_;
+  QCheckBox* focalMay_;
+  QLabel* keysLabel_;
+  QComboBox* keyMode_;
+  QComboBox* keyFrame_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/manual/grid_form.h"
+
+#include "ui/calibration/manual_calibration.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/number_field.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+
+#include <numbers>
+
+namespace dewpoint::ui {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+const char* const kAxes[] = {"X", "Y", "Z"};
+
+} // namespace
+
+GridForm::GridForm(ManualCalibration& hand, QWidget* parent) : QWidget(parent), hand_(hand) {
+  setObjectName(QStringLiteral("gridFields"));
+  build();
+  connectFields();
+  onRetranslate(this, [this] { say(); });
+}
+
+void GridForm::build() {
+  kindLabel_ = new QLabel(this);
+  kind_ = new QComboBox(this);
+  kind_->setObjectName(QStringLiteral("gridKind"));
+  makeNarrow(*kind_);
+  sizeLabel_ = new QLabel(this);
+  originLabel_ = new QLabel(this);
+  stepLabel_ = new QLabel(this);
+  step_ = makeNumberField(QStringLiteral("gridStep"), {0.001, 100.0, 0.05, 3}, this);
+  turn_ = makeNumberField(QStringLiteral("gridTurn"), {-360.0, 360.0, 1.0, 2}, this);
+  opacityLabel_ = new QLabel(this);
+  opacity_ = new QSlider(Qt::Horizontal, this);
+  opacity_->setObjectName(QStringLiteral("gridOpacity"));
+  opacity_->setRange(0, 100);
+  opacity_->setValue(80);
+  edges_ = new QCheckBox(this);
+  edges_->setObjectName(QStringLiteral("gridEdges"));
+  flip_ = new QPushButton(this);
+  flip_->setObjectName(QStringLiteral("gridFlip"));
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(6);
+  for (int column = 0; column < 3; ++column) {
+    grid->setColumnStretch(column, 1);
+  }
+  grid->addWidget(kindLabel_, 0, 0);
+  grid->addWidget(kind_, 0, 1, 1, 2);
+  grid->addWidget(sizeLabel_, 1, 0, 1, 3);
+  grid->addWidget(originLabel_, 3, 0, 1, 3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const QString axis = QLatin1String(kAxes[k]);
+    size_[k] = makeNumberField(QStringLiteral("gridSize") + axis, {0.001, 1e3, 0.1, 3}, this);
+    origin_[k] = makeNumberField(QStringLiteral("gridOrigin") + axis, {-1e3, 1e3, 0.1, 3}, this);
+    grid->addWidget(size_[k], 2, static_cast<int>(k));
+    grid->addWidget(origin_[k], 4, static_cast<int>(k));
+  }
+  grid->addWidget(stepLabel_, 5, 0);
+  grid->addWidget(step_, 5, 1);
+  grid->addWidget(turn_, 5, 2);
+  grid->addWidget(opacityLabel_, 6, 0);
+  grid->addWidget(opacity_, 6, 1, 1, 2);
+  grid->addWidget(edges_, 7, 0, 1, 2);
+  grid->addWidget(flip_, 7, 2);
+  kindLabel_->setBuddy(kind_);
+  sizeLabel_->setBuddy(size_[0]);
+  originLabel_->setBuddy(origin_[0]);
+  stepLabel_->setBuddy(step_);
+  opacityLabel_->setBuddy(opacity_);
+}
+
+void GridForm::connectFields() {
+  connect(&hand_, &ManualCalibration::changed, this, &GridForm::refresh);
+  connect(kind_, &QComboBox::activated, this, [this](int index) {
+    edit([index](ReferenceGrid& grid) { grid.kind = static_cast<GridKind>(index); }, "grid kind");
+  });
+  const char* const sizeKeys[] = {"grid size x", "grid size y", "grid size z"};
+  const char* const originKeys[] = {"grid origin x", "grid origin y", "grid origin z"};
+  for (int k = 0; k < 3; ++k) {
+    const auto index = static_cast<std::size_t>(k);
+    connect(size_[index], &QDoubleSpinBox::valueChanged, this,
+            [this, k, key = sizeKeys[k]](double value) {
+              edit([=](ReferenceGrid& grid) { grid.size[k] = value; }, key);
+            });
+    connect(origin_[index], &QDoubleSpinBox::valueChanged, this,
+            [this, k, key = originKeys[k]](double value) {
+              edit([=](ReferenceGrid& grid) { grid.origin[k] = value; }, key);
+            });
+  }
+  connect(step_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    edit([value](ReferenceGrid& grid) { grid.step = value; }, "grid step");
+  });
+  connect(turn_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    edit([value](ReferenceGrid& grid) { grid.turn = value * kDegree; }, "grid turn");
+  });
+  for (QDoubleSpinBox* field : findChildren<QDoubleSpinBox*>()) {
+    connect(field, &QDoubleSpinBox::editingFinished, &hand_, &ManualCalibration::endMerging);
+  }
+  connect(opacity_, &QSlider::valueChanged, this,
+          [this](int percent) { hand_.setOpacity(percent / 100.0); });
+  connect(edges_, &QCheckBox::toggled, &hand_, &ManualCalibration::setEdgesShown);
+  connect(flip_, &QPushButton::pressed, this, [this] { hand_.setFlipped(true); });
+  connect(flip_, &QPushButton::released, this, [this] { hand_.setFlipped(false); });
+}
+
+void GridForm::edit(const std::function<void(ReferenceGrid&)>& change, const char* key) {
+  ReferenceGrid grid = hand_.grid();
+  change(grid);
+  hand_.setGrid(tr("Change the reference grid"), grid, key);
+  refresh(); // also when it was refused
+}
+
+void GridForm::say() {
+  const auto name = [](QWidget* field, const QString& text, const QString& tip) {
+    field->setAccessibleName(text);
+    field->setToolTip(tip);
+  };
+  kindLabel_->setText(tr("Grid on"));
+  {
+    const QSignalBlocker quiet(kind_);
+    kind_->clear();
+    kind_->addItems({tr("the floor"), tr("a wall"), tr("a box")});
+  }
+  name(kind_, tr("Kind of grid"), tr("What the grid lies on in the room"));
+  sizeLabel_->setText(tr("Size along x, y, z"));
+  originLabel_->setText(tr("Begins at x, y, z"));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const QString axis = QLatin1String(kAxes[k]);
+    name(size_[k], tr("Size along %1").arg(axis), tr("How far the grid reaches, in metres"));
+    name(origin_[k], tr("Origin %1").arg(axis), tr("The corner where its axes begin, in metres"));
+    size_[k]->setSuffix(QStringLiteral(" m"));
+    origin_[k]->setSuffix(QStringLiteral(" m"));
+  }
+  stepLabel_->setText(tr("Step, turn"));
+  name(step_, tr("Step of the grid"), tr("Metres from line to line"));
+  step_->setSuffix(QStringLiteral(" m"));
+  name(turn_, tr("Turn of the grid"), tr("Turned about the vertical, counterclockwise from above"));
+  turn_->setSuffix(QStringLiteral("°"));
+  opacityLabel_->setText(tr("Opacity"));
+  name(opacity_, tr("Opacity of the grid"), tr("How strongly the grid is drawn over the images"));
+  edges_->setText(tr("Show edges of the images"));
+  edges_->setToolTip(tr("Let the rest of the images step back behind their edges"));
+  flip_->setText(tr("Before"));
+  name(flip_, tr("Show the cameras as they were before"),
+       tr("While held down (or B, over an image): the grid as it was when the calibration was "
+          "opened"));
+  refresh();
+}
+
+void GridForm::refresh() {
+  const ReferenceGrid grid = hand_.grid();
+  kind_->setCurrentIndex(static_cast<int>(grid.kind));
+  for (int k = 0; k < 3; ++k) {
+    const auto index = static_cast<std::size_t>(k);
+    showValue(*size_[index], grid.size[k]);
+    showValue(*origin_[index], grid.origin[k]);
+  }
+  size_[1]->setEnabled(grid.kind != GridKind::Wall);
+  size_[2]->setEnabled(grid.kind != GridKind::Floor);
+  showValue(*step_, grid.step);
+  showValue(*turn_, grid.turn / kDegree);
+}
+
+} // namespace dewpoint::ui

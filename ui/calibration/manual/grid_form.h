@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/reference_grid.h"
+
+#include <QWidget>
+
+#include <array>
+#include <functional>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace dewpoint::ui {
+
+class ManualCalibration;
+
+/// The reference grid in numbers, and how it is shown over the images.
+class GridForm : public QWidget {
+  Q_OBJECT
+public:
+  explicit GridForm(ManualCalibration& hand, QWidget* parent = nullptr);
+
+private:
+  void build();
+  void connectFields();
+  void say();
+  void refresh();
+  void edit(const std::function<void(ReferenceGrid&)>& change, const char* key);
+
+  ManualCalibration& hand_;
+  QLabel* kindLabel_;
+  QComboBox* kind_;
+  QLabel* sizeLabel_;
+  std::array<QDoubleSpinBox*, 3> size_;
+  QLabel* originLabel_;
+  std::array<QDoubleSpinBox*, 3> origin_;
+  QLabel* stepLabel_;
+  QDoubleSpinBox* step_;
+  QDoubleSpinBox* turn_;
+  QLabel* opacityLabel_;
+  QSlider* opacity_;
+  QCheckBox* edges_;
+  QPushButton* flip_;
+};
+
+} // namespace dewpoint::ui

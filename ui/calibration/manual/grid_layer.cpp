@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/manual/grid_layer.h"
+
+#include "core/calibration/manual/click_aids.h"
+#include "ui/calibration/manual/grid_painter.h"
+#include "ui/calibration/manual/nudge_keys.h"
+#include "ui/calibration/manual_calibration.h"
+#include "ui/calibration/points/point_calibrator.h"
+#include "ui/cameraview/camera_view.h"
+#include "ui/style/image.h"
+#include "ui/text/retranslation.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dewpoint::ui {
+namespace {
+
+constexpr double kReachPx = 9.0; ///< of the widget: a crossing, pin or corner this near is meant
+constexpr double kDragPx = 3.0;
+constexpr double kSnapPx = 7.0; ///< of the image
+constexpr int kLargestMagnifier = 152;
+constexpr int kMagnification = 8;
+
+} // namespace
+
+GridLayer::GridLayer(int camera, CameraView* view, ManualCalibration& hand, PointCalibrator& points)
+    : QWidget(view), camera_(camera), view_(view), hand_(hand), points_(points) {
+  setObjectName(QStringLiteral("gridLayer%1").arg(camera));
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setGeometry(view->rect());
+  view->installEventFilter(this);
+  connect(&hand_, &ManualCalibration::changed, this, &GridLayer::follow);
+  connect(&points_, &PointCalibrator::changed, this, &GridLayer::follow);
+  onRetranslate(this, [this] { say(); });
+  follow();
+}
+
+void GridLayer::say() {
+  setAccessibleName(tr("Grid over the image of %1").arg(hand_.nameOf(camera_)));
+  setAccessibleDescription(tr("Drag the grid onto the real thing; click to hold a point; arrows, "
+                              "W A S D, Q and E move or turn the camera"));
+}
+
+void GridLayer::follow() {
+  if (isHidden() == hand_.isActive()) {
+    setVisible(hand_.isActive());
+    raise();
+  }
+  if (hand_.isActive()) {
+    setCursor(points_.isClicking() ? Qt::CrossCursor : Qt::ArrowCursor);
+    update();
+  }
+}
+
+bool GridLayer::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == view_ && event->type() == QEvent::Resize) {
+    setGeometry(view_->rect());
+  }
+  return false;
+}
+
+void GridLayer::setSnapshot(const TrackSnapshotPtr& snapshot) {
+  snapshot_ = snapshot;
+  update();
+}
+
+FramePtr GridLayer::frame() const {
+  const auto index = static_cast<std::size_t>(camera_);
+  const bool there = snapshot_ && snapshot_->frames && index < snapshot_->frames->frames.size();
+  return there ? snapshot_->frames->frames[index] : nullptr;
+}
+
+Eigen::Vector2d GridLayer::pixelAt(QPointF position) const {
+  const ImagePlacement& placement = view_->placement();
+  const QPointF pixel = (position - placement.corner) / placement.scale - QPointF(0.5, 0.5);
+  return {pixel.x(), pixel.y()};
+}
+
+bool GridLayer::isInside(const Eigen::Vector2d& pixel) const {
+  const QSize size = view_->imageSize();
+  return pixel.x() >= -0.5 && pixel.y() >= -0.5 && pixel.x() < size.width() - 0.5 &&
+         pixel.y() < size.height() - 0.5;
+}
+
+double GridLayer::inImage(double widgetPixels) const {
+  return widgetPixels / view_->placement().scale;
+}
+
+Eigen::Vector2d GridLayer::clicked(QPointF position, Qt::KeyboardModifiers modifiers) const {
+  const Eigen::Vector2d pixel = pixelAt(position);
+  const FramePtr image = frame();
+  if (!image || modifiers.testFlag(Qt::AltModifier)) {
+    return pixel;
+  }
+  return snapToCorner(image->image, pixel, kSnapPx).value_or(pixel);
+}
+
+void GridLayer::placeClick(QMouseEvent* event) {
+  const Eigen::Vector2d pixel = clicked(event->position(), event->modifiers());
+  hand_.selectCamera(camera_);
+  points_.setClick(camera_, pixel);
+}
+
+void GridLayer::mousePressEvent(QMouseEvent* event) {
+  const Eigen::Vector2d pixel = pixelAt(event->position());
+  if (event->button() != Qt::LeftButton || !isInside(pixel)) {
+    return;
+  }
+  hand_.selectCamera(camera_);
+  if (points_.isClicking()) {
+    placeClick(event);
+    return;
+  }
+  pressed_ = event->position();
+}
+
+void GridLayer::mouseMoveEvent(QMouseEvent* event) {
+  pointer_ = event->position();
+  exact_ = event->modifiers().testFlag(Qt::AltModifier);
+  if (points_.isClicking()) {
+    update();
+    return;
+  }
+  if (!pressed_) {
+    return;
+  }
+  const QPointF way = event->position() - *pressed_;
+  if (!hand_.isDragging() && std::hypot(way.x(), way.y()) >= kDragPx) {
+    hand_.beginDrag(camera_, pixelAt(*pressed_), inImage(kReachPx));
+  }
+  if (hand_.isDragging()) {
+    hand_.dragTo(pixelAt(event->position()));
+  }
+}
+
+void GridLayer::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !pressed_) {
+    return;
+  }
+  const QPointF from = *std::exchange(pressed_, std::nullopt);
+  if (hand_.isDragging()) {
+    hand_.endDrag();
+  } else {
+    hand_.togglePin(camera_, pixelAt(from), inImage(kReachPx));
+  }
+}
+
+void GridLayer::focusOutEvent(QFocusEvent* event) {
+  if (hand_.isFlipped()) {
+    hand_.setFlipped(false); // the release of the key will not come
+  }
+  QWidget::focusOutEvent(event);
+}
+
+void GridLayer::leaveEvent(QEvent*) {
+  pointer_.reset();
+  update();
+}
+
+bool GridLayer::event(QEvent* event) {
+  // Keys that are shortcuts elsewhere in the window (A, E, ...) mean movements here.
+  if (event->type() == QEvent::ShortcutOverride) {
+    auto* key = static_cast<QKeyEvent*>(event);
+    const bool isOwn = key->key() == Qt::Key_Escape || key->key() == Qt::Key_Delete ||
+                       (key->key() == Qt::Key_B && key->modifiers() == Qt::NoModifier);
+    if (isOwn || nudgeOf(*key, hand_.keyMode())) {
+      event->accept();
+      return true;
+    }
+  }
+  return QWidget::event(event);
+}
+
+void GridLayer::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) {
+    if (hand_.isDragging()) {
+      pressed_.reset();
+      hand_.cancelDrag();
+    } else if (points_.isClicking()) {
+      points_.setClicking(false);
+    } else {
+      hand_.clearPins(camera_);
+    }
+    return;
+  }
+  if (event->key() == Qt::Key_B) {
+    hand_.setFlipped(true);
+    return;
+  }
+  if (event->key() == Qt::Key_Delete) {
+    points_.removeClick(camera_);
+    return;
+  }
+  if (const auto nudge = nudgeOf(*event, hand_.keyMode()); nudge && !hand_.isDragging()) {
+    hand_.selectCamera(camera_);
+    nudge->axis < 0 ? hand_.nudgeFocal(nudge->factor, event->isAutoRepeat())
+                    : hand_.nudge(nudge->axis, nudge->factor, event->isAutoRepeat());
+    return;
+  }
+  QWidget::keyPressEvent(event);
+}
+
+void GridLayer::keyReleaseEvent(QKeyEvent* event) {
+  if (!event->isAutoRepeat()) {
+    hand_.endMerging();
+    if (event->key() == Qt::Key_B) {
+      hand_.setFlipped(false);
+    }
+  }
+  QWidget::keyReleaseEvent(event);
+}
+
+void GridLayer::drawEdges(QPainter& painter) {
+  const FramePtr image = frame();
+  if (!hand_.edgesShown() || !image || image->image.empty()) {
+    return;
+  }
+  const QRectF area(view_->placement().corner,
+                    QSizeF(view_->imageSize()) * view_->placement().scale);
+  const QSize size = (area.size() * devicePixelRatioF()).toSize();
+  if (edgesOf_ != image || edges_.size() != size) {
+    cv::Mat fitted; // no more pixels than are seen
+    cv::resize(image->image, fitted, {size.width(), size.height()}, 0.0, 0.0, cv::INTER_AREA);
+    edges_ = edgeImage(fitted);
+    edgesOf_ = image;
+  }
+  painter.fillRect(area, QColor(0, 0, 0, 120)); // the rest steps back
+  painter.drawImage(area, edges_);
+}
+
+void GridLayer::drawPoints(QPainter& painter) {
+  const Projector projector(hand_.shownCamera(camera_));
+  const ImagePlacement& placement = view_->placement();
+  const auto& all = points_.points();
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    PaintedPoint painted;
+    painted.name = QString::fromStdString(all[k].name);
+    painted.chosen = static_cast<int>(k) == points_.chosen();
+    painted.worst = points_.worst() == static_cast<int>(k);
+    if (const PointClick* click = clickIn(all[k], camera_)) {
+      painted.click = placeOf(click->pixel, placement);
+    }
+    if (const auto seen = projector.project(all[k].world); seen && isInside(*seen)) {
+      painted.seen = placeOf(*seen, placement);
+    }
+    paintPoint(painter, painted);
+  }
+}
+
+void GridLayer::drawMagnifier(QPainter& painter) {
+  const FramePtr image = frame();
+  if (!points_.isClicking() || !pointer_ || !image || !isInside(pixelAt(*pointer_))) {
+    return;
+  }
+  const Eigen::Vector2d pixel = pixelAt(*pointer_);
+  const Eigen::Vector2d meant =
+      clicked(*pointer_, exact_ ? Qt::AltModifier : Qt::KeyboardModifiers());
+  const int side = std::min({kLargestMagnifier, width() / 2, height() / 2});
+  const QImage picture = toImage(magnified(image->image, pixel, side, kMagnification));
+  // Beside the pointer, on the side where there is room.
+  constexpr double kBeside = 24.0;
+  QPointF corner = *pointer_ + QPointF(kBeside, kBeside);
+  if (corner.x() + side > width()) {
+    corner.setX(std::max(0.0, pointer_->x() - kBeside - side));
+  }
+  if (corner.y() + side > height()) {
+    corner.setY(std::max(0.0, pointer_->y() - kBeside - side));
+  }
+  const QRectF area(corner, QSizeF(side, side));
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  QPainterPath circle;
+  circle.addEllipse(area);
+  painter.setClipPath(circle);
+  painter.drawImage(area, picture);
+  const Eigen::Vector2d offset = kMagnification * (meant - pixel);
+  const QPointF cross = area.center() + QPointF(offset.x(), offset.y());
+  painter.setPen(QPen(QColor(0, 0, 0, 170), 3.0));
+  painter.drawLine(cross - QPointF(9, 0), cross + QPointF(9, 0));
+  painter.drawLine(cross - QPointF(0, 9), cross + QPointF(0, 9));
+  painter.setPen(QPen(QColor("#f0e442"), 1.2));
+  painter.drawLine(cross - QPointF(9, 0), cross + QPointF(9, 0));
+  painter.drawLine(cross - QPointF(0, 9), cross + QPointF(0, 9));
+  painter.setClipping(false);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(QColor(0, 0, 0, 170), 4.0));
+  painter.drawEllipse(area);
+  painter.setPen(QPen(Qt::white, 1.5));
+  painter.drawEllipse(area);
+  painter.restore();
+}
+
+void GridLayer::drawWords(QPainter& painter) {
+  if (!hand_.isFlipped()) {
+    return;
+  }
+  const QString text = tr("before");
+  const QRectF box = painter.fontMetrics().boundingRect(text).toRectF().adjusted(-8, -4, 8, 4);
+  const QRectF label(view_->placement().corner + QPointF(8.0, 8.0), box.size());
+  painter.fillRect(label, QColor(0, 0, 0, 180));
+  painter.setPen(QColor("#f0e442"));
+  painter.drawText(label, Qt::AlignCenter, text);
+}
+
+void GridLayer::paintEvent(QPaintEvent*) {
+  if (view_->imageSize().isEmpty()) {
+    return;
+  }
+  QPainter painter(this);
+  const ImagePlacement& placement = view_->placement();
+  painter.setClipRect(QRectF(placement.corner, QSizeF(view_->imageSize()) * placement.scale));
+  drawEdges(painter);
+  const Camera camera = hand_.shownCamera(camera_);
+  paintGrid(painter, projectGrid(camera, hand_.grid()), placement, hand_.opacity());
+  const Projector projector(camera);
+  for (const Eigen::Vector3d& pin : hand_.pins(camera_)) {
+    if (const auto at = projector.project(pin)) {
+      paintPin(painter, placeOf(*at, placement));
+    }
+  }
+  if (const auto grip = hand_.draggedPoint(); grip && hand_.camera() == camera_) {
+    if (const auto at = projector.project(*grip)) {
+      paintGrip(painter, placeOf(*at, placement));
+    }
+  }
+  drawPoints(painter);
+  drawMagnifier(painter);
+  drawWords(painter);
+  if (hand_.camera() == camera_) {
+    painter.setClipping(false);
+    painter.setPen(QPen(palette().color(QPalette::Highlight), hasFocus() ? 3 : 1));
+    painter.drawRect(rect().adjusted(1, 1, -2, -2));
+  }
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/run/snapshot.h"
+
+#include <Eigen/Core>
+#include <QImage>
+#include <QWidget>
+
+#include <optional>
+
+namespace dewpoint::ui {
+
+class CameraView;
+class ManualCalibration;
+class PointCalibrator;
+
+/// Lies over a camera view while cameras are adjusted by hand: draws the reference grid, pins and
+/// measured points over the image, and takes mouse and keys. Drag: the grid follows. Click: a point
+/// is held, or let go. Arrows, W A S D, Q and E move or turn the camera; Shift coarse, Ctrl (with
+/// arrows, page keys, plus and minus) fine.
+class GridLayer : public QWidget {
+  Q_OBJECT
+public:
+  GridLayer(int camera, CameraView* view, ManualCalibration& hand, PointCalibrator& points);
+
+  void setSnapshot(const TrackSnapshotPtr& snapshot);
+  int camera() const { return camera_; }
+
+protected:
+  bool event(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+
+private:
+  void say();
+  void follow();
+  void drawEdges(QPainter& painter);
+  void drawPoints(QPainter& painter);
+  void drawMagnifier(QPainter& painter);
+  void drawWords(QPainter& painter);
+  FramePtr frame() const;
+  Eigen::Vector2d pixelAt(QPointF position) const;
+  bool isInside(const Eigen::Vector2d& pixel) const;
+  /// Pixels of the image that are so many of the widget's.
+  double inImage(double widgetPixels) const;
+  /// Where a click is taken to be: at a corner nearby, unless Alt is down.
+  Eigen::Vector2d clicked(QPointF position, Qt::KeyboardModifiers modifiers) const;
+  void placeClick(QMouseEvent* event);
+
+  int camera_;
+  CameraView* view_;
+  ManualCalibration& hand_;
+  PointCalibrator& points_;
+  TrackSnapshotPtr snapshot_;
+  std::optional<QPointF> pressed_; ///< widget; not yet known whether it is a click or a drag
+  std::optional<QPointF> pointer_; ///< widget
+  bool exact_ = false;             ///< Alt: no snapping
+  FramePtr edgesOf_;
+  QImage edges_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/manual/grid_painter.h"
+
+#include "core/calibration/manual/click_aids.h"
+
+#include <QPainter>
+#include <QPolygonF>
+#include <opencv2/core/mat.hpp>
+
+#include <algorithm>
+
+namespace dewpoint::ui {
+namespace {
+
+const QColor kHalo(0, 0, 0, 170);
+const QColor kPin("#f0e442");   // Okabe-Ito yellow
+const QColor kPoint("#56b4e9"); // sky blue
+const QColor kWorst("#d55e00"); // vermilion
+
+struct Stroke {
+  QColor color;
+  double width;
+};
+
+Stroke strokeOf(GridRole role) {
+  switch (role) {
+  case GridRole::Line:
+    return {QColor("#9ff5ff"), 1.0};
+  case GridRole::Border:
+    return {QColor("#9ff5ff"), 1.7};
+  case GridRole::AxisX:
+    return {QColor("#ff7f50"), 2.2};
+  case GridRole::AxisY:
+    return {QColor("#5fe08a"), 2.2};
+  case GridRole::AxisZ:
+    return {QColor("#8ab4ff"), 2.2};
+  }
+  return {Qt::white, 1.0};
+}
+
+template <class Draw>
+void withHalo(QPainter& painter, const QColor& color, double width, const Draw& draw) {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(kHalo, width + 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  draw();
+  painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  draw();
+}
+
+QRectF labelAt(const QPainter& painter, QPointF place, const QString& text) {
+  const QRectF box = painter.fontMetrics().boundingRect(text).toRectF().adjusted(-3, -1, 3, 1);
+  QRectF label(place + QPointF(5.0, -box.height() - 2.0), box.size());
+  if (const QRectF area = painter.clipBoundingRect(); !area.isEmpty()) {
+    label.moveRight(std::min(label.right(), area.right()));
+    label.moveTop(std::max(label.top(), area.top()));
+  }
+  return label;
+}
+
+void paintText(QPainter& painter, QPointF place, const QString& text, const QColor& color) {
+  const QRectF label = labelAt(painter, place, text);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(0, 0, 0, 150));
+  painter.drawRoundedRect(label, 3.0, 3.0);
+  painter.setPen(color);
+  painter.drawText(label, Qt::AlignCenter, text);
+}
+
+/// As many as have room; the names of the axes, which stand last, before all others.
+void paintLabels(QPainter& painter, const ProjectedGrid& grid, const ImagePlacement& placement) {
+  std::vector<QRectF> taken;
+  for (auto label = grid.labels.rbegin(); label != grid.labels.rend(); ++label) {
+    const QString text = QString::fromStdString(label->text);
+    const QPointF place = placeOf(label->at, placement);
+    const QRectF box = labelAt(painter, place, text);
+    if (std::ranges::none_of(taken, [&](const QRectF& other) { return other.intersects(box); })) {
+      paintText(painter, place, text, strokeOf(label->role).color);
+      taken.push_back(box);
+    }
+  }
+}
+
+} // namespace
+
+QPointF placeOf(const Eigen::Vector2d& pixel, const ImagePlacement& placement) {
+  return placement.corner + QPointF(pixel.x() + 0.5, pixel.y() + 0.5) * placement.scale;
+}
+
+void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacement& placement,
+               double opacity) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setOpacity(opacity);
+  std::vector<QPolygonF> lines;
+  for (const GridStroke& stroke : grid.strokes) {
+    QPolygonF line;
+    for (const Eigen::Vector2d& point : stroke.points) {
+      line << placeOf(point, placement);
+    }
+    lines.push_back(std::move(line));
+  }
+  // All halos first: a bright line is never crossed by the dark of another.
+  for (const bool halo : {true, false}) {
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      const Stroke stroke = strokeOf(grid.strokes[k].role);
+      painter.setPen(halo ? QPen(kHalo, stroke.width + 2.0) : QPen(stroke.color, stroke.width));
+      painter.drawPolyline(lines[k]);
+    }
+  }
+  paintLabels(painter, grid, placement);
+  painter.restore();
+}
+
+void paintPin(QPainter& painter, QPointF place) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  withHalo(painter, kPin, 2.0, [&] {
+    painter.drawEllipse(place, 5.0, 5.0);
+    painter.drawLine(place + QPointF(0.0, -5.0), place + QPointF(0.0, -16.0));
+    painter.drawLine(place + QPointF(-4.0, -16.0), place + QPointF(4.0, -16.0));
+  });
+  painter.restore();
+}
+
+void paintGrip(QPainter& painter, QPointF place) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  withHalo(painter, Qt::white, 1.6, [&] {
+    painter.drawEllipse(place, 8.0, 8.0);
+    painter.drawPoint(place);
+  });
+  painter.restore();
+}
+
+void paintPoint(QPainter& painter, const PaintedPoint& point) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QColor color = point.worst ? kWorst : kPoint;
+  const double width = point.chosen ? 2.2 : 1.5;
+  if (point.click && point.seen) {
+    withHalo(painter, color, 1.0, [&] { painter.drawLine(*point.click, *point.seen); });
+  }
+  if (point.seen) {
+    withHalo(painter, color, width, [&] { painter.drawEllipse(*point.seen, 6.0, 6.0); });
+  }
+  if (point.click) {
+    withHalo(painter, color, width, [&] {
+      painter.drawLine(*point.click + QPointF(-7, 0), *point.click + QPointF(7, 0));
+      painter.drawLine(*point.click + QPointF(0, -7), *point.click + QPointF(0, 7));
+    });
+  }
+  if (const auto& at = point.click ? point.click : point.seen) {
+    paintText(painter, *at + QPointF(4.0, -4.0), point.name, color);
+  }
+  painter.restore();
+}
+
+QImage edgeImage(const cv::Mat& image) {
+  const cv::Mat edges = edgePicture(image);
+  QImage result(edges.cols, edges.rows, QImage::Format_ARGB32_Premultiplied);
+  for (int y = 0; y < edges.rows; ++y) {
+    const auto* from = edges.ptr<uchar>(y);
+    auto* to = reinterpret_cast<QRgb*>(result.scanLine(y));
+    for (int x = 0; x < edges.cols; ++x) {
+      constexpr int kNoise = 24; // of an image sensor
+      const int strength = std::clamp(2 * (from[x] - kNoise), 0, 255);
+      to[x] = qRgba(strength, strength, strength / 4, strength);
+    }
+  }
+  return result;
+}
+
+} // namespace dewpoint::ui

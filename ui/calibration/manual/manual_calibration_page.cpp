@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/manual/manual_calibration_page.h"
+
+#include "ui/calibration/manual/camera_form.h"
+#include "ui/calibration/manual/grid_form.h"
+#include "ui/calibration/manual_calibration.h"
+#include "ui/calibration/points/point_calibrator.h"
+#include "ui/calibration/points/points_table.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/page_title.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace dewpoint::ui {
+
+ManualCalibrationPage::ManualCalibrationPage(ManualCalibration& hand, PointCalibrator& points,
+                                             QWidget* parent)
+    : QWidget(parent), guide_(new QLabel(this)), remark_(new QLabel(this)),
+      cameraTitle_(makePageTitle(this)), gridTitle_(makePageTitle(this)),
+      pointsTitle_(makePageTitle(this)) {
+  setObjectName(QStringLiteral("handPage"));
+  guide_->setWordWrap(true);
+  remark_->setObjectName(QStringLiteral("handRemark"));
+  remark_->setWordWrap(true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  column->addWidget(guide_);
+  column->addWidget(remark_);
+  column->addWidget(cameraTitle_);
+  column->addWidget(new CameraForm(hand, this));
+  column->addWidget(gridTitle_);
+  column->addWidget(new GridForm(hand, this));
+  column->addWidget(pointsTitle_);
+  column->addWidget(new PointsTable(points, hand, this));
+  column->addStretch(1);
+  remark_->hide();
+  connect(&hand, &ManualCalibration::remark, this, [this](const QString& sentence) {
+    remark_->setText(QStringLiteral("⚠ ") + sentence);
+    remark_->setVisible(!sentence.isEmpty());
+  });
+  onRetranslate(this, [this] { say(); });
+}
+
+void ManualCalibrationPage::say() {
+  guide_->setText(tr("Drag the grid in an image until it lies on the real thing. Click a point of "
+                     "it to hold it there."));
+  cameraTitle_->setText(tr("Camera"));
+  gridTitle_->setText(tr("Reference grid"));
+  pointsTitle_->setText(tr("Measured points"));
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace dewpoint::ui {
+
+class ManualCalibration;
+class PointCalibrator;
+
+/// The page of the calibration place for adjusting cameras by hand.
+class ManualCalibrationPage : public QWidget {
+  Q_OBJECT
+public:
+  ManualCalibrationPage(ManualCalibration& hand, PointCalibrator& points,
+                        QWidget* parent = nullptr);
+
+private:
+  void say();
+
+  QLabel* guide_;
+  QLabel* remark_;
+  QLabel* cameraTitle_;
+  QLabel* gridTitle_;
+  QLabel* pointsTitle_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/manual_calibration.h"
+
+#include "ui/document/document.h"
+
+#include <QLocale>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace dewpoint::ui {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kMoveStep = 0.01;          ///< metres
+constexpr double kTurnStep = 0.2 * kDegree; ///< radians
+
+/// Where an axis of the person's (right, forward, up) lies in the camera's (right, down, forward).
+Eigen::Vector3d cameraAxis(int axis) {
+  return axis == 0   ? Eigen::Vector3d::UnitX()
+         : axis == 1 ? Eigen::Vector3d::UnitZ()
+                     : Eigen::Vector3d(-Eigen::Vector3d::UnitY());
+}
+
+QString withSign(double value, int decimals) {
+  const QString text = QLocale().toString(value, 'f', decimals);
+  return value > 0.0 ? QStringLiteral("+") + text : text;
+}
+
+} // namespace
+
+ManualCalibration::ManualCalibration(Document& document, QObject* parent)
+    : QObject(parent), document_(document) {
+  connect(&document_, &Document::changed, this, [this](const ProjectChanges& changes) {
+    if (changes.calibration || changes.sources || changes.grid || changes.points) {
+      Q_EMIT this->changed();
+    }
+  });
+  connect(&document_, &Document::replaced, this, [this] {
+    drag_.reset();
+    pins_.clear();
+    takeAsBefore();
+    camera_ = 0;
+    Q_EMIT cameraSelected(camera_);
+    Q_EMIT changed();
+  });
+}
+
+void ManualCalibration::setActive(bool active) {
+  if (active == active_) {
+    return;
+  }
+  active_ = active;
+  if (active_) {
+    takeAsBefore();
+  } else {
+    cancelDrag();
+  }
+  Q_EMIT activeChanged(active_);
+  Q_EMIT changed();
+}
+
+void ManualCalibration::selectCamera(int camera) {
+  if (camera != camera_ && camera >= 0 && camera < cameraCount()) {
+    camera_ = camera;
+    Q_EMIT cameraSelected(camera_);
+    Q_EMIT changed();
+  }
+}
+
+int ManualCalibration::cameraCount() const {
+  return static_cast<int>(document_.project().cameras.size());
+}
+
+Camera ManualCalibration::cameraAt(int camera) const {
+  const auto& all = document_.project().cameras;
+  const auto index = static_cast<std::size_t>(camera);
+  return index < all.size() ? all[index].camera : Camera();
+}
+
+Camera ManualCalibration::shownCamera(int camera) const {
+  const auto index = static_cast<std::size_t>(camera);
+  return flipped_ && index < before_.size() ? before_[index] : cameraAt(camera);
+}
+
+QString ManualCalibration::nameOf(int camera) const {
+  const QString name = QString::fromStdString(cameraAt(camera).name);
+  return name.isEmpty() ? tr("camera %1").arg(camera + 1) : name;
+}
+
+ReferenceGrid ManualCalibration::grid() const {
+  return document_.project().grid.value_or(standard_);
+}
+
+bool ManualCalibration::setGrid(const QString& step, const ReferenceGrid& grid,
+                                const std::string& mergeKey) {
+  return document_
+      .edit(
+          step, [&](Project& project) { project.grid = grid; }, mergeKey)
+      .has_value();
+}
+
+void ManualCalibration::setOpacity(double opacity) {
+  opacity_ = std::clamp(opacity, 0.0, 1.0);
+  Q_EMIT changed();
+}
+
+void ManualCalibration::setEdgesShown(bool shown) {
+  edges_ = shown;
+  Q_EMIT changed();
+}
+
+void ManualCalibration::setFlipped(bool flipped) {
+  flipped_ = flipped;
+  Q_EMIT changed();
+}
+
+void ManualCalibration::takeAsBefore() {
+  before_.clear();
+  for (const ProjectCamera& camera : document_.project().cameras) {
+    before_.push_back(camera.camera);
+  }
+  standard_ = gridFor(before_);
+}
+
+const std::vector<Eigen::Vector3d>& ManualCalibration::pins(int camera) const {
+  static const std::vector<Eigen::Vector3d> kNone;
+  const auto index = static_cast<std::size_t>(camera);
+  return index < pins_.size() ? pins_[index] : kNone;
+}
+
+void ManualCalibration::togglePin(int camera, const Eigen::Vector2d& pixel, double reach) {
+  const Camera seen = cameraAt(camera);
+  const Projector projector(seen);
+  pins_.resize(std::max(pins_.size(), static_cast<std::size_t>(camera) + 1));
+  auto& pins = pins_[static_cast<std::size_t>(camera)];
+  const auto there = std::ranges::find_if(pins, [&](const Eigen::Vector3d& pin) {
+    const auto at = projector.project(pin);
+    return at && (*at - pixel).norm() < reach;
+  });
+  if (there != pins.end()) {
+    pins.erase(there);
+  } else if (pins.size() >= static_cast<std::size_t>(kMostHeld)) {
+    Q_EMIT remark(tr("Three points are held already: click one of them to let go of it"));
+  } else if (const auto point = gridPointAt(seen, grid(), pixel, reach)) {
+    pins.push_back(*point);
+  }
+  Q_EMIT changed();
+}
+
+void ManualCalibration::clearPins(int camera) {
+  if (static_cast<std::size_t>(camera) < pins_.size()) {
+    pins_[static_cast<std::size_t>(camera)].clear();
+    Q_EMIT changed();
+  }
+}
+
+void ManualCalibration::beginDrag(int camera, const Eigen::Vector2d& pixel, double reach) {
+  selectCamera(camera);
+  const Camera start = cameraAt(camera);
+  const Projector projector(start);
+  const auto point = gridPointAt(start, grid(), pixel, reach);
+  const auto seen = point ? projector.project(*point) : std::nullopt;
+  if (!seen) {
+    return;
+  }
+  PointDrag drag{camera, start, *point, *seen - pixel, {}, {}};
+  for (const Eigen::Vector3d& pin : pins(camera)) {
+    if (const auto at = projector.project(pin); at && (pin - *point).norm() > 1e-9) {
+      drag.held.push_back({pin, *at});
+    }
+  }
+  drag_ = drag;
+  document_.endMerging();
+}
+
+void ManualCalibration::dragTo(const Eigen::Vector2d& pixel) {
+  if (!drag_) {
+    return;
+  }
+  const Drag result =
+      dragPoint(drag_->start, drag_->held, {drag_->point, pixel + drag_->grip}, settings_);
+  sayLimit(result);
+  change(drag_->camera, tr("Drag the grid in %1").arg(nameOf(drag_->camera)), result.camera,
+         "drag grid");
+}
+
+void ManualCalibration::sayLimit(const Drag& result) {
+  QString sentence;
+  switch (result.limit) {
+  case DragLimit::None:
+    break;
+  case DragLimit::OutOfSight:
+    sentence = tr("No further: a point would leave what the camera can see");
+    break;
+  case DragLimit::OneRay:
+    sentence = tr("No further: the held points and this one lie on one ray or line");
+    break;
+  case DragLimit::OutOfReach:
+    sentence = tr("No further: no pose near this one shows the held points where they are");
+    break;
+  case DragLimit::Fixed:
+    sentence = tr("Three held points fix the pose: let go of one, or let the focal length change");
+    break;
+  }
+  if (sentence != drag_->limit) {
+    drag_->limit = sentence;
+    Q_EMIT remark(sentence);
+  }
+}
+
+void ManualCalibration::endDrag() {
+  if (drag_) {
+    drag_.reset();
+    document_.endMerging();
+    Q_EMIT changed();
+  }
+}
+
+void ManualCalibration::cancelDrag() {
+  if (drag_) {
+    change(drag_->camera, tr("Drag the grid in %1").arg(nameOf(drag_->camera)), drag_->start,
+           "drag grid"); // there and back is no step
+    endDrag();
+  }
+}
+
+std::optional<Eigen::Vector3d> ManualCalibration::draggedPoint() const {
+  return drag_ ? std::optional(drag_->point) : std::nullopt;
+}
+
+void ManualCalibration::setDragSettings(const DragSettings& settings) {
+  settings_ = settings;
+  Q_EMIT settingsChanged();
+}
+
+void ManualCalibration::setKeyMode(KeyMode mode) {
+  keyMode_ = mode;
+  Q_EMIT settingsChanged();
+}
+
+void ManualCalibration::setNudgeFrame(NudgeFrame frame) {
+  frame_ = frame;
+  Q_EMIT settingsChanged();
+}
+
+double ManualCalibration::runningSum(const std::string& key, double amount, bool repeated) {
+  if (!repeated || running_.key != key) {
+    document_.endMerging();
+    running_ = {key, 0.0};
+  }
+  running_.sum += amount;
+  return running_.sum;
+}
+
+void ManualCalibration::nudge(int axis, double factor, bool repeated) {
+  const bool moves = keyMode_ == KeyMode::Move;
+  const bool own = frame_ == NudgeFrame::Camera;
+  const Eigen::Vector3d way = own ? cameraAxis(axis) : Eigen::Vector3d::Unit(axis).eval();
+  const double amount = factor * (moves ? kMoveStep : kTurnStep);
+  const std::string key =
+      fmt::format("nudge {} {} {} {} {}", camera_, moves, own, axis, factor > 0.0);
+  const double sum = runningSum(key, amount, repeated);
+  const QString movedNames[] = {tr("right"), tr("forward"), tr("up")};
+  const QString turnedNames[] = {tr("pitch"), tr("roll"), tr("yaw")};
+  const QString worldNames[] = {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
+  const QString name = own ? (moves ? movedNames[axis] : turnedNames[axis]) : worldNames[axis];
+  const QString step = moves
+                           ? tr("%1 %2 cm %3").arg(nameOf(camera_), withSign(100.0 * sum, 1), name)
+                           : tr("%1 %2° %3").arg(nameOf(camera_), withSign(sum / kDegree, 2), name);
+  const Camera now = cameraAt(camera_);
+  change(camera_, step,
+         moves ? moved(now, amount * way, frame_) : turned(now, amount * way, frame_), key);
+}
+
+void ManualCalibration::nudgeFocal(double percent, bool repeated) {
+  const std::string key = fmt::format("nudge {} focal {}", camera_, percent > 0.0);
+  const double sum = runningSum(key, percent, repeated);
+  change(camera_, tr("%1 focal length %2 %").arg(nameOf(camera_), withSign(sum, 1)),
+         zoomed(cameraAt(camera_), 1.0 + percent / 100.0), key);
+}
+
+void ManualCalibration::change(int camera, const QString& step, const Camera& changed,
+                               const std::string& mergeKey) {
+  if (camera < 0 || camera >= cameraCount()) {
+    return;
+  }
+  (void)document_.edit(
+      step,
+      [&](Project& project) {
+        ProjectCamera& own = project.cameras[static_cast<std::size_t>(camera)];
+        own.adjusted = own.adjusted || own.source == SourceKind::Simulation;
+        own.camera = changed;
+      },
+      mergeKey.empty() ? mergeKey : fmt::format("{} {}", mergeKey, camera));
+}
+
+void ManualCalibration::endMerging() {
+  document_.endMerging();
+}
+
+} // namespace dewpoint::ui

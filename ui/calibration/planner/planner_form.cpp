@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/planner/planner_form.h"
+
+#include "core/calibration/manual/interactive_pose.h"
+#include "ui/calibration/planner/rig_planner.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/number_field.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint::ui {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+const char* const kAxes[] = {"X", "Y", "Z"};
+
+} // namespace
+
+PlannerForm::PlannerForm(RigPlanner& plan, QWidget* parent) : QWidget(parent), plan_(plan) {
+  setObjectName(QStringLiteral("planFields"));
+  build();
+  connectFields();
+  connectSearch();
+  onRetranslate(this, [this] { say(); });
+}
+
+void PlannerForm::build() {
+  const auto button = [this](const char* name) {
+    auto* made = new QPushButton(this);
+    made->setObjectName(QLatin1String(name));
+    return made;
+  };
+  const auto field = [this](const QString& name, const NumberRange& range) {
+    return makeNumberField(name, range, this);
+  };
+  add_ = button("planAdd");
+  remove_ = button("planRemove");
+  cameraLabel_ = new QLabel(this);
+  camera_ = new QComboBox(this);
+  camera_->setObjectName(QStringLiteral("planCamera"));
+  makeNarrow(*camera_);
+  placeLabel_ = new QLabel(this);
+  targetLabel_ = new QLabel(this);
+  lensLabel_ = new QLabel(this);
+  fieldOfView_ = field(QStringLiteral("planFieldOfView"), {1.0, 170.0, 1.0, 1});
+  imageWidth_ = field(QStringLiteral("planImageWidth"), {16.0, 20000.0, 16.0, 0});
+  imageHeight_ = field(QStringLiteral("planImageHeight"), {16.0, 20000.0, 16.0, 0});
+  find_ = button("planFind");
+  wallLabel_ = new QLabel(this);
+  wall_ = field(QStringLiteral("planWallDistance"), {0.0, 100.0, 0.1, 3});
+  progress_ = new QProgressBar(this);
+  progress_->setObjectName(QStringLiteral("planProgress"));
+  progress_->setRange(0, 100);
+  progress_->hide();
+  cancel_ = button("planCancel");
+  cancel_->hide();
+  said_ = new QLabel(this);
+  said_->setObjectName(QStringLiteral("planSaid"));
+  said_->setWordWrap(true);
+  said_->hide();
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(6);
+  for (int column = 0; column < 3; ++column) {
+    grid->setColumnStretch(column, 1);
+  }
+  grid->addWidget(add_, 0, 0, 1, 2);
+  grid->addWidget(remove_, 0, 2);
+  grid->addWidget(cameraLabel_, 1, 0);
+  grid->addWidget(camera_, 1, 1, 1, 2);
+  grid->addWidget(placeLabel_, 2, 0, 1, 3);
+  grid->addWidget(targetLabel_, 4, 0, 1, 3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const QString axis = QLatin1String(kAxes[k]);
+    place_[k] = field(QStringLiteral("planPlace") + axis, {-1e3, 1e3, 0.05, 3});
+    target_[k] = field(QStringLiteral("planTarget") + axis, {-1e3, 1e3, 0.05, 3});
+    grid->addWidget(place_[k], 3, static_cast<int>(k));
+    grid->addWidget(target_[k], 5, static_cast<int>(k));
+  }
+  grid->addWidget(lensLabel_, 6, 0, 1, 3);
+  grid->addWidget(fieldOfView_, 7, 0);
+  grid->addWidget(imageWidth_, 7, 1);
+  grid->addWidget(imageHeight_, 7, 2);
+  grid->addWidget(wallLabel_, 8, 0, 1, 2);
+  grid->addWidget(wall_, 8, 2);
+  grid->addWidget(find_, 9, 0, 1, 3);
+  grid->addWidget(progress_, 10, 0, 1, 2);
+  grid->addWidget(cancel_, 10, 2);
+  grid->addWidget(said_, 11, 0, 1, 3);
+  cameraLabel_->setBuddy(camera_);
+  placeLabel_->setBuddy(place_[0]);
+  targetLabel_->setBuddy(target_[0]);
+  lensLabel_->setBuddy(fieldOfView_);
+  wallLabel_->setBuddy(wall_);
+}
+
+void PlannerForm::connectFields() {
+  connect(&plan_, &RigPlanner::changed, this, &PlannerForm::refresh);
+  connect(add_, &QPushButton::clicked, &plan_, &RigPlanner::add);
+  connect(remove_, &QPushButton::clicked, this, [this] { plan_.remove(plan_.chosen()); });
+  connect(camera_, &QComboBox::activated, &plan_, &RigPlanner::choose);
+  for (int k = 0; k < 3; ++k) {
+    connect(place_[std::size_t(k)], &QDoubleSpinBox::valueChanged, this,
+            [this, k](double value) { editPlace(k, value); });
+    connect(target_[std::size_t(k)], &QDoubleSpinBox::valueChanged, this,
+            [this, k](double value) { editTarget(k, value); });
+  }
+  for (QDoubleSpinBox* lens : {fieldOfView_, imageWidth_, imageHeight_}) {
+    connect(lens, &QDoubleSpinBox::valueChanged, this, &PlannerForm::editLens);
+  }
+  connect(wall_, &QDoubleSpinBox::valueChanged, &plan_, &RigPlanner::setWallDistance);
+}
+
+void PlannerForm::connectSearch() {
+  LongJob& search = plan_.search();
+  connect(find_, &QPushButton::clicked, &plan_, &RigPlanner::findPlace);
+  connect(cancel_, &QPushButton::clicked, &search, &LongJob::cancel);
+  const auto show = [this](bool running) {
+    progress_->setValue(0);
+    progress_->setVisible(running);
+    cancel_->setVisible(running);
+    find_->setEnabled(!running);
+  };
+  connect(&search, &LongJob::started, this, [show] { show(true); });
+  connect(&search, &LongJob::ended, this, [show] { show(false); });
+  connect(&search, &LongJob::progressChanged, this,
+          [this](double part) { progress_->setValue(static_cast<int>(100.0 * part)); });
+  connect(&plan_, &RigPlanner::said, this, [this](const QString& sentence) {
+    said_->setText(sentence);
+    said_->setVisible(!sentence.isEmpty());
+  });
+}
+
+void PlannerForm::say() {
+  const auto name = [](QWidget* field, const QString& text, const QString& tip) {
+    field->setAccessibleName(text);
+    field->setToolTip(tip);
+  };
+  add_->setText(tr("Add a camera to plan"));
+  name(add_, tr("Add a camera to plan"),
+       tr("A camera that is not there yet: drag it in the bird's-eye view, or type where it "
+          "stands (%1)")
+           .arg(QStringLiteral("Shift+P")));
+  remove_->setText(tr("Remove"));
+  name(remove_, tr("Remove the planned camera"), tr("Take the chosen planned camera away"));
+  cameraLabel_->setText(tr("Planned camera"));
+  name(camera_, tr("Planned camera"), tr("The planned camera that the numbers below belong to"));
+  placeLabel_->setText(tr("Stands at x, y, z"));
+  targetLabel_->setText(tr("Looks at x, y, z"));
+  lensLabel_->setText(tr("Field of view, image width and height"));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const QString axis = QLatin1String(kAxes[k]);
+    name(place_[k], tr("Planned position %1").arg(axis), tr("Where the camera stands, in metres"));
+    name(target_[k], tr("Planned camera looks at %1").arg(axis),
+         tr("A point on its line of sight, in metres"));
+    place_[k]->setSuffix(QStringLiteral(" m"));
+    target_[k]->setSuffix(QStringLiteral(" m"));
+  }
+  name(fieldOfView_, tr("Field of view"), tr("How wide the camera sees, from left to right"));
+  fieldOfView_->setSuffix(QStringLiteral("°"));
+  name(imageWidth_, tr("Image width"), tr("Pixels of its image, from left to right"));
+  name(imageHeight_, tr("Image height"), tr("Pixels of its image, from top to bottom"));
+  imageWidth_->setSuffix(QStringLiteral(" px"));
+  imageHeight_->setSuffix(QStringLiteral(" px"));
+  wallLabel_->setText(tr("Walls and ceiling outside the volume by"));
+  name(wall_, tr("Distance of the walls"),
+       tr("The search looks on the four walls and the ceiling around the volume, this far outside "
+          "of it"));
+  wall_->setSuffix(QStringLiteral(" m"));
+  cancel_->setText(tr("Cancel"));
+  name(cancel_, tr("Cancel the search"), tr("End the search; nothing is added"));
+  refresh();
+}
+
+void PlannerForm::refreshNames() {
+  const QSignalBlocker quiet(camera_);
+  camera_->clear();
+  for (const Camera& camera : plan_.planned()) {
+    camera_->addItem(QString::fromStdString(camera.name));
+  }
+  camera_->setCurrentIndex(plan_.chosen());
+  camera_->setPlaceholderText(plan_.planned().empty() ? tr("none yet") : tr("none chosen"));
+}
+
+void PlannerForm::refresh() {
+  refreshNames();
+  const bool any = plan_.chosen() >= 0;
+  remove_->setEnabled(any);
+  camera_->setEnabled(!plan_.planned().empty());
+  const Camera camera = any ? plan_.planned()[std::size_t(plan_.chosen())] : Camera();
+  const Eigen::Vector3d target = lookedAt(camera, plan_.volume().min().z());
+  for (int k = 0; k < 3; ++k) {
+    const auto index = std::size_t(k);
+    place_[index]->setEnabled(any);
+    target_[index]->setEnabled(any);
+    showValue(*place_[index], any ? camera.center()[k] : 0.0);
+    showValue(*target_[index], any ? target[k] : 0.0);
+  }
+  showValue(*fieldOfView_, (any ? fieldOfView(camera) : plan_.lens().fieldOfView) / kDegree);
+  showValue(*imageWidth_, any ? camera.intrinsics.width : plan_.lens().width);
+  showValue(*imageHeight_, any ? camera.intrinsics.height : plan_.lens().height);
+  showValue(*wall_, plan_.wallDistance());
+  const QString next = plan_.nextName();
+  find_->setText(tr("Find the best place for %1").arg(next));
+  find_->setAccessibleName(find_->text());
+  find_->setToolTip(tr("Search the walls and the ceiling for the place from which one more camera "
+                       "helps most (%1)")
+                        .arg(QStringLiteral("Shift+F")));
+}
+
+void PlannerForm::editPlace(int axis, double value) {
+  if (plan_.chosen() >= 0) {
+    const Camera camera = plan_.planned()[std::size_t(plan_.chosen())];
+    Eigen::Vector3d place = camera.center();
+    place[axis] = value;
+    plan_.change(plan_.chosen(), withPosition(camera, place));
+  }
+}
+
+void PlannerForm::editTarget(int axis, double value) {
+  if (plan_.chosen() >= 0) {
+    const Camera camera = plan_.planned()[std::size_t(plan_.chosen())];
+    Eigen::Vector3d target = lookedAt(camera, plan_.volume().min().z());
+    target[axis] = value;
+    plan_.change(plan_.chosen(), lookingAt(camera, target));
+  }
+}
+
+void PlannerForm::editLens() {
+  plan_.setLens({static_cast<int>(imageWidth_->value()), static_cast<int>(imageHeight_->value()),
+                 fieldOfView_->value() * kDegree});
+}
+
+} // namespace dewpoint::ui

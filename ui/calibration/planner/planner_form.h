@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QWidget>
+
+#include <array>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace dewpoint::ui {
+
+class RigPlanner;
+
+/// The cameras that are thought of, in numbers, and the search for a place of the next one.
+class PlannerForm : public QWidget {
+  Q_OBJECT
+public:
+  explicit PlannerForm(RigPlanner& plan, QWidget* parent = nullptr);
+
+private:
+  void build();
+  void connectFields();
+  void connectSearch();
+  void say();
+  void refresh();
+  void refreshNames();
+  void editPlace(int axis, double value);
+  void editTarget(int axis, double value);
+  void editLens();
+
+  RigPlanner& plan_;
+  QPushButton* add_;
+  QPushButton* remove_;
+  QLabel* cameraLabel_;
+  QComboBox* camera_;
+  QLabel* placeLabel_;
+  std::array<QDoubleSpinBox*, 3> place_;
+  QLabel* targetLabel_;
+  std::array<QDoubleSpinBox*, 3> target_;
+  QLabel* lensLabel_;
+  QDoubleSpinBox* fieldOfView_;
+  QDoubleSpinBox* imageWidth_;
+  QDoubleSpinBox* imageHeight_;
+  QPushButton* find_;
+  QLabel* wallLabel_;
+  QDoubleSpinBox* wall_;
+  QProgressBar* progress_;
+  QPushButton* cancel_;
+  QLabel* said_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/planner/rig_planner.h"
+
+#include "core/calibration/manual/interactive_pose.h"
+#include "core/session/run/tracking_run.h"
+#include "ui/calibration/manual_calibration.h"
+#include "ui/document/document.h"
+#include "ui/style/map_legend.h"
+#include "ui/text/error_sentence.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace dewpoint::ui {
+namespace {
+
+constexpr std::size_t kMapCells = 8640; ///< a map of six cameras takes some milliseconds
+
+Camera withLens(const Camera& camera, const PlannedLens& lens) {
+  Camera changed = idealCamera(camera.name, lens.width, lens.height, lens.fieldOfView);
+  changed.cameraFromWorld = camera.cameraFromWorld;
+  return changed;
+}
+
+} // namespace
+
+RigPlanner::RigPlanner(Document& document, ManualCalibration& hand, QObject* parent)
+    : QObject(parent), document_(document), hand_(hand) {
+  connect(&maker_, &MapMaker::made, this, [this](const std::shared_ptr<const RigMap>& map) {
+    map_ = map;
+    Q_EMIT mapChanged();
+  });
+  connect(&document_, &Document::replaced, this, [this] {
+    search_.cancel();
+    planned_.clear();
+    chosen_ = -1;
+    followsRoom_ = true;
+    takeRoom();
+    takeLens();
+    Q_EMIT changed();
+  });
+  connect(&document_, &Document::changed, this, [this](const ProjectChanges& changes) {
+    // Not with every pose: a volume that grows with a camera in the hand is hard to read.
+    if (changes.grid || changes.sources) {
+      takeRoom();
+    }
+  });
+  connect(&hand_, &ManualCalibration::activeChanged, this, [this] {
+    takeRoom();
+    Q_EMIT mapChanged();
+    Q_EMIT changed();
+  });
+  connect(&hand_, &ManualCalibration::changed, this, &RigPlanner::ask);
+  connect(&hand_, &ManualCalibration::cameraSelected, this, [this] { choose(-1); });
+}
+
+RigPlanner::~RigPlanner() = default;
+
+CameraRig RigPlanner::rig() const {
+  CameraRig rig = rigOf(document_.project());
+  rig.insert(rig.end(), planned_.begin(), planned_.end());
+  return rig;
+}
+
+void RigPlanner::ask() {
+  if (mapShown_ && hand_.isActive()) {
+    maker_.ask({gridOver(volume_, kMapCells), pixelSigma_, rig()});
+  }
+}
+
+void RigPlanner::setMapShown(bool shown) {
+  if (shown != mapShown_) {
+    mapShown_ = shown;
+    ask();
+    Q_EMIT mapChanged();
+    Q_EMIT changed();
+  }
+}
+
+void RigPlanner::keepHeight() {
+  look_.height = std::clamp(look_.height, volume_.min().z(), volume_.max().z());
+}
+
+void RigPlanner::setLook(const MapLook& look) {
+  if (look != look_) {
+    look_ = look;
+    keepHeight();
+    Q_EMIT mapChanged();
+    Q_EMIT changed();
+  }
+}
+
+void RigPlanner::setPixelSigma(double pixels) {
+  pixelSigma_ = pixels;
+  ask();
+  Q_EMIT changed();
+}
+
+void RigPlanner::setVolume(const Eigen::AlignedBox3d& volume) {
+  if (!volume.isEmpty() && volume.sizes().minCoeff() > 0.0) {
+    volume_ = volume;
+    followsRoom_ = false;
+    keepHeight();
+    ask();
+  }
+  Q_EMIT changed(); // also when it was refused
+}
+
+void RigPlanner::followRoom() {
+  followsRoom_ = true;
+  takeRoom();
+  Q_EMIT changed();
+}
+
+void RigPlanner::takeRoom() {
+  const Eigen::AlignedBox3d room = roomOf(rigOf(document_.project()), hand_.grid());
+  if (followsRoom_ && !room.isEmpty() && room.sizes().minCoeff() > 0.0) {
+    volume_ = room;
+    keepHeight();
+    ask();
+  }
+}
+
+void RigPlanner::takeLens() {
+  const auto& cameras = document_.project().cameras;
+  if (!cameras.empty() && cameras.front().camera.intrinsics.width > 0) {
+    const Camera& like = cameras.front().camera;
+    lens_ = {like.intrinsics.width, like.intrinsics.height,
+             std::clamp(fieldOfView(like), 0.1, 2.9)};
+  }
+}
+
+void RigPlanner::choose(int planned) {
+  if (planned != chosen_ && planned < int(planned_.size())) {
+    chosen_ = std::max(planned, -1);
+    Q_EMIT changed();
+  }
+}
+
+QString RigPlanner::nextName() const {
+  const auto taken = [&](const QString& name) {
+    const auto all = rig();
+    return std::ranges::any_of(
+        all, [&](const Camera& one) { return QString::fromStdString(one.name) == name; });
+  };
+  std::size_t number = document_.project().cameras.size() + 1;
+  while (taken(tr("camera %1").arg(number))) {
+    ++number;
+  }
+  return tr("camera %1").arg(number);
+}
+
+void RigPlanner::add() {
+  Camera camera = withLens({}, lens_);
+  camera.name = nextName().toStdString();
+  Eigen::Vector3d best = volume_.max();
+  double farthest = -1.0;
+  for (int k = 4; k < 8; ++k) { // the upper corners
+    const Eigen::Vector3d corner = volume_.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k));
+    double nearest = std::numeric_limits<double>::max();
+    for (const Camera& other : rig()) {
+      nearest = std::min(nearest, (other.center() - corner).norm());
+    }
+    if (nearest > farthest) {
+      farthest = nearest;
+      best = corner;
+    }
+  }
+  camera.cameraFromWorld = lookAt(best, volume_.center());
+  planned_.push_back(camera);
+  chosen_ = int(planned_.size()) - 1;
+  ask();
+  Q_EMIT said({});
+  Q_EMIT changed();
+}
+
+void RigPlanner::remove(int planned) {
+  if (planned >= 0 && planned < int(planned_.size())) {
+    planned_.erase(planned_.begin() + planned);
+    chosen_ = std::min(chosen_, int(planned_.size()) - 1);
+    ask();
+    Q_EMIT said({});
+    Q_EMIT changed();
+  }
+}
+
+void RigPlanner::change(int planned, const Camera& camera) {
+  if (planned >= 0 && planned < int(planned_.size())) {
+    const bool moved = planned_[std::size_t(planned)] != camera;
+    planned_[std::size_t(planned)] = camera;
+    ask();
+    if (moved) {
+      Q_EMIT said({}); // it was about another place
+    }
+    Q_EMIT changed();
+  }
+}
+
+void RigPlanner::setLens(const PlannedLens& lens) {
+  lens_ = lens;
+  if (chosen_ >= 0) {
+    change(chosen_, withLens(planned_[std::size_t(chosen_)], lens_));
+  } else {
+    Q_EMIT changed();
+  }
+}
+
+void RigPlanner::setWallDistance(double metres) {
+  wallDistance_ = metres;
+  Q_EMIT changed();
+}
+
+void RigPlanner::findPlace() {
+  Camera lens = withLens({}, lens_);
+  lens.name = nextName().toStdString();
+  PlacementSettings settings;
+  settings.volume = volume_;
+  settings.wallDistance = wallDistance_;
+  settings.pixelSigma = pixelSigma_;
+  settings.goodSigma = look_.goodSigma;
+  search_.start([this, lens, settings, rig = rig()](const LongJob::Progress& progress) {
+    auto found = placeCamera(rig, lens, settings,
+                             [&](const std::string&, double part) { return progress(part); });
+    if (found) { // on the cells of the map, so that the figures are the same
+      RigMapper mapper;
+      const VolumeGrid cells = gridOver(settings.volume, kMapCells);
+      CameraRig with = rig;
+      with.push_back(found->camera);
+      const auto within = [&](const CameraRig& cameras) {
+        const RigMap map = mapper.map(cells, settings.pixelSigma, cameras);
+        return summaryOf(map, settings.goodSigma).within;
+      };
+      found->withinBefore = within(rig);
+      found->withinAfter = within(with);
+    }
+    return [this, found] { takePlacement(found); };
+  });
+  Q_EMIT said({});
+}
+
+void RigPlanner::takePlacement(const Result<Placement>& found) {
+  if (!found) {
+    Q_EMIT said(errorSentence(found.error()));
+    return;
+  }
+  planned_.push_back(found->camera);
+  chosen_ = int(planned_.size()) - 1;
+  ask();
+  Q_EMIT changed();
+  const QLocale locale;
+  const Eigen::Vector3d place = found->camera.center();
+  Q_EMIT said(tr("Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead "
+                 "of %7.")
+                  .arg(QString::fromStdString(found->camera.name),
+                       locale.toString(place.x(), 'f', 2), locale.toString(place.y(), 'f', 2),
+                       locale.toString(place.z(), 'f', 2), shareText(found->withinAfter),
+                       shortLength(look_.goodSigma), shareText(found->withinBefore)));
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/planner/uncertainty_map_form.h"
+
+#include "ui/calibration/planner/rig_planner.h"
+#include "ui/style/map_legend.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/number_field.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+
+#include <cmath>
+
+namespace dewpoint::ui {
+namespace {
+
+const char* const kAxes[] = {"X", "Y", "Z"};
+constexpr int kSliderSteps = 200;
+
+} // namespace
+
+UncertaintyMapForm::UncertaintyMapForm(RigPlanner& plan, QWidget* parent)
+    : QWidget(parent), plan_(plan) {
+  setObjectName(QStringLiteral("mapFields"));
+  build();
+  connectFields();
+  connectVolume();
+  onRetranslate(this, [this] { say(); });
+}
+
+void UncertaintyMapForm::build() {
+  const auto check = [this](const char* name) {
+    auto* box = new QCheckBox(this);
+    box->setObjectName(QLatin1String(name));
+    return box;
+  };
+  shown_ = check("mapShown");
+  summary_ = new QLabel(this);
+  summary_->setObjectName(QStringLiteral("mapSummary"));
+  summary_->setWordWrap(true);
+  quantityLabel_ = new QLabel(this);
+  quantity_ = new QComboBox(this);
+  quantity_->setObjectName(QStringLiteral("mapQuantity"));
+  makeNarrow(*quantity_);
+  goodLabel_ = new QLabel(this);
+  good_ = makeNumberField(QStringLiteral("mapGood"), {0.01, 10000.0, 1.0, 2}, this);
+  pixelLabel_ = new QLabel(this);
+  pixel_ = makeNumberField(QStringLiteral("mapPixelSigma"), {0.01, 100.0, 0.1, 2}, this);
+  slice_ = check("mapSlice");
+  heightSlider_ = new QSlider(Qt::Horizontal, this);
+  heightSlider_->setObjectName(QStringLiteral("mapHeightSlider"));
+  heightSlider_->setRange(0, kSliderSteps);
+  height_ = makeNumberField(QStringLiteral("mapHeight"), {-1e3, 1e3, 0.1, 3}, this);
+  volume_ = check("mapVolume");
+  lowLabel_ = new QLabel(this);
+  highLabel_ = new QLabel(this);
+  room_ = new QPushButton(this);
+  room_->setObjectName(QStringLiteral("mapRoom"));
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(6);
+  for (int column = 0; column < 3; ++column) {
+    grid->setColumnStretch(column, 1);
+  }
+  grid->addWidget(shown_, 0, 0, 1, 3);
+  grid->addWidget(summary_, 1, 0, 1, 3);
+  grid->addWidget(quantityLabel_, 2, 0);
+  grid->addWidget(quantity_, 2, 1, 1, 2);
+  grid->addWidget(goodLabel_, 3, 0, 1, 2);
+  grid->addWidget(good_, 3, 2);
+  grid->addWidget(pixelLabel_, 4, 0, 1, 2);
+  grid->addWidget(pixel_, 4, 2);
+  grid->addWidget(slice_, 5, 0);
+  grid->addWidget(heightSlider_, 5, 1);
+  grid->addWidget(height_, 5, 2);
+  grid->addWidget(volume_, 6, 0, 1, 3);
+  grid->addWidget(lowLabel_, 7, 0, 1, 3);
+  grid->addWidget(highLabel_, 9, 0, 1, 3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const QString axis = QLatin1String(kAxes[k]);
+    low_[k] = makeNumberField(QStringLiteral("mapLow") + axis, {-1e3, 1e3, 0.1, 3}, this);
+    high_[k] = makeNumberField(QStringLiteral("mapHigh") + axis, {-1e3, 1e3, 0.1, 3}, this);
+    grid->addWidget(low_[k], 8, static_cast<int>(k));
+    grid->addWidget(high_[k], 10, static_cast<int>(k));
+  }
+  grid->addWidget(room_, 11, 1, 1, 2);
+  quantityLabel_->setBuddy(quantity_);
+  goodLabel_->setBuddy(good_);
+  pixelLabel_->setBuddy(pixel_);
+  lowLabel_->setBuddy(low_[0]);
+  highLabel_->setBuddy(high_[0]);
+}
+
+void UncertaintyMapForm::connectFields() {
+  connect(&plan_, &RigPlanner::changed, this, &UncertaintyMapForm::refresh);
+  connect(&plan_, &RigPlanner::mapChanged, this, &UncertaintyMapForm::summarize);
+  connect(shown_, &QCheckBox::toggled, &plan_, &RigPlanner::setMapShown);
+  const auto edit = [this](auto change) {
+    return [this, change](auto value) {
+      MapLook look = plan_.look();
+      change(look, value);
+      plan_.setLook(look);
+    };
+  };
+  connect(quantity_, &QComboBox::activated, this, edit([](MapLook& look, int index) {
+            look.quantity = index == 1 ? MapQuantity::CameraCount : MapQuantity::Sigma;
+          }));
+  connect(good_, &QDoubleSpinBox::valueChanged, this,
+          edit([](MapLook& look, double value) { look.goodSigma = value / 1000.0; }));
+  connect(slice_, &QCheckBox::toggled, this,
+          edit([](MapLook& look, bool shown) { look.slice = shown; }));
+  connect(volume_, &QCheckBox::toggled, this,
+          edit([](MapLook& look, bool shown) { look.volume = shown; }));
+  connect(height_, &QDoubleSpinBox::valueChanged, this,
+          edit([](MapLook& look, double value) { look.height = value; }));
+  connect(heightSlider_, &QSlider::valueChanged, this, edit([this](MapLook& look, int step) {
+            const double low = plan_.volume().min().z();
+            look.height = low + (plan_.volume().max().z() - low) * step / kSliderSteps;
+          }));
+  connect(pixel_, &QDoubleSpinBox::valueChanged, &plan_, &RigPlanner::setPixelSigma);
+}
+
+void UncertaintyMapForm::connectVolume() {
+  for (int k = 0; k < 3; ++k) {
+    connect(low_[std::size_t(k)], &QDoubleSpinBox::valueChanged, this, [this, k](double value) {
+      Eigen::AlignedBox3d box = plan_.volume();
+      box.min()[k] = value;
+      plan_.setVolume(box);
+    });
+    connect(high_[std::size_t(k)], &QDoubleSpinBox::valueChanged, this, [this, k](double value) {
+      Eigen::AlignedBox3d box = plan_.volume();
+      box.max()[k] = value;
+      plan_.setVolume(box);
+    });
+  }
+  connect(room_, &QPushButton::clicked, &plan_, &RigPlanner::followRoom);
+}
+
+void UncertaintyMapForm::say() {
+  const auto name = [](QWidget* field, const QString& text, const QString& tip) {
+    field->setAccessibleName(text);
+    field->setToolTip(tip);
+  };
+  shown_->setText(tr("Show the map in the bird's-eye view"));
+  shown_->setToolTip(tr("How far off a target is expected to be at each place; it follows every "
+                        "move of a camera"));
+  quantityLabel_->setText(tr("Colors show"));
+  {
+    const QSignalBlocker quiet(quantity_);
+    quantity_->clear();
+    quantity_->addItems({tr("the expected error"), tr("the number of cameras")});
+  }
+  name(quantity_, tr("What the colors show"),
+       tr("The expected error (standard deviation along the worst direction), or how many cameras "
+          "see a place"));
+  goodLabel_->setText(tr("Good enough"));
+  name(good_, tr("Good enough"),
+       tr("The error that is good enough: up to it the map is blue, and it is what the sentence "
+          "and the search for a place go by"));
+  good_->setSuffix(QStringLiteral(" mm"));
+  pixelLabel_->setText(tr("Error of a sighting"));
+  name(pixel_, tr("Error of a sighting"),
+       tr("How far off a target is found in an image, in pixels (one standard deviation)"));
+  pixel_->setSuffix(QStringLiteral(" px"));
+  slice_->setText(tr("Layer at"));
+  slice_->setToolTip(tr("Show the map in a horizontal layer"));
+  name(heightSlider_, tr("Height of the layer"), tr("Height of the layer above the floor"));
+  name(height_, tr("Height of the layer in metres"), tr("Height of the layer above the floor"));
+  height_->setSuffix(QStringLiteral(" m"));
+  volume_->setText(tr("Volume: surfaces around what is good and what is fair"));
+  volume_->setToolTip(tr("Show through the room where the error is at most 0.4, 1 and 2 times what "
+                         "is good enough, or where two, three and four cameras see"));
+  lowLabel_->setText(tr("Volume from x, y, z"));
+  highLabel_->setText(tr("to x, y, z"));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const QString axis = QLatin1String(kAxes[k]);
+    name(low_[k], tr("Volume from %1").arg(axis), tr("Where the volume begins, in metres"));
+    name(high_[k], tr("Volume to %1").arg(axis), tr("Where the volume ends, in metres"));
+    low_[k]->setSuffix(QStringLiteral(" m"));
+    high_[k]->setSuffix(QStringLiteral(" m"));
+  }
+  room_->setText(tr("Like the reference grid"));
+  room_->setToolTip(tr("The volume above the reference grid, up to the highest camera"));
+  refresh();
+  summarize();
+}
+
+void UncertaintyMapForm::refresh() {
+  const auto tick = [](QCheckBox& box, bool on) {
+    const QSignalBlocker quiet(box);
+    box.setChecked(on);
+  };
+  const MapLook& look = plan_.look();
+  const Eigen::AlignedBox3d& box = plan_.volume();
+  tick(*shown_, plan_.isMapShown());
+  tick(*slice_, look.slice);
+  tick(*volume_, look.volume);
+  quantity_->setCurrentIndex(look.quantity == MapQuantity::CameraCount ? 1 : 0);
+  showValue(*good_, 1000.0 * look.goodSigma);
+  showValue(*pixel_, plan_.pixelSigma());
+  showValue(*height_, look.height);
+  {
+    const QSignalBlocker quiet(heightSlider_);
+    const double share = (look.height - box.min().z()) / box.sizes().z();
+    heightSlider_->setValue(static_cast<int>(std::lround(kSliderSteps * share)));
+  }
+  for (int k = 0; k < 3; ++k) {
+    showValue(*low_[std::size_t(k)], box.min()[k]);
+    showValue(*high_[std::size_t(k)], box.max()[k]);
+  }
+  room_->setEnabled(!plan_.followsRoom());
+  summarize();
+}
+
+void UncertaintyMapForm::summarize() {
+  QString text;
+  if (plan_.isMapShown() && plan_.map()) {
+    const RigMapSummary summary = summaryOf(*plan_.map(), plan_.look().goodSigma);
+    text = tr("%1 of the volume within %2, %3 seen by fewer than two cameras")
+               .arg(shareText(summary.within), shortLength(plan_.look().goodSigma),
+                    shareText(summary.tooFew));
+  }
+  summary_->setText(text);
+  summary_->setVisible(!text.isEmpty());
+}
+
+} // namespace dewpoint::ui

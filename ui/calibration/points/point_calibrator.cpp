@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/points/point_calibrator.h"
+
+#include "core/session/run/tracking_run.h"
+#include "ui/calibration/manual_calibration.h"
+#include "ui/document/document.h"
+
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::ui {
+namespace {
+
+QString number(double value, int decimals) {
+  return QLocale().toString(value, 'f', decimals);
+}
+
+void setClickOf(MeasuredPoint& point, int camera, const Eigen::Vector2d& pixel) {
+  const auto there = std::ranges::find(point.clicks, camera, &PointClick::camera);
+  if (there != point.clicks.end()) {
+    there->pixel = pixel;
+  } else {
+    point.clicks.push_back({camera, pixel});
+  }
+}
+
+} // namespace
+
+QString symmetryText(const QString& camera, const ImageSymmetry& symmetry) {
+  if (symmetry.mirrored && symmetry.rotateDegrees != 0) {
+    return PointCalibrator::
+        tr("%1 is rotated and mirrored: turn its images clockwise by %2 degrees, then mirror them")
+            .arg(camera)
+            .arg(symmetry.rotateDegrees);
+  }
+  return symmetry.mirrored
+             ? PointCalibrator::tr("%1 is mirrored").arg(camera)
+             : PointCalibrator::tr("%1 is rotated: turn its images clockwise by %2 degrees")
+                   .arg(camera)
+                   .arg(symmetry.rotateDegrees);
+}
+
+PointCalibrator::PointCalibrator(Document& document, ManualCalibration& hand, QObject* parent)
+    : QObject(parent), document_(document), hand_(hand) {
+  connect(&document_, &Document::changed, this, [this](const ProjectChanges& changes) {
+    if (changes.points || changes.calibration || changes.sources) {
+      if (!adopting_ && (changes.points || changes.sources)) {
+        forgetSolution();
+      }
+      chosen_ = std::min(chosen_, static_cast<int>(points().size()) - 1);
+      Q_EMIT this->changed();
+    }
+  });
+  connect(&document_, &Document::replaced, this, [this] {
+    chosen_ = points().empty() ? -1 : 0;
+    forgetSolution();
+    setClicking(false);
+    Q_EMIT changed();
+  });
+}
+
+PointCalibrator::~PointCalibrator() = default;
+
+const std::vector<MeasuredPoint>& PointCalibrator::points() const {
+  return document_.project().points;
+}
+
+bool PointCalibrator::edit(const QString& step, const std::function<void(Project&)>& change,
+                           const std::string& mergeKey) {
+  return document_.edit(step, change, mergeKey).has_value();
+}
+
+void PointCalibrator::forgetSolution() {
+  verdict_.clear();
+  worst_.reset();
+  proposal_.reset();
+}
+
+void PointCalibrator::choose(int point) {
+  if (point != chosen_) {
+    chosen_ = point;
+    Q_EMIT changed();
+  }
+}
+
+void PointCalibrator::add() {
+  const auto isUsed = [this](const std::string& name) {
+    return std::ranges::any_of(points(),
+                               [&](const MeasuredPoint& point) { return point.name == name; });
+  };
+  std::size_t next = points().size() + 1;
+  QString name = tr("point %1").arg(next);
+  while (isUsed(name.toStdString())) {
+    name = tr("point %1").arg(++next);
+  }
+  const ReferenceGrid grid = hand_.grid();
+  edit(tr("Add measured point"), [&](Project& project) {
+    MeasuredPoint& point = project.points.emplace_back();
+    point.name = name.toStdString();
+    point.world = grid.origin;
+  });
+  choose(static_cast<int>(points().size()) - 1);
+}
+
+void PointCalibrator::remove() {
+  if (chosen_ >= 0 && chosen_ < static_cast<int>(points().size())) {
+    edit(tr("Remove measured point"),
+         [this](Project& project) { project.points.erase(project.points.begin() + chosen_); });
+  }
+}
+
+bool PointCalibrator::rename(int point, const QString& name) {
+  return edit(tr("Rename measured point"), [&](Project& project) {
+    project.points[static_cast<std::size_t>(point)].name = name.trimmed().toStdString();
+  });
+}
+
+bool PointCalibrator::setWorld(int point, const Eigen::Vector3d& world) {
+  return edit(
+      tr("Place of %1").arg(QString::fromStdString(points()[static_cast<std::size_t>(point)].name)),
+      [&](Project& project) { project.points[static_cast<std::size_t>(point)].world = world; });
+}
+
+void PointCalibrator::setClicking(bool clicking) {
+  clicking = clicking && chosen_ >= 0;
+  if (clicking != clicking_) {
+    clicking_ = clicking;
+    Q_EMIT changed();
+  }
+}
+
+void PointCalibrator::setClick(int camera, const Eigen::Vector2d& pixel) {
+  if (chosen_ < 0) {
+    return;
+  }
+  const auto point = static_cast<std::size_t>(chosen_);
+  edit(tr("Click %1 in %2").arg(QString::fromStdString(points()[point].name), hand_.nameOf(camera)),
+       [&](Project& project) { setClickOf(project.points[point], camera, pixel); });
+}
+
+void PointCalibrator::removeClick(int camera) {
+  if (chosen_ < 0) {
+    return;
+  }
+  const auto point = static_cast<std::size_t>(chosen_);
+  edit(
+      tr("Forget %1 in %2").arg(QString::fromStdString(points()[point].name), hand_.nameOf(camera)),
+      [&](Project& project) {
+        std::erase_if(project.points[point].clicks,
+                      [&](const PointClick& click) { return click.camera == camera; });
+      });
+}
+
+std::vector<ClickResidual> PointCalibrator::residuals() const {
+  return clickResiduals(rigOf(document_.project()), points());
+}
+
+void PointCalibrator::solve(bool alsoFocal) {
+  if (solving_) {
+    return;
+  }
+  solving_ = true;
+  Q_EMIT changed();
+  PointSettings settings;
+  settings.alsoFocal = alsoFocal;
+  worker_ = std::jthread([this, rig = rigOf(document_.project()), all = points(), settings] {
+    auto solution = std::make_shared<const PointSolution>(solveFromPoints(rig, all, settings));
+    QMetaObject::invokeMethod(
+        this,
+        [this, solution, rig, all] {
+          solving_ = false;
+          if (all == points() && solution->rig.size() == document_.project().cameras.size()) {
+            adopt(*solution);
+          }
+          Q_EMIT changed();
+          Q_EMIT solved();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void PointCalibrator::adopt(const PointSolution& solution) {
+  forgetSolution();
+  adopting_ = true;
+  if (solution.anySolved()) {
+    edit(tr("Solve cameras from measured points"), [&](Project& project) {
+      for (const CameraFromPoints& found : solution.cameras) {
+        const auto index = static_cast<std::size_t>(found.camera);
+        ProjectCamera& camera = project.cameras[index];
+        if (!(camera.camera == solution.rig[index])) {
+          camera.camera = solution.rig[index];
+          camera.adjusted = camera.adjusted || camera.source == SourceKind::Simulation;
+        }
+      }
+    });
+  }
+  adopting_ = false;
+  QStringList lines;
+  for (const CameraFromPoints& camera : solution.cameras) {
+    lines << sayCamera(camera);
+    if (camera.proposal && !proposal_) {
+      proposal_ = Proposal{camera.camera, camera.proposal->symmetry};
+    }
+  }
+  if (solution.cameras.empty()) {
+    lines << tr("No point was clicked yet: choose one, then click it in the images");
+  }
+  worst_ = solution.worst;
+  if (worst_ && solution.anySolved()) {
+    lines << sayWorst(solution);
+  }
+  verdict_ = lines.join(QLatin1Char('\n'));
+}
+
+QString PointCalibrator::sayCamera(const CameraFromPoints& camera) const {
+  const QString name = hand_.nameOf(camera.camera);
+  QString line;
+  switch (camera.trouble) {
+  case PoseStatus::None:
+    line = tr("%1: %2 px off on average").arg(name, number(camera.rmsPx, 2));
+    break;
+  case PoseStatus::TooFew:
+    line = tr("%1: %2 points are too few, click four or more").arg(name).arg(camera.clicks);
+    break;
+  case PoseStatus::Collinear:
+    line = tr("%1: its points lie on one line, add one beside it").arg(name);
+    break;
+  case PoseStatus::Ambiguous:
+    line = tr("%1: %2 px, but a second pose fits as well: add a point outside the plane")
+               .arg(name, number(camera.rmsPx, 2));
+    break;
+  case PoseStatus::NoPose:
+    line = tr("%1: no pose shows the points there").arg(name);
+    break;
+  }
+  if (camera.proposal) {
+    const QString what = symmetryText(name, camera.proposal->symmetry);
+    line +=
+        QLatin1Char('\n') +
+        (camera.proposal->byUprightness
+             ? tr("%1, unless it was mounted so").arg(what)
+             : tr("%1: then its points fit to %2 px").arg(what, number(camera.proposal->rmsPx, 2)));
+  }
+  return line;
+}
+
+QString PointCalibrator::sayWorst(const PointSolution& solution) const {
+  const auto worst = static_cast<std::size_t>(*solution.worst);
+  double pixels = 0.0;
+  double metres = 0.0;
+  for (const ClickResidual& residual : solution.residuals) {
+    if (residual.point == *solution.worst && std::isfinite(residual.pixels)) {
+      pixels = std::max(pixels, residual.pixels);
+      metres = std::max(metres, residual.metres);
+    }
+  }
+  const QString name = QString::fromStdString(points()[worst].name);
+  return solution.worstExplains
+             ? tr("%1 does not fit the rest (%2 px, %3 mm): measure or click it again")
+                   .arg(name, number(pixels, 1), number(1000.0 * metres, 1))
+             : tr("Worst: %1 (%2 px, %3 mm)")
+                   .arg(name, number(pixels, 2), number(1000.0 * metres, 1));
+}
+
+std::optional<int> PointCalibrator::proposedCamera() const {
+  const auto& cameras = document_.project().cameras;
+  if (!proposal_ || proposal_->camera >= static_cast<int>(cameras.size())) {
+    return std::nullopt;
+  }
+  const bool simulated = cameras[static_cast<std::size_t>(proposal_->camera)].source ==
+                         SourceKind::Simulation; // its images are made as they are
+  return simulated ? std::nullopt : std::optional(proposal_->camera);
+}
+
+QString PointCalibrator::proposalText() const {
+  return proposal_ ? symmetryText(hand_.nameOf(proposal_->camera), proposal_->symmetry) : QString();
+}
+
+void PointCalibrator::acceptProposal() {
+  if (!proposedCamera()) {
+    return;
+  }
+  const Proposal proposal = *proposal_;
+  edit(tr("Set how %1 lies").arg(hand_.nameOf(proposal.camera)), [&](Project& project) {
+    ProjectCamera& camera = project.cameras[static_cast<std::size_t>(proposal.camera)];
+    const Intrinsics before = camera.camera.intrinsics;
+    const ImageSymmetry source =
+        combined({camera.rotateDegrees, camera.mirrored}, proposal.symmetry);
+    camera.rotateDegrees = source.rotateDegrees;
+    camera.mirrored = source.mirrored;
+    camera.camera = transformed(proposal.symmetry, camera.camera);
+    for (MeasuredPoint& point : project.points) {
+      if (const PointClick* click = clickIn(point, proposal.camera)) {
+        setClickOf(point, proposal.camera,
+                   transformed(proposal.symmetry, click->pixel, before.width, before.height));
+      }
+    }
+  });
+  solve(false);
+}
+
+} // namespace dewpoint::ui

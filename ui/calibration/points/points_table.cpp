@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/points/points_table.h"
+
+#include "ui/calibration/calibration_dock.h"
+#include "ui/calibration/manual_calibration.h"
+#include "ui/calibration/points/point_calibrator.h"
+#include "ui/text/retranslation.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::ui {
+namespace {
+
+QPushButton* makeButton(const char* name, QWidget* parent) {
+  auto* button = new QPushButton(parent);
+  button->setObjectName(QLatin1String(name));
+  return button;
+}
+
+QString figure(double value, int decimals) {
+  return std::isfinite(value) ? QLocale().toString(value, 'f', decimals) : QStringLiteral("∞");
+}
+
+} // namespace
+
+PointsTable::PointsTable(PointCalibrator& points, ManualCalibration& hand, QWidget* parent)
+    : QWidget(parent), points_(points), hand_(hand) {
+  setObjectName(QStringLiteral("pointsTable"));
+  build();
+  connect(&points_, &PointCalibrator::changed, this, &PointsTable::refresh);
+  connect(&hand_, &ManualCalibration::cameraSelected, this, &PointsTable::refresh);
+  connect(table_, &QTableWidget::cellChanged, this, &PointsTable::edited);
+  connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
+    if (!filling_) {
+      points_.choose(row);
+    }
+  });
+  connect(add_, &QPushButton::clicked, &points_, &PointCalibrator::add);
+  connect(remove_, &QPushButton::clicked, &points_, &PointCalibrator::remove);
+  connect(click_, &QPushButton::clicked, &points_, &PointCalibrator::setClicking);
+  connect(forget_, &QPushButton::clicked, this, [this] { points_.removeClick(hand_.camera()); });
+  connect(solve_, &QPushButton::clicked, this, [this] { points_.solve(focal_->isChecked()); });
+  connect(accept_, &QPushButton::clicked, &points_, &PointCalibrator::acceptProposal);
+  onRetranslate(this, [this] { say(); });
+}
+
+void PointsTable::build() {
+  table_ = new QTableWidget(0, ColumnCount, this);
+  table_->setObjectName(QStringLiteral("pointsList"));
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+  table_->horizontalHeader()->setMinimumSectionSize(28);
+  table_->setMinimumHeight(150);
+  table_->setTabKeyNavigation(false); // Tab goes on to the buttons
+  add_ = makeButton("pointAdd", this);
+  remove_ = makeButton("pointRemove", this);
+  click_ = makeButton("pointClick", this);
+  click_->setCheckable(true);
+  forget_ = makeButton("pointForget", this);
+  focal_ = new QCheckBox(this);
+  focal_->setObjectName(QStringLiteral("pointFocal"));
+  solve_ = makeButton("pointSolve", this);
+  verdict_ = new QLabel(this);
+  verdict_->setObjectName(QStringLiteral("pointVerdict"));
+  verdict_->setWordWrap(true);
+  verdict_->setProperty(kRevealed, true);
+  verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  accept_ = makeButton("pointAccept", this);
+  auto* buttons = new QGridLayout;
+  buttons->setSpacing(6);
+  buttons->addWidget(add_, 0, 0);
+  buttons->addWidget(remove_, 0, 1);
+  buttons->addWidget(click_, 1, 0);
+  buttons->addWidget(forget_, 1, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(6);
+  column->addWidget(table_);
+  column->addLayout(buttons);
+  column->addWidget(focal_);
+  column->addWidget(solve_);
+  column->addWidget(verdict_);
+  column->addWidget(accept_);
+}
+
+void PointsTable::say() {
+  table_->setAccessibleName(tr("Measured points"));
+  table_->setToolTip(tr("Places measured with a tape, in metres: double click to type. A marked "
+                        "row fits worst."));
+  table_->setHorizontalHeaderLabels(
+      {tr("Point"), tr("x m"), tr("y m"), tr("z m"), tr("seen"), tr("px"), tr("mm")});
+  const auto button = [](QPushButton* one, const QString& text, const QString& tip) {
+    one->setText(text);
+    one->setAccessibleName(text);
+    one->setToolTip(tip);
+  };
+  button(add_, tr("Add point"), tr("Add a place of the room that you measured"));
+  button(remove_, tr("Remove point"), tr("Remove the chosen point"));
+  button(click_, tr("Click in images"),
+         tr("Then click the chosen point in every image that shows it: corners are found to a "
+            "fraction of a pixel (Alt: exactly where you click). Esc ends it."));
+  button(forget_, tr("Forget click"), tr("Forget the click of this point in the chosen camera"));
+  focal_->setText(tr("Solve focal lengths too"));
+  focal_->setToolTip(tr("For cameras with six points or more"));
+  button(
+      solve_, tr("Solve cameras"),
+      tr("Find the poses of all cameras in which points were clicked; four points or more each"));
+  refresh();
+}
+
+void PointsTable::setCell(int row, int column, const QString& text, bool editable) {
+  QTableWidgetItem* item = table_->item(row, column);
+  if (item == nullptr) {
+    item = new QTableWidgetItem;
+    table_->setItem(row, column, item);
+  }
+  if (item->text() != text) {
+    item->setText(text);
+  }
+  const Qt::ItemFlags shown = Qt::ItemIsSelectable | Qt::ItemIsEnabled;
+  item->setFlags(editable ? shown | Qt::ItemIsEditable : shown);
+  item->setTextAlignment(column == Name ? Qt::AlignLeft | Qt::AlignVCenter
+                                        : Qt::AlignRight | Qt::AlignVCenter);
+}
+
+void PointsTable::fillRow(int row) {
+  const MeasuredPoint& point = points_.points()[static_cast<std::size_t>(row)];
+  const bool worst = points_.worst() == row;
+  const QString name = QString::fromStdString(point.name);
+  setCell(row, Name, worst ? QStringLiteral("▲ ") + name : name, true);
+  for (int axis = 0; axis < 3; ++axis) {
+    setCell(row, X + axis, QLocale().toString(point.world[axis], 'f', 3), true);
+  }
+  setCell(row, Clicks, QStringLiteral("%1/%2").arg(point.clicks.size()).arg(hand_.cameraCount()),
+          false);
+  for (int column = 0; column < ColumnCount; ++column) {
+    if (QTableWidgetItem* item = table_->item(row, column)) {
+      QFont font = table_->font();
+      font.setBold(worst);
+      item->setFont(font);
+    }
+  }
+}
+
+void PointsTable::showResiduals() {
+  const auto residuals = points_.residuals();
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    double pixels = -1.0;
+    double metres = -1.0;
+    QStringList each;
+    for (const ClickResidual& residual : residuals) {
+      if (residual.point == row) {
+        pixels = std::max(pixels, residual.pixels);
+        metres = std::max(metres, residual.metres);
+        each << tr("%1: %2 px, %3 mm")
+                    .arg(hand_.nameOf(residual.camera), figure(residual.pixels, 2),
+                         figure(1000.0 * residual.metres, 1));
+      }
+    }
+    setCell(row, Pixels, pixels < 0.0 ? QStringLiteral("–") : figure(pixels, 2), false);
+    setCell(row, Millimetres, metres < 0.0 ? QStringLiteral("–") : figure(1000.0 * metres, 1),
+            false);
+    for (const int column : {int(Clicks), int(Pixels), int(Millimetres)}) {
+      table_->item(row, column)->setToolTip(each.join(QLatin1Char('\n')));
+    }
+  }
+}
+
+void PointsTable::refresh() {
+  filling_ = true;
+  const int count = static_cast<int>(points_.points().size());
+  table_->setRowCount(count);
+  for (int row = 0; row < count; ++row) {
+    fillRow(row);
+  }
+  showResiduals();
+  if (table_->currentRow() != points_.chosen()) {
+    table_->setCurrentCell(points_.chosen(), Name);
+  }
+  filling_ = false;
+  const bool any = points_.chosen() >= 0 && points_.chosen() < count;
+  remove_->setEnabled(any);
+  click_->setEnabled(any);
+  click_->setChecked(points_.isClicking());
+  // A shape as well: dark themes hardly show a pressed button.
+  click_->setText((points_.isClicking() ? QStringLiteral("● ") : QString()) +
+                  tr("Click in images"));
+  forget_->setEnabled(any && clickIn(points_.points()[static_cast<std::size_t>(points_.chosen())],
+                                     hand_.camera()) != nullptr);
+  solve_->setEnabled(count > 0 && !points_.isSolving());
+  verdict_->setText(points_.verdict());
+  verdict_->setVisible(!points_.verdict().isEmpty());
+  const auto proposed = points_.proposedCamera();
+  accept_->setVisible(proposed.has_value());
+  if (proposed) {
+    accept_->setText(tr("Set it: %1").arg(points_.proposalText()));
+    accept_->setAccessibleName(accept_->text());
+    accept_->setToolTip(tr("Turn or mirror the images of this camera so, and solve again"));
+  }
+}
+
+void PointsTable::edited(int row, int column) {
+  if (filling_ || row >= static_cast<int>(points_.points().size())) {
+    return;
+  }
+  const QString text = table_->item(row, column)->text();
+  if (column == Name) {
+    const QString mark = QStringLiteral("▲ ");
+    points_.rename(row, text.startsWith(mark) ? text.mid(mark.size()) : text);
+  } else if (column >= X && column <= Z) {
+    bool good = false;
+    double value = QLocale().toDouble(text, &good);
+    if (!good) {
+      value = text.toDouble(&good); // a point where the language has a comma
+    }
+    if (good) {
+      Eigen::Vector3d world = points_.points()[static_cast<std::size_t>(row)].world;
+      world[column - X] = value;
+      points_.setWorld(row, world);
+    }
+  }
+  refresh(); // also when it was refused
+}
+
+} // namespace dewpoint::ui

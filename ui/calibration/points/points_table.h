@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace dewpoint::ui {
+
+class ManualCalibration;
+class PointCalibrator;
+
+/// Measured points in a table: names and places to be typed, residuals in pixels and millimetres,
+/// and the buttons to click them in images and to solve the cameras from them.
+class PointsTable : public QWidget {
+  Q_OBJECT
+public:
+  PointsTable(PointCalibrator& points, ManualCalibration& hand, QWidget* parent = nullptr);
+
+private:
+  enum Column { Name, X, Y, Z, Clicks, Pixels, Millimetres, ColumnCount };
+
+  void build();
+  void say();
+  void refresh();
+  void fillRow(int row);
+  void setCell(int row, int column, const QString& text, bool editable);
+  void edited(int row, int column);
+  void showResiduals();
+
+  PointCalibrator& points_;
+  ManualCalibration& hand_;
+  QTableWidget* table_;
+  QPushButton* add_;
+  QPushButton* remove_;
+  QPushButton* click_;
+  QPushButton* forget_;
+  QCheckBox* focal_;
+  QPushButton* solve_;
+  QLabel* verdict_;
+  QPushButton* accept_;
+  bool filling_ = false;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/wand/wand_calibration_page.h"
+
+#include "ui/calibration/wand/wand_calibrator.h"
+#include "ui/calibration/wand/wand_form.h"
+#include "ui/calibration/wand/wand_moments.h"
+#include "ui/calibration/wand/wand_outcome.h"
+#include "ui/calibration/wand/wand_waving.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/page_title.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace dewpoint::ui {
+
+WandCalibrationPage::WandCalibrationPage(WandCalibrator& desk, QWidget* parent)
+    : QWidget(parent), desk_(desk), guide_(new QLabel(this)), momentsTitle_(makePageTitle(this)),
+      wavingTitle_(makePageTitle(this)), waving_(new WandWaving(desk, this)),
+      outcomeTitle_(makePageTitle(this)) {
+  setObjectName(QStringLiteral("wandPage"));
+  guide_->setWordWrap(true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  column->addWidget(guide_);
+  column->addWidget(new WandForm(desk, this));
+  column->addWidget(wavingTitle_);
+  column->addWidget(waving_);
+  column->addWidget(momentsTitle_);
+  column->addWidget(new WandMoments(desk, this));
+  column->addWidget(outcomeTitle_);
+  column->addWidget(new WandOutcome(desk, this));
+  column->addStretch(1);
+  connect(&desk_, &WandCalibrator::changed, this, &WandCalibrationPage::say);
+  onRetranslate(this, [this] { say(); });
+}
+
+void WandCalibrationPage::say() {
+  guide_->setText(
+      desk_.isLive()
+          ? tr("Nudge the cameras by hand until they are roughly right. Then wave the ball, or a "
+               "stick with two balls, through the whole volume, and refine.")
+          : tr("Nudge the cameras by hand until they are roughly right. A recording of a ball, or "
+               "a "
+               "stick with two balls, waved through the whole volume then makes them exact."));
+  momentsTitle_->setText(tr("Where the floor is"));
+  wavingTitle_->setText(tr("Waving"));
+  outcomeTitle_->setText(tr("Refine"));
+  wavingTitle_->setVisible(desk_.isLive());
+  waving_->setVisible(desk_.isLive());
+}
+
+} // namespace dewpoint::ui

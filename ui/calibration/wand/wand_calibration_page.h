@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace dewpoint::ui {
+
+class WandCalibrator;
+class WandWaving;
+
+/// The page of the calibration place for refining cameras with a waved ball or stick.
+class WandCalibrationPage : public QWidget {
+  Q_OBJECT
+public:
+  explicit WandCalibrationPage(WandCalibrator& desk, QWidget* parent = nullptr);
+
+private:
+  void say();
+
+  WandCalibrator& desk_;
+  QLabel* guide_;
+  QLabel* momentsTitle_;
+  QLabel* wavingTitle_;
+  WandWaving* waving_;
+  QLabel* outcomeTitle_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/wand/wand_calibrator.h"
+
+#include "core/base/text_file.h"
+#include "core/setup/calibrated_project.h"
+#include "ui/calibration/manual_calibration.h"
+#include "ui/document/document.h"
+#include "ui/jobs/long_job.h"
+#include "ui/text/error_sentence.h"
+
+#include <algorithm>
+#include <thread>
+
+namespace dewpoint::ui {
+namespace {
+
+constexpr int kTickMs = 200;
+constexpr double kLookingPart = 0.8; ///< of the time that a refinement takes, roughly
+
+/// How far the whole is.
+double partOf(const WandWork& work) {
+  if (work.total <= 0) {
+    return -1.0;
+  }
+  const double part = static_cast<double>(work.done) / static_cast<double>(work.total);
+  return work.looking ? kLookingPart * part : kLookingPart + (1.0 - kLookingPart) * part;
+}
+
+/// Everything that was collected, also what still waits to be looked at.
+std::vector<std::vector<MarkerObservation>> allViews(const WandCollector& collector,
+                                                     const LongJob::Progress& progress) {
+  while (collector.state().waiting > 0 && progress(-1.0)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return collector.views();
+}
+
+} // namespace
+
+WandCalibrator::WandCalibrator(Surroundings around, QObject* parent)
+    : QObject(parent), around_(std::move(around)), job_(new LongJob(this)) {
+  tick_.setInterval(kTickMs);
+  connect(&tick_, &QTimer::timeout, this, &WandCalibrator::collectedChanged);
+  connect(job_, &LongJob::started, this, &WandCalibrator::changed);
+  connect(job_, &LongJob::progressChanged, this, &WandCalibrator::progressChanged);
+  connect(job_, &LongJob::ended, this, &WandCalibrator::changed);
+  connect(&around_.document, &Document::replaced, this, &WandCalibrator::forget);
+  connect(&around_.document, &Document::targetsChanged, this, &WandCalibrator::changed);
+  connect(&around_.selection, &Selection::spanChanged, this, &WandCalibrator::changed);
+  connect(&around_.document, &Document::calibrationChanged, this, [this] {
+    if (refinement_ && applied_) {
+      Q_EMIT changed();
+    }
+  });
+}
+
+WandCalibrator::~WandCalibrator() {
+  stopWaving();
+}
+
+bool WandCalibrator::isStale() const {
+  return refinement_ && applied_ &&
+         !std::ranges::equal(project().cameras, refinement_->result.cameras, {},
+                             &ProjectCamera::camera);
+}
+
+const Project& WandCalibrator::project() const {
+  return around_.document.project();
+}
+
+void WandCalibrator::setWish(const WandSettings& wish) {
+  if (!(wish == wish_)) {
+    wish_ = wish;
+    Q_EMIT changed();
+  }
+}
+
+void WandCalibrator::takeMoment(TouchRole role) {
+  if (!canTakeMoment()) {
+    return;
+  }
+  const TouchedMoment taken{shownFrame_, shownSeconds_, role};
+  std::erase_if(moments_, [&](const TouchedMoment& moment) {
+    return moment == taken || (role != TouchRole::Floor && moment.role == role);
+  });
+  moments_.push_back(taken);
+  std::ranges::stable_sort(moments_, {}, &TouchedMoment::seconds);
+  Q_EMIT changed();
+}
+
+void WandCalibrator::removeMoment(std::size_t index) {
+  if (index < moments_.size()) {
+    moments_.erase(moments_.begin() + static_cast<std::ptrdiff_t>(index));
+    Q_EMIT changed();
+  }
+}
+
+void WandCalibrator::showMoment(std::size_t index) {
+  if (index < moments_.size()) {
+    around_.selection.wantMoment(moments_[index].frame);
+  }
+}
+
+void WandCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
+  const bool shown = snapshot && snapshot->frames;
+  const bool live = shown && !snapshot->frameCount;
+  // Another session opens its cameras anew, and has no tap.
+  if (waving_ != nullptr && (around_.session() != waving_ || collector_.use_count() == 1)) {
+    letGo();
+  }
+  const bool news = live != live_ || shown != canTakeMoment();
+  live_ = live;
+  shownFrame_ = shown ? snapshot->frames->index : -1;
+  shownSeconds_ = shown ? seconds(snapshot->frames->time) : 0.0;
+  if (news) {
+    Q_EMIT changed();
+  }
+}
+
+void WandCalibrator::startWaving() {
+  Session* session = around_.session();
+  const auto colors = wandColors(project(), toOptions(wish_, moments_, project(), {}));
+  if (session == nullptr) {
+    return;
+  }
+  if (!colors) {
+    Q_EMIT failed(errorSentence(colors.error()));
+    return;
+  }
+  stopWaving();
+  moments_.clear(); // they belong to what was collected before
+  collector_ = std::make_shared<WandCollector>(project().cameras.size(), *colors);
+  waving_ = session;
+  session->setFrameTap(
+      [collector = collector_](const FrameSetPtr& frames) { collector->offer(frames); });
+  session->backToHead();
+  session->play();
+  tick_.start();
+  Q_EMIT changed();
+}
+
+void WandCalibrator::stopWaving() {
+  if (waving_ != nullptr && around_.session() == waving_) {
+    waving_->setFrameTap({});
+  }
+  letGo();
+}
+
+void WandCalibrator::letGo() {
+  if (waving_ != nullptr) {
+    waving_ = nullptr;
+    tick_.stop();
+    Q_EMIT collectedChanged();
+    Q_EMIT changed();
+  }
+}
+
+std::optional<WandCollector::State> WandCalibrator::collected() const {
+  return collector_ ? std::optional(collector_->state()) : std::nullopt;
+}
+
+QString WandCalibrator::missing() const {
+  const QString missing = validationMessage(wish_, moments_, project());
+  if (!missing.isEmpty()) {
+    return missing;
+  }
+  if (live_ && collector_ == nullptr) {
+    return tr("Press Start waving, and wave for half a minute where things are to be tracked.");
+  }
+  return {};
+}
+
+bool WandCalibrator::isRefining() const {
+  return job_->isRunning();
+}
+
+void WandCalibrator::refine() {
+  if (isRefining() || !missing().isEmpty()) {
+    return;
+  }
+  stopWaving();
+  const auto collector = live_ ? collector_ : nullptr;
+  const auto span = live_ ? std::nullopt : around_.selection.span();
+  const WandOptions options = toOptions(wish_, moments_, project(), span);
+  refinement_.reset();
+  failure_.clear();
+  applied_ = false;
+  job_->start([this, collector, options, wanted = project(),
+               open = around_.open](const LongJob::Progress& progress) {
+    const auto callback = [&](const WandWork& work) { return progress(partOf(work)); };
+    auto outcome = std::make_shared<Result<WandRefinement>>();
+    if (collector) {
+      *outcome = refineFromViews(wanted, allViews(*collector, progress), options, callback);
+    } else if (auto inputs = open(SessionRequest(wanted))) {
+      *outcome = refineFromRecording(inputs->project, *inputs->source, options, callback);
+    } else {
+      *outcome = tl::make_unexpected(inputs.error());
+    }
+    return [this, outcome] { adopt(std::move(*outcome)); };
+  });
+}
+
+void WandCalibrator::cancel() {
+  job_->cancel();
+}
+
+void WandCalibrator::adopt(Result<WandRefinement> outcome) {
+  if (!outcome) {
+    failure_ = errorSentence(outcome.error());
+  } else {
+    refinement_ = std::make_shared<const WandRefinement>(std::move(*outcome));
+    // What a fault explains better, or is less sure than before, is not to be trusted: the person
+    // decides.
+    if (refinement_->result.faults.empty() && !saysTooLittle(*refinement_)) {
+      apply();
+    }
+  }
+  Q_EMIT refined();
+}
+
+void WandCalibrator::apply() {
+  if (!refinement_ || applied_ || refinement_->before.size() != project().cameras.size()) {
+    return;
+  }
+  around_.hand.takeAsBefore();
+  const auto edited =
+      around_.document.edit(wish_.stick ? tr("Refine cameras with a waved stick")
+                                        : tr("Refine cameras with a waved ball"),
+                            [this](Project& project) {
+                              const WandResult& found = refinement_->result;
+                              project = withCameras(std::move(project), found.cameras);
+                              if (refinement_->options.findOffsets) {
+                                project = withTimeOffsets(std::move(project), found.offsets);
+                              }
+                            });
+  applied_ = edited.has_value();
+  failure_ = edited ? QString() : errorSentence(edited.error());
+  Q_EMIT changed();
+}
+
+void WandCalibrator::setFlipped(bool flipped) {
+  around_.hand.setFlipped(flipped);
+}
+
+void WandCalibrator::saveReport(const QString& file) {
+  if (!refinement_) {
+    return;
+  }
+  job_->start([this, file, refinement = refinement_](const LongJob::Progress&) {
+    const auto written = writeTextFile(file.toStdString(), htmlText(*refinement));
+    return [this, file, written] {
+      written ? Q_EMIT saved(file) : Q_EMIT failed(errorSentence(written.error()));
+    };
+  });
+}
+
+void WandCalibrator::forget() {
+  job_->cancel();
+  stopWaving();
+  collector_.reset();
+  moments_.clear();
+  wish_ = {};
+  refinement_.reset();
+  failure_.clear();
+  applied_ = false;
+  shownFrame_ = -1;
+  Q_EMIT changed();
+}
+
+} // namespace dewpoint::ui

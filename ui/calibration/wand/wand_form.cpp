@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/wand/wand_form.h"
+
+#include "core/project/project.h"
+#include "ui/calibration/wand/wand_calibrator.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/number_field.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <numbers>
+
+namespace dewpoint::ui {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+QCheckBox* makeCheck(const char* name, QWidget* parent) {
+  auto* check = new QCheckBox(parent);
+  check->setObjectName(QLatin1String(name));
+  return check;
+}
+
+QComboBox* makeChoice(const char* name, QWidget* parent) {
+  auto* choice = new QComboBox(parent);
+  choice->setObjectName(QLatin1String(name));
+  makeNarrow(*choice);
+  return choice;
+}
+
+/// Other texts; what is chosen stays.
+void setTexts(QComboBox& box, const QStringList& texts) {
+  const QSignalBlocker quiet(box);
+  const int chosen = std::max(0, box.currentIndex());
+  box.clear();
+  box.addItems(texts);
+  box.setCurrentIndex(chosen);
+}
+
+void show(QComboBox& box, int index) {
+  const QSignalBlocker quiet(box);
+  box.setCurrentIndex(index);
+}
+
+} // namespace
+
+WandForm::WandForm(WandCalibrator& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+  setObjectName(QStringLiteral("wandFields"));
+  build();
+  connectFields();
+  onRetranslate(this, [this] { say(); });
+}
+
+void WandForm::build() {
+  kindLabel_ = new QLabel(this);
+  kind_ = makeChoice("wandKind", this);
+  ballLabel_ = new QLabel(this);
+  ball_ = makeChoice("wandBall", this);
+  otherLabel_ = new QLabel(this);
+  other_ = makeChoice("wandOther", this);
+  lengthLabel_ = new QLabel(this);
+  length_ = makeNumberField(QStringLiteral("wandLength"), {0.1, 1e4, 1.0, 2}, this);
+  sizeLabel_ = new QLabel(this);
+  size_ = makeChoice("wandSize", this);
+  distanceLabel_ = new QLabel(this);
+  distance_ = makeNumberField(QStringLiteral("wandDistance"), {0.1, 1e5, 1.0, 2}, this);
+  roughLabel_ = new QLabel(this);
+  roughPlace_ = makeNumberField(QStringLiteral("wandRoughPlace"), {0.1, 1e4, 1.0, 1}, this);
+  roughTurn_ = makeNumberField(QStringLiteral("wandRoughTurn"), {0.1, 90.0, 1.0, 1}, this);
+  offsets_ = makeCheck("wandOffsets", this);
+  focal_ = makeCheck("wandFocal", this);
+  distortion_ = makeCheck("wandDistortion", this);
+  span_ = makeCheck("wandSpan", this);
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(6);
+  for (int column = 0; column < 3; ++column) {
+    grid->setColumnStretch(column, 1);
+  }
+  const auto row = [&](int at, QLabel* label, QWidget* field) {
+    grid->addWidget(label, at, 0);
+    grid->addWidget(field, at, 1, 1, 2);
+    label->setBuddy(field);
+  };
+  row(0, kindLabel_, kind_);
+  row(1, ballLabel_, ball_);
+  row(2, otherLabel_, other_);
+  row(3, lengthLabel_, length_);
+  row(4, sizeLabel_, size_);
+  row(5, distanceLabel_, distance_);
+  grid->addWidget(roughLabel_, 6, 0);
+  grid->addWidget(roughPlace_, 6, 1);
+  grid->addWidget(roughTurn_, 6, 2);
+  roughLabel_->setBuddy(roughPlace_);
+  int at = 7; // one below the other: some languages need the width
+  for (QWidget* check : std::initializer_list<QWidget*>{offsets_, focal_, distortion_, span_}) {
+    grid->addWidget(check, at++, 0, 1, 3);
+  }
+}
+
+void WandForm::connectFields() {
+  connect(&desk_, &WandCalibrator::changed, this, &WandForm::refresh);
+  connect(kind_, &QComboBox::activated, this,
+          [this](int index) { edit([=](WandSettings& wish) { wish.stick = index == 1; }); });
+  connect(ball_, &QComboBox::activated, this, [this] {
+    edit([this](WandSettings& wish) { wish.ball = ball_->currentText().toStdString(); });
+  });
+  connect(other_, &QComboBox::activated, this, [this] {
+    edit([this](WandSettings& wish) { wish.other = other_->currentText().toStdString(); });
+  });
+  connect(length_, &QDoubleSpinBox::valueChanged, this,
+          [this](double value) { edit([=](WandSettings& wish) { wish.length = value / 100.0; }); });
+  connect(size_, &QComboBox::activated, this, [this](int index) {
+    edit([=](WandSettings& wish) { wish.size = static_cast<WandSize>(index); });
+  });
+  connect(distance_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    edit([=](WandSettings& wish) { wish.distance = value / 100.0; });
+  });
+  connect(roughPlace_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    edit([=](WandSettings& wish) { wish.roughPlace = value / 100.0; });
+  });
+  connect(roughTurn_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    edit([=](WandSettings& wish) { wish.roughTurn = value * kDegree; });
+  });
+  const auto check = [this](QCheckBox* box, bool WandSettings::*field) {
+    connect(box, &QCheckBox::clicked, this, [this, field](bool checked) {
+      edit([=](WandSettings& wish) { wish.*field = checked; });
+    });
+  };
+  check(offsets_, &WandSettings::findOffsets);
+  check(focal_, &WandSettings::findFocal);
+  check(distortion_, &WandSettings::findDistortion);
+  check(span_, &WandSettings::onlySpan);
+}
+
+void WandForm::edit(const std::function<void(WandSettings&)>& change) {
+  WandSettings wish = desk_.wish();
+  change(wish);
+  desk_.setWish(wish);
+}
+
+void WandForm::fillBalls() {
+  QStringList names;
+  for (const Target& target : desk_.project().targets) {
+    names << QString::fromStdString(target.name);
+  }
+  WandSettings both = desk_.wish();
+  both.stick = true;
+  const auto balls = selectedTargets(both, desk_.project());
+  for (QComboBox* box : {ball_, other_}) {
+    const std::size_t end = box == ball_ ? 0 : 1;
+    const QSignalBlocker quiet(box);
+    box->clear();
+    box->addItems(names);
+    box->setCurrentIndex(end < balls.size()
+                             ? static_cast<int>(names.indexOf(QString::fromStdString(balls[end])))
+                             : -1);
+  }
+}
+
+void WandForm::fillSizes() {
+  const auto& targets = desk_.project().targets;
+  const auto balls = selectedTargets(desk_.wish(), desk_.project());
+  const auto ball =
+      balls.empty() ? targets.end() : std::ranges::find(targets, balls.front(), &Target::name);
+  const QString diameter =
+      ball == targets.end()
+          ? tr("the ball's diameter")
+          : tr("the ball's diameter, %1 cm").arg(QLocale().toString(200.0 * ball->radius, 'f', 1));
+  setTexts(*size_, {tr("the cameras as they are"), diameter, tr("a distance touched")});
+}
+
+void WandForm::refresh() {
+  const WandSettings& wish = desk_.wish();
+  fillBalls();
+  fillSizes();
+  ::dewpoint::ui::show(*kind_, wish.stick ? 1 : 0);
+  ::dewpoint::ui::show(*size_, static_cast<int>(wish.size));
+  showValue(*length_, 100.0 * wish.length);
+  showValue(*distance_, 100.0 * wish.distance);
+  showValue(*roughPlace_, 100.0 * wish.roughPlace);
+  showValue(*roughTurn_, wish.roughTurn / kDegree);
+  offsets_->setChecked(wish.findOffsets);
+  focal_->setChecked(wish.findFocal);
+  distortion_->setChecked(wish.findDistortion);
+  span_->setChecked(wish.onlySpan && desk_.hasSpan());
+  span_->setEnabled(desk_.hasSpan());
+  for (QWidget* field :
+       std::initializer_list<QWidget*>{otherLabel_, other_, lengthLabel_, length_}) {
+    field->setVisible(wish.stick);
+  }
+  sizeLabel_->setVisible(!wish.stick);
+  size_->setVisible(!wish.stick);
+  const bool distance = !wish.stick && wish.size == WandSize::Distance;
+  distanceLabel_->setVisible(distance);
+  distance_->setVisible(distance);
+  span_->setVisible(!desk_.isLive());
+  setEnabled(!desk_.isRefining());
+}
+
+void WandForm::say() {
+  const auto name = [](QWidget* field, const QString& text, const QString& tip) {
+    field->setAccessibleName(text);
+    field->setToolTip(tip);
+  };
+  const auto check = [](QCheckBox* field, const QString& text, const QString& tip) {
+    field->setText(text);
+    field->setAccessibleName(text);
+    field->setToolTip(tip);
+  };
+  kindLabel_->setText(tr("Waved"));
+  setTexts(*kind_, {tr("one ball"), tr("a stick with two balls")});
+  name(kind_, tr("What is waved"), tr("A stick also gives the size, better than anything else"));
+  ballLabel_->setText(tr("Ball"));
+  name(ball_, tr("Ball"), tr("The target that is waved: its color is looked for"));
+  otherLabel_->setText(tr("Second ball"));
+  name(other_, tr("Second ball"), tr("The target at the other end of the stick"));
+  lengthLabel_->setText(tr("Length"));
+  name(length_, tr("Length of the stick"), tr("From the middle of one ball to that of the other"));
+  length_->setSuffix(tr(" cm"));
+  sizeLabel_->setText(tr("Size from"));
+  name(size_, tr("What gives the size"),
+       tr("Images alone do not tell a large room from a small one: a diameter is good to about one "
+          "percent, a distance to what you measure"));
+  distanceLabel_->setText(tr("Distance"));
+  name(distance_, tr("Distance touched"),
+       tr("Between the two places that the middle of the ball was held at"));
+  distance_->setSuffix(tr(" cm"));
+  roughLabel_->setText(tr("Off by up to"));
+  name(roughPlace_, tr("How far cameras may be off"),
+       tr("How well the cameras are nudged: about how far each may be from its true place"));
+  roughPlace_->setSuffix(tr(" cm"));
+  name(roughTurn_, tr("How much cameras may be turned"),
+       tr("About how far each may be turned from where it truly looks"));
+  roughTurn_->setSuffix(QStringLiteral("°"));
+  check(offsets_, tr("Find time offsets"),
+        tr("For cameras that do not take their images at the same instants"));
+  check(focal_, tr("Find focal lengths"), tr("For lenses that were never calibrated, or zoomed"));
+  check(distortion_, tr("Find the distortion k1"),
+        tr("The first coefficient of each lens; needs a ball seen up to the edges of the images"));
+  check(span_, tr("Only the selected span"),
+        tr("Look through the stretch selected in the timeline, not the whole recording"));
+  refresh();
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QWidget>
+
+#include <functional>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+
+namespace dewpoint::ui {
+
+class WandCalibrator;
+struct WandSettings;
+
+/// What is waved, what gives the size, and what is to be found, as fields.
+class WandForm : public QWidget {
+  Q_OBJECT
+public:
+  explicit WandForm(WandCalibrator& desk, QWidget* parent = nullptr);
+
+private:
+  void build();
+  void connectFields();
+  void say();
+  void refresh();
+  void edit(const std::function<void(WandSettings&)>& change);
+  void fillBalls();
+  void fillSizes();
+
+  WandCalibrator& desk_;
+  QLabel* kindLabel_;
+  QComboBox* kind_;
+  QLabel* ballLabel_;
+  QComboBox* ball_;
+  QLabel* otherLabel_;
+  QComboBox* other_;
+  QLabel* lengthLabel_;
+  QDoubleSpinBox* length_;
+  QLabel* sizeLabel_;
+  QComboBox* size_;
+  QLabel* distanceLabel_;
+  QDoubleSpinBox* distance_;
+  QLabel* roughLabel_;
+  QDoubleSpinBox* roughPlace_;
+  QDoubleSpinBox* roughTurn_;
+  QCheckBox* offsets_;
+  QCheckBox* focal_;
+  QCheckBox* distortion_;
+  QCheckBox* span_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/wand/wand_moments.h"
+
+#include "ui/calibration/wand/wand_calibrator.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/number_field.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QListWidget>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+namespace dewpoint::ui {
+
+WandMoments::WandMoments(WandCalibrator& desk, QWidget* parent)
+    : QWidget(parent), desk_(desk), role_(new QComboBox(this)), take_(new QPushButton(this)),
+      list_(new QListWidget(this)), remove_(new QPushButton(this)) {
+  setObjectName(QStringLiteral("wandMoments"));
+  role_->setObjectName(QStringLiteral("wandRole"));
+  makeNarrow(*role_);
+  take_->setObjectName(QStringLiteral("wandTake"));
+  list_->setObjectName(QStringLiteral("wandMomentList"));
+  list_->setFixedHeight(60);
+  remove_->setObjectName(QStringLiteral("wandRemove"));
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(6);
+  grid->addWidget(role_, 0, 0, 1, 2);
+  grid->addWidget(take_, 1, 0);
+  grid->addWidget(remove_, 1, 1);
+  grid->addWidget(list_, 2, 0, 1, 2);
+  connect(&desk_, &WandCalibrator::changed, this, &WandMoments::refresh);
+  connect(take_, &QPushButton::clicked, this,
+          [this] { desk_.takeMoment(static_cast<TouchRole>(role_->currentIndex())); });
+  connect(remove_, &QPushButton::clicked, this,
+          [this] { desk_.removeMoment(static_cast<std::size_t>(list_->currentRow())); });
+  connect(list_, &QListWidget::itemActivated, this,
+          [this] { desk_.showMoment(static_cast<std::size_t>(list_->currentRow())); });
+  connect(list_, &QListWidget::currentRowChanged, this,
+          [this](int row) { remove_->setEnabled(row >= 0 && !desk_.isRefining()); });
+  onRetranslate(this, [this] { say(); });
+}
+
+void WandMoments::say() {
+  {
+    const QSignalBlocker quiet(role_);
+    const int chosen = std::max(0, role_->currentIndex());
+    role_->clear();
+    for (int role = 0; role < kTouchRoles; ++role) {
+      role_->addItem(tr("The ball %1").arg(touchWords(static_cast<TouchRole>(role))));
+    }
+    role_->setCurrentIndex(chosen);
+  }
+  role_->setAccessibleName(tr("What the ball does at the moment"));
+  role_->setToolTip(tr("Three places of the floor, or a fall, tell where up is"));
+  take_->setText(tr("Take this moment"));
+  take_->setAccessibleName(take_->text());
+  take_->setToolTip(tr("The moment that the images show is one at which the ball does this"));
+  remove_->setText(tr("Remove moment"));
+  remove_->setAccessibleName(remove_->text());
+  remove_->setToolTip(tr("Take the chosen moment off the list"));
+  list_->setAccessibleName(tr("Moments taken"));
+  list_->setToolTip(tr("Double click or Enter shows the moment"));
+  refresh();
+}
+
+void WandMoments::refresh() {
+  const int chosen = list_->currentRow();
+  {
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    for (const TouchedMoment& moment : desk_.moments()) {
+      list_->addItem(
+          tr("%1 s – %2").arg(QLocale().toString(moment.seconds, 'f', 3), touchWords(moment.role)));
+    }
+    list_->setCurrentRow(std::min(chosen, list_->count() - 1));
+  }
+  take_->setEnabled(desk_.canTakeMoment() && !desk_.isRefining());
+  remove_->setEnabled(list_->currentRow() >= 0 && !desk_.isRefining());
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/wand/wand_outcome.h"
+
+#include "ui/calibration/calibration_dock.h"
+#include "ui/calibration/wand/wand_calibrator.h"
+#include "ui/text/calibration_text.h"
+#include "ui/text/error_sentence.h"
+#include "ui/text/retranslation.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint::ui {
+namespace {
+
+enum Column { Name, Pixels, Moved, Turned, Offset, ColumnCount };
+
+QPushButton* makeButton(const char* name, QWidget* parent) {
+  auto* button = new QPushButton(parent);
+  button->setObjectName(QLatin1String(name));
+  return button;
+}
+
+QLabel* makeText(const char* name, QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(QLatin1String(name));
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  return label;
+}
+
+QString figure(double value, int decimals) {
+  return QLocale().toString(value, 'f', decimals);
+}
+
+QString signedFigure(double value, int decimals) {
+  return (value > 0.0 ? QStringLiteral("+") : QString()) + figure(value, decimals);
+}
+
+} // namespace
+
+WandOutcome::WandOutcome(WandCalibrator& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+  setObjectName(QStringLiteral("wandOutcome"));
+  build();
+  connectParts();
+  onRetranslate(this, [this] { say(); });
+}
+
+void WandOutcome::build() {
+  missing_ = makeText("wandMissing", this);
+  refine_ = makeButton("wandRefine", this);
+  progress_ = new QProgressBar(this);
+  progress_->setObjectName(QStringLiteral("wandProgress"));
+  cancel_ = makeButton("wandCancel", this);
+  verdict_ = makeText("wandVerdict", this);
+  QFont bold = verdict_->font();
+  bold.setBold(true);
+  verdict_->setFont(bold);
+  verdict_->setProperty(kRevealed, true);
+  notes_ = makeText("wandNotes", this);
+  table_ = new QTableWidget(0, ColumnCount, this);
+  table_->setObjectName(QStringLiteral("wandCameras"));
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setTabKeyNavigation(false);
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setMinimumSectionSize(28);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+  table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  flip_ = makeButton("wandFlip", this);
+  apply_ = makeButton("wandApply", this);
+  report_ = makeButton("wandReport", this);
+  auto* work = new QHBoxLayout;
+  work->setSpacing(6);
+  work->addWidget(progress_, 1);
+  work->addWidget(cancel_);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(6);
+  buttons->addWidget(flip_);
+  buttons->addWidget(report_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(6);
+  for (QWidget* part : std::initializer_list<QWidget*>{missing_, refine_}) {
+    column->addWidget(part);
+  }
+  column->addLayout(work);
+  for (QWidget* part : std::initializer_list<QWidget*>{verdict_, notes_, apply_, table_}) {
+    column->addWidget(part);
+  }
+  column->addLayout(buttons);
+}
+
+void WandOutcome::connectParts() {
+  connect(&desk_, &WandCalibrator::changed, this, &WandOutcome::refresh);
+  connect(&desk_, &WandCalibrator::collectedChanged, this,
+          [this] { missing_->setText(desk_.missing()); });
+  connect(&desk_, &WandCalibrator::progressChanged, this, &WandOutcome::showProgress);
+  connect(refine_, &QPushButton::clicked, &desk_, &WandCalibrator::refine);
+  connect(cancel_, &QPushButton::clicked, &desk_, &WandCalibrator::cancel);
+  connect(apply_, &QPushButton::clicked, &desk_, &WandCalibrator::apply);
+  connect(flip_, &QPushButton::pressed, this, [this] { desk_.setFlipped(true); });
+  connect(flip_, &QPushButton::released, this, [this] { desk_.setFlipped(false); });
+  connect(report_, &QPushButton::clicked, this, &WandOutcome::chooseReport);
+}
+
+void WandOutcome::say() {
+  const auto button = [](QPushButton* one, const QString& text, const QString& tip) {
+    one->setText(text);
+    one->setAccessibleName(text);
+    one->setToolTip(tip);
+  };
+  button(refine_, tr("Refine cameras"),
+         tr("Find the ball in all images, and the cameras that explain them best"));
+  button(cancel_, tr("Cancel"), tr("Stop; the cameras stay as they are"));
+  progress_->setAccessibleName(tr("Progress"));
+  button(flip_, tr("Before"),
+         tr("While it is pressed, the grid is drawn with the cameras as they were"));
+  button(apply_, tr("Use it anyway"),
+         tr("Take these cameras although something seems to be wrong; it can be undone"));
+  button(report_, tr("Save report…"),
+         tr("A page with all figures, residuals as arrows, coverage and a drawing in space"));
+  table_->setAccessibleName(tr("Cameras found"));
+  table_->setToolTip(tr("What was found of each camera; point at a heading to see what it means"));
+  table_->setHorizontalHeaderLabels(
+      {tr("Camera"), tr("px"), tr("moved cm"), tr("turned °"), tr("late ms")});
+  const QStringList tips = {
+      {},
+      tr("Root mean square distance between seen and projected balls"),
+      tr("How far the camera is from where it was"),
+      tr("How far it is turned from where it looked"),
+      tr("By how much its images are later than the first camera's, beyond what was known")};
+  for (int column = 0; column < ColumnCount; ++column) {
+    table_->horizontalHeaderItem(column)->setToolTip(tips[column]);
+  }
+  refresh();
+}
+
+void WandOutcome::showProgress(double part) {
+  progress_->setRange(0, part < 0.0 ? 0 : 1000);
+  progress_->setValue(static_cast<int>(std::lround(1000.0 * std::max(0.0, part))));
+}
+
+void WandOutcome::refresh() {
+  const bool running = desk_.isRefining();
+  const QString missing = desk_.missing();
+  missing_->setText(missing);
+  missing_->setVisible(!missing.isEmpty() && !running);
+  refine_->setEnabled(!running && missing.isEmpty());
+  if (running && !progress_->isVisible()) {
+    showProgress(-1.0);
+  }
+  progress_->setVisible(running);
+  cancel_->setVisible(running);
+  showOutcome();
+}
+
+void WandOutcome::showOutcome() {
+  const auto found = desk_.refinement();
+  const bool over = !desk_.isRefining();
+  QStringList notes;
+  QString verdict;
+  if (!desk_.failure().isEmpty()) {
+    verdict = QStringLiteral("⚠ ") + desk_.failure();
+    notes << tr("The cameras are as they were.");
+  }
+  if (found) {
+    verdict = found->verdict ? verdictWords(*found->verdict)
+                             : QStringLiteral("⚠ ") + errorSentence(found->verdict.error());
+    if (desk_.isStale()) {
+      notes << tr("The cameras were changed since; this is about how they were refined.");
+    }
+    for (const NamedFault& fault : found->result.faults) {
+      notes << QStringLiteral("⚠ ") + faultWords(fault, cameraNames(found->before));
+    }
+    if (saysTooLittle(*found)) {
+      notes << QStringLiteral("⚠ ") + tr("That is less sure than the cameras were (off by up to %1 "
+                                         "cm): wave through more of the volume.")
+                                          .arg(figure(100.0 * found->options.roughPlace, 1));
+    }
+    if (!desk_.isApplied()) {
+      notes << tr("The cameras are as they were.");
+    }
+    if (found->verdict && found->verdict->modelFactor > 1.0) {
+      notes << tr("Solutions without a part of the recording differ %1 times more than noise "
+                  "explains; the verdict includes that.")
+                   .arg(figure(found->verdict->modelFactor, 1));
+    }
+    if (found->result.drop) {
+      notes << tr("The fall says %1 m/s² (9.81 is expected).")
+                   .arg(figure(found->result.drop->gravity, 2));
+    }
+    if (found->options.findOffsets && desk_.isApplied()) {
+      notes << tr("How late cameras are is kept in the project: images are put together by it from "
+                  "now on.");
+    }
+  }
+  verdict_->setText(verdict);
+  verdict_->setVisible(over && !verdict.isEmpty());
+  notes_->setText(notes.join(QStringLiteral("\n")));
+  notes_->setVisible(over && !notes.isEmpty());
+  const bool shown = over && found != nullptr;
+  table_->setVisible(shown);
+  flip_->setVisible(shown && desk_.isApplied());
+  apply_->setVisible(shown && !desk_.isApplied());
+  report_->setVisible(shown);
+  if (shown) {
+    fillTable();
+  }
+}
+
+void WandOutcome::fillTable() {
+  const WandRefinement& found = *desk_.refinement();
+  const WandResult& result = found.result;
+  table_->setRowCount(static_cast<int>(result.cameras.size()));
+  table_->setColumnHidden(Offset, !found.options.findOffsets);
+  const auto set = [this](std::size_t row, int column, const QString& text) {
+    auto* item = new QTableWidgetItem(text);
+    item->setTextAlignment((column == Name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    table_->setItem(static_cast<int>(row), column, item);
+  };
+  for (std::size_t k = 0; k < result.cameras.size(); ++k) {
+    const PoseShift shift = poseShift(found.before[k], result.cameras[k]);
+    set(k, Name, cameraName(found.before, k));
+    set(k, Pixels, figure(result.bundle.cameraRms[k], 2));
+    set(k, Moved, figure(100.0 * shift.metres, 1));
+    set(k, Turned, figure(shift.radians * 180.0 / std::numbers::pi, 2));
+    // True time is the camera's plus the offset: a late image has a negative one.
+    set(k, Offset, signedFigure(-1000.0 * result.offsets[k], 1));
+  }
+  table_->resizeRowsToContents();
+  int height = table_->horizontalHeader()->sizeHint().height() + 2 * table_->frameWidth();
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    height += table_->rowHeight(row);
+  }
+  table_->setFixedHeight(height);
+}
+
+void WandOutcome::chooseReport() {
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Save the report"), QStringLiteral("calibration.html"), tr("Web pages (*.html)"));
+  if (!file.isEmpty()) {
+    desk_.saveReport(file);
+  }
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTableWidget;
+
+namespace dewpoint::ui {
+
+class WandCalibrator;
+
+/// The button that refines, how far it is, and what came of it: verdict, faults, each camera.
+class WandOutcome : public QWidget {
+  Q_OBJECT
+public:
+  explicit WandOutcome(WandCalibrator& desk, QWidget* parent = nullptr);
+
+private:
+  void build();
+  void connectParts();
+  void say();
+  void refresh();
+  void showOutcome();
+  void fillTable();
+  void showProgress(double part);
+  void chooseReport();
+
+  WandCalibrator& desk_;
+  QLabel* missing_;
+  QPushButton* refine_;
+  QProgressBar* progress_;
+  QPushButton* cancel_;
+  QLabel* verdict_;
+  QLabel* notes_;
+  QTableWidget* table_;
+  QPushButton* flip_;
+  QPushButton* apply_;
+  QPushButton* report_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/wand/wand_waving.h"
+
+#include "core/project/project.h"
+#include "ui/calibration/wand/coverage_map.h"
+#include "ui/calibration/wand/wand_calibrator.h"
+#include "ui/text/calibration_text.h"
+#include "ui/text/retranslation.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace dewpoint::ui {
+namespace {
+constexpr int kColumns = 3;
+}
+
+WandWaving::WandWaving(WandCalibrator& desk, QWidget* parent)
+    : QWidget(parent), desk_(desk), wave_(new QPushButton(this)), state_(new QLabel(this)),
+      grid_(new QGridLayout) {
+  setObjectName(QStringLiteral("wandWaving"));
+  wave_->setObjectName(QStringLiteral("wandWave"));
+  state_->setObjectName(QStringLiteral("wandWaveState"));
+  state_->setWordWrap(true);
+  grid_->setSpacing(6);
+  for (int column = 0; column < kColumns; ++column) {
+    grid_->setColumnStretch(column, 1);
+  }
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(6);
+  column->addWidget(wave_);
+  column->addWidget(state_);
+  column->addLayout(grid_);
+  connect(wave_, &QPushButton::clicked, this,
+          [this] { desk_.isWaving() ? desk_.stopWaving() : desk_.startWaving(); });
+  connect(&desk_, &WandCalibrator::changed, this, &WandWaving::refresh);
+  connect(&desk_, &WandCalibrator::collectedChanged, this, &WandWaving::showCameras);
+  onRetranslate(this, [this] { say(); });
+}
+
+void WandWaving::say() {
+  wave_->setToolTip(tr("Collect where every camera sees the ball; beginning again forgets what was "
+                       "collected before"));
+  refresh();
+}
+
+void WandWaving::refresh() {
+  const bool waving = desk_.isWaving();
+  wave_->setText(waving ? tr("■ Stop waving") : tr("● Start waving"));
+  wave_->setAccessibleName(waving ? tr("Stop waving") : tr("Start waving"));
+  wave_->setEnabled(!desk_.isRefining());
+  showCameras();
+}
+
+void WandWaving::makeCameras(std::size_t count) {
+  while (cameras_.size() > count) {
+    delete cameras_.back().map;
+    delete cameras_.back().text;
+    cameras_.pop_back();
+  }
+  while (cameras_.size() < count) {
+    const int k = static_cast<int>(cameras_.size());
+    CameraPart part{new CoverageMap(this), new QLabel(this)};
+    part.map->setObjectName(QStringLiteral("wandMap%1").arg(k));
+    part.text->setObjectName(QStringLiteral("wandSeen%1").arg(k));
+    part.text->setAlignment(Qt::AlignHCenter);
+    grid_->addWidget(part.map, 2 * (k / kColumns), k % kColumns);
+    grid_->addWidget(part.text, 2 * (k / kColumns) + 1, k % kColumns);
+    cameras_.push_back(part);
+  }
+}
+
+void WandWaving::showCameras() {
+  const auto collected = desk_.collected();
+  makeCameras(collected ? collected->cameras.size() : 0);
+  if (!collected) {
+    state_->setText(tr("Nothing collected yet."));
+    return;
+  }
+  CameraRig rig;
+  for (const ProjectCamera& camera : desk_.project().cameras) {
+    rig.push_back(camera.camera);
+  }
+  bool enough = true;
+  for (std::size_t k = 0; k < cameras_.size(); ++k) {
+    const CameraSightings& seen = collected->cameras[k];
+    const bool good = sawEnough(seen);
+    enough = enough && good;
+    const Intrinsics image = k < rig.size() ? rig[k].intrinsics : Intrinsics();
+    cameras_[k].map->show(cameraName(rig, k), seen,
+                          image.height > 0 ? double(image.width) / image.height : 4.0 / 3.0);
+    cameras_[k].text->setText(
+        QStringLiteral("%1 %2 %3")
+            .arg(good ? QStringLiteral("✓") : QStringLiteral("…"), cameraName(rig, k))
+            .arg(static_cast<qulonglong>(seen.count)));
+  }
+  QString text = tr("%1 s collected.").arg(QLocale().toString(collected->seconds, 'f', 1));
+  text += QLatin1Char(' ') +
+          (enough ? tr("Every camera saw enough: stop, or refine.")
+                  : tr("Go on: each camera should see the ball 150 times, in half of its image."));
+  if (collected->dropped > 0) {
+    text += QLatin1Char(' ') +
+            tr("Image sets left out because they came too fast: %1.").arg(collected->dropped);
+  }
+  state_->setText(text);
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cameraview/overlay_painter.h"
+
+#include "core/session/camera_overlay.h"
+#include "ui/style/halo.h"
+
+#include <QPainter>
+#include <QPixmap>
+#include <QPolygonF>
+
+#include <algorithm>
+#include <numbers>
+#include <vector>
+
+namespace dewpoint::ui {
+
+namespace {
+
+constexpr std::size_t kMostDots = 4000; ///< more are one cloud to the eye, and cost time
+constexpr double kDotDiameter = 3.2;    ///< widget units, without halo
+
+/// Pixel centers lie at integer image coordinates.
+QPointF placed(double column, double row, const ImagePlacement& placement) {
+  return placement.corner + QPointF(column + 0.5, row + 0.5) * placement.scale;
+}
+
+QPixmap dot(const QColor& color, double ratio) {
+  const double side = kDotDiameter + 3.0;
+  QPixmap pixmap(QSizeF(side * ratio, side * ratio).toSize());
+  pixmap.setDevicePixelRatio(ratio);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  const QPointF center(side / 2.0, side / 2.0);
+  painter.setBrush(QColor(0, 0, 0, 110));
+  painter.drawEllipse(center, kDotDiameter / 2.0 + 1.0, kDotDiameter / 2.0 + 1.0);
+  painter.setBrush(color);
+  painter.drawEllipse(center, kDotDiameter / 2.0, kDotDiameter / 2.0);
+  return pixmap;
+}
+
+void paintParticles(QPainter& painter, const CameraOverlay& overlay,
+                    const ImagePlacement& placement, const QColor& color) {
+  if (overlay.particles.empty()) {
+    return;
+  }
+  const double ratio = painter.device()->devicePixelRatioF();
+  const QPixmap stamp = dot(color, ratio);
+  const QRectF whole(QPointF(0, 0), QSizeF(stamp.size()));
+  const std::size_t stride = overlay.particles.size() / kMostDots + 1;
+  std::vector<QPainter::PixmapFragment> dots;
+  dots.reserve(overlay.particles.size() / stride + 1);
+  for (std::size_t i = 0; i < overlay.particles.size(); i += stride) {
+    const auto& at = overlay.particles[i];
+    const double weight = i < overlay.weights.size() ? std::clamp(overlay.weights[i], 0.F, 1.F) : 1;
+    dots.push_back(QPainter::PixmapFragment::create(
+        placed(static_cast<double>(at.x()), static_cast<double>(at.y()), placement), whole,
+        1.0 / ratio, 1.0 / ratio, 0.0, 0.25 + 0.65 * weight));
+  }
+  painter.drawPixmapFragments(dots.data(), static_cast<int>(dots.size()), stamp);
+}
+
+/// Dashed where the target is only thought to be.
+void paintBox(QPainter& painter, const ImageBox& box, bool hidden, const ImagePlacement& placement,
+              const QColor& color) {
+  const QRectF place(placement.corner + QPointF(box.x, box.y) * placement.scale,
+                     QSizeF(box.width, box.height) * placement.scale);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(QColor(0, 0, 0, 150), 4.4, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.drawRect(place);
+  painter.setPen(
+      QPen(color, 2.2, hidden ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+  painter.drawRect(place);
+}
+
+} // namespace
+
+void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePlacement& placement,
+                  const QColor& color) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setOpacity(overlay.box ? 0.5 : 1.0); // what is in the box is to be seen
+  paintParticles(painter, overlay, placement, color);
+  painter.setOpacity(1.0);
+  if (overlay.box) {
+    paintBox(painter, *overlay.box, overlay.boxHidden, placement, color);
+  }
+  if (overlay.ellipse) {
+    const ImageEllipse& ellipse = *overlay.ellipse;
+    painter.save();
+    painter.translate(placed(ellipse.center.x(), ellipse.center.y(), placement));
+    painter.rotate(ellipse.angle * 180.0 / std::numbers::pi);
+    withHalo(painter, color, 1.5, [&] {
+      painter.drawEllipse(QPointF(0, 0), ellipse.semiMajor * placement.scale,
+                          ellipse.semiMinor * placement.scale);
+    });
+    painter.restore();
+  }
+  if (overlay.truth) {
+    const QPointF at = placed(overlay.truth->x(), overlay.truth->y(), placement);
+    // A diamond: another shape than the cross of the estimate, which should lie inside it.
+    withHalo(painter, Qt::white, 1.3, [&] {
+      painter.drawPolygon(QPolygonF(
+          {at + QPointF(0, -7), at + QPointF(7, 0), at + QPointF(0, 7), at + QPointF(-7, 0)}));
+    });
+  }
+  if (overlay.estimate) {
+    const QPointF at = placed(overlay.estimate->x(), overlay.estimate->y(), placement);
+    withHalo(painter, color, 1.8, [&] {
+      for (const QPointF& arm : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+        painter.drawLine(at + arm * 3.0, at + arm * 11.0);
+      }
+    });
+  }
+  painter.restore();
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/color/box_picker.h"
+
+#include "core/project/project.h"
+#include "ui/color/fresh_target.h"
+#include "ui/document/document.h"
+#include "ui/text/error_sentence.h"
+
+#include <QMetaObject>
+
+#include <memory>
+#include <utility>
+
+namespace dewpoint::ui {
+
+BoxPicker::BoxPicker(Document& document, QObject* parent) : QObject(parent), document_(document) {}
+
+void BoxPicker::point(const TrackSnapshotPtr& snapshot, int camera, const QRectF& region) {
+  const auto index = static_cast<std::size_t>(camera);
+  const bool there = snapshot && snapshot->frames && !snapshot->preview &&
+                     index < snapshot->frames->frames.size() && snapshot->frames->frames[index];
+  if (!there) {
+    Q_EMIT failed(tr("This camera shows no image to take a box from."));
+    return;
+  }
+  const std::uint64_t number = ++newest_;
+  const bool isBox = region.width() > 0.0 && region.height() > 0.0;
+  // The corner of a box lies half a pixel before the center of its first pixel.
+  const ImageBox drawn{region.x() + 0.5, region.y() + 0.5, region.width(), region.height()};
+  worker_ = std::jthread([this, number, isBox, drawn, camera, target = target_,
+                          frame = snapshot->frame, shown = snapshot->frames->frames[index],
+                          before = std::make_shared<std::jthread>(std::move(worker_))]() mutable {
+    before.reset(); // an earlier click is waited for here, never by the window
+    const auto found = isBox ? checkBox(shown->image, drawn).map([&] { return drawn; })
+                             : boxFromClick(shown->image, drawn.x, drawn.y);
+    QMetaObject::invokeMethod(
+        this,
+        [this, number, found, camera, frame, target] {
+          if (number != newest_) {
+            return;
+          }
+          if (found) {
+            adopt(target, {camera, frame, *found});
+          } else {
+            Q_EMIT failed(errorSentence(found.error()));
+          }
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void BoxPicker::adopt(int target, const TargetBox& box) {
+  const Project& now = document_.project();
+  const bool isNew = target < 0 || target >= static_cast<int>(now.targets.size());
+  const auto index = isNew ? now.targets.size() : static_cast<std::size_t>(target);
+  const bool isFirst = isNew || !now.targets[index].box;
+  const std::string name = isNew ? freshTargetName(now) : now.targets[index].name;
+  const auto edited =
+      document_.edit(tr("Box of %1").arg(QString::fromStdString(name)), [&](Project& project) {
+        if (isNew) {
+          project.targets.emplace_back().name = name;
+        }
+        project.targets[index].box = box;
+      });
+  if (!edited) {
+    Q_EMIT failed(errorSentence(edited.error()));
+    return;
+  }
+  setTarget(static_cast<int>(index));
+  Q_EMIT learned(static_cast<int>(index), isFirst);
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/color/color_learner.h"
+
+#include "core/project/project.h"
+#include "ui/color/fresh_target.h"
+#include "ui/document/document.h"
+#include "ui/text/error_sentence.h"
+
+#include <QMetaObject>
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint::ui {
+
+ColorLearner::ColorLearner(Document& document, QObject* parent)
+    : QObject(parent), document_(document) {}
+
+std::vector<cv::Mat> ColorLearner::emptyRooms() const {
+  return snapshot_ ? snapshot_->emptyRooms : std::vector<cv::Mat>{};
+}
+
+std::vector<cv::Mat> ColorLearner::images() const {
+  std::vector<cv::Mat> images;
+  if (snapshot_ && snapshot_->frames) {
+    for (const FramePtr& frame : snapshot_->frames->frames) {
+      images.push_back(frame ? frame->image : cv::Mat());
+    }
+  }
+  return images;
+}
+
+void ColorLearner::start(Work work) {
+  const std::uint64_t number = ++newest_;
+  busy_ = true;
+  Q_EMIT busyChanged(true);
+  // An earlier work is waited for by the new thread, never by this one.
+  worker_ = std::jthread([this, number, before = std::make_shared<std::jthread>(std::move(worker_)),
+                          work = std::move(work)]() mutable {
+    before.reset();
+    auto finish = std::make_shared<std::function<void()>>(work());
+    QMetaObject::invokeMethod(
+        this,
+        [this, number, finish] {
+          if (number == newest_) {
+            busy_ = false;
+            Q_EMIT busyChanged(false);
+            (*finish)();
+          }
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void ColorLearner::point(int camera, const QRectF& region, SampleAction lesson) {
+  const auto shown = images();
+  const auto index = static_cast<std::size_t>(camera);
+  if (index >= shown.size() || shown[index].empty()) {
+    Q_EMIT failed(tr("This camera shows no image to learn from."));
+    return;
+  }
+  const Project& project = document_.project();
+  const bool isNew = target_ < 0 || target_ >= static_cast<int>(project.targets.size());
+  std::vector<ColorSample> samples;
+  if (!isNew && lesson != SampleAction::Replace) {
+    samples = project.targets[static_cast<std::size_t>(target_)].samples;
+  }
+  if (lesson == SampleAction::Exclude && samples.empty()) {
+    Q_EMIT failed(tr("Click the target first; then exclude what is not it."));
+    return;
+  }
+  const int target = isNew ? -1 : target_;
+  const std::int64_t frame = snapshot_->frame;
+  const QString step = lesson == SampleAction::Exclude ? tr("Exclude color")
+                       : lesson == SampleAction::Add   ? tr("Add color sample")
+                                                       : tr("Learn color");
+  start([this, shown, rooms = emptyRooms(), camera, frame, region, lesson, samples, target, step,
+         index]() mutable -> std::function<void()> {
+    ColorSample place;
+    place.excluded = lesson == SampleAction::Exclude;
+    place.camera = camera;
+    place.frame = frame;
+    place.x = region.x();
+    place.y = region.y();
+    place.width = region.width();
+    place.height = region.height();
+    auto sample = takeSample(shown[index], place);
+    if (!sample) {
+      return [this, error = sample.error()] { Q_EMIT failed(errorSentence(error)); };
+    }
+    samples.push_back(std::move(*sample));
+    const auto color = learnColorWithBackground(samples, shown, rooms);
+    if (!color) {
+      return [this, error = color.error()] { Q_EMIT failed(errorSentence(error)); };
+    }
+    return [this, target, samples, color = *color, step] { adopt(target, samples, color, step); };
+  });
+}
+
+void ColorLearner::removeSample(int index) {
+  const Project& project = document_.project();
+  if (target_ < 0 || target_ >= static_cast<int>(project.targets.size())) {
+    return;
+  }
+  auto samples = project.targets[static_cast<std::size_t>(target_)].samples;
+  if (index < 0 || index >= static_cast<int>(samples.size())) {
+    return;
+  }
+  samples.erase(samples.begin() + index);
+  const int target = target_;
+  const QString step = tr("Remove color sample");
+  const auto anyLeft =
+      std::ranges::any_of(samples, [](const ColorSample& sample) { return !sample.excluded; });
+  if (!anyLeft) {
+    LearnedColor same{project.targets[static_cast<std::size_t>(target)].color, {}};
+    same.verdict.targetKnown = false;
+    adopt(target, samples, same, step);
+    return;
+  }
+  start([this, samples, target, step, shown = images(),
+         rooms = emptyRooms()]() -> std::function<void()> {
+    const auto color = learnColorWithBackground(samples, shown, rooms);
+    if (!color) {
+      return [this, error = color.error()] { Q_EMIT failed(errorSentence(error)); };
+    }
+    return [this, target, samples, color = *color, step] { adopt(target, samples, color, step); };
+  });
+}
+
+void ColorLearner::adopt(int target, const std::vector<ColorSample>& samples,
+                         const LearnedColor& color, const QString& step) {
+  int taught = target;
+  const auto edited = document_.edit(step, [&](Project& project) {
+    if (target < 0 || target >= static_cast<int>(project.targets.size())) {
+      Target added;
+      added.name = freshTargetName(project);
+      project.targets.push_back(added);
+      taught = static_cast<int>(project.targets.size()) - 1;
+    }
+    Target& learner = project.targets[static_cast<std::size_t>(taught)];
+    learner.color = color.range;
+    learner.samples = samples;
+  });
+  if (!edited) {
+    Q_EMIT failed(errorSentence(edited.error()));
+    return;
+  }
+  setTarget(taught);
+  Q_EMIT learned(taught, taught != target);
+  if (color.verdict.targetKnown) {
+    Q_EMIT judged(color.verdict);
+  } else {
+    judge();
+  }
+}
+
+void ColorLearner::judge() {
+  const Project& project = document_.project();
+  if (target_ < 0 || target_ >= static_cast<int>(project.targets.size())) {
+    return;
+  }
+  const Target target = project.targets[static_cast<std::size_t>(target_)];
+  start([this, target, shown = images(), rooms = emptyRooms()]() -> std::function<void()> {
+    const ColorVerdict verdict =
+        judgeColorWithBackground(target.color, target.samples, shown, rooms);
+    return [this, verdict] { Q_EMIT judged(verdict); };
+  });
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/color/color_learning.h"
+#include "core/session/run/background_images.h"
+#include "core/session/run/snapshot.h"
+
+#include <QObject>
+#include <QRectF>
+
+#include <functional>
+#include <memory>
+#include <thread>
+
+namespace dewpoint::ui {
+
+class Document;
+
+/// Learns a target's color from where a person points, and judges it. The work is done in a thread;
+/// what comes out is an undoable step of the document.
+class ColorLearner : public QObject {
+  Q_OBJECT
+public:
+  explicit ColorLearner(Document& document, QObject* parent = nullptr);
+
+  /// The images to learn from: those shown.
+  void setSnapshot(TrackSnapshotPtr snapshot) { snapshot_ = std::move(snapshot); }
+  /// Index of the target that is taught; -1: a new one.
+  void setTarget(int target) { target_ = target; }
+
+  enum class SampleAction { Replace, Add, Exclude };
+  /// A click (an empty size) or a box in the image of a camera, pixels.
+  void point(int camera, const QRectF& region, SampleAction lesson);
+  /// Takes a sample away and learns from the rest; the last one keeps the color as it is.
+  void removeSample(int index);
+  bool isBusy() const { return busy_; }
+  /// Judges the color of the target as it is in the images shown.
+  void judge();
+
+Q_SIGNALS:
+  /// A color was learned; `isNew`: of a target that was not there before.
+  void learned(int target, bool isNew);
+  void judged(const dewpoint::color::ColorVerdict& verdict);
+  void failed(const QString& sentence);
+  void busyChanged(bool busy);
+
+private:
+  using Work = std::function<std::function<void()>()>;
+  std::vector<cv::Mat> images() const;
+  std::vector<cv::Mat> emptyRooms() const;
+  /// Does `work` in the thread, then what it returns here; of several only the last counts.
+  void start(Work work);
+  void adopt(int target, const std::vector<ColorSample>& samples, const LearnedColor& color,
+             const QString& step);
+
+  Document& document_;
+  TrackSnapshotPtr snapshot_;
+  int target_ = 0;
+  bool busy_ = false;
+  std::uint64_t newest_ = 0; ///< number of the work that counts
+  std::jthread worker_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/export_text.h"
+
+#include "core/trajectory/trajectory_export.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <array>
+
+namespace dewpoint::ui {
+
+namespace {
+
+struct Word {
+  std::string_view id;
+  const char* text;
+};
+
+// As in exportFormats(); a test compares them.
+constexpr std::array kFormatNames{
+    Word{"csv", QT_TRANSLATE_NOOP("Export", "CSV, one row per target and time")},
+    Word{"csv-wide", QT_TRANSLATE_NOOP("Export", "CSV, one row per time (spreadsheets)")},
+    Word{"tum", QT_TRANSLATE_NOOP("Export", "TUM (evo)")},
+    Word{"trc", QT_TRANSLATE_NOOP("Export", "TRC (OpenSim)")},
+    Word{"c3d", QT_TRANSLATE_NOOP("Export", "C3D (motion capture)")},
+    Word{"npz", QT_TRANSLATE_NOOP("Export", "NPZ (NumPy)")},
+    Word{"vtp", QT_TRANSLATE_NOOP("Export", "VTP (ParaView, paths)")},
+    Word{"pvd", QT_TRANSLATE_NOOP("Export", "PVD (ParaView, over time)")},
+    Word{"jsonl", QT_TRANSLATE_NOOP("Export", "JSON lines")},
+};
+
+QString say(const char* text, int count = -1) {
+  return QCoreApplication::translate("Export", text, nullptr, count);
+}
+
+} // namespace
+
+QString exportFormatName(std::string_view id) {
+  for (const Word& word : kFormatNames) {
+    if (word.id == id) {
+      return say(word.text);
+    }
+  }
+  return QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
+}
+
+QString exportUnitsText(const ExportPreview& preview) {
+  const QString unit =
+      preview.unit == LengthUnit::Meter ? QStringLiteral("m") : QStringLiteral("mm");
+  const QString axes =
+      preview.axes == WorldAxes::ZUp
+          ? say(QT_TRANSLATE_NOOP("Export", "Z points up, axes as in the project"))
+          : say(QT_TRANSLATE_NOOP("Export", "Y points up: x, y, z are y, z, x of the project"));
+  return say(QT_TRANSLATE_NOOP("Export", "Lengths in %1, times in s, covariances in %1². %2."))
+      .arg(unit, axes);
+}
+
+QString exportSizeText(const ExportPreview& preview) {
+  const QLocale locale;
+  const QString gaps = preview.gaps == 0
+                           ? say(QT_TRANSLATE_NOOP("Export", "no gaps"))
+                           : say(QT_TRANSLATE_NOOP("Export", "%1 places unknown"))
+                                 .arg(locale.toString(static_cast<qulonglong>(preview.gaps)));
+  return say(QT_TRANSLATE_NOOP("Export", "Targets: %1, rows: %2 at %3 per second, %4."))
+      .arg(locale.toString(static_cast<qulonglong>(preview.targets)),
+           locale.toString(static_cast<qulonglong>(preview.rows)),
+           locale.toString(preview.rate, 'g', 4), gaps);
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QString>
+
+#include <string_view>
+
+namespace dewpoint::trajectory {
+struct ExportPreview;
+} // namespace dewpoint::trajectory
+
+namespace dewpoint::ui {
+
+/// Name of a format in the person's language.
+QString exportFormatName(std::string_view id);
+/// "Lengths in mm, times in s. Y points up: ..."
+QString exportUnitsText(const ExportPreview& preview);
+/// "2 targets, 180 rows at 30 per second, 12 places unknown"
+QString exportSizeText(const ExportPreview& preview);
+
+} // namespace dewpoint::ui

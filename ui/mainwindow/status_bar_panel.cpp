@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/mainwindow/status_bar_panel.h"
+
+#include "core/session/run/snapshot.h"
+#include "ui/text/people_text.h"
+#include "ui/text/reason_text.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/elided_label.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint::ui {
+
+namespace {
+
+QString number(double value, int decimals) {
+  return QLocale().toString(value, 'f', decimals);
+}
+
+/// Millimetres below a metre, with a decimal below a centimetre; metres above.
+QString length(double metres) {
+  const int decimals = metres < 0.01 ? 1 : 0;
+  return metres < 1.0 ? StatusBarPanel::tr("%1 mm").arg(number(metres * 1000.0, decimals))
+                      : StatusBarPanel::tr("%1 m").arg(number(metres, 2));
+}
+
+QString milliseconds(double seconds) {
+  return StatusBarPanel::tr("%1 ms").arg(number(1000.0 * seconds, 1));
+}
+
+QString timeHint(const Latency& latency) {
+  const QString hint = StatusBarPanel::tr("Median time of one filter iteration");
+  if (latency.longest <= 0.0) {
+    return hint;
+  }
+  return hint + QLatin1Char('\n') +
+         StatusBarPanel::tr(
+             "From a frame to its estimate: median %1, 99 of 100 within %2, longest %3")
+             .arg(milliseconds(latency.median), milliseconds(latency.p99),
+                  milliseconds(latency.longest));
+}
+
+QString sampleHint(const BudgetFigures& budget) {
+  const QString hint = StatusBarPanel::tr(
+      "Effective sample size, of all particles. Method “dewpoint” uses as many particles as it "
+      "needs and as the time budget allows.");
+  if (budget.milliseconds <= 0.0 || budget.iterations == 0) {
+    return hint + QLatin1Char('\n') + StatusBarPanel::tr("No time budget is set.");
+  }
+  const double kept =
+      1.0 - static_cast<double>(budget.late) / static_cast<double>(budget.iterations);
+  return hint + QLatin1Char('\n') +
+         StatusBarPanel::tr("Time budget %1: kept in %2 % of the iterations of this run")
+             .arg(milliseconds(1e-3 * budget.milliseconds), number(100.0 * kept, 1));
+}
+
+QString playWord(const TrackSnapshot& snapshot) {
+  if (snapshot.rerun) {
+    return StatusBarPanel::tr("tracking again");
+  }
+  if (snapshot.past && snapshot.state == PlayState::Paused) {
+    return StatusBarPanel::tr("looking back");
+  }
+  switch (snapshot.state) {
+  case PlayState::Playing:
+    return StatusBarPanel::tr("playing");
+  case PlayState::Paused:
+    return StatusBarPanel::tr("paused");
+  case PlayState::Ended:
+    break;
+  }
+  return StatusBarPanel::tr("ended");
+}
+
+} // namespace
+
+StatusBarPanel::StatusBarPanel(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("statusFigures"));
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(8, 2, 8, 2);
+  layout->setSpacing(20);
+  for (const auto& [label, name] :
+       std::initializer_list<std::pair<QLabel**, const char*>>{{&playing_, "statusPlaying"},
+                                                               {&frame_, "statusFrame"},
+                                                               {&rate_, "statusRate"},
+                                                               {&time_, "statusTime"},
+                                                               {&sampleSize_, "statusSampleSize"},
+                                                               {&spread_, "statusSpread"},
+                                                               {&position_, "statusPosition"}}) {
+    *label = figure(name);
+  }
+  layout->addStretch();
+  reason_ = new ElidedLabel(this);
+  reason_->setObjectName(QStringLiteral("statusReason"));
+  layout->addWidget(reason_);
+  reason_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  layout->setStretchFactor(reason_, 4);
+  held_ = figure("statusHeld");
+  QFont bold = held_->font();
+  bold.setWeight(QFont::DemiBold);
+  held_->setFont(bold);
+  held_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  onRetranslate(this, [this] { say(); });
+  clear();
+}
+
+void StatusBarPanel::say() {
+  const auto explain = [](QLabel* label, const QString& widest, const QString& hint) {
+    label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 8);
+    label->setToolTip(hint);
+  };
+  explain(
+      playing_, tr("tracking again"),
+      tr("Playing, paused, at the end, looking back at an earlier moment, or tracking it again"));
+  explain(frame_, tr("frame 0000 / 0000"), tr("Frame shown, of all frames"));
+  explain(rate_, tr("%1 /s").arg("0000.0"), tr("Frames tracked per second"));
+  explain(time_, tr("%1 per iteration").arg("0000 µs"), timeHint({}));
+  explain(sampleSize_, tr("ESS %1 / %2").arg("0000", "0000"), sampleHint({}));
+  explain(spread_, tr("spread %1").arg("0000 mm"),
+          tr("Root mean square distance of the particles to their mean"));
+  explain(position_, QStringLiteral("x −00.000  y −00.000  z −00.000 m"),
+          tr("Estimated position of the target in the room"));
+  explain(held_, holdText(HoldState::Searching),
+          tr("Held: the cameras confirm the estimate. Lost: not so for a second."));
+  applyPalette();
+}
+
+QLabel* StatusBarPanel::figure(const char* name) {
+  auto* label = new QLabel(this);
+  label->setObjectName(QLatin1String(name));
+  layout()->addWidget(label);
+  return label;
+}
+
+void StatusBarPanel::clear() {
+  stateText_.clear();
+  state_ = HoldState::NoImages;
+  reason_->setFullText({});
+  for (QLabel* label : {playing_, frame_, rate_, time_, sampleSize_, spread_, position_}) {
+    label->clear();
+  }
+  applyPalette();
+}
+
+void StatusBarPanel::show(const TrackSnapshot& snapshot, int chosen) {
+  playing_->setText(playWord(snapshot));
+  const QString frame = QString::number(snapshot.frame + 1); // people count from 1
+  frame_->setText(snapshot.frameCount ? tr("frame %1 / %2").arg(frame).arg(*snapshot.frameCount)
+                                      : tr("frame %1").arg(frame));
+  rate_->setText(tr("%1 /s").arg(number(snapshot.framesPerSecond, 1)));
+  const double microseconds = snapshot.microsecondsPerIteration;
+  time_->setText(tr("%1 per iteration")
+                     .arg(microseconds < 10000.0
+                              ? tr("%1 µs").arg(number(microseconds, 0))
+                              : tr("%1 ms").arg(number(microseconds / 1000.0, 1))));
+  time_->setToolTip(timeHint(snapshot.latency));
+  const TargetSnapshot* target = targetToExplain(snapshot, chosen);
+  if (target != nullptr && target->box) {
+    showBox(target->box->estimate);
+  } else if (target != nullptr && target->estimate.particleCount > 0) {
+    const TargetEstimate& estimate = target->estimate;
+    sampleSize_->setToolTip(sampleHint(snapshot.budget));
+    sampleSize_->setText(
+        tr("ESS %1 / %2").arg(number(estimate.effectiveSampleSize, 0)).arg(estimate.particleCount));
+    spread_->setText(tr("spread %1").arg(length(estimate.spread())));
+    position_->setText(tr("x %1  y %2  z %3 m")
+                           .arg(number(estimate.mean.x(), 3), number(estimate.mean.y(), 3),
+                                number(estimate.mean.z(), 3)));
+  } else { // not those of another moment
+    for (QLabel* label : {sampleSize_, spread_, position_}) {
+      label->clear();
+    }
+  }
+  const bool several = snapshot.targets.size() > 1;
+  state_ = target != nullptr && several && snapshot.tracked ? holdState(*target, snapshot.family)
+                                                            : holdState(snapshot);
+  name_ = several ? QString::fromStdString(target->target.name) : QString();
+  const bool mustSay = target != nullptr && target->status != TargetStatus::Held;
+  stateText_.clear();
+  if (snapshot.ofPeople() && chosen < 0) { // nobody in particular
+    state_ = holdState(snapshot);
+    name_.clear();
+    const QString there = number(peopleThere(snapshot), 0);
+    stateText_ = state_ == HoldState::Held        ? tr("● people: %1").arg(there)
+                 : state_ == HoldState::Searching ? tr("○ people: %1, searching").arg(there)
+                                                  : QString();
+  }
+  QString reason = mustSay ? reasonText(target->reasons, cameraNames(snapshot)) : QString();
+  if (mustSay && target->box) {
+    reason = tr("held where it is thought to be");
+  } else if (mustSay && snapshot.family == MethodFamily::Boxes && !target->target.box) {
+    reason = tr("click it or drag a box around it");
+  }
+  reason_->setFullText(reason);
+  applyPalette();
+}
+
+void StatusBarPanel::showBox(const BoxEstimate& estimate) {
+  sampleSize_->setToolTip(tr("Effective sample size, of all particles"));
+  sampleSize_->setText(
+      tr("ESS %1 / %2").arg(number(estimate.effectiveSampleSize, 0)).arg(estimate.particleCount));
+  spread_->setText(tr("spread %1").arg(tr("%1 px").arg(number(estimate.spread, 1))));
+  const Eigen::Vector2d center = estimate.box.center();
+  position_->setText(tr("x %1  y %2  %3 × %4 px")
+                         .arg(number(center.x(), 1), number(center.y(), 1),
+                              number(estimate.box.width, 0), number(estimate.box.height, 0)));
+}
+
+void StatusBarPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) {
+    applyPalette();
+  }
+}
+
+void StatusBarPanel::applyPalette() {
+  held_->setText(!stateText_.isEmpty() ? stateText_
+                 : name_.isEmpty()     ? holdText(state_)
+                                       : QStringLiteral("%1: %2").arg(name_, holdText(state_)));
+  QPalette colors = held_->palette();
+  const QColor color = holdColor(state_, palette());
+  if (colors.color(QPalette::WindowText) != color) {
+    colors.setColor(QPalette::WindowText, color);
+    held_->setPalette(colors);
+  }
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/style/theme.h"
+
+#include <QString>
+#include <QWidget>
+
+class QLabel;
+
+namespace dewpoint::session {
+struct TrackSnapshot;
+} // namespace dewpoint::session
+namespace dewpoint::tracking {
+struct BoxEstimate;
+} // namespace dewpoint::tracking
+
+namespace dewpoint::ui {
+
+class ElidedLabel;
+
+/// The line of numbers at the bottom: frame, rate, time per iteration, effective sample size,
+/// spread, and whether the target is held. Figures keep their places while they change.
+class StatusBarPanel : public QWidget {
+  Q_OBJECT
+public:
+  explicit StatusBarPanel(QWidget* parent = nullptr);
+
+  /// `target`: the one that is chosen; -1: the one that needs attention.
+  void show(const TrackSnapshot& snapshot, int target = -1);
+  using QWidget::show;
+  void clear();
+  /// Held while two cameras see the target; searching at first and for a second after a loss.
+  HoldState state() const { return state_; }
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  QLabel* figure(const char* name);
+  void say();
+  void showBox(const BoxEstimate& estimate);
+  void applyPalette();
+
+  QLabel* playing_;
+  QLabel* frame_;
+  QLabel* rate_;
+  QLabel* time_;
+  QLabel* sampleSize_;
+  QLabel* spread_;
+  QLabel* position_;
+  ElidedLabel* reason_; ///< why it is not held
+  QLabel* held_;
+  QString name_;      ///< of the target shown, when there are several
+  QString stateText_; ///< in place of the word of the state; empty: that word
+  HoldState state_ = HoldState::NoImages;
+};
+
+} // namespace dewpoint::ui

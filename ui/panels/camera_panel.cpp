@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/camera_panel.h"
+
+#include "core/project/project.h"
+#include "core/session/run/background_images.h"
+#include "ui/document/document.h"
+#include "ui/text/error_sentence.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/number_field.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QLocale>
+#include <QPushButton>
+#include <QRectF>
+#include <QSignalBlocker>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::ui {
+namespace {
+
+constexpr double kMilliseconds = 1000.0; ///< of a second
+constexpr double kMostLate = 3.6e6;      ///< milliseconds
+constexpr double kLateSteps = 10.0;      ///< shown of a millisecond
+
+} // namespace
+
+CameraPanel::CameraPanel(Document& document, QWidget* parent)
+    : QWidget(parent), document_(document), list_(new QListWidget(this)),
+      nameLabel_(new QLabel(this)), name_(new QLineEdit(this)), sourceLabel_(new QLabel(this)),
+      source_(new QLineEdit(this)), browse_(new QPushButton(this)),
+      emptyRoomLabel_(new QLabel(this)), emptyRoom_(new QLineEdit(this)),
+      emptyRoomBrowse_(new QPushButton(this)), emptyRoomTake_(new QPushButton(this)),
+      turnLabel_(new QLabel(this)), turn_(new QComboBox(this)), mirror_(new QCheckBox(this)),
+      lateLabel_(new QLabel(this)),
+      late_(makeNumberField(QStringLiteral("cameraLate"), {-kMostLate, kMostLate, 1.0, 1}, this)),
+      calibration_(new QLabel(this)), load_(new QPushButton(this)) {
+  setObjectName(QStringLiteral("cameraPanel"));
+  makeFields();
+  onRetranslate(this, [this] { say(); });
+  connectFields();
+}
+
+void CameraPanel::makeFields() {
+  list_->setObjectName(QStringLiteral("cameraList"));
+  name_->setObjectName(QStringLiteral("cameraName"));
+  source_->setObjectName(QStringLiteral("cameraSource"));
+  browse_->setObjectName(QStringLiteral("cameraBrowse"));
+  emptyRoom_->setObjectName(QStringLiteral("cameraEmptyRoom"));
+  emptyRoomBrowse_->setObjectName(QStringLiteral("cameraEmptyRoomBrowse"));
+  emptyRoomTake_->setObjectName(QStringLiteral("cameraEmptyRoomTake"));
+  turn_->setObjectName(QStringLiteral("cameraTurn"));
+  mirror_->setObjectName(QStringLiteral("cameraMirror"));
+  load_->setObjectName(QStringLiteral("cameraLoadCalibration"));
+  calibration_->setObjectName(QStringLiteral("cameraCalibration"));
+  calibration_->setWordWrap(true);
+  calibration_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  for (const int degrees : {0, 90, 180, 270}) {
+    turn_->addItem(QStringLiteral("%1°").arg(degrees), degrees);
+  }
+  nameLabel_->setBuddy(name_);
+  sourceLabel_->setBuddy(source_);
+  turnLabel_->setBuddy(turn_);
+  emptyRoomLabel_->setBuddy(emptyRoom_);
+  lateLabel_->setBuddy(late_);
+  auto* form = new QFormLayout;
+  form->setSpacing(8);
+  form->addRow(nameLabel_, name_);
+  form->addRow(sourceLabel_, source_);
+  form->addRow(nullptr, browse_);
+  form->addRow(turnLabel_, turn_);
+  form->addRow(nullptr, mirror_);
+  form->addRow(lateLabel_, late_);
+  form->addRow(emptyRoomLabel_, emptyRoom_);
+  auto* rooms = new QHBoxLayout;
+  rooms->setSpacing(8);
+  rooms->addWidget(emptyRoomBrowse_);
+  rooms->addWidget(emptyRoomTake_, 1);
+  form->addRow(nullptr, rooms);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  column->addWidget(list_, 1);
+  column->addLayout(form);
+  column->addWidget(calibration_);
+  column->addWidget(load_);
+}
+
+void CameraPanel::connectFields() {
+  connect(&document_, &Document::replaced, this, &CameraPanel::refresh);
+  connect(&document_, &Document::sourcesChanged, this, &CameraPanel::refresh);
+  connect(&document_, &Document::calibrationChanged, this, &CameraPanel::showChosen);
+  connect(&document_, &Document::emptyRoomsChanged, this, &CameraPanel::showChosen);
+  connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
+    showChosen();
+    Q_EMIT cameraChosen(row);
+  });
+  connect(name_, &QLineEdit::editingFinished, this, [this] {
+    edit(tr("Rename camera"), [this](ProjectCamera& camera) {
+      camera.camera.name = name_->text().trimmed().toStdString();
+    });
+  });
+  connect(source_, &QLineEdit::editingFinished, this, [this] {
+    edit(tr("Change source of images"), [this](ProjectCamera& camera) {
+      camera.location = source_->text().trimmed().toStdString();
+    });
+  });
+  connect(turn_, &QComboBox::activated, this, [this](int index) {
+    edit(tr("Turn images"),
+         [&](ProjectCamera& camera) { camera.rotateDegrees = turn_->itemData(index).toInt(); });
+  });
+  connect(mirror_, &QCheckBox::clicked, this, [this](bool mirrored) {
+    edit(tr("Mirror images"), [&](ProjectCamera& camera) { camera.mirrored = mirrored; });
+  });
+  connect(late_, &QDoubleSpinBox::editingFinished, this, [this] {
+    edit(tr("Change how late the images are"), [this](ProjectCamera& camera) {
+      const double shown = std::round(kMilliseconds * camera.lateBy * kLateSteps) / kLateSteps;
+      if (late_->value() != shown) { // what is not shown of it must not be lost
+        camera.lateBy = late_->value() / kMilliseconds;
+      }
+    });
+  });
+  connect(browse_, &QPushButton::clicked, this, &CameraPanel::relocate);
+  connect(emptyRoom_, &QLineEdit::editingFinished, this,
+          [this] { setEmptyRoom(emptyRoom_->text().trimmed()); });
+  connect(emptyRoomBrowse_, &QPushButton::clicked, this, &CameraPanel::chooseEmptyRoom);
+  connect(emptyRoomTake_, &QPushButton::clicked, this, &CameraPanel::takeEmptyRoom);
+  connect(load_, &QPushButton::clicked, this, [this] {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Choose a calibration"), {},
+                                                      tr("Calibrations (*.toml);;All files (*)"));
+    if (!file.isEmpty()) {
+      Q_EMIT calibrationWanted(file);
+    }
+  });
+}
+
+void CameraPanel::say() {
+  list_->setAccessibleName(tr("Cameras"));
+  nameLabel_->setText(tr("Name"));
+  name_->setToolTip(tr("Name of the camera, in views and files"));
+  sourceLabel_->setText(tr("Images"));
+  source_->setToolTip(tr("Video file, folder of images, device or address of a stream"));
+  browse_->setText(tr("Choose…"));
+  browse_->setToolTip(tr("Find the recording of this camera in another place"));
+  turnLabel_->setText(tr("Turned"));
+  turn_->setToolTip(tr("Images are turned clockwise by so much before use"));
+  mirror_->setText(tr("Mirrored"));
+  mirror_->setToolTip(tr("Images are mirrored left to right, after they were turned"));
+  lateLabel_->setText(tr("Late by"));
+  late_->setSuffix(tr(" ms"));
+  late_->setToolTip(tr("Milliseconds by which its images are late: they are put together with "
+                       "those of the other cameras by it. Calibrate by waving finds it"));
+  late_->setAccessibleName(tr("Milliseconds by which the images are late"));
+  emptyRoomLabel_->setText(tr("Empty room"));
+  emptyRoom_->setToolTip(tr("Image, video or folder of images in which this camera shows the scene "
+                            "without any target: what has its color there is not taken for it"));
+  emptyRoomBrowse_->setText(tr("Choose…"));
+  emptyRoomBrowse_->setAccessibleName(tr("Choose the empty room"));
+  emptyRoomBrowse_->setToolTip(tr("Find an image or a video of the scene without any target"));
+  emptyRoomTake_->setText(tr("Use the image shown"));
+  emptyRoomTake_->setToolTip(
+      tr("Keep the image this camera shows now as the one of the empty room"));
+  load_->setText(tr("Load calibration…"));
+  load_->setToolTip(tr("Take the calibration of all cameras from a file"));
+  refresh();
+}
+
+void CameraPanel::choose(int camera) {
+  list_->setCurrentRow(camera);
+}
+
+void CameraPanel::refresh() {
+  const int before = std::max(0, list_->currentRow());
+  {
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    for (const ProjectCamera& camera : document_.project().cameras) {
+      list_->addItem(QString::fromStdString(camera.camera.name));
+    }
+    list_->setCurrentRow(std::min(before, list_->count() - 1));
+  }
+  showChosen();
+}
+
+void CameraPanel::showChosen() {
+  const auto& cameras = document_.project().cameras;
+  const int row = list_->currentRow();
+  const bool any = row >= 0 && row < static_cast<int>(cameras.size());
+  const ProjectCamera camera = any ? cameras[static_cast<std::size_t>(row)] : ProjectCamera();
+  const bool own = any && camera.source != SourceKind::Simulation; // a scene brings its own
+  const bool isFile = camera.source == SourceKind::Video || camera.source == SourceKind::Images;
+  for (QWidget* field : std::initializer_list<QWidget*>{name_, source_, turn_, mirror_, late_,
+                                                        load_, emptyRoom_, emptyRoomBrowse_}) {
+    field->setEnabled(own);
+  }
+  browse_->setEnabled(own && isFile);
+  emptyRoomTake_->setEnabled(own && !shownImage().empty());
+  emptyRoom_->setText(QString::fromStdString(camera.emptyRoom));
+  emptyRoom_->setCursorPosition(0);
+  name_->setText(QString::fromStdString(camera.camera.name));
+  source_->setText(any && !own ? tr("simulated") : QString::fromStdString(camera.location));
+  source_->setCursorPosition(0);
+  turn_->setCurrentIndex(turn_->findData(camera.rotateDegrees));
+  mirror_->setChecked(camera.mirrored);
+  showValue(*late_, kMilliseconds * camera.lateBy);
+  any ? showCalibration(camera) : calibration_->clear();
+}
+
+void CameraPanel::showCalibration(const ProjectCamera& camera) {
+  const auto number = [](double value, int decimals) {
+    const double unit = std::pow(10.0, -decimals);
+    return QLocale().toString(std::round(value / unit) * unit + 0.0, 'f', decimals); // no "-0.000"
+  };
+  const Intrinsics& in = camera.camera.intrinsics;
+  const Eigen::Vector3d place = camera.camera.center();
+  calibration_->setText(tr("%1 × %2 pixels, focal length %3 pixels\nat %4, %5, %6 m")
+                            .arg(in.width)
+                            .arg(in.height)
+                            .arg(number(in.focalX, 1), number(place.x(), 3), number(place.y(), 3),
+                                 number(place.z(), 3)));
+}
+
+void CameraPanel::edit(const QString& step, const std::function<void(ProjectCamera&)>& change) {
+  const int row = list_->currentRow();
+  if (row < 0) {
+    return;
+  }
+  const auto edited = document_.edit(
+      step, [&](Project& project) { change(project.cameras[static_cast<std::size_t>(row)]); });
+  if (!edited) {
+    showChosen(); // refused: show what holds
+  }
+}
+
+void CameraPanel::relocate() {
+  const int row = list_->currentRow();
+  if (row < 0) {
+    return;
+  }
+  const ProjectCamera& camera = document_.project().cameras[static_cast<std::size_t>(row)];
+  const QString old = QString::fromStdString(camera.location);
+  const QString file =
+      camera.source == SourceKind::Images
+          ? QFileDialog::getExistingDirectory(this, tr("Choose a folder of images"), old)
+          : QFileDialog::getOpenFileName(this, tr("Choose the video of this camera"), old);
+  if (!file.isEmpty()) {
+    edit(tr("Change source of images"),
+         [&](ProjectCamera& changed) { changed.location = file.toStdString(); });
+  }
+}
+
+cv::Mat CameraPanel::shownImage() const {
+  const auto row = static_cast<std::size_t>(std::max(0, list_->currentRow()));
+  const bool any = snapshot_ && !snapshot_->preview && snapshot_->frames &&
+                   row < snapshot_->frames->frames.size() && snapshot_->frames->frames[row];
+  return any ? snapshot_->frames->frames[row]->image : cv::Mat();
+}
+
+void CameraPanel::setSnapshot(TrackSnapshotPtr snapshot) {
+  snapshot_ = std::move(snapshot);
+  emptyRoomTake_->setEnabled(source_->isEnabled() && !shownImage().empty());
+}
+
+void CameraPanel::setEmptyRoom(const QString& file) {
+  edit(tr("Change empty room"),
+       [&](ProjectCamera& camera) { camera.emptyRoom = file.toStdString(); });
+}
+
+void CameraPanel::chooseEmptyRoom() {
+  const QString file = QFileDialog::getOpenFileName(
+      this, tr("Choose an image or a video of the empty room"), emptyRoom_->text());
+  if (!file.isEmpty()) {
+    setEmptyRoom(file);
+  }
+}
+
+QString CameraPanel::targetSeenBy(int camera) const {
+  const auto index = static_cast<std::size_t>(camera);
+  if (!snapshot_ || !snapshot_->rig || index >= snapshot_->rig->size()) {
+    return {};
+  }
+  const Camera& its = (*snapshot_->rig)[index];
+  const Projector projector(its);
+  for (const TargetSnapshot& target : snapshot_->targets) {
+    if (target.box) {
+      if (target.box->camera == camera && target.status == TargetStatus::Held) {
+        return QString::fromStdString(target.target.name);
+      }
+      continue;
+    }
+    const auto pixel = target.status == TargetStatus::Held ? projector.project(target.estimate.mean)
+                                                           : std::optional<Eigen::Vector2d>();
+    if (pixel && QRectF(0.0, 0.0, its.intrinsics.width, its.intrinsics.height)
+                     .contains(pixel->x(), pixel->y())) {
+      return QString::fromStdString(target.target.name);
+    }
+  }
+  return {};
+}
+
+void CameraPanel::takeEmptyRoom() {
+  const int row = list_->currentRow();
+  const cv::Mat image = shownImage();
+  if (row < 0 || image.empty()) {
+    return;
+  }
+  if (const QString target = targetSeenBy(row); !target.isEmpty()) {
+    Q_EMIT asked(tr("“%1” is in this image: where it is now it would be taken for the room. Better "
+                    "show a moment without it.")
+                     .arg(target),
+                 tr("Use it all the same"), [this, row, image] { keepAsEmptyRoom(row, image); });
+    return;
+  }
+  keepAsEmptyRoom(row, image);
+}
+
+void CameraPanel::keepAsEmptyRoom(int camera, const cv::Mat& image) {
+  const Project& project = document_.project();
+  if (camera >= static_cast<int>(project.cameras.size())) {
+    return; // another project was opened meanwhile
+  }
+  const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+  const std::filesystem::path folder =
+      project.file.empty() ? std::filesystem::path(own.toStdString()) / "empty-rooms"
+                           : project.file.parent_path();
+  const auto kept = keepEmptyRoom(project, static_cast<std::size_t>(camera), image, folder);
+  if (!kept) {
+    Q_EMIT failed(errorSentence(kept.error()));
+    return;
+  }
+  list_->setCurrentRow(camera);
+  setEmptyRoom(QString::fromStdString(kept->string()));
+  Q_EMIT said(tr("The image shown is now the empty room of %1; it is kept as %2.")
+                  .arg(QString::fromStdString(project.cameras[std::size_t(camera)].camera.name),
+                       QString::fromStdString(kept->string())));
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/run/snapshot.h"
+
+#include <QWidget>
+
+#include <functional>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+
+namespace dewpoint::project {
+struct Project;
+struct ProjectCamera;
+} // namespace dewpoint::project
+
+namespace dewpoint::ui {
+
+class Document;
+
+/// The cameras: name, where the images come from, how they are turned, and what is known of their
+/// calibration.
+class CameraPanel : public QWidget {
+  Q_OBJECT
+public:
+  explicit CameraPanel(Document& document, QWidget* parent = nullptr);
+
+  void choose(int camera);
+  /// The images that a picture of the empty room may be taken from: those shown.
+  void setSnapshot(TrackSnapshotPtr snapshot);
+
+Q_SIGNALS:
+  void cameraChosen(int camera);
+  /// A calibration file is to be read for all cameras.
+  void calibrationWanted(const QString& file);
+  void failed(const QString& sentence);
+  /// Something was done, and this is what.
+  void said(const QString& sentence);
+  /// Something is done only after this question was answered with yes.
+  void asked(const QString& question, const QString& yes, const std::function<void()>& act);
+
+private:
+  void say();
+  void refresh();
+  void showChosen();
+  void showCalibration(const ProjectCamera& camera);
+  void edit(const QString& step, const std::function<void(ProjectCamera&)>& change);
+  void relocate();
+  void chooseEmptyRoom();
+  void takeEmptyRoom();
+  void setEmptyRoom(const QString& file);
+  void keepAsEmptyRoom(int camera, const cv::Mat& image);
+  /// The target that is tracked in the image of a camera that is shown; empty: none.
+  QString targetSeenBy(int camera) const;
+  void makeFields();
+  void connectFields();
+  /// The image that the chosen camera shows; empty when there is none.
+  cv::Mat shownImage() const;
+
+  Document& document_;
+  QListWidget* list_;
+  QLabel* nameLabel_;
+  QLineEdit* name_;
+  QLabel* sourceLabel_;
+  QLineEdit* source_;
+  QPushButton* browse_;
+  QLabel* emptyRoomLabel_;
+  QLineEdit* emptyRoom_;
+  QPushButton* emptyRoomBrowse_;
+  QPushButton* emptyRoomTake_;
+  QLabel* turnLabel_;
+  QComboBox* turn_;
+  QCheckBox* mirror_;
+  QLabel* lateLabel_;
+  QDoubleSpinBox* late_;
+  QLabel* calibration_;
+  QPushButton* load_;
+  TrackSnapshotPtr snapshot_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/target_panel.h"
+
+#include "core/project/project.h"
+#include "core/session/run/snapshot.h"
+#include "ui/document/document.h"
+#include "ui/style/theme.h"
+#include "ui/text/reason_text.h"
+#include "ui/text/retranslation.h"
+#include "ui/widgets/decimal_field.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QLocale>
+#include <QPixmap>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <functional>
+
+namespace dewpoint::ui {
+
+namespace {
+
+constexpr double kMillimetres = 1000.0; ///< in a metre
+constexpr double kLargestRadius = 2000.0;
+
+QIcon chip(int target) {
+  QPixmap pixmap(14, 14);
+  pixmap.fill(targetColor(target));
+  return {pixmap};
+}
+
+} // namespace
+
+TargetPanel::TargetPanel(Document& document, QWidget* parent)
+    : QWidget(parent), document_(document), list_(new QListWidget(this)),
+      nameLabel_(new QLabel(this)), name_(new QLineEdit(this)), radiusLabel_(new QLabel(this)),
+      radius_(new DecimalField(this)), box_(new QLabel(this)), hint_(new QLabel(this)) {
+  setObjectName(QStringLiteral("targetPanel"));
+  list_->setObjectName(QStringLiteral("targetList"));
+  name_->setObjectName(QStringLiteral("targetName"));
+  radius_->setObjectName(QStringLiteral("targetRadius"));
+  radius_->setRange(0.0, kLargestRadius);
+  radius_->setDecimals(1);
+  radius_->setSingleStep(1.0);
+  radius_->setKeyboardTracking(false);
+  nameLabel_->setBuddy(name_);
+  radiusLabel_->setBuddy(radius_);
+  box_->setObjectName(QStringLiteral("targetBox"));
+  box_->setWordWrap(true);
+  box_->hide();
+  hint_->setWordWrap(true);
+  hint_->setForegroundRole(QPalette::PlaceholderText);
+  auto* form = new QFormLayout;
+  form->setSpacing(8);
+  form->addRow(nameLabel_, name_);
+  form->addRow(radiusLabel_, radius_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(8);
+  column->addWidget(list_, 1);
+  column->addLayout(form);
+  column->addWidget(box_);
+  column->addWidget(hint_);
+  onRetranslate(this, [this] {
+    list_->setAccessibleName(tr("Targets"));
+    nameLabel_->setText(tr("Name"));
+    name_->setToolTip(tr("Name of the target, in views and files"));
+    radiusLabel_->setText(tr("Radius"));
+    radius_->setSuffix(tr(" mm"));
+    radius_->setSpecialValueText(tr("unknown"));
+    radius_->setToolTip(tr("Radius of the ball, 0 to 2,000 mm. Unknown: it is estimated."));
+    refresh();
+  });
+  connect(&document_, &Document::replaced, this, &TargetPanel::refresh);
+  connect(&document_, &Document::targetsChanged, this, &TargetPanel::refresh);
+  connect(&document_, &Document::methodChanged, this, &TargetPanel::refresh);
+  connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
+    showChosen();
+    Q_EMIT targetChosen(row);
+  });
+  connect(name_, &QLineEdit::editingFinished, this, &TargetPanel::rename);
+  connect(radius_, &QDoubleSpinBox::valueChanged, this, &TargetPanel::resizeTarget);
+}
+
+int TargetPanel::chosen() const {
+  return list_->currentRow();
+}
+
+void TargetPanel::choose(int target) {
+  list_->setCurrentRow(target);
+}
+
+void TargetPanel::refresh() {
+  const auto& targets = document_.project().targets;
+  const int before = chosen();
+  {
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      auto* item = new QListWidgetItem(chip(static_cast<int>(i)),
+                                       QString::fromStdString(targets[i].name), list_);
+      item->setData(Qt::AccessibleTextRole, item->text());
+    }
+    list_->setCurrentRow(std::min(std::max(0, before), list_->count() - 1));
+  }
+  const bool boxes = methodFamily(document_.project().method) == MethodFamily::Boxes;
+  radiusLabel_->setVisible(!boxes);
+  radius_->setVisible(!boxes);
+  box_->setVisible(boxes);
+  hint_->setText(boxes ? tr("Click the thing or drag a box around it in any camera view: it is "
+                            "followed from there on.")
+                 : targets.empty()
+                     ? tr("No target yet: click the thing to follow in any camera image.")
+                     : tr("The color of a target is learned by clicking it in a camera image."));
+  showChosen();
+  if (before > chosen()) { // the chosen one is gone: all others are to show its neighbor, too
+    Q_EMIT targetChosen(chosen());
+  }
+}
+
+void TargetPanel::showChosen() {
+  const int row = chosen();
+  name_->setEnabled(row >= 0);
+  radius_->setEnabled(row >= 0);
+  const QSignalBlocker quiet(radius_);
+  const Target target =
+      row < 0 ? Target() : document_.project().targets[static_cast<std::size_t>(row)];
+  name_->setText(QString::fromStdString(target.name));
+  radius_->setValue(target.radius * kMillimetres);
+}
+
+void TargetPanel::show(const TrackSnapshot& snapshot) {
+  const auto index = static_cast<std::size_t>(std::max(0, chosen()));
+  if (snapshot.family != MethodFamily::Boxes || index >= snapshot.targets.size()) {
+    box_->clear();
+    return;
+  }
+  const TargetSnapshot& target = snapshot.targets[index];
+  if (!target.box) {
+    box_->setText(tr("No box at this moment."));
+    return;
+  }
+  const BoxEstimate& estimate = target.box->estimate;
+  const auto number = [](double value, int decimals) {
+    return QLocale().toString(value, 'f', decimals);
+  };
+  const Eigen::Vector2d center = estimate.box.center();
+  box_->setText(
+      tr("%1, in %2\nCenter %3, %4 px, size %5 × %6 px\nSimilarity %7\nEffective sample size %8 of "
+         "%9")
+          .arg(holdText(holdState(target, snapshot.family)),
+               cameraNames(snapshot).value(target.box->camera), number(center.x(), 1),
+               number(center.y(), 1), number(estimate.box.width, 1), number(estimate.box.height, 1),
+               number(estimate.similarity, 2), number(estimate.effectiveSampleSize, 0),
+               QString::number(estimate.particleCount)) +
+      QLatin1Char('\n') + tr("Spread %1 px").arg(number(estimate.spread, 1)));
+}
+
+void TargetPanel::editChosen(const QString& step,
+                             const std::function<void(Project&, std::size_t)>& change) {
+  const int row = chosen();
+  if (row < 0) {
+    return;
+  }
+  const auto index = static_cast<std::size_t>(row);
+  if (!document_.edit(
+          step, [&](Project& project) { change(project, index); },
+          step.toStdString() + std::to_string(index))) {
+    showChosen(); // refused: show what holds
+  }
+}
+
+void TargetPanel::rename() {
+  editChosen(tr("Rename target"), [this](Project& project, std::size_t index) {
+    project.targets[index].name = name_->text().trimmed().toStdString();
+  });
+}
+
+void TargetPanel::resizeTarget(double millimetres) {
+  editChosen(tr("Change radius"), [millimetres](Project& project, std::size_t index) {
+    project.targets[index].radius = millimetres / kMillimetres;
+  });
+}
+
+void TargetPanel::removeChosen() {
+  editChosen(tr("Remove target"), [](Project& project, std::size_t index) {
+    project.targets.erase(project.targets.begin() + static_cast<std::ptrdiff_t>(index));
+  });
+  document_.endMerging();
+}
+
+} // namespace dewpoint::ui

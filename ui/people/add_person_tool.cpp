@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/people/add_person_tool.h"
+
+#include "ui/cameraview/camera_view.h"
+#include "ui/cameraview/image_pick_overlay.h"
+#include "ui/text/retranslation.h"
+#include "ui/view3d/birds_eye_view.h"
+
+namespace dewpoint::ui {
+
+AddPersonTool::AddPersonTool(BirdsEyeView* birdsEye, QObject* parent)
+    : QObject(parent), birdsEye_(birdsEye) {
+  connect(birdsEye_, &BirdsEyeView::placeClicked, this, &AddPersonTool::placed);
+}
+
+void AddPersonTool::attach(int camera, CameraView* view) {
+  auto* layer = new ImagePickOverlay(view);
+  layer->setObjectName(view->objectName() + QStringLiteral("Person"));
+  layer->hide();
+  layers_.push_back(layer);
+  onRetranslate(layer, [layer, camera] {
+    layer->setHint(tr("Click the person"));
+    layer->setAccessibleName(
+        tr("Image of camera %1: arrow keys move a cross, Enter says that a person is there")
+            .arg(camera + 1));
+  });
+  connect(layer, &QObject::destroyed, this, [this, layer] { std::erase(layers_, layer); });
+  connect(layer, &ImagePickOverlay::cancelled, this, &AddPersonTool::cancelled);
+  connect(layer, &ImagePickOverlay::picked, this, [this, camera](const QRectF& region) {
+    const QPointF middle = region.center();
+    Q_EMIT seen(camera, Eigen::Vector2d(middle.x(), middle.y()));
+  });
+}
+
+void AddPersonTool::setPlacing(bool placing, double floor) {
+  birdsEye_->setPlacing(placing, floor);
+  for (ImagePickOverlay* layer : layers_) {
+    layer->setPicking(placing);
+    layer->setVisible(placing);
+    layer->raise();
+  }
+  if (placing && !layers_.empty()) {
+    layers_.front()->setFocus(Qt::ShortcutFocusReason); // the keys move its cross
+  }
+}
+
+} // namespace dewpoint::ui

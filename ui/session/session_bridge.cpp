@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/session_bridge.h"
+
+#include "core/session/session.h"
+#include "ui/session/live_frame_filler.h"
+
+#include <QMetaObject>
+
+namespace dewpoint::ui {
+
+SessionBridge::SessionBridge(SessionInputs inputs, QObject* parent)
+    : QObject(parent), lateImages_(std::make_unique<LiveFrameFiller>()),
+      session_(std::make_unique<Session>(std::move(inputs))) {
+  session_->onSnapshot([this] {
+    if (!pending_.exchange(true)) {
+      QMetaObject::invokeMethod(this, &SessionBridge::drain, Qt::QueuedConnection);
+    }
+  });
+}
+
+SessionBridge::~SessionBridge() = default;
+
+TrackSnapshotPtr SessionBridge::asSeen(const TrackSnapshotPtr& snapshot) {
+  return lateImages_->filled(snapshot);
+}
+
+std::unique_ptr<Session> SessionBridge::release() {
+  if (session_) {
+    session_->onSnapshot({});
+    session_->pause();
+  }
+  return std::move(session_);
+}
+
+void SessionBridge::drain() {
+  // Cleared before reading: what is published from here on earns a wake-up of its own.
+  pending_ = false;
+  if (session_) {
+    Q_EMIT snapshotChanged(session_->newest());
+  }
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QImage>
+
+namespace cv {
+class Mat;
+}
+
+namespace dewpoint::ui {
+
+/// A copy of a BGR image (CV_8UC3) as Format_RGB32, the format QPainter draws fastest.
+QImage toImage(const cv::Mat& bgr);
+
+} // namespace dewpoint::ui

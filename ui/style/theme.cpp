@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/style/theme.h"
+
+#include "core/session/people/people_overlay.h"
+
+#include <QApplication>
+#include <QCoreApplication>
+#include <QPainter>
+#include <QProxyStyle>
+#include <QStyleOption>
+
+#include <array>
+
+namespace dewpoint::ui {
+
+namespace {
+
+bool isDarkPalette(const QPalette& palette) {
+  return palette.color(QPalette::Window).lightness() < 128;
+}
+
+} // namespace
+
+namespace {
+
+/// Fusion, with an edge around boxes and circles to be marked and around buttons that are on: its
+/// own ones are darker than the ground, which in dark colors is no edge at all.
+class DewpointStyle : public QProxyStyle {
+public:
+  DewpointStyle() : QProxyStyle(QStringLiteral("fusion")) {}
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    const bool isRound = element == PE_IndicatorRadioButton;
+    const bool isMarked =
+        isRound || element == PE_IndicatorCheckBox || element == PE_IndicatorItemViewItemCheck;
+    const bool isOn = option->state.testFlag(State_On) &&
+                      (element == PE_PanelButtonCommand || element == PE_PanelButtonTool);
+    if ((!isMarked && !isOn) || !isDarkPalette(option->palette)) {
+      return;
+    }
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing, isRound);
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(option->palette.color(isOn ? QPalette::Highlight : QPalette::PlaceholderText));
+    const QRectF edge = QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5);
+    isRound ? painter->drawEllipse(edge) : painter->drawRect(edge);
+    painter->restore();
+  }
+};
+
+} // namespace
+
+QPalette themePalette(bool dark) {
+  const QColor window(dark ? "#202326" : "#f3f4f5");
+  const QColor base(dark ? "#17191b" : "#ffffff");
+  const QColor text(dark ? "#e4e6e8" : "#1d2124");
+  const QColor faint(dark ? "#767d84" : "#8b9298");
+  const QColor button(dark ? "#2b2f33" : "#e9ebed");
+  const QColor accent(dark ? "#4c9fe0" : "#1f6fb5");
+  QPalette palette;
+  palette.setColor(QPalette::Window, window);
+  palette.setColor(QPalette::WindowText, text);
+  palette.setColor(QPalette::Base, base);
+  palette.setColor(QPalette::AlternateBase, window);
+  palette.setColor(QPalette::Text, text);
+  palette.setColor(QPalette::PlaceholderText, faint);
+  palette.setColor(QPalette::Button, button);
+  palette.setColor(QPalette::ButtonText, text);
+  palette.setColor(QPalette::BrightText, QColor("#d55e00"));
+  palette.setColor(QPalette::ToolTipBase, base);
+  palette.setColor(QPalette::ToolTipText, text);
+  palette.setColor(QPalette::Highlight, accent);
+  palette.setColor(QPalette::HighlightedText, dark ? QColor("#101214") : QColor("#ffffff"));
+  palette.setColor(QPalette::Link, accent);
+  palette.setColor(QPalette::Light, dark ? QColor("#3a3f44") : QColor("#ffffff"));
+  palette.setColor(QPalette::Midlight, dark ? QColor("#33383c") : QColor("#f8f9fa"));
+  palette.setColor(QPalette::Mid, dark ? QColor("#3a3f44") : QColor("#c9ced2"));
+  palette.setColor(QPalette::Dark, dark ? QColor("#131516") : QColor("#a4abb1"));
+  palette.setColor(QPalette::Shadow, dark ? QColor("#0b0c0d") : QColor("#7c848b"));
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+    palette.setColor(QPalette::Disabled, role, faint);
+  }
+  palette.setColor(QPalette::Disabled, QPalette::Highlight, faint);
+  return palette;
+}
+
+bool isDark(Theme theme) {
+  static const bool systemIsDark = isDarkPalette(QApplication::palette());
+  return theme == Theme::Dark || (theme == Theme::System && systemIsDark);
+}
+
+void applyTheme(Theme theme) {
+  const bool dark = isDark(theme);
+  if (dynamic_cast<DewpointStyle*>(QApplication::style()) == nullptr) {
+    QApplication::setStyle(new DewpointStyle); // the application owns it
+  }
+  QApplication::setPalette(themePalette(dark));
+}
+
+Theme themeFromName(const QString& name) {
+  return name == QLatin1String("light")  ? Theme::Light
+         : name == QLatin1String("dark") ? Theme::Dark
+                                         : Theme::System;
+}
+
+QString themeName(Theme theme) {
+  return theme == Theme::Light  ? QStringLiteral("light")
+         : theme == Theme::Dark ? QStringLiteral("dark")
+                                : QStringLiteral("system");
+}
+
+QString holdText(HoldState state) {
+  switch (state) {
+  case HoldState::Held:
+    return QCoreApplication::translate("HoldState", "● held");
+  case HoldState::Hidden:
+    return QCoreApplication::translate("HoldState", "◌ hidden");
+  case HoldState::Searching:
+    return QCoreApplication::translate("HoldState", "○ searching");
+  case HoldState::Lost:
+    return QCoreApplication::translate("HoldState", "▲ lost");
+  case HoldState::Missing:
+    return QCoreApplication::translate("HoldState", "✕ missing");
+  case HoldState::NotTracked:
+    return QCoreApplication::translate("HoldState", "– not tracked");
+  case HoldState::NoBox:
+    return QCoreApplication::translate("HoldState", "– no box");
+  case HoldState::NoTarget:
+    return QCoreApplication::translate("HoldState", "No target yet");
+  case HoldState::Learning:
+    return QCoreApplication::translate("HoldState", "◔ learning the room");
+  case HoldState::Nobody:
+    return QCoreApplication::translate("HoldState", "◌ nobody there");
+  case HoldState::Gone:
+    return QCoreApplication::translate("HoldState", "– not there");
+  case HoldState::NoImages:
+    break;
+  }
+  return QCoreApplication::translate("HoldState", "– no images");
+}
+
+QColor holdColor(HoldState state, const QPalette& palette) {
+  const bool dark = isDarkPalette(palette);
+  switch (state) {
+  case HoldState::Held:
+    return QColor(dark ? "#2fc79a" : "#00734f");
+  case HoldState::Hidden:
+  case HoldState::Searching:
+  case HoldState::Learning:
+    return QColor(dark ? "#e6a100" : "#8f5f00");
+  case HoldState::Lost:
+  case HoldState::Missing:
+    return QColor(dark ? "#ff7f3f" : "#b34a00");
+  case HoldState::NotTracked:
+  case HoldState::NoBox:
+  case HoldState::NoTarget:
+  case HoldState::NoImages:
+  case HoldState::Nobody:
+  case HoldState::Gone:
+    break;
+  }
+  return palette.color(QPalette::PlaceholderText);
+}
+
+QColor targetColor(int target) {
+  static constexpr std::array<const char*, 6> kOkabeIto{"#ff8640", "#56b4e9", "#2fc79a",
+                                                        "#e59ac6", "#e69f00", "#f0e442"};
+  return QColor(kOkabeIto[static_cast<std::size_t>(target) % kOkabeIto.size()]);
+}
+
+QColor targetColor(const std::string& name, int target) {
+  if (const auto identity = personIdentity(name)) {
+    const cv::Scalar color = identityColor(*identity); // blue, green, red
+    return {static_cast<int>(color[2]), static_cast<int>(color[1]), static_cast<int>(color[0])};
+  }
+  return targetColor(target);
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QColor>
+#include <QPalette>
+#include <QString>
+
+#include <string>
+
+namespace dewpoint::ui {
+
+enum class Theme { System, Light, Dark };
+
+/// The states a view can be in: each has a word, a color and a shape (desk rules: never color
+/// alone).
+enum class HoldState {
+  NoImages,
+  NoTarget,
+  NotTracked,
+  NoBox,
+  Held,
+  Hidden,
+  Searching,
+  Lost,
+  Missing,
+  Learning, ///< the empty room, before people are looked for
+  Nobody,   ///< people are looked for, and nobody is there
+  Gone,     ///< a person who has left, or is not there yet
+};
+
+/// The one palette of the window, in two tunings, on Qt's Fusion style.
+QPalette themePalette(bool dark);
+/// Whether the theme means dark; System follows the palette the application started with.
+bool isDark(Theme theme);
+/// Style, palette and tooltips of the whole application.
+void applyTheme(Theme theme);
+
+Theme themeFromName(const QString& name);
+QString themeName(Theme theme);
+
+/// Word and shape ("● held"), and the color that reads on the given palette.
+QString holdText(HoldState state);
+QColor holdColor(HoldState state, const QPalette& palette);
+/// Okabe-Ito, by index of the target; for strokes on images and dark ground.
+QColor targetColor(int target);
+/// The same for targets of the project; persons have the color of their identity everywhere.
+QColor targetColor(const std::string& name, int target);
+
+} // namespace dewpoint::ui

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/camera.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace dewpoint::calibration {
+struct CalibrationAccuracy;
+struct NamedFault;
+} // namespace dewpoint::calibration
+
+namespace dewpoint::ui {
+
+/// "In this volume ±3.1 mm (95 %), scale ±0.10 %, up ±0.20°." in the language of the window.
+QString verdictWords(const CalibrationAccuracy& verdict);
+
+/// Likely cause of a fault and what to do, in the language of the window.
+QString faultWords(const NamedFault& fault, const QStringList& cameraNames);
+
+/// "camera 2" where a camera has no name.
+QString cameraName(const CameraRig& rig, std::size_t camera);
+QStringList cameraNames(const CameraRig& rig);
+
+} // namespace dewpoint::ui

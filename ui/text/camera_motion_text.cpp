@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/camera_motion_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <numbers>
+
+namespace dewpoint::ui {
+
+const CameraMotionReport* bumpOf(const TrackSnapshot& snapshot, int camera) {
+  const CameraMotionReport* found = nullptr;
+  for (const CameraMotionReport& report : snapshot.bumps) {
+    if (static_cast<int>(report.event.camera) == camera && !report.back) {
+      found = &report;
+    }
+  }
+  return found;
+}
+
+QString bumpText(const CameraMotionReport* report) {
+  if (report == nullptr) {
+    return {};
+  }
+  const double degrees = report->event.turn.turn.norm() * 180.0 / std::numbers::pi;
+  return QCoreApplication::translate("Bump", "turned by %1°")
+      .arg(QLocale().toString(degrees, 'f', 2));
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/error_sentence.h"
+
+#include "core/base/error.h"
+
+#include <QCoreApplication>
+
+namespace dewpoint::ui {
+
+QString errorSentence(const Error& error) {
+  QString text;
+  if (!error.file.empty()) {
+    text += QString::fromStdString(error.file) + QStringLiteral(": ");
+  }
+  if (!error.field.empty()) {
+    text += QString::fromStdString(error.field) + QStringLiteral(": ");
+  }
+  text += QCoreApplication::translate("Error", phrase(error.code));
+  if (!error.detail.empty()) {
+    text += QStringLiteral(" (%1)").arg(QString::fromStdString(error.detail));
+  }
+  return text;
+}
+
+} // namespace dewpoint::ui

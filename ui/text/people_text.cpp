@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/people_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::ui {
+
+namespace {
+
+const PeopleCameraState* stateOf(const TrackSnapshot& snapshot, int camera) {
+  const auto index = static_cast<std::size_t>(camera);
+  const bool known = camera >= 0 && index < snapshot.peopleCameras.size();
+  return known ? &snapshot.peopleCameras[index] : nullptr;
+}
+
+} // namespace
+
+std::optional<double> learningOf(const TrackSnapshot& snapshot, int camera) {
+  const PeopleCameraState* state = stateOf(snapshot, camera);
+  return state != nullptr && state->learned < 1.0 ? std::optional(state->learned) : std::nullopt;
+}
+
+QString learningText(double share) {
+  return QCoreApplication::translate("People", "learning the empty room: %1 % · keep out of view")
+      .arg(QLocale().toString(static_cast<int>(std::lround(100.0 * share))));
+}
+
+QString shortLearningText(double share) {
+  return QCoreApplication::translate("People", "learning: %1 %")
+      .arg(QLocale().toString(static_cast<int>(std::lround(100.0 * share))));
+}
+
+QString peopleTrouble(const TrackSnapshot& snapshot, int camera) {
+  if (const auto share = learningOf(snapshot, camera)) {
+    return learningText(*share);
+  }
+  const PeopleCameraState* state = stateOf(snapshot, camera);
+  if (state == nullptr || state->usable || state->foregroundShare <= 0.0) {
+    return {};
+  }
+  return QCoreApplication::translate("People", "%1 % of the image moves: not looked at")
+      .arg(QLocale().toString(static_cast<int>(std::lround(100.0 * state->foregroundShare))));
+}
+
+int peopleThere(const TrackSnapshot& snapshot) {
+  return static_cast<int>(std::ranges::count_if(
+      snapshot.targets, [](const TargetSnapshot& target) { return target.person.has_value(); }));
+}
+
+} // namespace dewpoint::ui

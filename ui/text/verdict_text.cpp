@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/verdict_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+namespace dewpoint::ui {
+
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(CalibrationAccuracy)
+};
+
+/// Where in the image: nine whole phrases, because languages put them together differently.
+QString placeName(HorizontalPlace horizontal, VerticalPlace vertical) {
+  static constexpr const char* kPlaces[3][3] = {
+      {QT_TRANSLATE_NOOP("CalibrationAccuracy", "at the top left"),
+       QT_TRANSLATE_NOOP("CalibrationAccuracy", "at the top"),
+       QT_TRANSLATE_NOOP("CalibrationAccuracy", "at the top right")},
+      {QT_TRANSLATE_NOOP("CalibrationAccuracy", "at the left"),
+       QT_TRANSLATE_NOOP("CalibrationAccuracy", "in the middle"),
+       QT_TRANSLATE_NOOP("CalibrationAccuracy", "at the right")},
+      {QT_TRANSLATE_NOOP("CalibrationAccuracy", "at the bottom left"),
+       QT_TRANSLATE_NOOP("CalibrationAccuracy", "at the bottom"),
+       QT_TRANSLATE_NOOP("CalibrationAccuracy", "at the bottom right")}};
+  return Words::tr(kPlaces[static_cast<int>(vertical)][static_cast<int>(horizontal)]);
+}
+
+QString separationSentence(int score) {
+  const char* text =
+      score >= 90   ? QT_TRANSLATE_NOOP("CalibrationAccuracy", "Stands out well: %1 of 100.")
+      : score >= 70 ? QT_TRANSLATE_NOOP("CalibrationAccuracy", "Stands out: %1 of 100.")
+      : score >= 40 ? QT_TRANSLATE_NOOP("CalibrationAccuracy", "Hard to tell apart: %1 of 100.")
+                    : QT_TRANSLATE_NOOP("CalibrationAccuracy", "Hardly stands out: %1 of 100.");
+  return Words::tr(text).arg(score);
+}
+
+QString suggestionSentence(Suggestion suggestion) {
+  switch (suggestion) {
+  case Suggestion::AddSamples:
+    return Words::tr("Much of the target does not match: Shift-click its light and its dark side.");
+  case Suggestion::ExcludeLookAlike:
+    return Words::tr("Alt-click what matches too: it can be told apart.");
+  case Suggestion::RemoveLookAlike:
+    return Words::tr("Cover what has the same color, or take it out of view.");
+  case Suggestion::MoreLight:
+    return Words::tr("The target is nearly black here: more light would help.");
+  case Suggestion::LessExposure:
+    return Words::tr("The target is nearly white here: a shorter exposure would help.");
+  case Suggestion::UseStrongerColor:
+    return Words::tr("The target is nearly gray: a stronger color would help.");
+  case Suggestion::UseAnotherColor:
+    return Words::tr("Several things have this color: another one would help.");
+  case Suggestion::ClickThingItself:
+    return Words::tr("This fills much of the image: click the thing itself, or drag a box on it.");
+  case Suggestion::ClickMore:
+    return Words::tr("Only a speck was clicked: drag a box on the whole thing.");
+  case Suggestion::None:
+    break;
+  }
+  return {};
+}
+
+QString shareText(double share, int decimals) {
+  return QLocale().toString(100.0 * share, 'f', decimals);
+}
+
+/// What the score is made of: the target that does not match, the background that does.
+QString sharesSentence(const ColorVerdict& verdict) {
+  const QString background = shareText(verdict.backgroundShare, 2);
+  if (!verdict.missesTarget()) {
+    return Words::tr("%1 % of the background matches too.").arg(background);
+  }
+  const QString few = Words::tr("Only %1 % of the target and %2 % of the background match.")
+                          .arg(shareText(verdict.targetShare, 0), background);
+  const double whole = verdict.backgroundShareOfWhole.value_or(0.0);
+  return whole > verdict.backgroundShare
+             ? few + QLatin1Char(' ') +
+                   Words::tr("A range for all of the target would match %1 % of the background.")
+                       .arg(shareText(whole, 2))
+             : few;
+}
+
+} // namespace
+
+QString colorName(ColorWord color) {
+  static constexpr const char* kNames[] = {QT_TRANSLATE_NOOP("CalibrationAccuracy", "black"),
+                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "gray"),
+                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "white"),
+                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "brown"),
+                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "red"),
+                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "orange"),
+                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "yellow"),
+                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "green"),
+                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "turquoise"),
+                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "blue"),
+                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "purple"),
+                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "pink")};
+  return Words::tr(kNames[static_cast<int>(color)]);
+}
+
+QString verdictText(const ColorVerdict& verdict, const std::vector<QString>& cameras) {
+  if (!verdict.targetKnown) {
+    return Words::tr(
+               "%1 % of the images match. Shift-click the target to learn how well it stands out.")
+        .arg(shareText(verdict.backgroundShare, 2));
+  }
+  QStringList sentences{separationSentence(verdict.score()), sharesSentence(verdict)};
+  if (verdict.sampleLeftOut) {
+    sentences << Words::tr("One sample does not go with the others: no single range holds both.");
+  }
+  if (!verdict.lookAlikes.empty()) {
+    const LookAlikeRegion& region = verdict.lookAlikes.front();
+    const auto camera = static_cast<std::size_t>(region.camera);
+    sentences << Words::tr("Something %1 %2 of %3 matches too.")
+                     .arg(colorName(region.color), placeName(region.horizontal, region.vertical),
+                          camera < cameras.size() ? cameras[camera] : QString());
+  }
+  if (const QString suggestion = suggestionSentence(verdict.suggestion); !suggestion.isEmpty()) {
+    sentences << suggestion;
+  }
+  return sentences.join(QLatin1Char(' '));
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/color/color_learning.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace dewpoint::ui {
+
+/// What a verdict says to a person, in sentences; `cameras` are the names of the cameras.
+QString verdictText(const ColorVerdict& verdict, const std::vector<QString>& cameras);
+
+/// "red", "turquoise", ...
+QString colorName(ColorWord color);
+
+} // namespace dewpoint::ui

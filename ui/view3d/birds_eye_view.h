@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/run/snapshot.h"
+#include "ui/scene3d/scene3d.h"
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+class QPainter;
+class QToolButton;
+
+namespace dewpoint::ui {
+
+class OffscreenVtk;
+
+/// The 3D picture of the room. VTK renders into its own off-screen context; this widget only paints
+/// the resulting image, so the rest of the window is never composed through OpenGL. Draws at its
+/// own rate, slower than the cameras. Without OpenGL it says so and the program goes on.
+class BirdsEyeView : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit BirdsEyeView(QWidget* parent = nullptr);
+  ~BirdsEyeView() override;
+
+  /// To be called once before the QApplication is made.
+  static void prepareSurfaceFormat();
+
+  /// Makes the OpenGL context and draws once, unseen: what the first picture would be waited for.
+  void prepare();
+
+  /// Shows a moment with the next picture; null empties the scene. Cheap, also while hidden.
+  void show(TrackSnapshotPtr snapshot);
+  using QWidget::show;
+  /// Marks a part of a trajectory: strokes of places, metres; none: nothing is marked.
+  void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
+
+  /// A camera that can be taken hold of: where it stands, and a point it looks at; metres.
+  struct CameraHandle {
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
+    Eigen::Vector3d target = Eigen::Vector3d::Zero();
+  };
+  /// Cameras that can be dragged, the chosen one also by what it looks at; empty: none.
+  void setCameraHandles(std::vector<CameraHandle> handles, int chosen);
+
+  /// How well the cameras see the room, with a legend; null: nothing is shown of it.
+  /// Drawn with the next picture, however many maps come until then.
+  void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
+  const RigMap* map() const { return map_.get(); }
+  const MapLook& mapLook() const { return mapLook_; }
+  /// Cameras that are thought of: drawn otherwise than those of the snapshots.
+  void showPlanned(const CameraRig& cameras);
+
+  /// The selected target; a person stands out. -1: none.
+  void setChosenTarget(int target);
+  /// While placing, a click on the floor of this height (world z, metres) is a placeClicked().
+  void setPlacing(bool placing, double floor = 0.0);
+
+  Scene3d::View currentView() const;
+  /// The picture as it is now, with its legend but without the buttons; null without OpenGL. Device
+  /// pixels.
+  QImage currentPicture();
+  /// The scene as drawn, for those who convert between pixels and metres.
+  const Scene3d& scene() const { return scene_; }
+  /// False when there is no usable OpenGL (known after the first attempt to draw).
+  bool hasPicture() const;
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+public Q_SLOTS:
+  void look(dewpoint::ui::Scene3d::View view);
+  void lookFromAbove();
+  void lookFromFront();
+  void lookFree();
+  /// Frames everything in the current view.
+  void resetView();
+
+Q_SIGNALS:
+  void viewChanged(dewpoint::ui::Scene3d::View view);
+  /// A click on a target's tail: the nearest place in it, metres. `extend`: with Shift.
+  void tailClicked(int target, const Eigen::Vector3d& place, bool extend);
+  /// While placing: a click on the floor here, world x and y in metres.
+  void placeClicked(const Eigen::Vector2d& place);
+  /// A click on a person: its index among the targets.
+  void personClicked(int target);
+  /// A handle was pressed.
+  void cameraChosen(int camera);
+  /// A camera (or the point it looks at) is dragged here, metres: in the plane of a flat view, else
+  /// parallel to the picture.
+  void cameraDragged(int camera, const Eigen::Vector3d& center);
+  void cameraAimed(int camera, const Eigen::Vector3d& target);
+  void cameraDropped();
+
+protected:
+  /// A tool tip over the map says its value there.
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+private:
+  void makeButtons();
+  void placeButtons();
+  void checkButtons();
+  void startVtk();
+  void requestPicture();
+  void renderPicture();
+  void applyTheme();
+  void retranslate();
+  void clickTail(QPointF position, bool extend);
+  void clickFloor(QPointF position);
+  bool clickPerson(QPointF position);
+  /// Device pixels right of and above the middle of the picture.
+  Eigen::Vector2d inPicture(QPointF position) const;
+  void markPeople();
+  void paintPeople(QPainter& painter) const;
+  QPointF inWidget(const Eigen::Vector3d& point) const;
+  bool takeHandle(QPointF position);
+  void dragHandle(QPointF position);
+  void paintHandles(QPainter& painter) const;
+  QString mapTextAt(QPointF position) const;
+  void sendPointer(int what, QPointF position, Qt::KeyboardModifiers modifiers);
+  QSize pictureSize() const;
+
+  Scene3d scene_;
+  std::unique_ptr<OffscreenVtk> vtk_; ///< after the scene: must go first
+  TrackSnapshotPtr snapshot_;
+  std::shared_ptr<const RigMap> map_;
+  MapLook mapLook_;
+  bool mapStale_ = false;
+  std::array<QToolButton*, 3> buttons_{}; ///< above, front, free
+  QImage picture_;
+  std::vector<CameraHandle> handles_;
+  int chosenHandle_ = -1;
+  struct HeldHandle {
+    int camera;
+    bool isTarget;
+    Eigen::Vector3d start;
+    QPointF from;
+  };
+  std::optional<HeldHandle> heldHandle_;
+  struct PersonMark {
+    int identity;
+    Eigen::Vector3d place;
+  };
+  std::vector<PersonMark> people_; ///< in the picture
+  int chosenTarget_ = -1;
+  bool placing_ = false;
+  double floor_ = 0.0;
+  QPointF pressed_;     ///< where the left button went down
+  std::string failure_; ///< why there is no 3D; empty while there is
+  QTimer timer_;
+  QElapsedTimer sincePicture_;
+  qint64 pictureMs_ = 0; ///< what the last one cost
+  bool started_ = false;
+  bool sceneStale_ = false;
+  bool pictureStale_ = true;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/decimal_field.h"
+
+#include <QEvent>
+#include <QLocale>
+#include <QSignalBlocker>
+
+namespace dewpoint::ui {
+
+QString DecimalField::localized(const QString& text) const {
+  const QString point = locale().decimalPoint();
+  QString number = text;
+  const bool hasUnit = !suffix().isEmpty() && number.endsWith(suffix());
+  if (hasUnit) {
+    number.chop(suffix().size());
+  }
+  if (text == specialValueText() || number.contains(point)) {
+    return text; // words, or clear already
+  }
+  const QChar other = point == QStringLiteral(",") ? QLatin1Char('.') : QLatin1Char(',');
+  if (const auto place = number.indexOf(other, prefix().size()); place >= 0) {
+    number.replace(place, 1, point);
+  }
+  return hasUnit ? number + suffix() : number;
+}
+
+void DecimalField::changeEvent(QEvent* event) {
+  QDoubleSpinBox::changeEvent(event);
+  if (event->type() == QEvent::LocaleChange) {
+    const QSignalBlocker quiet(this);
+    setValue(value()); // writes it anew
+  }
+}
+
+QValidator::State DecimalField::validate(QString& text, int& position) const {
+  text = localized(text);
+  return QDoubleSpinBox::validate(text, position);
+}
+
+double DecimalField::valueFromText(const QString& text) const {
+  return QDoubleSpinBox::valueFromText(localized(text));
+}
+
+} // namespace dewpoint::ui

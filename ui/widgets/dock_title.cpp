@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/dock_title.h"
+
+#include "ui/style/symbolic_icon.h"
+#include "ui/text/retranslation.h"
+
+#include <QDockWidget>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolButton>
+
+namespace dewpoint::ui {
+
+DockTitle::DockTitle(QDockWidget* dock)
+    : QWidget(dock), dock_(dock), name_(new QLabel(dock->windowTitle(), this)),
+      state_(new QLabel(this)), reason_(new QLabel(this)), float_(new QToolButton(this)) {
+  setObjectName(dock->objectName() + QStringLiteral("Title"));
+  name_->setObjectName(objectName() + QStringLiteral("Name"));
+  state_->setObjectName(objectName() + QStringLiteral("State"));
+  reason_->setObjectName(objectName() + QStringLiteral("Reason"));
+  float_->setObjectName(objectName() + QStringLiteral("Float"));
+  float_->setAutoRaise(true);
+  float_->setIconSize({14, 14});
+  float_->setFocusPolicy(Qt::NoFocus);
+  onRetranslate(this, [this] {
+    float_->setToolTip(
+        tr("Float this view, or put it back (double click the title: whole window)"));
+    applyPalette();
+  });
+  QFont bold = name_->font();
+  bold.setWeight(QFont::DemiBold);
+  name_->setFont(bold);
+
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(8, 3, 4, 3);
+  layout->setSpacing(8);
+  layout->addWidget(name_);
+  layout->addWidget(state_);
+  layout->addWidget(reason_);
+  layout->addStretch();
+  layout->addWidget(float_);
+  connect(float_, &QToolButton::clicked, dock_,
+          [this] { dock_->setFloating(!dock_->isFloating()); });
+  connect(dock_, &QDockWidget::windowTitleChanged, name_, &QLabel::setText);
+  applyPalette();
+}
+
+void DockTitle::setState(HoldState state) {
+  stateful_ = true;
+  shown_ = state;
+  applyPalette();
+}
+
+void DockTitle::setReason(const QString& reason) {
+  if (reason_->text() != reason) {
+    reason_->setText(reason);
+    reason_->setToolTip(reason);
+  }
+}
+
+void DockTitle::addTool(QWidget* tool) {
+  auto* row = static_cast<QHBoxLayout*>(layout());
+  row->insertWidget(row->count() - 1, tool);
+}
+
+void DockTitle::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) {
+    applyPalette();
+  }
+}
+
+void DockTitle::mouseDoubleClickEvent(QMouseEvent* event) {
+  event->accept();
+  Q_EMIT maximizeWanted();
+}
+
+void DockTitle::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), palette().color(QPalette::Button));
+}
+
+void DockTitle::applyPalette() {
+  float_->setIcon(symbolicIcon(QStringLiteral("float"), palette()));
+  if (stateful_) {
+    state_->setText(holdText(shown_));
+    QPalette colors = state_->palette();
+    const QColor color = holdColor(shown_, palette());
+    if (colors.color(QPalette::WindowText) != color) {
+      colors.setColor(QPalette::WindowText, color);
+      state_->setPalette(colors);
+    }
+  }
+}
+
+} // namespace dewpoint::ui

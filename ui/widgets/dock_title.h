@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/style/theme.h"
+
+#include <QWidget>
+
+class QDockWidget;
+class QLabel;
+class QToolButton;
+
+namespace dewpoint::ui {
+
+/// Title of a dock: its name, the state of what it shows (word, shape and color), and a button to
+/// float it. A double click asks for the whole window.
+class DockTitle : public QWidget {
+  Q_OBJECT
+public:
+  explicit DockTitle(QDockWidget* dock);
+
+  void setState(HoldState state);
+  /// Why the state is what it is, in a few words; empty: nothing to say.
+  void setReason(const QString& reason);
+  /// Adds a widget (a small tool button) before the float button.
+  void addTool(QWidget* tool);
+
+Q_SIGNALS:
+  void maximizeWanted();
+
+protected:
+  void changeEvent(QEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  void applyPalette();
+
+  QDockWidget* dock_;
+  QLabel* name_;
+  QLabel* state_;
+  QLabel* reason_;
+  QToolButton* float_;
+  HoldState shown_ = HoldState::NoImages;
+  bool stateful_ = false;
+};
+
+} // namespace dewpoint::ui

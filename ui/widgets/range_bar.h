@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QWidget>
+
+#include <vector>
+
+namespace dewpoint::ui {
+
+/// A bar from 0 to 1 with a range on it, and the image's histogram behind it. Its ends and the
+/// range as a whole can be dragged; with the keyboard, Tab chooses and the arrows move.
+class RangeBar : public QWidget {
+  Q_OBJECT
+public:
+  explicit RangeBar(QWidget* parent = nullptr);
+
+  void setRange(double from, double to);
+  double from() const { return from_; }
+  double to() const { return to_; }
+  /// How often the image has each value, evenly from 0 to 1.
+  void setHistogram(std::vector<double> counts);
+  /// The colors under the bar, from 0 to 1.
+  void setColors(const QColor& low, const QColor& high);
+
+  QSize sizeHint() const override { return {200, 44}; }
+  QSize minimumSizeHint() const override { return {120, 44}; }
+
+Q_SIGNALS:
+  void rangeEdited(double from, double to);
+  /// A drag has ended: what comes next is another step.
+  void editingFinished();
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
+  void focusInEvent(QFocusEvent* event) override;
+
+private:
+  enum class Part { None, From, To, Both };
+  QRectF bar() const;
+  double xOf(double value) const;
+  double valueAt(double x) const;
+  Part partAt(QPointF position) const;
+  void move(Part part, double change);
+
+  double from_ = 0.0;
+  double to_ = 1.0;
+  std::vector<double> histogram_;
+  QColor low_;
+  QColor high_;
+  Part dragged_ = Part::None;
+  Part chosen_ = Part::Both;
+  double lastValue_ = 0.0;
+};
+
+} // namespace dewpoint::ui
