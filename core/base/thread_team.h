@@ -3,12 +3,9 @@
 
 #include "core/base/floors.h"
 
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
-#include <mutex>
-#include <thread>
-#include <vector>
+#include <memory>
 
 namespace dewpoint::base {
 
@@ -22,7 +19,7 @@ public:
   ThreadTeam(const ThreadTeam&) = delete;
   ThreadTeam& operator=(const ThreadTeam&) = delete;
 
-  int threadCount() const { return static_cast<int>(workers_.size()) + 1; }
+  int threadCount() const { return threadCount_; }
 
   /// Calls `body(begin, end)` on contiguous pieces that cover [0, count), and returns when all are
   /// done. Not re-entrant; `body` must not throw.
@@ -35,18 +32,12 @@ public:
                     const std::function<void(std::int64_t, std::int64_t)>& body);
 
 private:
-  void share(std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body);
-  void work(const std::stop_token& stop, int worker);
-  void runPiece(int piece) const;
+  /// The further threads and what they wait for; in the source, because half the tree includes this
+  /// header and few need the standard library's threads.
+  class Workers;
 
-  std::mutex mutex_;
-  std::condition_variable_any wake_;
-  std::condition_variable done_;
-  std::uint64_t generation_ = 0;
-  int pending_ = 0;
-  std::int64_t count_ = 0;
-  const std::function<void(std::int64_t, std::int64_t)>* body_ = nullptr;
-  std::vector<std::jthread> workers_;
+  int threadCount_ = 1;
+  std::unique_ptr<Workers> workers_; ///< null where there are none
 };
 
 } // namespace dewpoint::base

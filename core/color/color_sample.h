@@ -3,12 +3,14 @@
 
 #include "core/base/error.h"
 
-#include <opencv2/core/mat.hpp>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+namespace cv {
+class Mat;
+}
 
 namespace dewpoint::color {
 

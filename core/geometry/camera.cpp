@@ -61,6 +61,19 @@ double foldBackRadiusSquared(const std::array<double, 8>& k, const Grows& stillG
 
 } // namespace
 
+Eigen::Vector3d Camera::center() const {
+  return cameraFromWorld.inverse().translation();
+}
+
+Eigen::Vector3d Camera::opticalAxis() const {
+  return cameraFromWorld.linear().row(2).transpose();
+}
+
+bool Camera::operator==(const Camera& other) const {
+  return name == other.name && intrinsics == other.intrinsics && distortion == other.distortion &&
+         lens == other.lens && cameraFromWorld.matrix() == other.cameraFromWorld.matrix();
+}
+
 bool Camera::distorted() const {
   return lens != LensModel::Pinhole ||
          std::any_of(distortion.begin(), distortion.end(), [](double k) { return k != 0.0; });

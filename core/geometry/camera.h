@@ -36,17 +36,14 @@ struct Camera {
   Eigen::Isometry3d cameraFromWorld = Eigen::Isometry3d::Identity();
 
   /// Optical center in the world frame, metres.
-  Eigen::Vector3d center() const { return cameraFromWorld.inverse().translation(); }
+  Eigen::Vector3d center() const;
   /// Unit vector of the optical axis in the world frame.
-  Eigen::Vector3d opticalAxis() const { return cameraFromWorld.linear().row(2).transpose(); }
+  Eigen::Vector3d opticalAxis() const;
 
   /// True where pixels are not those of an ideal pinhole.
   bool distorted() const;
 
-  bool operator==(const Camera& other) const {
-    return name == other.name && intrinsics == other.intrinsics && distortion == other.distortion &&
-           lens == other.lens && cameraFromWorld.matrix() == other.cameraFromWorld.matrix();
-  }
+  bool operator==(const Camera& other) const;
 };
 
 using CameraRig = std::vector<Camera>;

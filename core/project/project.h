@@ -5,7 +5,7 @@
 #include "core/geometry/camera.h"
 #include "core/geometry/reference_grid.h"
 #include "core/tracking/parameters.h"
-#include "core/tracking/tracker.h"
+#include "core/tracking/target.h"
 
 #include <cstdint>
 #include <filesystem>

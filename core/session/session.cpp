@@ -5,6 +5,8 @@
 #include "core/session/tracking_loop.h"
 #include "core/trajectory/trajectory_writer.h"
 
+#include <thread>
+
 namespace dewpoint::session {
 
 class Session::Impl {

@@ -2,6 +2,7 @@
 #include "core/tracking/camera_report.h"
 
 #include <fmt/format.h>
+#include <opencv2/core/mat.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -4,11 +4,14 @@
 #include "core/base/floors.h"
 
 #include <Eigen/Core>
-#include <opencv2/core/mat.hpp>
 
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace cv {
+class Mat;
+}
 
 namespace dewpoint::tracking {
 

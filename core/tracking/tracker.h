@@ -2,17 +2,15 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/base/thread_team.h"
 #include "core/capture/frame.h"
 #include "core/color/color_range.h"
-#include "core/color/color_sample.h"
 #include "core/filter/gaussian.h"
 #include "core/geometry/camera.h"
 #include "core/observation/sphere/camera_evidence.h"
 #include "core/tracking/camera_report.h"
 #include "core/tracking/insight.h"
 #include "core/tracking/parameters.h"
-#include "core/tracking/target_box.h"
+#include "core/tracking/target.h"
 
 #include <Eigen/Core>
 
@@ -22,20 +20,11 @@
 #include <string>
 #include <vector>
 
+namespace dewpoint::base {
+class ThreadTeam;
+} // namespace dewpoint::base
+
 namespace dewpoint::tracking {
-
-/// What is tracked.
-struct Target {
-  std::string name;
-  double radius = 0.0; ///< metres; 0 when unknown
-  ColorRange color;
-  /// What the color was learned from, if it was; the trackers go by `color` alone.
-  std::vector<ColorSample> samples{};
-  /// What the methods of family Boxes follow, in place of a color.
-  std::optional<TargetBox> box{};
-
-  bool operator==(const Target&) const = default;
-};
 
 /// What a tracker believes after one filter iteration. World frame, metres.
 struct TargetEstimate {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/studies/convergence_study.h"
 
+#include "core/base/thread_team.h"
 #include "core/simulation/scene_renderer.h"
 #include "core/tracking/tracker.h"
 

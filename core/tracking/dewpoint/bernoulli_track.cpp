@@ -5,6 +5,7 @@
 #include "core/filter/constant_velocity.h"
 #include "core/filter/estimate.h"
 #include "core/filter/isotropic_motion.h"
+#include "core/filter/prepared_gaussian.h"
 #include "core/filter/systematic_resampling.h"
 
 #include <algorithm>

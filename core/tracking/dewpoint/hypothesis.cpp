@@ -2,6 +2,7 @@
 #include "core/tracking/dewpoint/hypothesis.h"
 
 #include "core/filter/estimate.h"
+#include "core/filter/prepared_gaussian.h"
 #include "core/filter/systematic_resampling.h"
 
 #include <algorithm>

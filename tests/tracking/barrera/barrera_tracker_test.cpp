@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/thread_team.h"
 #include "core/tracking/tracker.h"
 
 #include <gtest/gtest.h>
