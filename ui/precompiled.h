@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The headers of other libraries that most files of the window include: parsed once a build.
+#pragma once
+
+#include "core/precompiled.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QFormLayout>
+#include <QLabel>
+#include <QMainWindow>
+#include <QPainter>
+#include <QPushButton>
+#include <QSettings>
+#include <QString>
+#include <QTimer>
+#include <QToolButton>
+#include <QUndoStack>
+#include <QWidget>
