@@ -33,18 +33,19 @@ std::string literal(const std::string& text) {
 void addErrors(Marked& marked) {
   // The codes count up from 0; the first number that is no code any more has the general phrase.
   constexpr int kMoreThanEnough = 1000;
-  const std::string beyond = dewpoint::phrase(static_cast<dewpoint::ErrorCode>(kMoreThanEnough));
+  const std::string beyond =
+      dewpoint::base::phrase(static_cast<dewpoint::base::ErrorCode>(kMoreThanEnough));
   std::string phrase;
   for (int code = 0; phrase != beyond; ++code) {
-    phrase = dewpoint::phrase(static_cast<dewpoint::ErrorCode>(code));
+    phrase = dewpoint::base::phrase(static_cast<dewpoint::base::ErrorCode>(code));
     marked.emplace("Error", phrase);
   }
 }
 
 void addMethods(Marked& marked) {
-  for (const auto& method : dewpoint::projectMethodNames()) {
-    marked.emplace("Method", dewpoint::methodSentence(method));
-    for (const auto& declaration : dewpoint::methodParameters(method)) {
+  for (const auto& method : dewpoint::tracking::projectMethodNames()) {
+    marked.emplace("Method", dewpoint::tracking::methodSentence(method));
+    for (const auto& declaration : dewpoint::tracking::methodParameters(method)) {
       marked.emplace("Parameter", declaration.label);
       marked.emplace("Parameter", declaration.sentence);
       if (!declaration.unit.empty()) {
@@ -55,7 +56,8 @@ void addMethods(Marked& marked) {
 }
 
 void addExperiments(Marked& marked) {
-  for (const auto& all : {dewpoint::figureExperiments(), dewpoint::studyExperiments()}) {
+  for (const auto& all :
+       {dewpoint::experiment::figureExperiments(), dewpoint::experiment::studyExperiments()}) {
     for (const auto& experiment : all) {
       marked.emplace("Experiment", experiment.title);
       marked.emplace("Experiment", experiment.sentence);

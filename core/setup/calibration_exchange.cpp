@@ -2,7 +2,7 @@
 #include "core/setup/calibration_exchange.h"
 
 #include "core/calibration/formats/calibration_file.h"
-#include "core/session/run/tracking_run.h"
+#include "core/project/project_rig.h"
 #include "core/setup/calibrated_project.h"
 #include "core/setup/new_project.h"
 

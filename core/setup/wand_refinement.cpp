@@ -2,7 +2,7 @@
 #include "core/setup/wand_refinement.h"
 
 #include "core/calibration/report/wand_report.h"
-#include "core/session/run/tracking_run.h"
+#include "core/project/project_rig.h"
 
 namespace dewpoint::setup {
 namespace {

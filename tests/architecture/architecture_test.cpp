@@ -76,9 +76,9 @@ TEST(SourceRules, ArrowsDownPass) {
   EXPECT_EQ(complaints("core/observation/a.h", "\"core/filter/particles.h\""), 0U);
   EXPECT_EQ(complaints("core/filter/a.h", "\"core/base/random.h\""), 0U);
   EXPECT_EQ(complaints("core/tracking/tracker.h", "\"core/capture/frame.h\""), 0U);
-  EXPECT_EQ(complaints("ui/camera/view.h", "\"core/session/run/snapshot.h\""), 0U);
-  EXPECT_EQ(complaints("ui/camera/view.h", "<QWidget>"), 0U);
-  EXPECT_EQ(complaints("ui/birdseye/view.cpp", "\"ui/scene3d/scene.h\""), 0U);
+  EXPECT_EQ(complaints("ui/cameraview/view.h", "\"core/session/run/snapshot.h\""), 0U);
+  EXPECT_EQ(complaints("ui/cameraview/view.h", "<QWidget>"), 0U);
+  EXPECT_EQ(complaints("ui/view3d/view.cpp", "\"ui/scene3d/scene.h\""), 0U);
   EXPECT_EQ(complaints("ui/scene3d/scene.cpp", "<vtkActor.h>"), 0U);
   EXPECT_EQ(complaints("app/dewpoint/main.cpp", "\"ui/mainwindow/main_window.h\""), 0U);
 }
@@ -90,12 +90,83 @@ TEST(SourceRules, ArrowsUpAndAcrossFail) {
   EXPECT_EQ(complaints("core/color/a.h", "\"core/geometry/camera.h\""), 1U);
   EXPECT_EQ(complaints("core/tracking/tracker.h", "\"core/capture/frame_source.h\""), 1U);
   EXPECT_EQ(complaints("core/session/session.h", "\"core/simulation/scene.h\""), 1U);
-  EXPECT_EQ(complaints("core/session/session.h", "\"ui/bridge/bridge.h\""), 1U);
-  EXPECT_EQ(complaints("ui/camera/view.h", "\"core/filter/particles.h\""), 1U);
-  EXPECT_EQ(complaints("ui/camera/view.h", "\"app/wiring/wiring.h\""), 1U);
-  EXPECT_EQ(complaints("ui/camera/view.h", "\"ui/mainwindow/main_window.h\""), 1U);
-  EXPECT_EQ(complaints("app/dewpoint-cli/main.cpp", "\"ui/bridge/bridge.h\""), 1U);
+  EXPECT_EQ(complaints("core/session/session.h", "\"ui/session/session_bridge.h\""), 1U);
+  EXPECT_EQ(complaints("ui/cameraview/view.h", "\"core/filter/particles.h\""), 1U);
+  EXPECT_EQ(complaints("ui/cameraview/view.h", "\"app/wiring/wiring.h\""), 1U);
+  EXPECT_EQ(complaints("ui/cameraview/view.h", "\"ui/mainwindow/main_window.h\""), 1U);
+  EXPECT_EQ(complaints("app/dewpoint-cli/main.cpp", "\"ui/session/session_bridge.h\""), 1U);
   EXPECT_EQ(complaints("core/secret/a.h", "<vector>"), 1U) << "a folder that is not a floor";
+}
+
+TEST(SourceRules, RoomsOfAFloorKeepTheirOrder) {
+  EXPECT_EQ(complaints("core/calibration/board/a.h", "\"core/calibration/bundle/b.h\""), 0U);
+  EXPECT_EQ(complaints("core/calibration/bundle/a.h", "\"core/calibration/bundle/b.h\""), 0U);
+  EXPECT_EQ(complaints("core/session/session.h", "\"core/session/run/snapshot.h\""), 0U);
+  EXPECT_EQ(complaints("core/tracking/catalog/a.cpp", "\"core/tracking/people/b.h\""), 0U);
+
+  EXPECT_EQ(complaints("core/calibration/bundle/a.h", "\"core/calibration/board/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/calibration/formats/a.h", "\"core/calibration/wand/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/calibration/manual/a.h", "\"core/calibration/wand/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/calibration/board/a.h", "\"core/calibration/quality/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/calibration/wand/a.h", "\"core/calibration/board/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/calibration/planning/a.h", "\"core/calibration/report/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/calibration/quality/a.h", "\"core/calibration/report/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/calibration/report/a.h", "\"core/calibration/quality/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/observation/background/a.h", "\"core/observation/sphere/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/observation/boxes/a.h", "\"core/observation/people/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/observation/sphere/a.h", "\"core/observation/boxes/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/observation/people/a.h", "\"core/observation/sphere/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/tracking/a.h", "\"core/tracking/dewpoint/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/tracking/barrera/a.h", "\"core/tracking/boxes/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/tracking/boxes/a.h", "\"core/tracking/people/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/tracking/dewpoint/a.h", "\"core/tracking/barrera/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/tracking/people/a.h", "\"core/tracking/catalog/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/session/frames/a.h", "\"core/session/run/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/session/people/a.h", "\"core/session/history/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/session/run/a.h", "\"core/session/history/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/session/history/a.h", "\"core/session/session.h\""), 1U);
+  EXPECT_EQ(complaints("core/experiment/metrics/a.h", "\"core/experiment/suite/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/experiment/report/a.h", "\"core/experiment/studies/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/experiment/scenarios/a.h", "\"core/experiment/metrics/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/experiment/baselines/a.h", "\"core/experiment/suite/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/experiment/suite/a.h", "\"core/experiment/studies/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/experiment/studies/a.h", "\"core/experiment/suite/b.h\""), 1U);
+
+  EXPECT_EQ(complaints("core/calibration/a.h", "<vector>"), 1U) << "beside the rooms";
+  EXPECT_EQ(complaints("core/calibration/cellar/a.h", "<vector>"), 1U) << "no such room";
+  EXPECT_EQ(complaints("core/geometry/cellar/a.h", "<vector>"), 1U) << "a floor without rooms";
+}
+
+TEST(SourceRules, RoomsOfTheWindowKeepTheirOrder) {
+  EXPECT_EQ(complaints("ui/widgets/a.h", "\"ui/style/theme.h\""), 0U);
+  EXPECT_EQ(complaints("ui/color/a.h", "\"ui/cameraview/b.h\""), 0U);
+  EXPECT_EQ(complaints("ui/calibration/wand/a.h", "\"ui/calibration/b.h\""), 0U);
+  EXPECT_EQ(complaints("ui/calibration/manual/a.h", "\"ui/calibration/points/b.h\""), 0U);
+
+  EXPECT_EQ(complaints("ui/text/a.h", "\"ui/widgets/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/scene3d/a.h", "\"ui/style/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/jobs/a.h", "\"ui/text/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/selection/a.h", "\"ui/document/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/style/a.h", "\"ui/text/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/widgets/a.h", "\"ui/document/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/document/a.h", "\"ui/session/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/session/a.h", "\"ui/document/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/actions/a.h", "\"ui/plots/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/cameraview/a.h", "\"ui/view3d/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/view3d/a.h", "\"ui/color/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/plots/a.h", "\"ui/timeline/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/timeline/a.h", "\"ui/trajectory/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/panels/a.h", "\"ui/trajectory/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/trajectory/a.h", "\"ui/export/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/color/a.h", "\"ui/people/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/people/a.h", "\"ui/color/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/export/a.h", "\"ui/experiments/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/experiments/a.h", "\"ui/start/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/start/a.h", "\"ui/mainwindow/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/calibration/board/a.h", "\"ui/calibration/wand/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/calibration/points/a.h", "\"ui/calibration/manual/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/calibration/a.h", "\"ui/calibration/board/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/attic/a.h", "<vector>"), 1U) << "no such room";
 }
 
 TEST(SourceRules, ForeignLibrariesStayWhereTheyBelong) {

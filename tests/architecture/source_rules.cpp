@@ -26,11 +26,85 @@ const std::map<std::string, Names, std::less<>>& floorTable() {
       {"calibration", {"geometry", "base"}},
       {"observation", {"filter", "color", "geometry"}},
       {"tracking", {"observation", "filter", "color", "geometry"}},
+      {"camera_motion", {"tracking", "capture"}},
       {"project", {"calibration", "tracking", "base"}},
-      {"session", {"tracking", "capture", "project", "trajectory", "calibration"}},
-      {"experiment", {"session", "simulation"}},
+      {"setup", {"project", "capture", "trajectory"}},
+      {"session", {"tracking", "camera_motion", "capture", "project", "trajectory", "calibration"}},
+      {"experiment", {"session", "setup", "simulation"}},
   };
   return kTable;
+}
+
+/// The rooms of the floors of core that have some, and which other rooms of the same floor each
+/// includes; "" is the floor's own folder.
+const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTable() {
+  static const std::map<std::string, std::map<std::string, Names>, std::less<>> kTable = {
+      {"observation",
+       {{"background", {}}, {"boxes", {}}, {"sphere", {"background"}}, {"people", {"boxes"}}}},
+      {"calibration",
+       {{"bundle", {}},
+        {"formats", {}},
+        {"manual", {}},
+        {"board", {"bundle"}},
+        {"wand", {"bundle"}},
+        {"planning", {"bundle"}},
+        {"quality", {"board", "bundle", "formats", "wand"}},
+        {"report", {"board", "manual", "wand"}}}},
+      {"tracking",
+       {{"", {}},
+        {"barrera", {""}},
+        {"boxes", {""}},
+        {"dewpoint", {""}},
+        {"people", {""}},
+        {"catalog", {"", "barrera", "boxes", "dewpoint", "people"}}}},
+      {"session",
+       {{"frames", {}},
+        {"people", {"frames"}},
+        {"run", {"frames", "people"}},
+        {"history", {"frames", "run"}},
+        {"", {"frames", "people", "run", "history"}}}},
+      {"experiment",
+       {{"metrics", {}},
+        {"report", {}},
+        {"scenarios", {}},
+        {"baselines", {"scenarios"}},
+        {"suite", {"baselines", "metrics", "report", "scenarios"}},
+        {"studies", {"baselines", "metrics", "report", "scenarios"}}}},
+  };
+  return kTable;
+}
+
+/// The floors of the window, from below: a room includes rooms of lower floors only.
+int windowFloor(const std::string& room) {
+  static const std::vector<Names> kFloors = {
+      {"text", "style", "jobs", "selection", "scene3d"},
+      {"widgets"},
+      {"document", "session", "actions"},
+      {"cameraview", "view3d", "plots", "timeline"},
+      {"panels", "trajectory"},
+      {"calibration", "color", "people", "export", "experiments", "start"},
+      {"mainwindow"},
+  };
+  for (std::size_t floor = 0; floor < kFloors.size(); ++floor) {
+    if (kFloors[floor].contains(room)) {
+      return static_cast<int>(floor);
+    }
+  }
+  return -1;
+}
+
+/// Arrows between rooms on one floor of the window: they are few and do not form a circle.
+bool windowNeighbors(const std::string& from, const std::string& to) {
+  static const std::set<std::pair<std::string, std::string>> kArrows = {
+      {"style", "scene3d"}, // the colors of targets are those of the 3D view
+      {"text", "style"},
+  };
+  return kArrows.contains({from, to});
+}
+
+/// Inside ui/calibration: each way of calibrating is a room; all stand on the folder itself.
+bool calibrationArrow(const std::string& from, const std::string& to) {
+  return to.empty() || (from == "manual" && to == "points");
 }
 
 /// A tracker takes frames, so the value type Frame is open to it and to what stands on it.
@@ -107,7 +181,8 @@ bool isOwn(const std::string& include) {
   return std::regex_match(include, kOwn);
 }
 
-std::string coreArrow(const std::string& floor, const std::string& include) {
+std::string coreArrow(const std::string& floor, const std::string& room,
+                      const std::string& include) {
   const std::vector<std::string> target = split(include);
   if (target[0] != "core") {
     return "core stands below " + target[0];
@@ -117,7 +192,15 @@ std::string coreArrow(const std::string& floor, const std::string& include) {
   if (target.size() < 3 || (!open.contains(target[1]) && !frameAllowed)) {
     return "core/" + floor + " may not include core/" + (target.size() > 1 ? target[1] : "");
   }
-  return {};
+  if (target[1] != floor || !roomTable().contains(floor)) {
+    return {};
+  }
+  const std::string other = target.size() > 3 ? target[2] : "";
+  const auto& rooms = roomTable().at(floor);
+  const bool known = rooms.contains(room) && rooms.contains(other);
+  return known && (room == other || rooms.at(room).contains(other))
+             ? ""
+             : "room '" + room + "' of core/" + floor + " may not include room '" + other + "'";
 }
 
 std::string coreLibrary(const std::string& floor, const std::string& include) {
@@ -130,29 +213,36 @@ std::string coreLibrary(const std::string& floor, const std::string& include) {
   return {};
 }
 
-std::string windowArrow(const std::string& folder, const std::string& include) {
+std::string windowArrow(const std::string& room, const std::string& inner,
+                        const std::string& include) {
   const std::vector<std::string> target = split(include);
   if (target[0] == "core") {
-    const bool open = target.size() == 3 && (target[1] == "session" || target[1] == "base");
-    return open || windowHeaders().contains(include)
+    static const Names kOpen = {"session", "setup", "base"};
+    return (target.size() > 2 && kOpen.contains(target[1])) || windowHeaders().contains(include)
                ? ""
-               : "ui sees core/session and the value types it hands out only";
+               : "ui sees core/session, core/setup and the value types they hand out only";
   }
   if (target[0] != "ui") {
     return "ui stands below " + target[0];
   }
-  if (target.size() == 3 && target[1] == "mainwindow" && folder != "mainwindow") {
-    return "only app includes the main window";
+  const std::string other = target.size() > 2 ? target[1] : "";
+  if (other == room) {
+    const std::string otherInner = target.size() > 3 ? target[2] : "";
+    return room != "calibration" || inner == otherInner || calibrationArrow(inner, otherInner)
+               ? ""
+               : "ui/calibration/" + inner + " may not include its neighbor " + otherInner;
   }
-  return {};
+  return windowFloor(other) < windowFloor(room) || windowNeighbors(room, other)
+             ? ""
+             : "ui/" + room + " may not include ui/" + other;
 }
 
 std::string windowLibrary(const std::string& folder, const std::string& include) {
   if (folder == "scene3d" && isQt(include)) {
     return "ui/scene3d is free of Qt";
   }
-  if (folder != "scene3d" && folder != "birdseye" && isVtk(include)) {
-    return "VTK stays in ui/scene3d and ui/birdseye";
+  if (folder != "scene3d" && folder != "view3d" && isVtk(include)) {
+    return "VTK stays in ui/scene3d and ui/view3d";
   }
   return {};
 }
@@ -166,14 +256,26 @@ std::string appArrow(const std::string& folder, const std::string& include) {
   return isOwn(include) && (top == "tests" || top == "bench") ? "app stands below " + top : "";
 }
 
-std::string verdict(const std::string& top, const std::string& folder, const std::string& include) {
+/// Why a file in this folder (and room inside it) may not have this include; empty when it may.
+std::string objection(const std::string& top, const std::string& folder, const std::string& room,
+                      const std::string& include) {
   if (top == "core") {
-    return isOwn(include) ? coreArrow(folder, include) : coreLibrary(folder, include);
+    return isOwn(include) ? coreArrow(folder, room, include) : coreLibrary(folder, include);
   }
   if (top == "ui") {
-    return isOwn(include) ? windowArrow(folder, include) : windowLibrary(folder, include);
+    return isOwn(include) ? windowArrow(folder, room, include) : windowLibrary(folder, include);
   }
   return top == "app" ? appArrow(folder, include) : "";
+}
+
+/// core/<floor>/<file>, or core/<floor>/<room>/<file> on a floor that has rooms.
+bool isPlaceInCore(const std::vector<std::string>& parts) {
+  if (parts.size() < 3 || parts.size() > 4 || !floorTable().contains(parts[1])) {
+    return false;
+  }
+  const std::string room = parts.size() > 3 ? parts[2] : "";
+  const auto rooms = roomTable().find(parts[1]);
+  return rooms == roomTable().end() ? room.empty() : rooms->second.contains(room);
 }
 
 } // namespace
@@ -208,13 +310,19 @@ std::vector<std::string> violations(const std::string& path, std::string_view te
     found.push_back(path + ": " + std::to_string(lineCount) + " lines, the limit is " +
                     std::to_string(kLineLimit));
   }
-  if (parts[0] == "core" && (parts.size() != 3 || !floorTable().contains(parts[1]))) {
-    found.push_back(path + ": not on a floor of core");
+  const std::string folder = parts.size() > 2 ? parts[1] : "";
+  const std::string room = parts.size() > 3 ? parts[2] : "";
+  const bool precompiled = parts.size() == 2 && parts[1] == "precompiled.h";
+  if (parts[0] == "core" && !precompiled && !isPlaceInCore(parts)) {
+    found.push_back(path + ": not in a room of core");
     return found;
   }
-  const std::string folder = parts.size() > 2 ? parts[1] : "";
+  if (parts[0] == "ui" && !precompiled && windowFloor(folder) < 0) {
+    found.push_back(path + ": not in a room of the window");
+    return found;
+  }
   for (const std::string& include : includesOf(text)) {
-    const std::string reason = verdict(parts[0], folder, include);
+    const std::string reason = precompiled ? "" : objection(parts[0], folder, room, include);
     if (!reason.empty()) {
       found.push_back(path + " includes " + include + ": " + reason);
     }

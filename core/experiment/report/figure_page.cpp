@@ -4,7 +4,7 @@
 #include "core/base/markup.h"
 #include "core/base/text_file.h"
 #include "core/experiment/report/report_folder.h"
-#include "core/experiment/suite/suite_report.h"
+#include "core/experiment/report/report_style.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>

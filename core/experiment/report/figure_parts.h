@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/experiment/report/experiment_options.h"
 #include "core/experiment/report/svg_plot.h"
-#include "core/experiment/studies/figure_experiments.h"
 
 #include <Eigen/Core>
 

@@ -2,9 +2,9 @@
 #include "core/base/markup.h"
 #include "core/base/text_file.h"
 #include "core/experiment/report/figure_page.h"
+#include "core/experiment/report/report_style.h"
 #include "core/experiment/studies/sugandi_pictures.h"
 #include "core/experiment/studies/sugandi_study.h"
-#include "core/experiment/suite/suite_report.h"
 #include "core/trajectory/csv_text.h"
 
 #include <fmt/format.h>

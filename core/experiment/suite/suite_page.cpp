@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/report/report_style.h"
 #include "core/experiment/suite/suite_figures.h"
 #include "core/experiment/suite/suite_report.h"
 #include "core/experiment/suite/suite_tables.h"

@@ -28,8 +28,6 @@ std::string summaryCsv(const SuiteReport& report);
 std::string reportJson(const SuiteReport& report);
 /// One page that needs nothing else: light and dark, plots inline.
 std::string reportHtml(const SuiteReport& report);
-/// The page's style sheet.
-std::string reportStyle();
 
 /// Writes report.html, summary.csv and report.json into the folder.
 Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults& results,

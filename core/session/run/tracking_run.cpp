@@ -11,22 +11,6 @@
 
 namespace dewpoint::session {
 
-CameraRig rigOf(const Project& project) {
-  CameraRig rig;
-  rig.reserve(project.cameras.size());
-  for (const auto& camera : project.cameras) {
-    rig.push_back(camera.camera);
-  }
-  return rig;
-}
-
-bool haveSameImages(const CameraRig& a, const CameraRig& b) {
-  return std::ranges::equal(a, b, [](const Camera& first, const Camera& second) {
-    return first.intrinsics.width == second.intrinsics.width &&
-           first.intrinsics.height == second.intrinsics.height;
-  });
-}
-
 TrajectoryHeader trajectoryHeader(const Project& project) {
   TrajectoryHeader header;
   header.entries = {{"version", DEWPOINT_VERSION},

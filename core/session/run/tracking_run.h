@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/project.h"
+#include "core/project/project_rig.h"
 #include "core/session/frames/tracked_frame.h"
 #include "core/session/run/box_track_file.h"
 #include "core/session/run/snapshot.h"
@@ -17,17 +17,11 @@
 
 namespace dewpoint::session {
 
-/// Cameras of a project, in its order.
-CameraRig rigOf(const Project& project);
-
 /// Header of a trajectory of this project: method, seed, parameters, version, cameras.
 TrajectoryHeader trajectoryHeader(const Project& project);
 
 /// Header of the boxes that were tracked: method, seed, parameters, and what each target is.
 std::vector<std::pair<std::string, std::string>> boxTrackHeader(const Project& project);
-
-/// Whether cameras of both rigs have the same number and image sizes.
-bool haveSameImages(const CameraRig& a, const CameraRig& b);
 
 /// A change of a run under way: other parameters, other colors, another calibration,
 /// or another empty room.

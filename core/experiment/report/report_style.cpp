@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/experiment/suite/suite_report.h"
+#include "core/experiment/report/report_style.h"
 
 namespace dewpoint::experiment {
 
