@@ -302,6 +302,21 @@ std::vector<std::string> includesOf(std::string_view text) {
   return names;
 }
 
+std::set<std::string> classesDefinedIn(std::string_view text) {
+  // A definition begins in the first column; what is called stands farther right.
+  static const std::regex kMember(
+      R"(^(?=\S)(?:[\w:<>,&*\[\] ]+[ *&])?([A-Z]\w*)(?:::[A-Z]\w*)*::~?[a-zA-Z]\w*\(.*)");
+  std::set<std::string> names;
+  std::istringstream stream{std::string(text)};
+  for (std::string line; std::getline(stream, line);) {
+    std::smatch match;
+    if (std::regex_match(line, match, kMember)) {
+      names.insert(match[1]);
+    }
+  }
+  return names;
+}
+
 std::vector<std::string> violations(const std::string& path, std::string_view text) {
   std::vector<std::string> found;
   const std::vector<std::string> parts = split(path);

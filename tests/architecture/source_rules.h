@@ -3,6 +3,7 @@
 
 #include "core/base/floors.h"
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,5 +20,8 @@ std::vector<std::string> includesOf(std::string_view text);
 /// Everything one source file does against the house rules (docs/architecture.md), one sentence
 /// each; empty when it is fine. `path` is relative to the repository, such as "core/base/time.h".
 std::vector<std::string> violations(const std::string& path, std::string_view text);
+
+/// The classes of which a source file defines member functions, each once.
+std::set<std::string> classesDefinedIn(std::string_view text);
 
 } // namespace dewpoint::tests
