@@ -16,24 +16,24 @@ class Words {
 /// Where in the image: nine whole phrases, because languages put them together differently.
 QString placeName(HorizontalPlace horizontal, VerticalPlace vertical) {
   static constexpr const char* kPlaces[3][3] = {
-      {QT_TRANSLATE_NOOP("CalibrationAccuracy", "at the top left"),
-       QT_TRANSLATE_NOOP("CalibrationAccuracy", "at the top"),
-       QT_TRANSLATE_NOOP("CalibrationAccuracy", "at the top right")},
-      {QT_TRANSLATE_NOOP("CalibrationAccuracy", "at the left"),
-       QT_TRANSLATE_NOOP("CalibrationAccuracy", "in the middle"),
-       QT_TRANSLATE_NOOP("CalibrationAccuracy", "at the right")},
-      {QT_TRANSLATE_NOOP("CalibrationAccuracy", "at the bottom left"),
-       QT_TRANSLATE_NOOP("CalibrationAccuracy", "at the bottom"),
-       QT_TRANSLATE_NOOP("CalibrationAccuracy", "at the bottom right")}};
+      {QT_TRANSLATE_NOOP("Verdict", "at the top left"),
+       QT_TRANSLATE_NOOP("Verdict", "at the top"),
+       QT_TRANSLATE_NOOP("Verdict", "at the top right")},
+      {QT_TRANSLATE_NOOP("Verdict", "at the left"),
+       QT_TRANSLATE_NOOP("Verdict", "in the middle"),
+       QT_TRANSLATE_NOOP("Verdict", "at the right")},
+      {QT_TRANSLATE_NOOP("Verdict", "at the bottom left"),
+       QT_TRANSLATE_NOOP("Verdict", "at the bottom"),
+       QT_TRANSLATE_NOOP("Verdict", "at the bottom right")}};
   return Words::tr(kPlaces[static_cast<int>(vertical)][static_cast<int>(horizontal)]);
 }
 
 QString separationSentence(int score) {
   const char* text =
-      score >= 90   ? QT_TRANSLATE_NOOP("CalibrationAccuracy", "Stands out well: %1 of 100.")
-      : score >= 70 ? QT_TRANSLATE_NOOP("CalibrationAccuracy", "Stands out: %1 of 100.")
-      : score >= 40 ? QT_TRANSLATE_NOOP("CalibrationAccuracy", "Hard to tell apart: %1 of 100.")
-                    : QT_TRANSLATE_NOOP("CalibrationAccuracy", "Hardly stands out: %1 of 100.");
+      score >= 90   ? QT_TRANSLATE_NOOP("Verdict", "Stands out well: %1 of 100.")
+      : score >= 70 ? QT_TRANSLATE_NOOP("Verdict", "Stands out: %1 of 100.")
+      : score >= 40 ? QT_TRANSLATE_NOOP("Verdict", "Hard to tell apart: %1 of 100.")
+                    : QT_TRANSLATE_NOOP("Verdict", "Hardly stands out: %1 of 100.");
   return Words::tr(text).arg(score);
 }
 
@@ -86,18 +86,18 @@ QString sharesSentence(const ColorVerdict& verdict) {
 } // namespace
 
 QString colorName(ColorWord color) {
-  static constexpr const char* kNames[] = {QT_TRANSLATE_NOOP("CalibrationAccuracy", "black"),
-                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "gray"),
-                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "white"),
-                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "brown"),
-                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "red"),
-                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "orange"),
-                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "yellow"),
-                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "green"),
-                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "turquoise"),
-                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "blue"),
-                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "purple"),
-                                           QT_TRANSLATE_NOOP("CalibrationAccuracy", "pink")};
+  static constexpr const char* kNames[] = {QT_TRANSLATE_NOOP("Verdict", "black"),
+                                           QT_TRANSLATE_NOOP("Verdict", "gray"),
+                                           QT_TRANSLATE_NOOP("Verdict", "white"),
+                                           QT_TRANSLATE_NOOP("Verdict", "brown"),
+                                           QT_TRANSLATE_NOOP("Verdict", "red"),
+                                           QT_TRANSLATE_NOOP("Verdict", "orange"),
+                                           QT_TRANSLATE_NOOP("Verdict", "yellow"),
+                                           QT_TRANSLATE_NOOP("Verdict", "green"),
+                                           QT_TRANSLATE_NOOP("Verdict", "turquoise"),
+                                           QT_TRANSLATE_NOOP("Verdict", "blue"),
+                                           QT_TRANSLATE_NOOP("Verdict", "purple"),
+                                           QT_TRANSLATE_NOOP("Verdict", "pink")};
   return Words::tr(kNames[static_cast<int>(color)]);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/experiment/report/experiment_options.h"
 #include "core/experiment/report/svg_plot.h"
 
