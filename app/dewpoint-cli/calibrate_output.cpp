@@ -73,7 +73,7 @@ CalibrationProgress interruptibleProgress() {
 
 void sayVerdict(const std::optional<CalibrationAccuracy>& verdict, const std::string& sentence,
                 const std::vector<NamedFault>& faults) {
-  fmt::print("CalibrationAccuracy: {}\n", sentence);
+  fmt::print("Verdict: {}\n", sentence);
   if (verdict && verdict->modelFactor > 1.0) {
     fmt::print("Solutions without a part of the recording differ {:.1f} times more than noise "
                "explains; the verdict includes that.\n",
