@@ -39,15 +39,21 @@ Result<std::string> readTextFile(const std::filesystem::path& file) {
   return text.str();
 }
 
+Status writeFlushed(const std::filesystem::path& file, const std::string& text) {
+  errno = 0;
+  return writeAndSync(file, text)
+             ? Status()
+             : Status(failure(ErrorCode::FileUnwritable, file.string(), "", std::strerror(errno)));
+}
+
 Status writeTextFile(const std::filesystem::path& file, const std::string& text) {
   auto beside = file;
   beside += ".part";
-  errno = 0;
-  if (!writeAndSync(beside, text)) {
-    const std::string reason = std::strerror(errno);
+  if (auto written = writeFlushed(beside, text); !written) {
     std::error_code ignored;
     std::filesystem::remove(beside, ignored);
-    return failure(ErrorCode::FileUnwritable, file.string(), "", reason);
+    written.error().file = file.string();
+    return written;
   }
   std::error_code problem;
   std::filesystem::rename(beside, file, problem);

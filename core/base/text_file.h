@@ -15,4 +15,9 @@ Result<std::string> readTextFile(const std::filesystem::path& file);
 /// text or the new one, never half of one. FileUnwritable says why.
 Status writeTextFile(const std::filesystem::path& file, const std::string& text);
 
+/// The first half of that: writes the text into this very file and flushes it to the disk. For
+/// files that belong together and are renamed when all of them are there. After FileUnwritable
+/// there may be a part of it.
+Status writeFlushed(const std::filesystem::path& file, const std::string& text);
+
 } // namespace dewpoint::base

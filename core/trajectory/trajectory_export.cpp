@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <deque>
 #include <fstream>
 #include <optional>
 #include <system_error>
@@ -41,8 +42,8 @@ Status makeFolderOf(const std::filesystem::path& file, const std::filesystem::pa
              : Status();
 }
 
-/// Writes the files of an export, and takes those away again that it has made, unless told to keep
-/// them.
+/// Writes the files of an export beside their places; they take them together, so that an export
+/// that fails or is cancelled leaves an older one whole.
 class ExportWriter {
 public:
   explicit ExportWriter(std::filesystem::path file) : file_(std::move(file)) {}
@@ -51,15 +52,15 @@ public:
 
   ~ExportWriter() {
     std::error_code ignored;
-    for (const auto& path : made_) {
-      std::filesystem::remove(path, ignored);
+    for (const Staged& staged : staged_) {
+      std::filesystem::remove(staged.beside, ignored);
     }
     if (folder_) {
       std::filesystem::remove(*folder_, ignored); // only when it is empty
     }
   }
 
-  /// Where this file of the export lies.
+  /// Where this file of the export will lie.
   Result<std::filesystem::path> write(const ExportFile& part) {
     const auto path = pathOf(file_, part);
     if (path.parent_path() != file_.parent_path() && !exists(path.parent_path())) {
@@ -68,22 +69,41 @@ public:
     if (auto there = makeFolderOf(path, file_.parent_path()); !there) {
       return tl::make_unexpected(there.error());
     }
-    if (!exists(path)) {
-      made_.push_back(path);
-    }
+    auto beside = path;
+    beside += ".part";
+    staged_.push_back({beside, path});
     // Of thousands of parts none is waited for until it is on the disk: without the file that
     // names them they are nothing.
-    const auto written =
-        part.nameEnd.empty() ? writeTextFile(path, part.bytes) : writePart(path, part.bytes);
-    return written ? Result<std::filesystem::path>(path) : tl::make_unexpected(written.error());
+    auto written =
+        part.nameEnd.empty() ? writeFlushed(beside, part.bytes) : writePart(beside, part.bytes);
+    if (!written) {
+      written.error().file = path.string();
+      return tl::make_unexpected(written.error());
+    }
+    return path;
   }
 
-  void keep() {
-    made_.clear();
+  /// All that was written takes its place, the file that names the others last.
+  Status commit() {
+    while (!staged_.empty()) {
+      const Staged& staged = staged_.front();
+      std::error_code problem;
+      std::filesystem::rename(staged.beside, staged.path, problem);
+      if (problem) {
+        return failure(ErrorCode::FileUnwritable, staged.path.string(), "", problem.message());
+      }
+      staged_.pop_front();
+    }
     folder_.reset();
+    return {};
   }
 
 private:
+  struct Staged {
+    std::filesystem::path beside;
+    std::filesystem::path path;
+  };
+
   static bool exists(const std::filesystem::path& path) {
     std::error_code ignored;
     return std::filesystem::exists(path, ignored);
@@ -99,7 +119,7 @@ private:
   }
 
   std::filesystem::path file_;
-  std::vector<std::filesystem::path> made_;
+  std::deque<Staged> staged_;
   std::optional<std::filesystem::path> folder_;
 };
 
@@ -217,7 +237,9 @@ Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const Expor
     }
     summary.files.push_back(*path);
   }
-  writer.keep();
+  if (const auto there = writer.commit(); !there) {
+    return tl::make_unexpected(there.error());
+  }
   return summary;
 }
 
