@@ -11,11 +11,31 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 namespace dewpoint::app {
 namespace {
 
 constexpr std::int64_t kSteps = 1000;
+
+/// Before the progress bar.
+const char* nameOf(CalibrationStage stage) {
+  switch (stage) {
+  case CalibrationStage::BoardDetection:
+    return "looking for the board";
+  case CalibrationStage::Intrinsics:
+    return "solving";
+  case CalibrationStage::Chaining:
+    return "chaining";
+  case CalibrationStage::Adjustment:
+    return "adjusting";
+  case CalibrationStage::Assessment:
+    return "judging";
+  case CalibrationStage::PlacementSearch:
+    return "places";
+  }
+  return "";
+}
 
 } // namespace
 
@@ -50,7 +70,7 @@ Status writeCalibrated(const CalibrateOutput& output, const Project& calibrated,
 CalibrationProgress interruptibleProgress() {
   heedInterruption();
   struct Shown {
-    std::string stage;
+    std::optional<CalibrationStage> stage;
     std::unique_ptr<Progress> bar;
     ~Shown() {
       if (bar != nullptr) {
@@ -58,13 +78,13 @@ CalibrationProgress interruptibleProgress() {
       }
     }
   };
-  return [shown = std::make_shared<Shown>()](const std::string& stage, double part) {
+  return [shown = std::make_shared<Shown>()](CalibrationStage stage, double part) {
     if (shown->stage != stage) {
       shown->stage = stage;
       if (shown->bar != nullptr) {
         shown->bar->finish();
       }
-      shown->bar = std::make_unique<Progress>(stage, kSteps);
+      shown->bar = std::make_unique<Progress>(nameOf(stage), kSteps);
     }
     shown->bar->show(static_cast<std::int64_t>(part * static_cast<double>(kSteps)));
     return !interruptionAsked();

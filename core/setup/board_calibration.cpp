@@ -152,7 +152,7 @@ Result<SeenBoards> lookForBoards(const Project& project, FrameSetSource& source,
   const auto frames = framesToLookAt(*total, wish);
   std::int64_t next = -1;
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    if (!goesOn(progress, "looking for the board",
+    if (!goesOn(progress, CalibrationStage::BoardDetection,
                 static_cast<double>(k) / static_cast<double>(frames.size()))) {
       return cancelled();
     }
@@ -185,7 +185,7 @@ Result<SeenBoards> lookForBoards(const std::vector<std::filesystem::path>& pictu
   camera.name = "camera";
   const BoardDetector detector(board);
   for (const auto& file : pictures) {
-    if (!goesOn(progress, "looking for the board",
+    if (!goesOn(progress, CalibrationStage::BoardDetection,
                 static_cast<double>(camera.looked) / static_cast<double>(pictures.size()))) {
       return cancelled();
     }
@@ -268,7 +268,7 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Seen
   if (!result && result.error().code == ErrorCode::Cancelled) {
     return result;
   }
-  if (!goesOn(progress, "judging", 0.0)) {
+  if (!goesOn(progress, CalibrationStage::Assessment, 0.0)) {
     return cancelled();
   }
   for (std::size_t i = 0; i < taking.size(); ++i) {

@@ -33,7 +33,7 @@ Status addPlaces(const SeenBoards& seen, const BoardCalibrationRequest& wish, Bo
   if (!places) {
     return tl::make_unexpected(places.error());
   }
-  if (!goesOn(progress, "judging", 0.5)) {
+  if (!goesOn(progress, CalibrationStage::Assessment, 0.5)) {
     return cancelled();
   }
   const auto verdict = judgeBoard(*places, wish.board, wish.worldFrame);

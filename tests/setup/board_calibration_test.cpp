@@ -113,7 +113,10 @@ TEST(BoardCalibration, StopsWhenTold) {
   const auto source = recorded.open();
   int calls = 0;
   const auto seen = lookForBoards(recorded.project, *source, recorded.wish(),
-                                  [&](const std::string&, double) { return ++calls < 3; });
+                                  [&](CalibrationStage stage, double) {
+                                    EXPECT_EQ(stage, CalibrationStage::BoardDetection);
+                                    return ++calls < 3;
+                                  });
   ASSERT_FALSE(seen);
   EXPECT_EQ(seen.error().code, ErrorCode::Cancelled);
   EXPECT_EQ(calls, 3);

@@ -60,7 +60,8 @@ public:
   Result<ExtrinsicsResult> run() {
     double lossWidth = kFirstLossWidth;
     for (int round = 0; round < kMostRounds; ++round) {
-      if (!goesOn(progress_, "adjusting", static_cast<double>(round) / kMostRounds)) {
+      if (!goesOn(progress_, CalibrationStage::Adjustment,
+                  static_cast<double>(round) / kMostRounds)) {
         return cancelled();
       }
       if (auto adjusted = adjust(RobustLoss::Huber, lossWidth); !adjusted) {
@@ -126,8 +127,9 @@ private:
                                         view.detection.pixels[k]});
       }
     }
-    auto result = adjustBundle(
-        problem, [&](const BundleProgress&) { return goesOn(progress_, "adjusting", 0.5); });
+    auto result = adjustBundle(problem, [&](const BundleProgress&) {
+      return goesOn(progress_, CalibrationStage::Adjustment, 0.5);
+    });
     if (!result) {
       return tl::make_unexpected(result.error());
     }
@@ -287,7 +289,7 @@ Result<ExtrinsicsResult> calibrateExtrinsics(const ExtrinsicsRequest& request,
   if (request.cameras.empty()) {
     return failure(ErrorCode::NotFound, "", "cameras", "there is none");
   }
-  if (!goesOn(progress, "chaining", 0.0)) {
+  if (!goesOn(progress, CalibrationStage::Chaining, 0.0)) {
     return cancelled();
   }
   auto chain = chainCameras(request);

@@ -138,7 +138,8 @@ private:
                        fmt::format("the board is seen well in {} picture{}, at least {} are needed",
                                    views_.size(), views_.size() == 1 ? "" : "s", kLeastViews));
       }
-      if (!goesOn(progress_, "solving", static_cast<double>(round) / kMostRounds)) {
+      if (!goesOn(progress_, CalibrationStage::Intrinsics,
+                  static_cast<double>(round) / kMostRounds)) {
         return cancelled();
       }
       const auto solution = solve(request_, views_, square_);

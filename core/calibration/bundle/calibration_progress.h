@@ -4,15 +4,24 @@
 #include "core/base/error.h"
 
 #include <functional>
-#include <string>
 
 namespace dewpoint::calibration {
 
-/// Told now and then how far a computation is: what it does, and the part done, 0 to 1. It goes on
-/// while true is returned; after false it ends with cancelled(). May be empty.
-using CalibrationProgress = std::function<bool(const std::string& stage, double part)>;
+/// What a calibration does at the moment.
+enum class CalibrationStage {
+  BoardDetection,  ///< looks for the board in images
+  Intrinsics,      ///< solves for the lens of one camera
+  Chaining,        ///< finds first poses along chains of cameras that saw the board together
+  Adjustment,      ///< bundle adjustment of all cameras
+  Assessment,      ///< works out how accurate the result is
+  PlacementSearch, ///< tries places for a further camera
+};
 
-inline bool goesOn(const CalibrationProgress& progress, const std::string& stage, double part) {
+/// Told now and then how far a computation is: what it does, and the part of that done, 0 to 1. It
+/// goes on while true is returned; after false it ends with cancelled(). May be empty.
+using CalibrationProgress = std::function<bool(CalibrationStage stage, double part)>;
+
+inline bool goesOn(const CalibrationProgress& progress, CalibrationStage stage, double part) {
   return !progress || progress(stage, part);
 }
 

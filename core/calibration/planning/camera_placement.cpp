@@ -178,7 +178,7 @@ Result<Placement> placeCamera(const CameraRig& rig, const Camera& lens,
   Mount best = mounts.front();
   double value = -1.0;
   for (std::size_t k = 0; k < mounts.size(); ++k) {
-    if (!goesOn(progress, "places", double(k) / double(mounts.size()))) {
+    if (!goesOn(progress, CalibrationStage::PlacementSearch, double(k) / double(mounts.size()))) {
       return cancelled();
     }
     if (const double found = search.worth(mounts[k]); found > value) {

@@ -141,7 +141,7 @@ TEST(ExtrinsicsFromBoard, TheFirstCameraKeepsAGivenPose) {
 
 TEST(ExtrinsicsFromBoard, CancelStops) {
   const auto stopped = calibrateExtrinsics(requestOf("chessboard:9x6:0.025", 0.1),
-                                           [](const std::string&, double) { return false; });
+                                           [](CalibrationStage, double) { return false; });
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
 }

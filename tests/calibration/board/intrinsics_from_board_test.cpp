@@ -99,8 +99,7 @@ TEST(IntrinsicsFromBoard, EightCoefficientsAndFisheye) {
 
 TEST(IntrinsicsFromBoard, TooFewViewsAndCancel) {
   auto request = requestOf(testCamera(), 0.1, 12);
-  const auto stopped =
-      calibrateIntrinsics(request, [](const std::string&, double) { return false; });
+  const auto stopped = calibrateIntrinsics(request, [](CalibrationStage, double) { return false; });
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
   request.views.resize(2);

@@ -89,8 +89,8 @@ TEST(CameraPlacement, TheFirstCameraSeesAsMuchAsItCan) {
 }
 
 TEST(CameraPlacement, CanBeCancelled) {
-  const auto found = placeCamera({}, lens(), settings(),
-                                 [](const std::string&, double part) { return part < 0.5; });
+  const auto found =
+      placeCamera({}, lens(), settings(), [](CalibrationStage, double part) { return part < 0.5; });
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().code, ErrorCode::Cancelled);
 }

@@ -127,8 +127,8 @@ void BoardCalibrator::compute(Computation computation, bool applyIt) {
   job_->start([this, computation = std::move(computation), looking = looking_,
                applyIt](const LongJob::Progress& progress) -> std::function<void()> {
     auto result = std::make_shared<Result<BoardOutcome>>(
-        computation([&](const std::string& stage, double part) {
-          *looking = stage == "looking for the board";
+        computation([&](CalibrationStage stage, double part) {
+          *looking = stage == CalibrationStage::BoardDetection;
           return progress(*looking ? kLookingShare * part : -1.0);
         }));
     *looking = false;

@@ -223,7 +223,7 @@ void RigPlanner::findPlace() {
   settings.goodSigma = look_.goodSigma;
   search_.start([this, lens, settings, rig = rig()](const LongJob::Progress& progress) {
     auto found = placeCamera(rig, lens, settings,
-                             [&](const std::string&, double part) { return progress(part); });
+                             [&](CalibrationStage, double part) { return progress(part); });
     if (found) { // on the cells of the map, so that the figures are the same
       RigMapper mapper;
       const VolumeGrid cells = gridOver(settings.volume, kMapCells);
