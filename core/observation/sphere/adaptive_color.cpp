@@ -193,8 +193,8 @@ std::pair<double, double> quantiles(std::vector<double>& values) {
 } // namespace
 
 AdaptiveColor::AdaptiveColor(const ColorRange& learned, std::size_t cameras)
-    : learned_(learned), learnedClassifier_(learned),
-      cameras_(cameras, PerCamera{.range = learned, .classifier = learnedClassifier_}) {}
+    : learned_(learned), learnedClassifier_(std::make_shared<const ColorClassifier>(learned)),
+      cameras_(cameras, PerCamera{.range = learned, .classifier = *learnedClassifier_}) {}
 
 std::vector<ColorRange> AdaptiveColor::rangesInUse() const {
   std::vector<ColorRange> ranges;
@@ -208,7 +208,7 @@ std::vector<ColorRange> AdaptiveColor::rangesInUse() const {
 }
 
 void AdaptiveColor::forget() {
-  cameras_.assign(cameras_.size(), PerCamera{.range = learned_, .classifier = learnedClassifier_});
+  cameras_.assign(cameras_.size(), PerCamera{.range = learned_, .classifier = *learnedClassifier_});
 }
 
 double AdaptiveColor::hueMiddle() const {

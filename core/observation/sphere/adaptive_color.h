@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -24,8 +25,9 @@ public:
   /// `learned` has passed checkColorRange().
   AdaptiveColor(const ColorRange& learned, std::size_t cameras);
 
-  /// The range as it was learned.
-  const ColorClassifier& learned() const { return learnedClassifier_; }
+  /// The range as it was learned. Labels keep the addresses of this and of inUse(): both stay where
+  /// they are when the color is moved.
+  const ColorClassifier& learned() const { return *learnedClassifier_; }
   const ColorRange& learnedRange() const { return learned_; }
   /// The range in use in one camera.
   const ColorClassifier& inUse(std::size_t camera) const { return cameras_.at(camera).classifier; }
@@ -72,7 +74,7 @@ private:
   void tighten(PerCamera& camera, const Look& look, double f1) const;
 
   ColorRange learned_;
-  ColorClassifier learnedClassifier_;
+  std::shared_ptr<const ColorClassifier> learnedClassifier_; ///< never null; shared by copies
   std::vector<PerCamera> cameras_;
 };
 

@@ -109,7 +109,7 @@ void DewpointTracker::addLookAlike(Tracked thing, const Candidate& place, Thread
   streams_.push_back(nextLookAlike_++);
   tracked_.push_back(std::move(thing));
   Tracked& added = tracked_.back();
-  showImages(added.observation, added.color); // its labels refer to the color, which moved
+  showImages(added.observation, added.color); // without what the search had explained by others
   added.belief.adopt(place.center, place.radius, added.observation, keyOf(tracked_.size() - 1),
                      team);
 }

@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include <cmath>
+#include <vector>
 
 namespace dewpoint::tests {
 namespace {
@@ -45,6 +46,21 @@ double taken(const AdaptiveColor& color, const cv::Mat& image) {
   cv::circle(disc, {80, 60}, 13, cv::Scalar(255), cv::FILLED);
   return double(cv::countNonZero(matchImage(image, color.inUse(0)) & disc)) /
          cv::countNonZero(disc);
+}
+
+// The labels of an image keep these addresses, while the things that own the colors move within
+// their vector as further ones are found.
+TEST(AdaptiveColor, ItsClassifiersStayWhereTheyAreWhenItIsMoved) {
+  std::vector<AdaptiveColor> colors;
+  colors.reserve(1);
+  colors.emplace_back(kGreen, 2);
+  const ColorClassifier* learned = &colors.front().learned();
+  const ColorClassifier* inUse = &colors.front().inUse(1);
+  while (colors.capacity() == 1) {
+    colors.emplace_back(kGreen, 2);
+  }
+  EXPECT_EQ(&colors.front().learned(), learned);
+  EXPECT_EQ(&colors.front().inUse(1), inUse);
 }
 
 TEST(AdaptiveColor, StaysAsLearnedInSteadyLight) {
