@@ -27,6 +27,13 @@ struct RandomKey {
   std::uint32_t iteration = 0; ///< within the frame
 
   RandomStream stream(RandomPurpose purpose) const { return {seed, frame, iteration, purpose}; }
+
+  /// The stream of one of up to 4096 parts (from 0) that draw for the same purpose in the same
+  /// iteration. Within 2^20 iterations of a frame no two parts share one.
+  RandomStream streamOfPart(RandomPurpose purpose, std::uint32_t part) const {
+    // The part lies between the low and the high bits of the iteration.
+    return {seed, frame, (iteration & 0xFFU) | (part << 8U) | (iteration >> 8U) << 20U, purpose};
+  }
 };
 
 /// A particle filter with resampling at every iteration (CONDENSATION; Barrera et al. 2005, section

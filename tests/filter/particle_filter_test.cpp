@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <vector>
 
 namespace dewpoint::tests {
@@ -173,6 +175,25 @@ TEST(ParticleFilter, CountChangesAtResamplingOrAtOnce) {
   filter.iterate(RandomWalk{}, Constant{}, MultinomialResampling{}, 10, {1, 0, 1}, team);
   EXPECT_EQ(filter.weights().count(), 10);
   EXPECT_NEAR(filter.weights().all().sum(), 1.0, 1e-12);
+}
+
+// A frame may have 500 iterations; with 8 bits for them, iteration 256 of one part was iteration 0
+// of the next.
+TEST(RandomKey, PartsNeverShareAStream) {
+  std::set<std::array<std::uint32_t, 4>> seen;
+  for (std::uint32_t iteration = 0; iteration < 500; ++iteration) {
+    for (const std::uint32_t part : {0U, 1U, 2U, 3U, 4094U, 4095U}) {
+      const RandomKey key{7, 3, iteration};
+      const auto words = key.streamOfPart(RandomPurpose::Resampling, part).words(0);
+      EXPECT_TRUE(seen.insert(words).second) << "part " << part << ", iteration " << iteration;
+    }
+  }
+}
+
+TEST(RandomKey, TheFirstPartIsTheIterationItself) {
+  const RandomKey key{7, 3, 255};
+  EXPECT_EQ(key.streamOfPart(RandomPurpose::Resampling, 0).words(5),
+            key.stream(RandomPurpose::Resampling).words(5));
 }
 
 } // namespace

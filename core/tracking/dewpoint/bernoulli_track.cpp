@@ -328,7 +328,7 @@ void BernoulliTrack::stepSearchCloud(SphereObservation& observation, const Rando
   const RandomStream stream = key.stream(RandomPurpose::Search);
   Ancestors ancestors;
   SystematicResampling().ancestors(cloud_.weights, cloud_.states.rows(),
-                                   key.stream(RandomPurpose::Resampling), ancestors);
+                                   key.streamOfPart(RandomPurpose::Resampling, 0), ancestors);
   cloud_.states = Eigen::ArrayXXd(cloud_.states(ancestors, Eigen::all));
   observation.setRadius(target_.radius > 0.0 ? target_.radius : 0.03);
   const IsotropicMotion motion{kSearchSigma};

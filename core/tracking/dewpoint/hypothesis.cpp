@@ -102,11 +102,9 @@ double weighPrediction(TrackHypothesis& hypothesis, SphereObservation& observati
     const Eigen::Index count = hypothesis.states.rows();
     if (effective < 0.5 * static_cast<double>(count)) {
       Ancestors ancestors;
-      SystematicResampling().ancestors(hypothesis.weights, count,
-                                       RandomStream(key.seed, key.frame,
-                                                    key.iteration + (hypothesis.stream << 8U),
-                                                    RandomPurpose::Resampling),
-                                       ancestors);
+      SystematicResampling().ancestors(
+          hypothesis.weights, count, key.streamOfPart(RandomPurpose::Resampling, hypothesis.stream),
+          ancestors);
       hypothesis.states = Eigen::ArrayXXd(hypothesis.states(ancestors, Eigen::all));
       hypothesis.weights.setConstant(1.0 / static_cast<double>(count));
     }
