@@ -7,6 +7,7 @@
 #include "core/filter/isotropic_motion.h"
 #include "core/filter/prepared_gaussian.h"
 #include "core/filter/systematic_resampling.h"
+#include "core/tracking/hypothesis_masses.h"
 
 #include <algorithm>
 #include <cmath>
@@ -152,15 +153,11 @@ bool BernoulliTrack::mustSearch(const std::vector<double>& logMasses) const {
   if (top == logMasses.end()) {
     return true;
   }
-  double others = absence();
-  for (const double mass : logMasses) {
-    others += mass == *top ? 0.0 : std::exp(mass);
-  }
-  const double share = 1.0 / (1.0 + others * std::exp(-*top));
   const TrackHypothesis& hypothesis =
       hypotheses_[static_cast<std::size_t>(top - logMasses.begin())];
-  return share < kSure ||
-         hypothesis.logLikelihoodRatio < kWellSeen * hypothesis.fullyVisibleLogLikelihoodRatio ||
+  return shareOfLargest(logMasses, absence()) < kSure ||
+         hypothesis.logLikelihoodRatio <
+             TrackHypothesis::kPlainlySeen * hypothesis.fullyVisibleLogLikelihoodRatio ||
          hypothesis.fullyVisibleLogLikelihoodRatio <= 0.0;
 }
 
