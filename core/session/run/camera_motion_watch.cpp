@@ -11,6 +11,8 @@ namespace dewpoint::session {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kPuttingDown =
+    3.0;                         // seconds from the end of a calibration until its board is gone
 constexpr double kEvery = 1.0;   // seconds
 constexpr double kSettled = 1.0; // seconds after a bump that count for nothing
 constexpr double kWindow = 2.0;  // seconds of residuals that are compared
@@ -50,6 +52,7 @@ void CameraMotionWatch::restart() {
   eventsSeen_ = 0;
   due_ = 0.0;
   lastTime_ = -1e18;
+  awakeFrom_ = -1e18;
 }
 
 void CameraMotionWatch::setCameras(const CameraRig& rig) {
@@ -67,11 +70,31 @@ void CameraMotionWatch::setCameras(const CameraRig& rig) {
   sightings_ = ReprojectionResiduals(rig);
 }
 
+void CameraMotionWatch::setResting(bool resting) {
+  if (resting_ && !resting) {
+    for (std::size_t k = 0; k < rig_.size(); ++k) {
+      if (std::ranges::none_of(
+              reports_, [&](const CameraMotionReport& one) { return one.event.camera == k; })) {
+        sentinel_.accept(k, rig_[k]);
+      }
+    }
+  }
+  wokenUp_ = wokenUp_ || (resting_ && !resting);
+  resting_ = resting;
+}
+
 void CameraMotionWatch::watch(const FrameSet& frames, const std::vector<Target>& targets,
                               const std::vector<TargetEstimate>& estimates) {
   const double time = seconds(frames.time);
-  if (time <= lastTime_) {
+  if (time <= lastTime_ || resting_) {
     return; // a frame of the past that is tracked again
+  }
+  if (wokenUp_) {
+    wokenUp_ = false;
+    awakeFrom_ = time + kPuttingDown;
+  }
+  if (time < awakeFrom_) {
+    return;
   }
   lastTime_ = time;
   sentinel_.watch(frames);

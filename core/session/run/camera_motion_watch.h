@@ -33,6 +33,12 @@ public:
   /// After the iterations of a frame.
   void watch(const FrameSet& frames, const std::vector<Target>& targets,
              const std::vector<TargetEstimate>& estimates);
+  /// While a calibration board is shown to live cameras nothing is watched: a board that fills an
+  /// image and is waved looks just like a scene before which the camera turns, and so does one that
+  /// was there when the reference was taken. Afterwards, as soon as the board has been put down,
+  /// the cameras that are not reported stand as they are calibrated, and their images are the
+  /// reference.
+  void setResting(bool resting);
   const std::vector<CameraMotionReport>& reports() const { return reports_; }
   /// One for each report: which camera, by how much, when.
   std::vector<Error> notices() const;
@@ -56,6 +62,9 @@ private:
   std::vector<CameraMotionReport> reports_;
   double due_ = 0.0; ///< seconds; of what is not done in each frame
   double lastTime_ = -1e18;
+  bool resting_ = false;
+  bool wokenUp_ = false;     ///< and no frame has come since
+  double awakeFrom_ = -1e18; ///< seconds
 };
 
 /// The pose of a camera that was bumped at `event`, from the turn known now and the sightings

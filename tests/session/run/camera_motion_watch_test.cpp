@@ -152,5 +152,69 @@ TEST(CameraMotionWatch, ForgetsWhenTheRunBeginsAnew) {
   EXPECT_TRUE(watch.notices().empty());
 }
 
+/// A board of gray squares that fills most of the image, held and slowly moved by a hand.
+cv::Mat boardBefore(const Camera& camera, double time) {
+  cv::Mat image = picture(camera, time);
+  const int left = 60 + int(std::lround(15.0 * std::sin(0.5 * time)));
+  const int top = 40 + int(std::lround(12.0 * std::sin(0.4 * time)));
+  for (int i = 0; i < 13 * 10; ++i) {
+    const cv::Rect square(left + 40 * (i % 13), top + 40 * (i / 13), 40, 40);
+    cv::rectangle(image, square, cv::Scalar::all(20 + 37 * i % 211), cv::FILLED);
+  }
+  return image;
+}
+
+template <class Picture>
+void show(CameraMotionWatch& watch, const CameraRig& rig, double from, double to,
+          const Picture& pictureOf) {
+  for (int i = int(std::lround(10.0 * from)); i < int(std::lround(10.0 * to)); ++i) {
+    FrameSet frames;
+    frames.index = i;
+    frames.time = timeStamp(i / 10.0);
+    for (const Camera& camera : rig) {
+      auto frame = std::make_shared<Frame>();
+      frame->image = pictureOf(camera, i / 10.0);
+      frames.frames.push_back(frame);
+    }
+    watch.watch(frames, {}, {});
+  }
+}
+
+TEST(CameraMotionWatch, ABoardWavedBeforeTheCamerasIsNoBumpWhileItRests) {
+  const CameraRig rig = threeCameras();
+  CameraMotionWatch awake(rig);
+  show(awake, rig, 0.0, 6.0, boardBefore);
+  EXPECT_FALSE(awake.reports().empty()) << "if images alone tell, nothing needs to rest";
+
+  CameraMotionWatch watch(rig);
+  watch.setResting(true);
+  show(watch, rig, 0.0, 6.0, boardBefore);
+  watch.setResting(false);
+  show(watch, rig, 6.0, 8.0, boardBefore); // it is still in the hand
+  show(watch, rig, 8.0, 12.0, picture);
+  EXPECT_TRUE(watch.reports().empty());
+  CameraRig bumped = rig;
+  bumped[1] = turnedCamera(rig[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
+  show(watch, bumped, 12.0, 18.0, picture);
+  ASSERT_EQ(watch.reports().size(), 1U);
+  EXPECT_EQ(watch.reports()[0].event.camera, 1U);
+}
+
+TEST(CameraMotionWatch, WhatWasReportedBeforeStaysWhileItRests) {
+  CameraRig rig = threeCameras();
+  CameraMotionWatch watch(rig);
+  show(watch, rig, 0.0, 3.0, picture);
+  CameraRig bumped = rig;
+  bumped[1] = turnedCamera(rig[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
+  show(watch, bumped, 3.0, 9.0, picture);
+  ASSERT_EQ(watch.reports().size(), 1U);
+  watch.setResting(true);
+  show(watch, bumped, 9.0, 12.0, boardBefore);
+  watch.setResting(false);
+  show(watch, bumped, 12.0, 15.0, picture);
+  ASSERT_EQ(watch.reports().size(), 1U);
+  EXPECT_FALSE(watch.reports()[0].back);
+}
+
 } // namespace
 } // namespace dewpoint::tests

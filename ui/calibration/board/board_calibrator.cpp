@@ -173,15 +173,22 @@ void BoardCalibrator::start() {
   outcome_.reset();
   failure_.clear();
   shownToWatch_.reset();
-  watching_ = true;
+  setWatching(true);
   watch_.begin(project(), wish_);
   Q_EMIT playWanted();
   Q_EMIT changed();
   Q_EMIT guideChanged();
 }
 
+void BoardCalibrator::setWatching(bool watching) {
+  if (watching_ != watching) {
+    watching_ = watching;
+    Q_EMIT boardShown(watching);
+  }
+}
+
 void BoardCalibrator::stop() {
-  watching_ = false;
+  setWatching(false);
   Q_EMIT changed();
 }
 
@@ -196,7 +203,7 @@ void BoardCalibrator::finish() {
   if (isComputing() || !hasViews()) {
     return;
   }
-  watching_ = false;
+  setWatching(false);
   const auto state = guide();
   compute(
       [project = project(), seen = state->seen, wish = wishForLive(wish_, *state),
@@ -269,7 +276,7 @@ void BoardCalibrator::printBoard(const QString& paper, const QString& file) {
 void BoardCalibrator::forget() {
   forgotten_ = isComputing();
   job_->cancel();
-  watching_ = false;
+  setWatching(false);
   outcome_.reset();
   failure_.clear();
   wish_.board.worldFrame.reset();

@@ -80,11 +80,13 @@ Q_SIGNALS:
   void progressChanged(double part); ///< 0 to 1; less: unknown
   void calibrated();                 ///< over, whatever came of it
   void playWanted();                 ///< live images are needed
+  void boardShown(bool shown);       ///< to live cameras, from now on (or no more)
   void saved(const QString& file);
   void failed(const QString& sentence);
 
 private:
   using Computation = std::function<Result<BoardOutcome>(const CalibrationProgress& progress)>;
+  void setWatching(bool watching);
   void compute(Computation computation, bool applyIt);
   void adopt(const std::shared_ptr<Result<BoardOutcome>>& result, bool applyIt);
   void write(const std::function<Status()>& task, const QString& file);
