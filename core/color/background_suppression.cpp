@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/color/background_suppression.h"
 
+#include "core/color/color_evidence.h"
 #include "core/color/match_image.h"
 
 #include <algorithm>
@@ -35,14 +36,15 @@ std::vector<cv::Mat> withoutBackgroundColors(const ColorRange& range,
         rooms[k].size() != images[k].size()) {
       continue;
     }
-    result[k] = images[k].clone();
     const cv::Mat match = matchImage(images[k], classifier);
     for (int row = 0; row < match.rows; ++row) {
       for (int column = 0; column < match.cols; ++column) {
-        auto& pixel = result[k].at<cv::Vec3b>(row, column);
         if (match.at<std::uint8_t>(row, column) != 0 &&
-            isFamiliar(pixel, rooms[k].at<cv::Vec3b>(row, column))) {
-          pixel = {};
+            isFamiliar(images[k].at<cv::Vec3b>(row, column), rooms[k].at<cv::Vec3b>(row, column))) {
+          if (result[k].data == images[k].data) {
+            result[k] = images[k].clone();
+          }
+          result[k].at<cv::Vec3b>(row, column) = {};
         }
       }
     }
@@ -61,11 +63,11 @@ ColorVerdict judgeColorWithBackground(const ColorRange& range,
 Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
                                               const std::vector<cv::Mat>& images,
                                               const std::vector<cv::Mat>& rooms) {
-  auto learned = learnColor(samples, images);
-  if (learned && anyRoom(rooms)) {
-    learned->verdict = judgeColorWithBackground(learned->range, samples, images, rooms);
-  }
-  return learned;
+  const ColorEvidence evidence = colorEvidence(samples, images);
+  return learnRange(evidence).map([&](const ColorRange& range) {
+    const auto shown = anyRoom(rooms) ? withoutBackgroundColors(range, images, rooms) : images;
+    return LearnedColor{range, judgeColor(range, samples, shown, evidence)};
+  });
 }
 
 } // namespace dewpoint::color

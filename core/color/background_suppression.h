@@ -17,6 +17,7 @@ inline constexpr int kFamiliarShift = 3;
 /// The images (CV_8UC3) with black, which no range matches, where they have a color of the range
 /// but so did the empty room: a tracker that knows the room does not take that for a target.
 /// `rooms` are in the same order; an empty one, or one of another size, leaves its image as it is.
+/// An image in which nothing is familiar shares its pixels with the result.
 std::vector<cv::Mat> withoutBackgroundColors(const ColorRange& range,
                                              const std::vector<cv::Mat>& images,
                                              const std::vector<cv::Mat>& rooms);

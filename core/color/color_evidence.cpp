@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace dewpoint::color {
 namespace {
@@ -128,19 +129,36 @@ cv::Mat clickedTargets(const std::vector<ColorSample>& samples, int camera, cons
   return mask;
 }
 
-cv::Mat targetMask(const std::vector<ColorSample>& samples, int camera, const cv::Mat& image,
-                   const ColorRange& typical, const std::optional<ColorRange>& range, double area) {
-  cv::Mat mask = clickedTargets(samples, camera, image);
-  if (mask.empty()) {
-    mask = likelyTarget(image, typical, area);
-    if (range && cv::countNonZero(mask) == 0) {
-      mask = likelyTarget(image, *range, area);
-    } else if (range) {
-      completeThings(image, *range, area, mask);
+/// Where no click shows it.
+cv::Mat unclickedTarget(const cv::Mat& image, const ColorRange& typical,
+                        const std::optional<ColorRange>& range, double area) {
+  cv::Mat mask = likelyTarget(image, typical, area);
+  if (range && cv::countNonZero(mask) == 0) {
+    mask = likelyTarget(image, *range, area);
+  } else if (range) {
+    completeThings(image, *range, area, mask);
+  }
+  return mask;
+}
+
+bool hasSamePixels(const cv::Mat& one, const cv::Mat& other) {
+  return one.data == other.data && one.size() == other.size() && one.type() == other.type();
+}
+
+/// clickedTargets() of every image, as far as they are not known from `before`.
+std::vector<cv::Mat> allClickedTargets(const std::vector<ColorSample>& samples,
+                                       const std::vector<cv::Mat>& images,
+                                       const ColorEvidence* before) {
+  std::vector<cv::Mat> clicked(images.size());
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    if (before != nullptr && i < before->images.size() &&
+        hasSamePixels(images[i], before->images[i])) {
+      clicked[i] = before->clicked[i];
+    } else if (images[i].type() == CV_8UC3) {
+      clicked[i] = clickedTargets(samples, int(i), images[i]);
     }
   }
-  widen(mask);
-  return mask;
+  return clicked;
 }
 
 void addColors(const ColorSample& sample, double weight, HsiCounts& counts) {
@@ -170,10 +188,13 @@ std::vector<HsiColors> inOtherLight(const std::vector<HsiColors>& colors) {
   return result;
 }
 
-ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
-                            const std::vector<cv::Mat>& images,
-                            const std::optional<ColorRange>& range) {
+namespace {
+
+ColorEvidence collect(const std::vector<ColorSample>& samples, const std::vector<cv::Mat>& images,
+                      const std::optional<ColorRange>& range, const ColorEvidence* before) {
   ColorEvidence evidence;
+  evidence.images = images;
+  evidence.clicked = allClickedTargets(samples, images, before);
   const auto shown = std::ranges::count(samples, false, &ColorSample::excluded);
   for (const ColorSample& sample : samples) {
     evidence.targetArea += sample.excluded ? 0.0 : double(sample.area) / double(shown);
@@ -200,7 +221,10 @@ ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
   for (std::size_t i = 0; i < images.size(); ++i) {
     cv::Mat& mask = evidence.targetMasks.emplace_back();
     if (images[i].type() == CV_8UC3) {
-      mask = targetMask(samples, int(i), images[i], typical, range, evidence.targetArea);
+      mask = evidence.clicked[i].empty()
+                 ? unclickedTarget(images[i], typical, range, evidence.targetArea)
+                 : evidence.clicked[i].clone();
+      widen(mask);
       rest.add(images[i], mask);
       evidence.imageShare =
           std::max(evidence.imageShare, evidence.targetArea / double(images[i].total()));
@@ -210,6 +234,26 @@ ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
   evidence.targetWeight = target.total();
   evidence.restWeight = rest.total();
   return evidence;
+}
+
+} // namespace
+
+ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
+                            const std::vector<cv::Mat>& images,
+                            const std::optional<ColorRange>& range) {
+  return collect(samples, images, range, nullptr);
+}
+
+ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
+                            const std::vector<cv::Mat>& images, const ColorRange& range,
+                            const ColorEvidence& before) {
+  // The range matters only where no click shows the target.
+  const bool settled =
+      std::ranges::equal(images, before.images, hasSamePixels) &&
+      std::ranges::all_of(std::views::iota(std::size_t{0}, images.size()), [&](std::size_t i) {
+        return images[i].type() != CV_8UC3 || !before.clicked[i].empty();
+      });
+  return settled ? before : collect(samples, images, range, &before);
 }
 
 } // namespace dewpoint::color

@@ -18,20 +18,30 @@ struct ColorEvidence {
   std::vector<HsiColors> rest;
   double targetWeight = 0.0;
   double restWeight = 0.0;
-  double targetArea = 0.0; ///< pixels of the largest sample: how large the target is in an image
+  double targetArea = 0.0; ///< mean pixels of the samples: how large the target is in an image
   double imageShare = 0.0; ///< of the smallest image that targetArea takes, 0 to 1
   BgrColor typicalColor{}; ///< the median of what was sampled
   /// Per camera, CV_8UC1: 255 where the target is or may be, so that it says nothing about the
   /// rest. Empty where there is no image.
   std::vector<cv::Mat> targetMasks;
+  /// The images it was collected from (pixels are shared, not copied), and per camera, CV_8UC1: 255
+  /// where the image still shows what was clicked; empty where it does nowhere.
+  std::vector<cv::Mat> images;
+  std::vector<cv::Mat> clicked;
 };
 
-/// Where the images still show what was clicked, the region grown from the click is the target, and
-/// else the one thing of its color that is about as large. With `range`, all of that thing that
-/// matches it is the target.
+/// The target in an image is the region grown from a click, where the image still shows the clicked
+/// thing; elsewhere the one connected thing of its color that is about as large. With a `range`,
+/// all parts of that thing that match it belong to the target.
 ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images,
                             const std::optional<ColorRange>& range = std::nullopt);
+
+/// The same as colorEvidence(samples, images, range), from what was collected `before` of the same
+/// samples: regions are grown only in images that have other pixels by now.
+ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
+                            const std::vector<cv::Mat>& images, const ColorRange& range,
+                            const ColorEvidence& before);
 
 /// The target's colors as other places and moments will show them: lighter and darker, paler and
 /// fuller, a little of another hue. The weight stays.

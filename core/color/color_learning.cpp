@@ -10,21 +10,6 @@
 
 namespace dewpoint::color {
 
-Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
-                                const std::vector<cv::Mat>& images) {
-  const ColorEvidence evidence = colorEvidence(samples, images);
-  const bool anyColor = std::ranges::any_of(
-      evidence.target, [](const HsiColors& cell) { return cell.color.intensity > 0.0; });
-  if (!anyColor) {
-    return failure(ErrorCode::BadValue, {}, "samples",
-                   "none of them shows a target that is not black");
-  }
-  LearnedColor learned;
-  learned.range = fitRange(inOtherLight(evidence.target), evidence.rest);
-  learned.verdict = judgeColor(learned.range, samples, images);
-  return learned;
-}
-
 namespace {
 
 /// Whether one of several samples hardly matches.
@@ -41,13 +26,42 @@ bool leavesSampleOut(const ColorRange& range, const std::vector<ColorSample>& sa
   return samples.size() > 1 && std::ranges::any_of(samples, isLeftOut);
 }
 
+ColorVerdict verdictFrom(const ColorEvidence& evidence, const ColorRange& range,
+                         const std::vector<ColorSample>& samples,
+                         const std::vector<cv::Mat>& images) {
+  ColorVerdict verdict = verdictOn(range, evidence, images);
+  verdict.sampleLeftOut = leavesSampleOut(range, samples);
+  return verdict;
+}
+
 } // namespace
+
+Result<ColorRange> learnRange(const ColorEvidence& evidence) {
+  const bool anyColor = std::ranges::any_of(
+      evidence.target, [](const HsiColors& cell) { return cell.color.intensity > 0.0; });
+  if (!anyColor) {
+    return failure(ErrorCode::BadValue, {}, "samples",
+                   "none of them shows a target that is not black");
+  }
+  return fitRange(inOtherLight(evidence.target), evidence.rest);
+}
+
+Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
+                                const std::vector<cv::Mat>& images) {
+  const ColorEvidence evidence = colorEvidence(samples, images);
+  return learnRange(evidence).map([&](const ColorRange& range) {
+    return LearnedColor{range, judgeColor(range, samples, images, evidence)};
+  });
+}
 
 ColorVerdict judgeColor(const ColorRange& range, const std::vector<ColorSample>& samples,
                         const std::vector<cv::Mat>& images) {
-  ColorVerdict verdict = verdictOn(range, colorEvidence(samples, images, range), images);
-  verdict.sampleLeftOut = leavesSampleOut(range, samples);
-  return verdict;
+  return verdictFrom(colorEvidence(samples, images, range), range, samples, images);
+}
+
+ColorVerdict judgeColor(const ColorRange& range, const std::vector<ColorSample>& samples,
+                        const std::vector<cv::Mat>& images, const ColorEvidence& evidence) {
+  return verdictFrom(colorEvidence(samples, images, range, evidence), range, samples, images);
 }
 
 } // namespace dewpoint::color

@@ -91,6 +91,8 @@ struct LearnedColor {
   ColorVerdict verdict;
 };
 
+struct ColorEvidence;
+
 /// The range of hue, saturation and intensity with the greatest F1 score between what was sampled
 /// and the rest of the images (one per camera of the project, empty where there is none). The
 /// sampled colors are also taken a little lighter, darker and paler, as other places of the room
@@ -102,5 +104,12 @@ Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
 /// The verdict alone, on a range however made.
 ColorVerdict judgeColor(const ColorRange& range, const std::vector<ColorSample>& samples,
                         const std::vector<cv::Mat>& images);
+
+/// The two steps of learnColor(), for callers that look at the evidence, which is most of the work,
+/// in other ways as well: the range, from the evidence of the samples without a range...
+Result<ColorRange> learnRange(const ColorEvidence& evidence);
+/// ... and the verdict on a range in these images, which may be others than the evidence is from.
+ColorVerdict judgeColor(const ColorRange& range, const std::vector<ColorSample>& samples,
+                        const std::vector<cv::Mat>& images, const ColorEvidence& evidence);
 
 } // namespace dewpoint::color

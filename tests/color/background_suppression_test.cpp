@@ -52,5 +52,26 @@ TEST(FamiliarColor, TheVerdictLeavesItOut) {
   EXPECT_TRUE(learned->verdict.lookAlikes.empty());
 }
 
+// What is handed on from learning to judging does not change what is judged: with an image that
+// shows the click, one that does not, and a room that changes the first.
+TEST(FamiliarColor, LearningAndJudgingAgreeToTheBit) {
+  ColorSample click;
+  click.x = 110;
+  click.y = 50;
+  const std::vector<cv::Mat> images{withBall(), cv::Mat(), withBall()};
+  const auto sample = takeSample(images[0], click);
+  ASSERT_TRUE(sample);
+  for (const std::vector<cv::Mat>& rooms : {std::vector<cv::Mat>{}, {room()}}) {
+    const auto learned = learnColorWithBackground({*sample}, images, rooms);
+    ASSERT_TRUE(learned);
+    const ColorVerdict anew = judgeColorWithBackground(learned->range, {*sample}, images, rooms);
+    EXPECT_EQ(learned->verdict.separability, anew.separability);
+    EXPECT_EQ(learned->verdict.targetShare, anew.targetShare);
+    EXPECT_EQ(learned->verdict.backgroundShare, anew.backgroundShare);
+    EXPECT_EQ(learned->verdict.lookAlikes.size(), anew.lookAlikes.size());
+    EXPECT_EQ(learned->verdict.suggestion, anew.suggestion);
+  }
+}
+
 } // namespace
 } // namespace dewpoint::tests
