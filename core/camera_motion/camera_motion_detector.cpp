@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/camera_motion/camera_motion_detector.h"
 
+#include "core/base/statistics.h"
+
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -35,8 +37,7 @@ Eigen::Vector3d medianOf(const std::deque<Eigen::Vector3d>& turns) {
     for (const Eigen::Vector3d& turn : turns) {
       values.push_back(turn[axis]);
     }
-    std::ranges::nth_element(values, values.begin() + std::ptrdiff_t(values.size() / 2));
-    result[axis] = values[values.size() / 2];
+    result[axis] = upperMedian(std::move(values));
   }
   return result;
 }

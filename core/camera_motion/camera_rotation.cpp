@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/camera_motion/camera_rotation.h"
 
+#include "core/base/statistics.h"
 #include "core/geometry/ray.h"
 
 #include <Eigen/Cholesky>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dewpoint::camera_motion {
 namespace {
@@ -18,12 +20,6 @@ constexpr double kTukey = 4.685;     // 95 % efficiency for normal residuals
 constexpr double kToSigma = 0.8493;  // median length of a normal vector of the plane to its sigma
 constexpr double kLeastSigma = 0.02; // pixels: no patch is located better than that
 constexpr double kStep = 1e-6;       // radians, of the differences
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// The inverse covariances.
 std::vector<Eigen::Matrix2d> weightsOf(const std::vector<BackgroundShift>& shifts) {
@@ -59,7 +55,7 @@ Eigen::Vector3d medianTurn(const std::vector<BackgroundShift>& shifts) {
     rows.push_back(one.shift.y());
     byTurn += one.byTurn / double(shifts.size());
   }
-  const Eigen::Vector2d shift(median(columns), median(rows));
+  const Eigen::Vector2d shift(upperMedian(std::move(columns)), upperMedian(std::move(rows)));
   // Without a turn about the optical axis, of which one shift says nothing.
   const Eigen::Vector2d turn = byTurn.leftCols<2>().fullPivLu().solve(shift);
   return {turn.x(), turn.y(), 0.0};
@@ -100,7 +96,7 @@ std::optional<CameraRotation> fitTurn(const std::vector<BackgroundShift>& shifts
   double scale = 1.0;
   for (int round = 0; round < kRounds; ++round) {
     const auto distances = residuals(shifts, weights, result.turn);
-    scale = std::max(1.0, kToSigma * median(distances));
+    scale = std::max(1.0, kToSigma * upperMedian(distances));
     normal.setZero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     result.used = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/camera_motion/reprojection_residuals.h"
 
+#include "core/base/statistics.h"
 #include "core/color/color_classifier.h"
 
 #include <algorithm>
@@ -16,12 +17,6 @@ constexpr double kLeastShare = 0.6;  // of the outline's area
 constexpr double kMostShare = 1.5;
 constexpr int kLargestStep = 3;        // pixels between those looked at of a large target
 constexpr double kPixelsAcross = 40.0; // as many are enough
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 } // namespace
 
@@ -137,8 +132,8 @@ ReprojectionResiduals::summary(std::size_t camera, double since, std::size_t few
   if (columns.empty() || columns.size() < fewest) {
     return std::nullopt;
   }
-  return Summary{{medianOf(std::move(columns)), medianOf(std::move(rows))},
-                 medianOf(std::move(others))};
+  return Summary{{upperMedian(std::move(columns)), upperMedian(std::move(rows))},
+                 upperMedian(std::move(others))};
 }
 
 } // namespace dewpoint::camera_motion

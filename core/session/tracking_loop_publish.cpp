@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the tracking thread shows of itself.
+#include "core/base/statistics.h"
 #include "core/color/match_image.h"
 #include "core/session/tracking_loop.h"
 #include "core/tracking/people/people_targets.h"
@@ -14,15 +15,6 @@ constexpr int kParticlesShown = 10000;
 constexpr std::chrono::milliseconds kBetweenSnapshots(30);
 
 constexpr std::size_t kMostInMask = 255; ///< targets that one byte tells apart
-
-double median(std::deque<double> values) {
-  if (values.empty()) {
-    return 0.0;
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 } // namespace
 
@@ -82,7 +74,7 @@ void TrackingLoop::addFigures(TrackSnapshot& snapshot) const {
     snapshot.framesPerSecond =
         static_cast<double>(frameTimes_.size() - 1) / std::max(1e-9, span.count());
   }
-  snapshot.microsecondsPerIteration = median(iterationTimes_);
+  snapshot.microsecondsPerIteration = upperMedian({iterationTimes_.begin(), iterationTimes_.end()});
   snapshot.budget = budget_;
   snapshot.latency = log_.latency();
 }

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/error_statistics.h"
 
+#include "core/base/statistics.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace dewpoint::trajectory {
-
-double quantile(const std::vector<double>& sorted, double fraction) {
-  const double place = fraction * static_cast<double>(sorted.size() - 1);
-  const auto low = static_cast<std::size_t>(place);
-  const std::size_t high = std::min(low + 1, sorted.size() - 1);
-  return sorted[low] + (place - static_cast<double>(low)) * (sorted[high] - sorted[low]);
-}
 
 double rootMeanSquare(const std::vector<Eigen::Vector3d>& errors) {
   double sum = 0.0;

@@ -37,8 +37,4 @@ CameraBias cameraBias(const TrajectoryCamera& camera, const std::vector<Eigen::V
 /// Root of the mean squared length; at least one error.
 double rootMeanSquare(const std::vector<Eigen::Vector3d>& errors);
 
-/// Quantile of ascending values (at least one), linear between order statistics; `fraction` in
-/// [0, 1].
-double quantile(const std::vector<double>& sorted, double fraction);
-
 } // namespace dewpoint::trajectory

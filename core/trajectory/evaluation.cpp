@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/evaluation.h"
 
+#include "core/base/statistics.h"
 #include "core/trajectory/trajectory_reader.h"
 
 #include <fmt/format.h>
@@ -83,11 +84,7 @@ double framePeriod(const Samples& sorted) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < sorted.size(); ++i)
     steps.push_back(sorted[i]->time - sorted[i - 1]->time);
-  if (steps.empty())
-    return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return upperMedian(std::move(steps));
 }
 
 std::vector<Pair> pairByTime(const Samples& estimate, const Samples& truth) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/export_table.h"
 
+#include "core/base/statistics.h"
 #include "core/trajectory/path_interpolation.h"
 #include "core/trajectory/smoother.h"
 
@@ -141,10 +142,8 @@ double usualRate(const std::vector<double>& times) {
   if (steps.empty()) {
     return 0.0;
   }
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
   // Times of 30 frames/s are often rounded to milliseconds or less.
-  const double rate = 1.0 / *middle;
+  const double rate = 1.0 / upperMedian(std::move(steps));
   return std::abs(rate - std::round(rate)) < 0.002 * rate ? std::round(rate) : rate;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board/board_detection.h"
 
+#include "core/base/statistics.h"
 #include "core/calibration/board/chessboard_corners.h"
 #include "core/calibration/board/corner_refinement.h"
 
@@ -80,9 +81,7 @@ std::optional<double> motionBetween(const BoardDetection& one, const BoardDetect
   if (distances.empty()) {
     return std::nullopt;
   }
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::ranges::nth_element(distances, middle);
-  return *middle;
+  return upperMedian(std::move(distances));
 }
 
 BoardDetection turned(const BoardDetection& detection, const BoardDescription& board,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board/corner_refinement.h"
 
+#include "core/base/statistics.h"
+
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -92,11 +94,7 @@ double edgeWidth(const cv::Mat& gray, const BoardDescription& board,
       }
     }
   }
-  if (widths.empty()) {
-    return 0.0;
-  }
-  std::ranges::nth_element(widths, widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2));
-  return widths[widths.size() / 2];
+  return upperMedian(std::move(widths));
 }
 
 } // namespace dewpoint::calibration

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board/extrinsics_from_board.h"
 
+#include "core/base/statistics.h"
 #include "core/calibration/board/board_chain.h"
 
 #include <fmt/format.h>
@@ -190,12 +191,7 @@ private:
         sizes.push_back(std::abs(residual.y()));
       }
     }
-    if (sizes.empty()) {
-      return 0.0;
-    }
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::ranges::nth_element(sizes, middle);
-    return 1.4826 * *middle;
+    return 1.4826 * upperMedian(std::move(sizes));
   }
 
   Result<Eigen::Isometry3d> worldFromFirst() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board/view_fit.h"
 
+#include "core/base/statistics.h"
 #include "core/calibration/board/board_coverage.h"
 #include "core/calibration/board/opencv_pose.h"
 #include "core/geometry/ray.h"
@@ -75,8 +76,7 @@ double medianRms(const std::vector<ViewFit>& fits) {
   for (const ViewFit& fit : fits) {
     errors.push_back(fit.rmsPx);
   }
-  std::ranges::sort(errors);
-  return errors.empty() ? 0.0 : errors[errors.size() / 2];
+  return upperMedian(std::move(errors));
 }
 
 double badViewLimit(double median, const Intrinsics& image) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/manual/moved_camera_pose.h"
 
+#include "core/base/statistics.h"
+#include "core/calibration/bundle/bundle_cost.h"
 #include "core/geometry/rotation_check.h"
 
 #include <Eigen/Cholesky>
@@ -146,18 +148,13 @@ private:
 };
 
 double medianPixels(const Camera& camera, std::span<const PointSighting> sightings) {
-  if (sightings.empty()) {
-    return 0.0;
-  }
   const Projector projector(camera);
   std::vector<double> distances;
   for (const PointSighting& sighting : sightings) {
     const auto off = residual(projector, sighting.world, sighting);
     distances.push_back(off ? off->norm() * sighting.sigmaPixels : kUnseen);
   }
-  const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return upperMedian(std::move(distances));
 }
 
 } // namespace

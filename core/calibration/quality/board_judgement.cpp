@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/quality/board_judgement.h"
 
+#include "core/base/statistics.h"
 #include "core/calibration/formats/calibration_plausibility.h"
 
 #include <algorithm>
@@ -117,7 +118,7 @@ double strideOf(const BundleProblem& problem, double framesPerSecond) {
   for (std::size_t s = 1; s < problem.states.size(); ++s) {
     gaps.push_back((problem.states[s].time - problem.states[s - 1].time) * framesPerSecond);
   }
-  return gaps.empty() ? 1.0 : std::round(middleValue(gaps));
+  return gaps.empty() ? 1.0 : std::round(upperMedian(gaps));
 }
 
 void countFrames(FaultReport& report, double stride, const ExtrinsicsRequest& request) {

@@ -2,6 +2,7 @@
 #include "core/calibration/quality/calibration_accuracy.h"
 
 #include "core/base/random.h"
+#include "core/base/statistics.h"
 #include "core/calibration/quality/position_error.h"
 #include "core/calibration/wand/wand_gauge.h"
 
@@ -147,9 +148,7 @@ double typicalSigma(const BundleProblem& problem) {
   for (const BundleObservation& seen : problem.observations) {
     sigmas.push_back(seen.sigma);
   }
-  const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
-  std::nth_element(sigmas.begin(), middle, sigmas.end());
-  return *middle;
+  return upperMedian(std::move(sigmas));
 }
 
 /// How well touches of the floor show where up is: their scatter over how far they are apart.

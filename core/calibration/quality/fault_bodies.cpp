@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/statistics.h"
 #include "core/calibration/formats/calibration_plausibility.h"
 #include "core/calibration/quality/fault_hypotheses.h"
 #include "core/calibration/wand/wand_gauge.h"
@@ -91,7 +92,7 @@ std::optional<double> misfit(const std::vector<SeenBoard>& boards, double square
       misfits.push_back(found->rms / (found->worldFromBody.scale * square));
     }
   }
-  return misfits.size() < kFewest ? std::nullopt : std::optional(middleValue(misfits));
+  return misfits.size() < kFewest ? std::nullopt : std::optional(upperMedian(misfits));
 }
 
 std::optional<NamedFault> squareCount(const FaultQuestion& question,
@@ -166,7 +167,7 @@ std::vector<double> lengthRatios(const BundleProblem& problem, const PointPlaces
 std::optional<NamedFault> lengths(const FaultQuestion& question, const PointPlaces& places,
                                   const std::vector<SeenBoard>& boards, double sigma) {
   auto ratios = lengthRatios(question.problem, places, boards);
-  const double ratio = middleValue(ratios);
+  const double ratio = upperMedian(ratios);
   for (double& value : ratios) {
     value = std::abs(std::log(value / ratio));
   }
@@ -174,7 +175,7 @@ std::optional<NamedFault> lengths(const FaultQuestion& question, const PointPlac
     return std::nullopt;
   }
   const double clear = kClearSigmas * sigma;
-  if (middleValue(ratios) > kSameSize || std::abs(std::log(ratio)) < clear) {
+  if (upperMedian(ratios) > kSameSize || std::abs(std::log(ratio)) < clear) {
     return std::nullopt;
   }
   const auto near = [&](double expected) {

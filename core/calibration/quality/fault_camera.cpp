@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/statistics.h"
 #include "core/calibration/quality/fault_hypotheses.h"
 #include "core/geometry/image_symmetry.h"
 
@@ -96,7 +97,7 @@ private:
     if (found != nullptr) {
       *found = one->camera;
     }
-    return Explained{meanCost(one->squares, sigma_), std::sqrt(middleValue(one->squares))};
+    return Explained{meanCost(one->squares, sigma_), std::sqrt(upperMedian(one->squares))};
   }
 
   /// Keeps the hypothesis if it is clearly better than none and than the best so far.
@@ -171,7 +172,7 @@ private:
         continue; // two places explain it a little better, as two of anything would
       }
       weigh(CalibrationFault::CameraMoved, looks[split].time,
-            Explained{cost, std::sqrt(middleValue(squares))}, 3.5 * std::log(numbers_));
+            Explained{cost, std::sqrt(upperMedian(squares))}, 3.5 * std::log(numbers_));
     }
   }
 
@@ -186,7 +187,7 @@ private:
         distances.push_back((*a - *b).norm());
       }
     }
-    return middleValue(distances);
+    return upperMedian(distances);
   }
 
   /// A camera that was moved may be farther off than the rough rig.
@@ -204,7 +205,7 @@ private:
     for (auto at = byTime_.begin(); at != byTime_.end() && std::next(at) != byTime_.end(); ++at) {
       gaps.push_back(std::next(at)->first - at->first);
     }
-    period_ = middleValue(gaps);
+    period_ = upperMedian(gaps);
     if (!(period_ > 0.0)) {
       return;
     }

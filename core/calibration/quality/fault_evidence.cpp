@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/quality/fault_evidence.h"
 
+#include "core/base/statistics.h"
 #include "core/geometry/ray.h"
 
 #include <algorithm>
@@ -156,7 +157,7 @@ std::optional<PointFit> fitPoints(const CameraRig& rough, const ImagePoints& loo
   const double freedoms = rows - 3.0 * static_cast<double>(problem.states.size()) -
                           6.0 * static_cast<double>(problem.cameras.size());
   fit.sigmaPx =
-      std::sqrt(middleValue(fit.squares) / kMedianSquare * rows / std::max(freedoms, 0.1 * rows));
+      std::sqrt(upperMedian(fit.squares) / kMedianSquare * rows / std::max(freedoms, 0.1 * rows));
   return fit;
 }
 
@@ -215,15 +216,6 @@ double meanCost(const std::vector<double>& squares, double sigmaPx) {
     sum += 0.5 * (kFreedoms + 1.0) * std::log1p(square / (kFreedoms * sigmaPx * sigmaPx));
   }
   return squares.empty() ? 0.0 : sum / static_cast<double>(squares.size());
-}
-
-double middleValue(std::vector<double> values) {
-  if (values.empty()) {
-    return 0.0;
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 } // namespace dewpoint::calibration

@@ -74,9 +74,6 @@ std::optional<CameraResection> fitCamera(const Camera& rough,
 /// constant: gross errors count little.
 double meanCost(const std::vector<double>& squares, double sigmaPx);
 
-/// The median.
-double middleValue(std::vector<double> values);
-
 /// At most `most` of the elements, evenly.
 template <class T> std::vector<T> spreadOver(const std::vector<T>& all, std::size_t most) {
   if (all.size() <= most) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/quality/fault_finder.h"
 
+#include "core/base/statistics.h"
 #include "core/calibration/formats/calibration_plausibility.h"
 #include "core/calibration/quality/fault_hypotheses.h"
 #include "core/calibration/wand/wand_bundle.h"
@@ -118,7 +119,7 @@ private:
     for (const BundleObservation& seen : question_.problem.observations) {
       sigmas.push_back(seen.sigma);
     }
-    return all_ && all_->sigmaPx > std::max(1.0, 3.0 * middleValue(sigmas));
+    return all_ && all_->sigmaPx > std::max(1.0, 3.0 * upperMedian(sigmas));
   }
 
   void fitSwapped() {

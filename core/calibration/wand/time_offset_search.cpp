@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/wand/time_offset_search.h"
 
+#include "core/base/statistics.h"
 #include "core/calibration/wand/wand_bundle.h"
 #include "core/geometry/ray.h"
 
@@ -53,7 +54,7 @@ double periodOf(const Track& track) {
   for (std::size_t i = 1; i < track.looks.size(); ++i) {
     gaps.push_back(track.looks[i].time - track.looks[i - 1].time);
   }
-  return medianValue(std::move(gaps));
+  return upperMedian(std::move(gaps));
 }
 
 std::optional<Eigen::Vector3d> directionAt(const Track& track, double time, double longestGap) {
@@ -112,7 +113,7 @@ double unexplained(const std::vector<Passing>& samples) {
   for (Eigen::Index i = 0; i < count; ++i) {
     sizes[static_cast<std::size_t>(i)] = std::abs(left[i]);
   }
-  return medianValue(std::move(sizes)) / std::sqrt(1.0 - kTerms / static_cast<double>(count));
+  return upperMedian(std::move(sizes)) / std::sqrt(1.0 - kTerms / static_cast<double>(count));
 }
 
 /// One camera's tracks against another's: ball by ball.

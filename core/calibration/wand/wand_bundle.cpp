@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/wand/wand_bundle.h"
 
+#include "core/base/statistics.h"
 #include "core/geometry/sphere_image.h"
 
 #include <fmt/format.h>
@@ -42,19 +43,10 @@ double usualPeriod(const WandProblem& problem) {
       }
     }
   }
-  return medianValue(std::move(gaps));
+  return upperMedian(std::move(gaps));
 }
 
 } // namespace
-
-double medianValue(std::vector<double> values) {
-  if (values.empty()) {
-    return 0.0;
-  }
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 Status checkViews(const WandProblem& problem) {
   if (problem.rough.size() < 2) {
@@ -206,7 +198,7 @@ double medianResidual(const BundleProblem& problem, const BundleResult& now, int
       lengths.push_back(length);
     }
   }
-  return medianValue(std::move(lengths));
+  return upperMedian(std::move(lengths));
 }
 
 } // namespace dewpoint::calibration

@@ -5,9 +5,6 @@
 
 namespace dewpoint::calibration {
 
-/// The middle one of some values (the upper of two); 0 of none.
-double medianValue(std::vector<double> values);
-
 /// Two cameras or more, each with views, and these usable; the error names the camera.
 Status checkViews(const WandProblem& problem);
 

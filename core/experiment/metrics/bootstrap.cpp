@@ -2,6 +2,7 @@
 #include "core/experiment/metrics/bootstrap.h"
 
 #include "core/base/random.h"
+#include "core/base/statistics.h"
 #include "core/trajectory/error_statistics.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/studies/convergence_study.h"
 
+#include "core/base/statistics.h"
 #include "core/base/thread_team.h"
 #include "core/simulation/scene_renderer.h"
 #include "core/tracking/tracker.h"
@@ -91,15 +92,6 @@ std::optional<int> iterationsToConverge(const std::vector<Eigen::Vector3d>& mean
   const auto last = std::find_if(means.rbegin(), means.rend(), isFar);
   const auto iterations = static_cast<int>(means.rend() - last) + 1;
   return iterations > static_cast<int>(means.size()) ? std::nullopt : std::optional(iterations);
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) {
-    return 0.0;
-  }
-  std::sort(values.begin(), values.end());
-  const auto middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 /// A still scene, its frames and the tracker that is to find its ball.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/suite_figures.h"
 
+#include "core/base/statistics.h"
 #include "core/trajectory/error_statistics.h"
 
 #include <fmt/format.h>

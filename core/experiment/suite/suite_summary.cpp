@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/suite_summary.h"
 
+#include "core/base/statistics.h"
 #include "core/experiment/metrics/bootstrap.h"
 #include "core/trajectory/error_statistics.h"
 

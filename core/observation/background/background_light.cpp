@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a BackgroundModel follows light that changes.
+#include "core/base/statistics.h"
 #include "core/observation/background/background_model.h"
 
 #include <opencv2/core.hpp>
@@ -55,12 +56,7 @@ std::vector<double> ratiosOf(const std::vector<Sample>& samples, std::size_t cha
 
 /// Their median; 1 where there are too few.
 double medianOf(std::vector<double> ratios) {
-  if (ratios.size() < kFewest) {
-    return 1.0;
-  }
-  const auto middle = ratios.begin() + std::ssize(ratios) / 2;
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle;
+  return ratios.size() < kFewest ? 1.0 : upperMedian(std::move(ratios));
 }
 
 /// Whether medianOf() differs noticeably from 1, without looking for it: it does not while the

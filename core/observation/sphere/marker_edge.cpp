@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/observation/sphere/marker_edge.h"
 
+#include "core/base/statistics.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
@@ -116,18 +118,14 @@ std::optional<PolarFit> fitPolar(const std::vector<Edge>& edges) {
   for (const Edge& edge : edges) {
     sorted.push_back(edge.distance);
   }
-  std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(sorted.size() / 2),
-                   sorted.end());
-  fit.shape[0] = sorted[sorted.size() / 2];
+  fit.shape[0] = upperMedianInPlace(sorted);
   std::vector<double> off(edges.size());
   for (int round = 0; round < 6; ++round) {
     for (std::size_t i = 0; i < edges.size(); ++i) {
       off[i] = edges[i].distance - fit.shape.dot(terms(edges[i].angle));
       sorted[i] = std::abs(off[i]);
     }
-    std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(sorted.size() / 2),
-                     sorted.end());
-    fit.spread = std::max(kLeastSpread, 1.48 * sorted[sorted.size() / 2]);
+    fit.spread = std::max(kLeastSpread, 1.48 * upperMedianInPlace(sorted));
     Eigen::Matrix<double, 5, 5> matrix = Eigen::Matrix<double, 5, 5>::Zero();
     Vector5 vector = Vector5::Zero();
     fit.agreeing = 0.0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/dewpoint/time_budget.h"
 
+#include "core/base/statistics.h"
+
 #include <algorithm>
 
 namespace dewpoint::tracking {
@@ -46,13 +48,7 @@ bool TimeBudget::affords(Part part) {
     return true;
   }
   History& history = histories_[static_cast<std::size_t>(part)];
-  std::vector<double> times = history.times;
-  double expected = 0.0;
-  if (!times.empty()) {
-    const auto middle = times.begin() + std::ssize(times) / 2;
-    std::nth_element(times.begin(), middle, times.end());
-    expected = *middle;
-  }
+  const double expected = upperMedian(history.times);
   const bool fits = elapsed() + expected <= kFullShare * limit_;
   history.putOff = fits ? 0 : history.putOff + 1;
   return fits || history.putOff > kMostPutOff;
