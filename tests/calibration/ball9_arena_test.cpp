@@ -86,7 +86,8 @@ CameraRig moved(CameraRig rig, double place, double turn, std::uint32_t seed) {
     const Eigen::Vector3d center =
         rig[c].center() + place * Eigen::Vector3d(a[0], a[1], a[2]).normalized();
     auto& pose = rig[c].cameraFromWorld;
-    pose.linear() = turned(turn * Eigen::Vector3d(b[0], b[1], b[2]).normalized()) * pose.linear();
+    pose.linear() =
+        turnRotation(turn * Eigen::Vector3d(b[0], b[1], b[2]).normalized()) * pose.linear();
     pose.translation() = -pose.linear() * center;
   }
   return rig;

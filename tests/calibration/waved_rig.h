@@ -47,7 +47,8 @@ inline CameraRig moved(CameraRig cameras, double place, double turn, std::uint32
     const Eigen::Vector3d center =
         cameras[c].center() + place * Eigen::Vector3d(a[0], a[1], a[2]).normalized();
     auto& pose = cameras[c].cameraFromWorld;
-    pose.linear() = turned(turn * Eigen::Vector3d(b[0], b[1], b[2]).normalized()) * pose.linear();
+    pose.linear() =
+        turnRotation(turn * Eigen::Vector3d(b[0], b[1], b[2]).normalized()) * pose.linear();
     pose.translation() = -pose.linear() * center;
   }
   return cameras;

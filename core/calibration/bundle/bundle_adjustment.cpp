@@ -121,7 +121,7 @@ private:
       if (model_.varies(model_.cameras[c].pose.data())) {
         const Eigen::Map<const Eigen::Vector3d> turn(blocks.pose.data());
         const Eigen::Map<const Eigen::Vector3d> center(blocks.pose.data() + 3);
-        const Eigen::Quaterniond rotation(Eigen::Matrix3d(turned(turn) * blocks.rotation));
+        const Eigen::Quaterniond rotation(Eigen::Matrix3d(turnRotation(turn) * blocks.rotation));
         camera.cameraFromWorld.linear() = rotation.normalized().toRotationMatrix();
         camera.cameraFromWorld.translation() = -camera.cameraFromWorld.linear() * center;
       }
@@ -144,7 +144,7 @@ private:
     const Eigen::Map<const Eigen::Vector3d> second(model_.states[s].values.data() + 3);
     state.known = model_.start.stateUsed[s] && model_.takesPart(model_.states[s].values.data());
     if (model_.given.bodies[state.body].kind == Kind::Board) {
-      state.worldFromBoard.linear() = turned(first) * model_.states[s].rotation;
+      state.worldFromBoard.linear() = turnRotation(first) * model_.states[s].rotation;
       state.worldFromBoard.translation() = second;
     } else {
       state.ends = {first, second};

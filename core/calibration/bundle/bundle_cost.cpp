@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/bundle/bundle_cost.h"
 
+#include "core/geometry/rotation_check.h"
+
 #include <Eigen/Geometry>
 
 #include <ceres/jet.h>
@@ -114,12 +116,10 @@ void setLens(const std::array<double, kLensSize>& block, Camera& camera) {
   }
 }
 
-Eigen::Matrix3d turned(const Eigen::Vector3d& turn) {
-  const double angle = turn.norm();
-  if (angle < kSmallAngle) {
-    return Eigen::Matrix3d::Identity() + crossMatrix(turn);
-  }
-  return Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+Eigen::Matrix3d turnRotation(const Eigen::Vector3d& turn) {
+  return turn.norm() < kSmallAngle
+             ? Eigen::Matrix3d(Eigen::Matrix3d::Identity() + crossMatrix(turn))
+             : rotationOfVector(turn);
 }
 
 Eigen::Matrix3d turnDerivative(const Eigen::Vector3d& turn, const Eigen::Vector3d& turnedPoint) {
@@ -156,7 +156,7 @@ bool PixelCost::Evaluate(double const* const* parameters, double* residuals,
   std::vector<double> slopes(1, 0.0);
   if (setup_.boardRotation) {
     boardTurn = Eigen::Map<const Eigen::Vector3d>(parameters[3]);
-    onBoard = turned(boardTurn) * (*setup_.boardRotation * setup_.boardPoint);
+    onBoard = turnRotation(boardTurn) * (*setup_.boardRotation * setup_.boardPoint);
     world = onBoard + Eigen::Map<const Eigen::Vector3d>(parameters[3] + 3);
   } else {
     if (states > 1) {
@@ -168,7 +168,7 @@ bool PixelCost::Evaluate(double const* const* parameters, double* residuals,
       velocity += slopes[j] * knot;
     }
   }
-  const Eigen::Matrix3d rotation = turned(turn) * setup_.cameraRotation;
+  const Eigen::Matrix3d rotation = turnRotation(turn) * setup_.cameraRotation;
   const Eigen::Vector3d inCamera = rotation * (world - center);
   if (!(inCamera.z() > 1e-6)) {
     return false;

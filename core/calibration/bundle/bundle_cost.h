@@ -20,8 +20,9 @@ inline constexpr int kLensSize = 12; ///< focalX, focalY / focalX, principal poi
 std::array<double, kLensSize> lensBlock(const Camera& camera);
 void setLens(const std::array<double, kLensSize>& block, Camera& camera);
 
-/// exp(turn): the rotation of a rotation vector (Rodrigues).
-Eigen::Matrix3d turned(const Eigen::Vector3d& turn);
+/// exp(turn): rotationOfVector(), to first order where that is exact to rounding, as its
+/// derivative.
+Eigen::Matrix3d turnRotation(const Eigen::Vector3d& turn);
 /// d(exp(turn) y)/d(turn) = -[exp(turn) y]x J(turn), J the left Jacobian of SO(3) (Barfoot, State
 /// Estimation for Robotics, eq. 7.77).
 Eigen::Matrix3d turnDerivative(const Eigen::Vector3d& turn, const Eigen::Vector3d& turnedPoint);

@@ -2,17 +2,12 @@
 #include "core/calibration/manual/interactive_pose.h"
 
 #include "core/geometry/ray.h"
+#include "core/geometry/rotation_check.h"
 
 #include <cmath>
 
 namespace dewpoint::calibration {
 namespace {
-
-Eigen::Matrix3d rotationOf(const Eigen::Vector3d& vector) {
-  const double angle = vector.norm();
-  return angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
-                     : Eigen::Matrix3d::Identity();
-}
 
 /// Rotates what is seen: a point at p in the camera's frame comes to `rotation` p.
 Camera rotatedBy(const Camera& camera, const Eigen::Matrix3d& rotation) {
@@ -35,7 +30,7 @@ Camera moved(const Camera& camera, const Eigen::Vector3d& metres, NudgeFrame fra
 Camera turned(const Camera& camera, const Eigen::Vector3d& rotation, NudgeFrame frame) {
   const Eigen::Vector3d inCamera =
       frame == NudgeFrame::Camera ? rotation : camera.cameraFromWorld.linear() * rotation;
-  return rotatedBy(camera, rotationOf(-inCamera)); // what it sees turns the other way
+  return rotatedBy(camera, rotationOfVector(-inCamera)); // what it sees turns the other way
 }
 
 Camera zoomed(const Camera& camera, double factor) {

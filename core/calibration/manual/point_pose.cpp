@@ -3,6 +3,7 @@
 
 #include "core/calibration/manual/interactive_pose.h"
 #include "core/geometry/ray.h"
+#include "core/geometry/rotation_check.h"
 
 #include <Eigen/SVD>
 #include <opencv2/calib3d.hpp>
@@ -46,8 +47,7 @@ std::vector<Eigen::Isometry3d> posesOf(const std::vector<cv::Point3d>& points,
     for (std::size_t k = 0; k < turns.size(); ++k) {
       const Eigen::Vector3d vector(turns[k][0], turns[k][1], turns[k][2]);
       Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-      pose.linear() =
-          Eigen::AngleAxisd(vector.norm(), vector.stableNormalized()).toRotationMatrix();
+      pose.linear() = rotationOfVector(vector);
       pose.translation() = Eigen::Vector3d(shifts[k][0], shifts[k][1], shifts[k][2]);
       if (pose.matrix().allFinite()) {
         poses.push_back(pose);

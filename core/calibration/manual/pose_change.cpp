@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/manual/pose_change.h"
 
-#include <Eigen/Cholesky>
+#include "core/geometry/rotation_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +14,41 @@ Camera atOrigin(Camera camera) {
   return camera;
 }
 
-Eigen::Matrix3d rotationOf(const Eigen::Vector3d& vector) {
-  const double angle = vector.norm();
-  return angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
-                     : Eigen::Matrix3d::Identity();
-}
+/// The residuals of a change, as Ceres asks for them: of its first six numbers, or all seven.
+class PoseCost final : public ceres::CostFunction {
+public:
+  PoseCost(const PoseChange& around, const std::vector<ImageAnchor>& anchors, int size)
+      : around_(around), anchors_(anchors), size_(size) {
+    set_num_residuals(2 * static_cast<int>(anchors.size()));
+    mutable_parameter_block_sizes()->push_back(size);
+  }
+
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override {
+    ChangeVector change = ChangeVector::Zero();
+    change.head(size_) = Eigen::Map<const Eigen::VectorXd>(parameters[0], size_);
+    const auto off = around_.residuals(change, anchors_);
+    if (!off) {
+      return false; // not seen from there: no step goes so far
+    }
+    Eigen::Map<Eigen::VectorXd>(residuals, off->size()) = *off;
+    if (jacobians == nullptr || jacobians[0] == nullptr) {
+      return true;
+    }
+    const auto byChange = around_.jacobian(change, anchors_);
+    if (!byChange) {
+      return false;
+    }
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Eigen::Map<Rows>(jacobians[0], off->size(), size_) = byChange->leftCols(size_);
+    return true;
+  }
+
+private:
+  const PoseChange& around_;
+  const std::vector<ImageAnchor>& anchors_;
+  int size_;
+};
 
 } // namespace
 
@@ -27,7 +57,7 @@ PoseChange::PoseChange(const Camera& camera, double depth)
 
 Eigen::Isometry3d PoseChange::step(const ChangeVector& change) const {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.linear() = rotationOf(change.head<3>());
+  result.linear() = rotationOfVector(change.head<3>());
   result.translation() = depth_ * change.segment<3>(3);
   return result;
 }

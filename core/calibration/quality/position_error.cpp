@@ -55,7 +55,7 @@ Camera changed(Camera camera, CameraQuantity quantity, double step) {
   if (index < 3) {
     const Eigen::Vector3d center = camera.center();
     camera.cameraFromWorld.linear() =
-        turned(step * Eigen::Vector3d::Unit(index)) * camera.cameraFromWorld.linear();
+        turnRotation(step * Eigen::Vector3d::Unit(index)) * camera.cameraFromWorld.linear();
     camera.cameraFromWorld.translation() = -camera.cameraFromWorld.linear() * center;
   } else if (index < kPoseSize) {
     const Eigen::Vector3d center = camera.center() + step * Eigen::Vector3d::Unit(index - 3);

@@ -103,7 +103,7 @@ private:
           share * given_.roughPlace * Eigen::Vector3d(place[0], place[1], place[2]);
       auto& pose = rig[c].cameraFromWorld;
       pose.linear() =
-          turned(share * given_.roughTurn * Eigen::Vector3d(turn[0], turn[1], turn[2])) *
+          turnRotation(share * given_.roughTurn * Eigen::Vector3d(turn[0], turn[1], turn[2])) *
           pose.linear();
       pose.translation() = -pose.linear() * center;
     }

@@ -4,9 +4,9 @@
 #include "core/geometry/sphere_image.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -164,23 +164,14 @@ Result<Similarity> onFloor(const WandProblem& problem, const BundleResult& now,
 
 Similarity alignment(const std::vector<Eigen::Vector3d>& from,
                      const std::vector<Eigen::Vector3d>& to, bool sized) {
-  const Eigen::Vector3d fromMiddle = meanOf(from);
-  const Eigen::Vector3d toMiddle = meanOf(to);
-  Eigen::Matrix3d cross = Eigen::Matrix3d::Zero();
-  double spread = 0.0;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    cross += (to[i] - toMiddle) * (from[i] - fromMiddle).transpose();
-    spread += (from[i] - fromMiddle).squaredNorm();
-  }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(cross, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Vector3d signs = Eigen::Vector3d::Ones();
-  signs.z() = svd.matrixU().determinant() * svd.matrixV().determinant() < 0.0 ? -1.0 : 1.0;
+  const auto columns = [](const std::vector<Eigen::Vector3d>& points) {
+    return Eigen::Map<const Eigen::Matrix3Xd>(points.front().data(), 3, std::ssize(points));
+  };
+  const Eigen::Matrix4d fitted = Eigen::umeyama(columns(from), columns(to), sized);
   Similarity change;
-  change.rotation = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
-  if (sized && spread > 0.0) {
-    change.scale = svd.singularValues().dot(signs) / spread;
-  }
-  change.translation = toMiddle - change.scale * (change.rotation * fromMiddle);
+  change.scale = sized ? fitted.col(0).head<3>().norm() : 1.0;
+  change.rotation = fitted.topLeftCorner<3, 3>() / change.scale;
+  change.translation = fitted.topRightCorner<3, 1>();
   return change;
 }
 

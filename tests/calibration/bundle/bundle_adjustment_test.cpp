@@ -36,7 +36,8 @@ std::vector<BundleCamera> nudged(const CameraRig& rig) {
     const Eigen::Vector3d way = Eigen::Vector3d(draw[0], draw[1], draw[2]).normalized();
     BundleCamera camera;
     camera.camera = rig[c];
-    camera.camera.cameraFromWorld.linear() = turned(0.0175 * way) * rig[c].cameraFromWorld.linear();
+    camera.camera.cameraFromWorld.linear() =
+        turnRotation(0.0175 * way) * rig[c].cameraFromWorld.linear();
     camera.camera.cameraFromWorld.translation() += 0.04 * way.reverse();
     cameras.push_back(camera);
   }
@@ -225,7 +226,7 @@ TEST(BundleAdjustment, ABoardOnTheFloorIsTheWorld) {
     BundleState state;
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     if (f > 0) {
-      pose.linear() = turned({0.2 * f, -0.1 * f, 0.3});
+      pose.linear() = turnRotation({0.2 * f, -0.1 * f, 0.3});
       pose.translation() << 0.05 * f, -0.1, 0.2 + 0.05 * f;
     }
     state.known = true;
