@@ -5,12 +5,15 @@
 #include "core/calibration/bundle/bundle_cost.h"
 #include "core/geometry/rotation_check.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <ceres/loss_function.h>
+#include <ceres/problem.h>
+#include <ceres/sized_cost_function.h>
+#include <ceres/solver.h>
 #include <cmath>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -24,8 +27,7 @@ constexpr double kHuber = 2.0;        // sigmas
 constexpr double kAgrees = 3.0;       // sigmas
 constexpr double kBackgroundAt = 3.0; // metres
 constexpr double kStep = 1e-6;        // radians and metres, of the differences
-constexpr int kMostRounds = 50;
-constexpr double kUnseen = 50.0; // pixels a sighting counts as off that the camera cannot see
+constexpr double kUnseen = 50.0;      // pixels a sighting counts as off that the camera cannot see
 
 /// The camera after a turn (rad) about its center and a shift (m) of it, both in camera axes.
 Camera movedCamera(const Camera& camera, const Vector6& change) {
@@ -59,92 +61,100 @@ std::optional<Eigen::Vector2d> residual(const Projector& lens, const Eigen::Vect
   return Eigen::Vector2d((*pixel - sighting.pixel) / sighting.sigmaPixels);
 }
 
-/// Normal equations of the sightings and the prior at `change`, and the cost there.
-struct Normal {
-  Matrix6 matrix = Matrix6::Zero();
-  Vector6 right = Vector6::Zero();
-  double cost = 0.0;
+/// What a sighting has against a change of the pose, in sigmas.
+class SightingCost final : public ceres::SizedCostFunction<2, 6> {
+public:
+  SightingCost(const Camera& camera, const Projector& lens, const PointSighting& sighting)
+      : lens_(lens), sighting_(sighting), point_(camera.cameraFromWorld * sighting.world) {}
+
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override {
+    const Vector6 change = Eigen::Map<const Vector6>(parameters[0]);
+    Eigen::Map<Eigen::Vector2d> out(residuals);
+    const auto off = at(change);
+    // What the camera cannot see costs as much as kUnseen, whichever way it goes.
+    out = off.value_or(Eigen::Vector2d(0.5 * kHuber + kUnseen / sighting_.sigmaPixels, 0.0));
+    if (jacobians == nullptr || jacobians[0] == nullptr) {
+      return true;
+    }
+    Eigen::Map<Eigen::Matrix<double, 2, 6, Eigen::RowMajor>> byChange(jacobians[0]);
+    byChange.setZero();
+    for (int k = 0; off && k < 6; ++k) {
+      if (const auto there = at(change + kStep * Vector6::Unit(k))) {
+        byChange.col(k) = (*there - *off) / kStep;
+      }
+    }
+    return true;
+  }
+
+private:
+  std::optional<Eigen::Vector2d> at(const Vector6& change) const {
+    return residual(lens_, PointMotion(change) * point_, sighting_);
+  }
+
+  const Projector& lens_; ///< the camera at the world's origin
+  const PointSighting& sighting_;
+  Eigen::Vector3d point_;
 };
 
 class Solver {
 public:
   Solver(const Camera& camera, const CameraMotionPrior& prior,
          std::span<const PointSighting> sightings)
-      : camera_(camera), lens_(atOrigin(camera)), sightings_(sightings) {
+      : lens_(atOrigin(camera)) {
     mean_ << prior.turn, Eigen::Vector3d::Zero();
     const double turn = std::hypot(prior.turnSigma, prior.shiftSigma / kBackgroundAt);
-    weights_ << Eigen::Vector3d::Constant(1.0 / (turn * turn)),
-        Eigen::Vector3d::Constant(1.0 / (prior.shiftSigma * prior.shiftSigma));
-  }
-
-  Normal at(const Vector6& change) const {
-    Normal normal;
-    const Vector6 offset = change - mean_;
-    normal.matrix.diagonal() = weights_;
-    normal.right = weights_.cwiseProduct(offset);
-    normal.cost = 0.5 * offset.dot(normal.right);
-    const PointMotion here(change);
-    std::vector<PointMotion> ahead;
-    for (int k = 0; k < 6; ++k) {
-      ahead.emplace_back(change + kStep * Vector6::Unit(k));
+    sigmas_ << Eigen::Vector3d::Constant(turn), Eigen::Vector3d::Constant(prior.shiftSigma);
+    for (const PointSighting& sighting : sightings) {
+      costs_.emplace_back(camera, lens_, sighting);
     }
-    for (const PointSighting& sighting : sightings_) {
-      add(sighting, here, ahead, normal);
-    }
-    return normal;
   }
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
 
   /// The change of least cost, from the prior's.
-  Vector6 solve() const {
+  Vector6 solve() {
     Vector6 change = mean_;
-    Normal normal = at(change);
-    double damping = 1e-6;
-    for (int round = 0; round < kMostRounds; ++round) {
-      Matrix6 damped = normal.matrix;
-      damped.diagonal() *= 1.0 + damping;
-      const Vector6 step = damped.ldlt().solve(normal.right);
-      const Normal next = at(change - step);
-      if (next.cost < normal.cost) {
-        change -= step;
-        const bool done = normal.cost - next.cost < 1e-12 * normal.cost;
-        normal = next;
-        damping *= 0.1;
-        if (done) {
-          break;
-        }
-      } else if ((damping *= 10.0) > 1e8) {
-        break;
-      }
+    ceres::Problem::Options ownership;
+    ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+    ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+    PriorCost prior({mean_.begin(), mean_.end()}, {sigmas_.begin(), sigmas_.end()});
+    ceres::HuberLoss loss(kHuber);
+    ceres::Problem problem(ownership);
+    problem.AddResidualBlock(&prior, nullptr, change.data());
+    for (SightingCost& cost : costs_) {
+      problem.AddResidualBlock(&cost, &loss, change.data());
     }
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::DENSE_QR;
+    options.max_num_iterations = 50;
+    options.function_tolerance = 1e-12;
+    options.logging_type = ceres::SILENT;
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &problem, &summary);
     return change;
   }
 
-private:
-  void add(const PointSighting& sighting, const PointMotion& here,
-           const std::vector<PointMotion>& ahead, Normal& normal) const {
-    const Eigen::Vector3d point = camera_.cameraFromWorld * sighting.world;
-    const auto off = residual(lens_, here * point, sighting);
-    if (!off) {
-      normal.cost += kHuber * kUnseen / sighting.sigmaPixels;
-      return;
+  /// The inverse of the information that prior and sightings, each by its weight, have there.
+  Matrix6 covarianceAt(const Vector6& change) const {
+    Matrix6 information = sigmas_.array().square().inverse().matrix().asDiagonal();
+    for (const SightingCost& cost : costs_) {
+      Eigen::Vector2d off;
+      Eigen::Matrix<double, 2, 6, Eigen::RowMajor> byChange;
+      const double* parameters[] = {change.data()};
+      double* jacobians[] = {byChange.data()};
+      cost.Evaluate(parameters, off.data(), jacobians);
+      const double distance = off.norm();
+      const double weight = distance > kHuber ? kHuber / distance : 1.0;
+      information += weight * byChange.transpose() * byChange;
     }
-    Eigen::Matrix<double, 2, 6> byChange;
-    for (int k = 0; k < 6; ++k) {
-      const auto there = residual(lens_, ahead[std::size_t(k)] * point, sighting);
-      byChange.col(k) = there ? Eigen::Vector2d((*there - *off) / kStep) : Eigen::Vector2d::Zero();
-    }
-    const double distance = off->norm();
-    const double weight = distance > kHuber ? kHuber / distance : 1.0;
-    normal.matrix += weight * byChange.transpose() * byChange;
-    normal.right += weight * byChange.transpose() * *off;
-    normal.cost +=
-        distance > kHuber ? kHuber * (distance - 0.5 * kHuber) : 0.5 * distance * distance;
+    return information.inverse();
   }
 
-  const Camera& camera_;
+private:
   Projector lens_; ///< the camera at the world's origin
-  std::span<const PointSighting> sightings_;
-  Vector6 mean_, weights_;
+  std::deque<SightingCost> costs_;
+  Vector6 mean_, sigmas_;
 };
 
 double medianPixels(const Camera& camera, std::span<const PointSighting> sightings) {
@@ -169,13 +179,13 @@ Camera turnedCamera(const Camera& camera, const Eigen::Vector3d& turn) {
 
 Result<ResolvedCamera> resolveCamera(const Camera& camera, const CameraMotionPrior& prior,
                                      std::span<const PointSighting> sightings) {
-  const Solver solver(camera, prior, sightings);
+  Solver solver(camera, prior, sightings);
   const Vector6 change = solver.solve();
   ResolvedCamera resolved;
   resolved.camera = movedCamera(camera, change);
   resolved.pixelsBefore = medianPixels(camera, sightings);
   resolved.pixelsAfter = medianPixels(resolved.camera, sightings);
-  const Matrix6 covariance = solver.at(change).matrix.inverse();
+  const Matrix6 covariance = solver.covarianceAt(change);
   resolved.angleSigma = covariance.diagonal().head<3>().cwiseSqrt();
   resolved.shiftSigma = covariance.diagonal().tail<3>().cwiseSqrt();
   const Projector projector(resolved.camera);

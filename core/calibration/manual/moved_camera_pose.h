@@ -37,9 +37,9 @@ struct ResolvedCamera {
 /// The camera turned about its center: (1 + [turn]x) cameraFromWorld, the turn as a whole rotation.
 Camera turnedCamera(const Camera& camera, const Eigen::Vector3d& turn);
 
-/// The pose of one bumped camera; all others, and its lens, stay. Levenberg and Marquardt's method
-/// over its six numbers: sightings (Huber's loss at two sigma) and the prior. A camera that is
-/// pushed aside looks turned to its background too, by shift over distance: the prior's turn is
+/// The pose of one bumped camera; all others, and its lens, stay. Least squares
+/// (Ceres) over its six numbers: sightings (Huber's loss at two sigma) and the prior. A camera that
+/// is pushed aside looks turned to its background too, by shift over distance: the prior's turn is
 /// therefore believed to within turnSigma and shiftSigma at 3 m together. Without sightings it is
 /// the old camera, turned. Mismatch when the sightings contradict the result (less than half
 /// agree).

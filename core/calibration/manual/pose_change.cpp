@@ -4,6 +4,9 @@
 #include "core/geometry/rotation_check.h"
 
 #include <algorithm>
+#include <ceres/cost_function.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
 #include <cmath>
 
 namespace dewpoint::calibration {
@@ -125,40 +128,28 @@ double rmsOfPoints(const Eigen::VectorXd& residuals) {
 
 std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>& anchors,
                                  bool alsoFocal) {
-  constexpr int kMostSteps = 60;
-  constexpr double kSmallest = 1e-13; // of a step: nothing moves any more
-  const int count = alsoFocal ? 7 : 6;
-  double damping = 1e-4;
-  std::optional<double> rms;
-  for (int k = 0; k < kMostSteps; ++k) {
-    const PoseChange around(camera, meanDistance(camera, anchors));
-    const auto residuals = around.residuals(ChangeVector::Zero(), anchors);
-    const auto jacobian = around.jacobian(ChangeVector::Zero(), anchors);
-    if (!residuals || !jacobian) {
-      return rms;
-    }
-    rms = rmsOfPoints(*residuals);
-    const Eigen::MatrixXd j = jacobian->leftCols(count);
-    Eigen::MatrixXd normal = j.transpose() * j;
-    normal.diagonal() *= 1.0 + damping;
-    ChangeVector step = ChangeVector::Zero();
-    step.head(count) = normal.ldlt().solve(-j.transpose() * *residuals);
-    const auto next = around.residuals(step, anchors);
-    if (!step.allFinite()) {
-      return rms;
-    }
-    if (next && next->squaredNorm() <= residuals->squaredNorm()) {
-      camera = around.changed(step);
-      rms = rmsOfPoints(*next);
-      damping = std::max(1e-12, 0.1 * damping);
-    } else {
-      damping *= 10.0;
-    }
-    if (step.norm() < kSmallest || damping > 1e12) {
-      break;
-    }
+  const PoseChange around(camera, meanDistance(camera, anchors));
+  ChangeVector change = ChangeVector::Zero();
+  ceres::Problem problem;
+  problem.AddResidualBlock(new PoseCost(around, anchors, alsoFocal ? 7 : 6), nullptr,
+                           change.data());
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = 60;
+  options.max_num_consecutive_invalid_steps = 20; // past where points are seen: come back
+  options.function_tolerance = 1e-16;
+  options.gradient_tolerance = 1e-14;
+  options.parameter_tolerance = 1e-13;
+  options.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  const auto residuals =
+      summary.IsSolutionUsable() ? around.residuals(change, anchors) : std::nullopt;
+  if (!residuals) {
+    return std::nullopt;
   }
-  return rms;
+  camera = around.changed(change);
+  return rmsOfPoints(*residuals);
 }
 
 PoseShift poseShift(const Camera& before, const Camera& after) {

@@ -53,7 +53,7 @@ double meanDistance(const Camera& camera, const std::vector<ImageAnchor>& anchor
 /// Root mean square of the distances in `residuals` (two rows per point).
 double rmsOfPoints(const Eigen::VectorXd& residuals);
 
-/// Least squares by Levenberg and Marquardt over pose and, if `alsoFocal`, a zoom: moves `camera`
+/// Least squares (Ceres) over pose and, if `alsoFocal`, a zoom: moves `camera`
 /// and returns the root mean square distance in pixels; nothing when a point cannot be seen from
 /// where it starts.
 std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>& anchors,
