@@ -33,6 +33,9 @@ struct ProjectCamera {
   /// recordings the image nearest in time is taken; methods that know of times use the rest.
   double lateBy = 0.0;
 
+  /// Its calibration is the project's own from now on.
+  void markAdjusted() { adjusted = adjusted || source == SourceKind::Simulation; }
+
   bool operator==(const ProjectCamera&) const = default;
 };
 

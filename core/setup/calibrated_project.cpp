@@ -8,8 +8,9 @@ namespace dewpoint::setup {
 Project withCameras(Project project, const CameraRig& rig) {
   for (std::size_t c = 0; c < std::min(rig.size(), project.cameras.size()); ++c) {
     ProjectCamera& camera = project.cameras[c];
-    const bool changes = camera.camera != rig[c];
-    camera.adjusted = camera.adjusted || (changes && camera.source == SourceKind::Simulation);
+    if (camera.camera != rig[c]) {
+      camera.markAdjusted();
+    }
     camera.camera = rig[c];
   }
   return project;
@@ -32,7 +33,7 @@ Project withIntrinsics(Project project,
       continue;
     }
     ProjectCamera& of = project.cameras[k];
-    of.adjusted = of.adjusted || of.source == SourceKind::Simulation;
+    of.markAdjusted();
     Camera& camera = of.camera;
     camera.intrinsics = results[k]->camera.intrinsics;
     camera.distortion = results[k]->camera.distortion;

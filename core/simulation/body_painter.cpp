@@ -2,6 +2,7 @@
 #include "core/simulation/body_painter.h"
 
 #include "core/simulation/room.h"
+#include "core/simulation/soft_shadow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,27 +127,11 @@ void castShadow(const CameraView& view, const Body& body, cv::Mat& image) {
   const Vector3f spot = lamp + (body.center - lamp) * (lamp.z() / (lamp.z() - body.center.z()));
   const float penumbra = kLampRadius * body.center.z() / lamp.z();
   const cv::Rect area = view.boundsOfSphere(spot.cast<double>(), 1.6 * (body.radius + penumbra));
-  for (int row = area.y; row < area.y + area.height; ++row) {
-    for (int column = area.x; column < area.x + area.width; ++column) {
-      const std::size_t pixel = view.index(column, row);
-      const float distance = view.distances[pixel];
-      if (!(distance < 100.0F)) {
-        continue;
-      }
-      const Vector3f point = view.center + distance * view.directions[pixel];
-      const Vector3f way = lamp - point;
-      const float length = way.norm();
-      const float along = (body.center - point).dot(way) / length;
-      if (point.z() > 0.01F || along <= 0.0F) {
-        continue;
-      }
-      const float aside = ((body.center - point) - along / length * way).norm();
-      const float blur = std::max(0.002F, kLampRadius * along / length);
-      const float t = std::clamp((aside - body.radius + blur) / (2.0F * blur), 0.0F, 1.0F);
-      const float covered = 1.0F - t * t * (3.0F - 2.0F * t);
-      image.at<cv::Vec3f>(row, column) *= 1.0F - covered * view.lit[pixel];
-    }
-  }
+  const ShadowCaster caster{body.center, body.radius, lamp, kLampRadius, 0.002F, 0.01F};
+  forEachShadedPixel(view, area, caster,
+                     [&](int row, int column, std::size_t pixel, float covered, float /*blur*/) {
+                       image.at<cv::Vec3f>(row, column) *= 1.0F - covered * view.lit[pixel];
+                     });
 }
 
 } // namespace

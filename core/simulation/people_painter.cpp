@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/people_painter.h"
 
+#include "core/simulation/soft_shadow.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -94,29 +96,13 @@ void addShadow(const CameraView& view, const BodyPart& part, const Vector3f& lam
   const float reach =
       radius * lamp.z() / (lamp.z() - height) + kPanel * height / (lamp.z() - height);
   const cv::Rect area = view.boundsOfSphere({spot.x(), spot.y(), 0.0}, 1.2 * reach);
-  for (int row = area.y; row < area.y + area.height; ++row) {
-    for (int column = area.x; column < area.x + area.width; ++column) {
-      const std::size_t pixel = view.index(column, row);
-      const float distance = view.distances[pixel];
-      if (!(distance < 100.0F)) {
-        continue;
-      }
-      const Vector3f point = view.center + distance * view.directions[pixel];
-      const Vector3f way = lamp - point;
-      const float length = way.norm();
-      const float along = (part.center - point).dot(way) / length;
-      if (point.z() > 0.02F || along <= 0.0F) {
-        continue;
-      }
-      const float aside = ((part.center - point) - along / length * way).norm();
-      const float blur = std::max(0.01F, kPanel * along / length);
-      const float t = std::clamp((aside - radius + blur) / (2.0F * blur), 0.0F, 1.0F);
-      const float share =
-          (1.0F - t * t * (3.0F - 2.0F * t)) * std::min(1.0F, radius * radius / (blur * blur));
-      float& most = covered.at<float>(row, column);
-      most = 1.0F - (1.0F - most) * (1.0F - share);
-    }
-  }
+  const ShadowCaster caster{part.center, radius, lamp, kPanel, 0.01F, 0.02F};
+  forEachShadedPixel(view, area, caster,
+                     [&](int row, int column, std::size_t /*pixel*/, float hidden, float blur) {
+                       const float share = hidden * std::min(1.0F, radius * radius / (blur * blur));
+                       float& most = covered.at<float>(row, column);
+                       most = 1.0F - (1.0F - most) * (1.0F - share);
+                     });
 }
 
 } // namespace

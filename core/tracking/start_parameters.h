@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/random.h"
 #include "core/tracking/parameters.h"
 
 #include <Eigen/Core>
@@ -19,5 +20,9 @@ struct StartVolume {
 std::vector<ParameterDeclaration> startParameters(const StartVolume& defaults);
 /// Their values.
 StartVolume startVolume(const ParameterValues& parameters);
+
+/// `count` places, uniform over the volume: rows x y z. Place i is drawn from element i.
+Eigen::ArrayXXd drawUniformly(const StartVolume& volume, Eigen::Index count,
+                              const RandomStream& stream);
 
 } // namespace dewpoint::tracking

@@ -290,7 +290,7 @@ void ManualCalibration::change(int camera, const QString& step, const Camera& ch
       step,
       [&](Project& project) {
         ProjectCamera& own = project.cameras[static_cast<std::size_t>(camera)];
-        own.adjusted = own.adjusted || own.source == SourceKind::Simulation;
+        own.markAdjusted();
         own.camera = changed;
       },
       mergeKey.empty() ? mergeKey : fmt::format("{} {}", mergeKey, camera));

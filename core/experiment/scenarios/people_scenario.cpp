@@ -2,6 +2,7 @@
 #include "core/experiment/scenarios/people_scenario.h"
 
 #include "core/base/random.h"
+#include "core/experiment/random_draws.h"
 
 #include <fmt/format.h>
 
@@ -22,17 +23,6 @@ using simulation::Waypoint;
 
 constexpr double kAppear = 1.3; ///< seconds: the cameras have learned the empty room by then
 constexpr int kMostDraws = 2000;
-
-/// Numbers of one scenario, drawn one after the other.
-class Draws {
-public:
-  explicit Draws(std::uint64_t seed) : stream_(seed, 0, 0, RandomPurpose::Simulation) {}
-  double between(double low, double high) { return low + (high - low) * stream_.uniform(next_++); }
-
-private:
-  RandomStream stream_;
-  std::uint32_t next_ = 0;
-};
 
 Vector2d heading(double angle) {
   return {std::cos(angle), std::sin(angle)};
@@ -66,23 +56,23 @@ Vector3f colorOf(double hue, double saturation, double value) {
 Vector3f drawTrousers(Draws& draws) {
   static const std::array<Vector3f, 4> kUsual{rgb(58, 62, 84), rgb(70, 66, 62), rgb(104, 92, 74),
                                               rgb(132, 122, 106)};
-  return kUsual.at(static_cast<std::size_t>(draws.between(0.0, 4.0)));
+  return kUsual.at(static_cast<std::size_t>(draws.uniform(0.0, 4.0)));
 }
 
 void dress(std::vector<Walker>& people, PeopleClothes clothes, Draws& draws) {
-  double hue = draws.between(0.0, 360.0);
-  const double saturation = draws.between(0.5, 0.75);
-  const double value = draws.between(0.5, 0.8);
+  double hue = draws.uniform(0.0, 360.0);
+  const double saturation = draws.uniform(0.5, 0.75);
+  const double value = draws.uniform(0.5, 0.8);
   const Vector3f trousers = drawTrousers(draws);
   for (Walker& person : people) {
-    person.height = draws.between(1.62, 1.88);
+    person.height = draws.uniform(1.62, 1.88);
     if (clothes == PeopleClothes::Different) {
       person.clothes.shirt = colorOf(hue, saturation, value);
       person.clothes.trousers = drawTrousers(draws);
-      hue = std::fmod(hue + draws.between(100.0, 140.0), 360.0);
+      hue = std::fmod(hue + draws.uniform(100.0, 140.0), 360.0);
     } else {
-      person.clothes.shirt = colorOf(std::fmod(hue + draws.between(-4.0, 4.0) + 360.0, 360.0),
-                                     saturation, value * draws.between(0.97, 1.03));
+      person.clothes.shirt = colorOf(std::fmod(hue + draws.uniform(-4.0, 4.0) + 360.0, 360.0),
+                                     saturation, value * draws.uniform(0.97, 1.03));
       person.clothes.trousers = trousers;
     }
   }
@@ -99,13 +89,13 @@ Walker named(int number) {
 void cross(PeopleScenario& scenario, Draws& draws) {
   constexpr double kHalf = 2.1; // seconds from the beginning to the nearest point
   const double nearest = kAppear + kHalf;
-  const Vector2d middle(draws.between(-0.4, 0.4), draws.between(-0.4, 0.4));
-  const double angle = draws.between(0.0, 2.0 * std::numbers::pi);
-  const double turn = draws.between(1.2, std::numbers::pi);
-  const std::array<Vector2d, 2> velocity{draws.between(0.85, 1.1) * heading(angle),
-                                         draws.between(0.85, 1.1) * heading(angle + turn)};
+  const Vector2d middle(draws.uniform(-0.4, 0.4), draws.uniform(-0.4, 0.4));
+  const double angle = draws.uniform(0.0, 2.0 * std::numbers::pi);
+  const double turn = draws.uniform(1.2, std::numbers::pi);
+  const std::array<Vector2d, 2> velocity{draws.uniform(0.85, 1.1) * heading(angle),
+                                         draws.uniform(0.85, 1.1) * heading(angle + turn)};
   const Vector2d along = (velocity[1] - velocity[0]).normalized();
-  const Vector2d gap = draws.between(0.45, 0.6) * Vector2d(-along.y(), along.x());
+  const Vector2d gap = draws.uniform(0.45, 0.6) * Vector2d(-along.y(), along.x());
   for (int k = 0; k < 2; ++k) {
     Walker walker = named(k + 1);
     const Vector2d place = middle + (k == 0 ? -0.5 : 0.5) * gap;
@@ -119,17 +109,17 @@ void cross(PeopleScenario& scenario, Draws& draws) {
 
 /// Two who come near each other, stand there, and go back.
 void meet(PeopleScenario& scenario, Draws& draws) {
-  const Vector2d middle(draws.between(-0.4, 0.4), draws.between(-0.4, 0.4));
-  const Vector2d line = heading(draws.between(0.0, 2.0 * std::numbers::pi));
-  const double gap = draws.between(0.5, 0.65);
-  const double stay = draws.between(1.0, 2.0);
-  const double reach = draws.between(1.6, 1.9);
-  const double arrive = kAppear + reach / draws.between(0.9, 1.1);
+  const Vector2d middle(draws.uniform(-0.4, 0.4), draws.uniform(-0.4, 0.4));
+  const Vector2d line = heading(draws.uniform(0.0, 2.0 * std::numbers::pi));
+  const double gap = draws.uniform(0.5, 0.65);
+  const double stay = draws.uniform(1.0, 2.0);
+  const double reach = draws.uniform(1.6, 1.9);
+  const double arrive = kAppear + reach / draws.uniform(0.9, 1.1);
   for (int k = 0; k < 2; ++k) {
     Walker walker = named(k + 1);
     const Vector2d way = (k == 0 ? -1.0 : 1.0) * line;
     // Not quite the way they came.
-    const double aside = draws.between(-0.4, 0.4);
+    const double aside = draws.uniform(-0.4, 0.4);
     const Vector2d back = reach * (way + aside * Vector2d(-way.y(), way.x()));
     walker.way = {{kAppear, middle + reach * way},
                   {arrive, middle + 0.5 * gap * way},
@@ -143,11 +133,11 @@ void meet(PeopleScenario& scenario, Draws& draws) {
 
 /// Two who come together, walk side by side, and part.
 void accompany(PeopleScenario& scenario, Draws& draws) {
-  const Vector2d middle(draws.between(-0.3, 0.3), draws.between(-0.3, 0.3));
-  const Vector2d along = heading(draws.between(0.0, 2.0 * std::numbers::pi));
+  const Vector2d middle(draws.uniform(-0.3, 0.3), draws.uniform(-0.3, 0.3));
+  const Vector2d along = heading(draws.uniform(0.0, 2.0 * std::numbers::pi));
   const Vector2d aside(-along.y(), along.x());
-  const double gap = draws.between(0.5, 0.62);
-  const double pace = draws.between(0.75, 0.95);
+  const double gap = draws.uniform(0.5, 0.62);
+  const double pace = draws.uniform(0.75, 0.95);
   const double together = 1.3; // metres before and after the middle
   const double join = kAppear + 1.2;
   const double part = join + 2.0 * together / pace;
@@ -155,7 +145,7 @@ void accompany(PeopleScenario& scenario, Draws& draws) {
     Walker walker = named(k + 1);
     const double side = k == 0 ? -1.0 : 1.0;
     const Vector2d near = 0.5 * side * gap * aside;
-    const Vector2d far = draws.between(0.9, 1.2) * side * aside;
+    const Vector2d far = draws.uniform(0.9, 1.2) * side * aside;
     walker.way = {{kAppear, middle - (together + 0.5) * along + far},
                   {join, middle - together * along + near},
                   {part, middle + together * along + near},
@@ -171,8 +161,8 @@ void stayApart(PeopleScenario& scenario, Draws& draws) {
   for (int k = 0; k < 2; ++k) {
     Walker walker = named(k + 1);
     const double side = k == 0 ? -1.0 : 1.0;
-    walker.way = {{kAppear, {draws.between(-1.2, 1.2), side * draws.between(1.2, 1.6)}},
-                  {kAppear + 4.0, {draws.between(-1.2, 1.2), side * draws.between(1.2, 1.6)}}};
+    walker.way = {{kAppear, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}},
+                  {kAppear + 4.0, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}}};
     scenario.scene.people.push_back(walker);
   }
   scenario.before = kAppear + 1.0;
@@ -188,14 +178,14 @@ void visit(PeopleScenario& scenario, Draws& draws) {
        {Vector2d(0.05, 4.2), Vector2d(0.1, 2.2)},
        {Vector2d(0.6, -4.2), Vector2d(0.5, -2.2)}}};
   double start = kAppear;
-  std::size_t door = static_cast<std::size_t>(draws.between(0.0, 4.0));
+  std::size_t door = static_cast<std::size_t>(draws.uniform(0.0, 4.0));
   for (int k = 0; k < 3; ++k) {
     Walker walker = named(k + 1);
     walker.from = -1.0;
     const auto& in = kDoors.at(door % 4);
-    const auto& out = kDoors.at((door + 1 + static_cast<std::size_t>(draws.between(0.0, 3.0))) % 4);
-    const double pace = draws.between(0.9, 1.2);
-    const Vector2d inside(draws.between(-0.9, 0.9), draws.between(-0.9, 0.9));
+    const auto& out = kDoors.at((door + 1 + static_cast<std::size_t>(draws.uniform(0.0, 3.0))) % 4);
+    const double pace = draws.uniform(0.9, 1.2);
+    const Vector2d inside(draws.uniform(-0.9, 0.9), draws.uniform(-0.9, 0.9));
     double time = start;
     walker.way.push_back({time, in[0]});
     for (const Vector2d& place : {in[1], inside, out[1], out[0]}) {
@@ -204,7 +194,7 @@ void visit(PeopleScenario& scenario, Draws& draws) {
     }
     scenario.after = std::max(scenario.after, time + 1.5);
     scenario.scene.people.push_back(walker);
-    start += draws.between(2.0, 3.0);
+    start += draws.uniform(2.0, 3.0);
     door += 1;
   }
   scenario.before = 0.0;
@@ -270,7 +260,7 @@ Result<PeopleScenario> makePeopleScenario(const std::string& name, PeopleClothes
   if (found == recipes().end()) {
     return failure(ErrorCode::NotFound, "", "scenario", name);
   }
-  Draws draws(seed);
+  Draws draws(RandomStream(seed, 0, 0, RandomPurpose::Simulation));
   for (int k = 0; k < kMostDraws; ++k) {
     PeopleScenario scenario;
     found->draw(scenario, draws);

@@ -153,7 +153,10 @@ ScenarioRun runOf(ScenarioDraft draft) {
 
 Result<ScenarioRun> runOf(const ScenarioRecipe& recipe, simulation::ViewCache& cache,
                           std::uint64_t seed, Grade grade) {
-  ScenarioDraft draft{recipe.name, grade, seed, Draws(seed, recipe.name), recipe.rig};
+  ScenarioDraft draft{
+      recipe.name, grade, seed,
+      Draws(RandomStream(derivedSeed(seed, hashOf(recipe.name)), 0, 0, RandomPurpose::Start)),
+      recipe.rig};
   if (grade == Grade::Room) {
     addDistortion(draft.rig);
   }
@@ -169,34 +172,6 @@ Result<ScenarioRun> runOf(const ScenarioRecipe& recipe, simulation::ViewCache& c
 }
 
 } // namespace
-
-Draws::Draws(std::uint64_t seed, const std::string& scenario)
-    : stream_(derivedSeed(seed, hashOf(scenario)), 0, 0, RandomPurpose::Start) {}
-
-double Draws::uniform(double low, double high) {
-  return low + (high - low) * stream_.uniform(next_++);
-}
-
-double Draws::normal(double sigma) {
-  return sigma * stream_.normal4(next_++)[0];
-}
-
-int Draws::whole(int low, int high) {
-  return low + static_cast<int>(std::floor(uniform(0.0, high - low + 1.0)));
-}
-
-Eigen::Vector3d Draws::inBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
-  const double x = uniform(low.x(), high.x());
-  const double y = uniform(low.y(), high.y());
-  return {x, y, uniform(low.z(), high.z())};
-}
-
-Eigen::Vector3d Draws::direction() {
-  const double z = uniform(-1.0, 1.0);
-  const double angle = uniform(0.0, 2.0 * std::numbers::pi);
-  const double flat = std::sqrt(1.0 - z * z);
-  return {flat * std::cos(angle), flat * std::sin(angle), z};
-}
 
 ScenarioDeclaration declared(ScenarioRecipe recipe, std::shared_ptr<simulation::ViewCache> cache) {
   ScenarioDeclaration declaration;

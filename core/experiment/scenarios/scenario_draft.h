@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/random.h"
+#include "core/experiment/random_draws.h"
 #include "core/experiment/scenarios/scenario.h"
 #include "core/simulation/stage.h"
 #include "core/simulation/view_cache.h"
@@ -12,24 +13,6 @@
 #include <vector>
 
 namespace dewpoint::experiment::scenarios {
-
-/// Numbers that a seed decides, one after the other. Each scenario has numbers of its own, the same
-/// in both grades.
-class Draws {
-public:
-  Draws(std::uint64_t seed, const std::string& scenario);
-
-  double uniform(double low, double high);
-  double normal(double sigma);
-  int whole(int low, int high); ///< low to high, both included
-  bool coin() { return whole(0, 1) == 1; }
-  Eigen::Vector3d inBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
-  Eigen::Vector3d direction(); ///< unit vector, uniform over the sphere
-
-private:
-  RandomStream stream_;
-  std::uint32_t next_ = 0;
-};
 
 /// When a camera takes its frames: frame j at `offset` + j / `framesPerSecond` seconds.
 struct CameraClock {

@@ -10,7 +10,6 @@ namespace {
 
 /// Outlines larger than this many pixels in radius mean a place right in front of the lens.
 constexpr double kLargestRadiusPx = 2000.0;
-constexpr double kSeenShare = 1.0 / 3.0;
 
 Eigen::Vector3d placeOf(ConstStateRows rows, Eigen::Index row, double timeOffset) {
   Eigen::Vector3d place(rows(row, 0), rows(row, 1), rows(row, 2));

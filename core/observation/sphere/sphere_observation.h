@@ -21,6 +21,9 @@ struct OutlineSphere {
   double radius = 0.0;                              ///< metres
 };
 
+/// Share of a target's outline in its color at which a camera confirms it.
+inline constexpr double kSeenShare = 1.0 / 3.0;
+
 /// All cameras' evidence for one target, a sphere of one color: the observation model of method
 /// `dewpoint`. States: columns 0 to 2 are x, y, z (metres, world frame), 3 to 5 the velocity (m/s),
 /// by which a place is moved to the instant a camera looked.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/barrera/random_walk_tracker.h"
 
+#include "core/filter/evenly_picked.h"
 #include "core/tracking/start_parameters.h"
 
 #include <algorithm>
@@ -46,14 +47,7 @@ cv::Mat RandomWalkTracker::imageOf(std::size_t camera) const {
 void RandomWalkTracker::particles(int limit, Eigen::ArrayXXd& positions,
                                   Eigen::ArrayXd& weights) const {
   const Eigen::ArrayXXd& states = filter_.states();
-  const Eigen::Index shown = std::clamp<Eigen::Index>(limit, 0, states.rows());
-  positions.resize(shown, 3);
-  weights.resize(shown);
-  for (Eigen::Index i = 0; i < shown; ++i) {
-    const Eigen::Index picked = i * states.rows() / shown;
-    positions.row(i) = states.row(picked);
-    weights[i] = filter_.weights()[picked];
-  }
+  pickEvenly(states, filter_.weights(), limit, 3, positions, weights);
 }
 
 std::size_t RandomWalkTracker::memoryBytes() const {
@@ -62,17 +56,9 @@ std::size_t RandomWalkTracker::memoryBytes() const {
 }
 
 Eigen::ArrayXXd RandomWalkTracker::drawStart() const {
-  const StartVolume volume = startVolume(parameters_);
-  const RandomStream stream(key_.seed, 0, 0, RandomPurpose::Start);
-  Eigen::ArrayXXd states(static_cast<Eigen::Index>(parameters_.at("particles")), 3);
-  for (Eigen::Index i = 0; i < states.rows(); ++i) {
-    const auto unit = stream.uniform3(static_cast<std::uint32_t>(i));
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      states(i, axis) = volume.center[axis] +
-                        volume.half[axis] * (2.0 * unit[static_cast<std::size_t>(axis)] - 1.0);
-    }
-  }
-  return states;
+  return drawUniformly(startVolume(parameters_),
+                       static_cast<Eigen::Index>(parameters_.at("particles")),
+                       RandomStream(key_.seed, 0, 0, RandomPurpose::Start));
 }
 
 } // namespace dewpoint::tracking

@@ -77,16 +77,4 @@ Result<ImageBox> boxFromClick(const cv::Mat& bgr, double x, double y) {
   return *box;
 }
 
-void pickParticles(const Eigen::ArrayXXd& states, const Eigen::ArrayXd& weights, int limit,
-                   Eigen::ArrayXXd& centers, Eigen::ArrayXd& picked) {
-  const Eigen::Index count = std::min<Eigen::Index>(states.rows(), std::max(limit, 0));
-  centers.resize(count, 2);
-  picked.resize(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::Index from = i * states.rows() / count;
-    centers.row(i) = states.row(from).leftCols<2>();
-    picked(i) = weights(from);
-  }
-}
-
 } // namespace dewpoint::tracking

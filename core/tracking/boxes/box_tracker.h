@@ -72,8 +72,4 @@ Status checkBox(const cv::Mat& bgr, const ImageBox& box);
 /// The box around the thing that was clicked (see growRegion()): BadValue names "pixel" or "image".
 Result<ImageBox> boxFromClick(const cv::Mat& bgr, double x, double y);
 
-/// Some rows of a set, evenly picked, with their weights: what BoxTracker::particles() hands out.
-void pickParticles(const Eigen::ArrayXXd& states, const Eigen::ArrayXd& weights, int limit,
-                   Eigen::ArrayXXd& centers, Eigen::ArrayXd& picked);
-
 } // namespace dewpoint::tracking

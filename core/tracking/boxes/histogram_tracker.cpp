@@ -2,6 +2,7 @@
 #include "core/tracking/boxes/histogram_tracker.h"
 
 #include "core/filter/estimate.h"
+#include "core/filter/evenly_picked.h"
 #include "core/filter/systematic_resampling.h"
 #include "core/observation/boxes/figure_box.h"
 #include "core/tracking/boxes/color_peaks.h"
@@ -289,7 +290,7 @@ BoxEstimate HistogramTracker::step(const cv::Mat& bgr, ThreadTeam& team) {
 
 void HistogramTracker::particles(int limit, Eigen::ArrayXXd& centers,
                                  Eigen::ArrayXd& weights) const {
-  pickParticles(weighted_, weights_, limit, centers, weights);
+  pickEvenly(weighted_, weights_, limit, 2, centers, weights);
   centers /= shrink_;
 }
 

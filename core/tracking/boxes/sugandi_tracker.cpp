@@ -4,6 +4,7 @@
 #include "core/base/random.h"
 #include "core/color/rgb_bins.h"
 #include "core/filter/estimate.h"
+#include "core/filter/evenly_picked.h"
 #include "core/filter/multinomial_resampling.h"
 
 #include <algorithm>
@@ -133,7 +134,7 @@ BoxEstimate SugandiTracker::step(const cv::Mat& bgr, ThreadTeam& team) {
 }
 
 void SugandiTracker::particles(int limit, Eigen::ArrayXXd& centers, Eigen::ArrayXd& weights) const {
-  pickParticles(weighted_, weights_, limit, centers, weights);
+  pickEvenly(weighted_, weights_, limit, 2, centers, weights);
 }
 
 std::unique_ptr<BoxTracker> SugandiTracker::clone() const {

@@ -28,14 +28,11 @@ constexpr double kLostSpeed = 0.5;     ///< m/s at which the place to look for a
 constexpr double kAnchorSigma = 0.1;   ///< metres, at least
 constexpr double kLeastLogRatio = 2.0; ///< evidence worth a hypothesis
 constexpr double kSearchSigma = 0.03;  ///< metres per iteration of the search cloud
-constexpr double kWellSeen = 0.55;     ///< share of the best evidence that leaves no doubt
 constexpr double kSure = 0.98;
 /// An outline of another size speaks against a first place up to this many squared deviations.
 constexpr double kMostMisfit = 20.0;
 /// Frames after which one of several things that all look just like the target is taken for it.
 constexpr int kLooksToDecide = 5;
-/// Two spheres of radii a and b cannot be closer than a + b; estimates may err a little.
-constexpr double kTouching = 0.7;
 constexpr double kBinRadii = 0.5; ///< edge of the bins that particles are counted in
 /// Relative standard deviation of a radius that is guessed from the images.
 constexpr double kRadiusSigma = 0.2;
@@ -82,21 +79,15 @@ void BernoulliTrack::restart(const StartVolume& start, std::uint64_t seed) {
 
 void BernoulliTrack::drawSearchCloud(const RandomKey& key) {
   const RandomStream stream = key.stream(RandomPurpose::Start);
-  const PreparedGaussian3 anchor(searchPrior_);
-  cloud_.states.resize(settings_.mostParticles, 3);
-  for (Eigen::Index i = 0; i < cloud_.states.rows(); ++i) {
-    const auto index = static_cast<std::uint32_t>(i);
-    if (everSeen_) {
-      const auto normal = stream.normal4(index);
+  if (everSeen_) {
+    const PreparedGaussian3 anchor(searchPrior_);
+    cloud_.states.resize(settings_.mostParticles, 3);
+    for (Eigen::Index i = 0; i < cloud_.states.rows(); ++i) {
+      const auto normal = stream.normal4(static_cast<std::uint32_t>(i));
       cloud_.states.row(i) = anchor.place({normal[0], normal[1], normal[2]}).transpose();
-      continue;
     }
-    const auto unit = stream.uniform3(index);
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      cloud_.states(i, axis) =
-          start_.center[axis] +
-          start_.half[axis] * (2.0 * unit[static_cast<std::size_t>(axis)] - 1.0);
-    }
+  } else {
+    cloud_.states = drawUniformly(start_, settings_.mostParticles, stream);
   }
   cloud_.weights.setConstant(cloud_.states.rows(), 1.0 / static_cast<double>(cloud_.states.rows()));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a BernoulliTrack tells others: its estimate and its particles.
 #include "core/filter/estimate.h"
+#include "core/filter/evenly_picked.h"
 #include "core/tracking/dewpoint/bernoulli_track.h"
 
 #include <algorithm>
@@ -106,14 +107,7 @@ void BernoulliTrack::particles(int limit, Eigen::ArrayXXd& positions,
   const TrackHypothesis* sure = confident();
   const Eigen::ArrayXXd& states = sure != nullptr ? sure->states : cloud_.states;
   const Eigen::ArrayXd& all = sure != nullptr ? sure->weights : cloud_.weights;
-  const Eigen::Index shown = std::clamp<Eigen::Index>(limit, 0, states.rows());
-  positions.resize(shown, 3);
-  weights.resize(shown);
-  for (Eigen::Index i = 0; i < shown; ++i) {
-    const Eigen::Index picked = i * states.rows() / shown;
-    positions.row(i) = states.row(picked).head(3);
-    weights[i] = all[picked];
-  }
+  pickEvenly(states, all, limit, 3, positions, weights);
 }
 
 } // namespace dewpoint::tracking

@@ -11,7 +11,6 @@ namespace {
 constexpr double kSureExistence = 0.95;
 constexpr double kMostSpread = 0.5; ///< of the particles, in radii: the outline is where it is said
 constexpr double kFewestAlike = 0.1; ///< effective sample size, as a share of the particles
-constexpr double kWholeShare = 0.85; ///< of the outline filled: nothing covers it
 constexpr double kSmallest = 3.0;    ///< radius in pixels: less is mostly rim
 constexpr double kApart = 1.2;       ///< radii between outlines that do not blur into each other
 

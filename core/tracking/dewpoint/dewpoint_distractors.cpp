@@ -28,8 +28,8 @@ bool DewpointTracker::allTargetsSure() const {
                      [](const Tracked& tracked) {
                        const TrackHypothesis* best = tracked.belief.best();
                        return best != nullptr && best->probability > kSureOfTarget &&
-                              best->logLikelihoodRatio >
-                                  kWellSeen * best->fullyVisibleLogLikelihoodRatio;
+                              best->logLikelihoodRatio > TrackHypothesis::kPlainlySeen *
+                                                             best->fullyVisibleLogLikelihoodRatio;
                      });
 }
 

@@ -11,12 +11,10 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr double kSeenShare = 1.0 / 3.0; ///< of the outline: the camera confirms the target
-constexpr double kCoveredShare = 0.85;   ///< of the image that shows something new
-constexpr double kWholeShare = 0.85;     ///< of the outline filled: nothing covers it
-constexpr double kPartlyShare = 0.15;    ///< of the outline that shows something new
-constexpr double kHiddenShare = 0.4;     ///< of the outline that shows something new
-constexpr double kBesidePx = 12.0;       ///< a look-alike so near may be mistaken for the target
+constexpr double kCoveredShare = 0.85; ///< of the image that shows something new
+constexpr double kPartlyShare = 0.15;  ///< of the outline that shows something new
+constexpr double kHiddenShare = 0.4;   ///< of the outline that shows something new
+constexpr double kBesidePx = 12.0;     ///< a look-alike so near may be mistaken for the target
 
 /// Share of an outline whose labels say that something new is there.
 double unknownShare(const LabelImage& labels, const SphereImage& outline) {

@@ -11,8 +11,6 @@ namespace {
 /// A gap longer than this is a new scene as far as motion is concerned.
 constexpr double kLongestGap = 1.0; // seconds
 constexpr double kDefaultGap = 1.0 / 30.0;
-/// Two spheres of radii a and b cannot be closer than a + b; estimates may err a little.
-constexpr double kTouching = 0.7;
 /// Around a target's outline nothing is learned: its shadow and reflection lie there.
 constexpr double kNotLearnedRadii = 1.4;
 constexpr double kOutlineMargin = 1.05;
@@ -193,10 +191,10 @@ void DewpointTracker::explainOthers(SphereObservation& observation, const Tracke
   for (const Tracked& tracked : tracked_) {
     const TrackHypothesis* other = &tracked != &own ? tracked.belief.confident() : nullptr;
     // Only what is plainly there itself explains anything.
-    const bool plain =
-        other != nullptr && other->measured &&
-        other->logLikelihoodRatio > kWellSeen * other->fullyVisibleLogLikelihoodRatio &&
-        tracked.belief.target().color == own.belief.target().color;
+    const bool plain = other != nullptr && other->measured &&
+                       other->logLikelihoodRatio >
+                           TrackHypothesis::kPlainlySeen * other->fullyVisibleLogLikelihoodRatio &&
+                       tracked.belief.target().color == own.belief.target().color;
     for (std::size_t camera = 0; plain && camera < backgrounds_.size(); ++camera) {
       LabelImage& labels = observation.labels(camera);
       const SphereProjector& projector = observation.projector(camera);

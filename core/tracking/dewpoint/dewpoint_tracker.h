@@ -49,7 +49,8 @@ private:
     AdaptiveColor color;
     std::unique_ptr<SlicedSearch> search; ///< within a time budget, while it goes on
   };
-  static constexpr double kWellSeen = 0.55; ///< share of the best evidence
+  /// Share of a target's outline in its color where nothing covers it.
+  static constexpr double kWholeShare = 0.85;
 
   /// A copy; its labels are made anew when they are needed.
   DewpointTracker(const DewpointTracker& other);

@@ -41,7 +41,8 @@ struct TrackHypothesis {
   std::vector<std::pair<ConstantVelocity, RandomStream>> pending;
   std::uint32_t stream = 0; ///< sets its random numbers apart from other hypotheses'
 
-  /// Seen as well as can be asked for: how much better it looks than another says nothing.
+  /// Whether the outline was found and nearly all of it is seen (kSaturation). Between two such
+  /// hypotheses the evidence does not decide.
   bool wellSeen() const {
     return measured && fullyVisibleLogLikelihoodRatio > 0.0 &&
            logLikelihoodRatio >= kSaturation * fullyVisibleLogLikelihoodRatio;
@@ -50,9 +51,16 @@ struct TrackHypothesis {
   /// looks than another is a matter of light and pixels, and would add up from frame to frame.
   static constexpr double kSaturation = 0.75;
 
+  /// Share of the best evidence that leaves no doubt that something of its looks is there.
+  static constexpr double kPlainlySeen = 0.55;
+
   Eigen::Vector3d place() const { return belief.mean.head<3>(); }
   Eigen::Vector3d velocity() const { return belief.mean.tail<3>(); }
 };
+
+/// Two spheres of radii a and b cannot be closer than a + b; estimates may err a little, so that
+/// only those closer than this share of it are in each other's place.
+inline constexpr double kTouching = 0.7;
 
 /// Moves a hypothesis on by one step, with at most the acceleration `allowed`.
 void predict(TrackHypothesis& hypothesis, const ConstantVelocity& allowed, const RandomKey& key);
@@ -69,8 +77,9 @@ void drawParticles(TrackHypothesis& hypothesis, SphereObservation& observation, 
 double look(TrackHypothesis& hypothesis, SphereObservation& observation, Eigen::Index count,
             const RandomKey& key, ThreadTeam& team);
 
-/// By how much the evidence of one of several hypotheses rises when what the others cover, of those
-/// that are well seen, is theirs: a twin behind its rim then says nothing against it.
+/// By how much the log likelihood ratio of hypothesis `own` rises when pixels in the outlines of
+/// the other well seen hypotheses are not counted against it: a second target of the same color
+/// behind its rim then does not speak against it.
 double explainedRingGain(const std::vector<TrackHypothesis>& all, std::size_t own,
                          SphereObservation& observation);
 

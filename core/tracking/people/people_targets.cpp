@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/people/people_targets.h"
 
+#include "core/filter/evenly_picked.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -93,15 +95,7 @@ void PeopleTargets::particles(std::size_t target, int limit, Eigen::ArrayXXd& po
     known = bodies_.emplace(identity, tracker_->body(identity)).first;
   }
   const BodyCloud& body = known->second;
-  const Eigen::Index count = body.points.rows();
-  const Eigen::Index shown = std::clamp<Eigen::Index>(limit, 0, count);
-  positions.resize(shown, 3);
-  weights.resize(shown);
-  for (Eigen::Index i = 0; i < shown; ++i) {
-    const Eigen::Index picked = i * count / shown;
-    positions.row(i) = body.points.row(picked);
-    weights[i] = body.weights[picked];
-  }
+  pickEvenly(body.points, body.weights, limit, 3, positions, weights);
 }
 
 std::unique_ptr<MultiTracker> PeopleTargets::clone() const {

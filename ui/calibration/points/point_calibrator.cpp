@@ -192,7 +192,7 @@ void PointCalibrator::adopt(const PointSolution& solution) {
         ProjectCamera& camera = project.cameras[index];
         if (!(camera.camera == solution.rig[index])) {
           camera.camera = solution.rig[index];
-          camera.adjusted = camera.adjusted || camera.source == SourceKind::Simulation;
+          camera.markAdjusted();
         }
       }
     });

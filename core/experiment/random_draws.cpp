@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/random_draws.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint::experiment {
+
+double Draws::uniform(double low, double high) {
+  return low + (high - low) * stream_.uniform(next_++);
+}
+
+double Draws::normal(double sigma) {
+  return sigma * stream_.normal4(next_++)[0];
+}
+
+int Draws::whole(int low, int high) {
+  return low + static_cast<int>(std::floor(uniform(0.0, high - low + 1.0)));
+}
+
+Eigen::Vector3d Draws::inBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
+  const double x = uniform(low.x(), high.x());
+  const double y = uniform(low.y(), high.y());
+  return {x, y, uniform(low.z(), high.z())};
+}
+
+Eigen::Vector3d Draws::direction() {
+  const double z = uniform(-1.0, 1.0);
+  const double angle = uniform(0.0, 2.0 * std::numbers::pi);
+  const double flat = std::sqrt(1.0 - z * z);
+  return {flat * std::cos(angle), flat * std::sin(angle), z};
+}
+
+} // namespace dewpoint::experiment

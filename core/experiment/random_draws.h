@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/random.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace dewpoint::experiment {
+
+/// Numbers that a seed decides, drawn one after the other: what a scenario is made of.
+class Draws {
+public:
+  explicit Draws(const RandomStream& stream) : stream_(stream) {}
+
+  double uniform(double low, double high);
+  double normal(double sigma);
+  int whole(int low, int high); ///< low to high, both included
+  bool coin() { return whole(0, 1) == 1; }
+  Eigen::Vector3d inBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
+  Eigen::Vector3d direction(); ///< unit vector, uniform over the sphere
+
+private:
+  RandomStream stream_;
+  std::uint32_t next_ = 0;
+};
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+
+namespace dewpoint::filter {
+
+/// At most `limit` particles of a set, evenly picked, as they are shown: the first `columns` of
+/// their states, with weights that are those in the whole set. `Weights` has an operator[].
+template <class States, class Weights>
+void pickEvenly(const States& states, const Weights& weights, int limit, Eigen::Index columns,
+                Eigen::ArrayXXd& shownStates, Eigen::ArrayXd& shownWeights) {
+  const Eigen::Index count = states.rows();
+  const Eigen::Index shown = std::clamp<Eigen::Index>(limit, 0, count);
+  shownStates.resize(shown, columns);
+  shownWeights.resize(shown);
+  for (Eigen::Index i = 0; i < shown; ++i) {
+    const Eigen::Index picked = i * count / shown;
+    shownStates.row(i) = states.row(picked).leftCols(columns);
+    shownWeights[i] = weights[picked];
+  }
+}
+
+} // namespace dewpoint::filter
