@@ -38,7 +38,7 @@ Result<WandRefinement> refineFromViews(const Project& project,
 /// Where in each camera's image the balls were that the result rests on.
 std::vector<BoardCoverage> coverageOf(const WandResult& result);
 
-/// The report as one self-contained HTML page (wandPage() of core/calibration).
+/// The report as one self-contained HTML page (htmlText() of wand_report.h).
 std::string htmlText(const WandRefinement& refinement);
 
 } // namespace dewpoint::setup

@@ -18,8 +18,8 @@ namespace dewpoint::observation {
 /// learned range follow the quantiles of the colors on the target: as much as hue and saturation
 /// are another now than at first, and by the factor by which the intensity is. Where the room comes
 /// to look like the target in the light of now (noise in the dark has any hue) a bound moves closer
-/// to its quantile, as long as that raises the F1 score of the pixels. What is asked of a look,
-/// that the target is surely there and whole, is the caller's to know.
+/// to its quantile, as long as that raises the F1 score of the pixels. The caller sees to it
+/// that only frames are learned from in which the target is there and not covered.
 class AdaptiveColor {
 public:
   /// `learned` has passed checkColorRange().

@@ -26,8 +26,8 @@ public:
   /// over the three axes, and after which the velocity is this (m/s).
   void learn(double squaredDistance, const Eigen::Vector3d& velocity);
 
-  /// What has to be added to the covariance of the prediction to allow for all that the user allows
-  /// for, since the target was seen last.
+  /// To be added to the predicted covariance for gating: with it the prediction has the whole
+  /// acceleration that the user allows, since the target was seen last.
   const Gaussian6::Matrix& margin() const { return margin_; }
 
 private:

@@ -48,7 +48,7 @@ protected:
   virtual std::size_t beliefBytes() const = 0;
   /// New images are there: moves and weighs everybody, and fills in what people_ says.
   virtual void update(ThreadTeam& team) = 0;
-  /// Whether what others cover is theirs when it comes to whether a person is seen.
+  /// Whether foreground that other people cover is left out when it is decided if a person is seen.
   virtual bool sharesMasks() const = 0;
 
   RandomKey keyOf(int identity) const;

@@ -53,8 +53,8 @@ struct PeopleCameraState {
 };
 
 /// A method that tracks people who enter, meet and leave, so that their number changes while it
-/// runs: that is why it is not a MultiTracker. Call `step` once per frame set. Not thread safe; the
-/// same seed gives the same bits for any size of the ThreadTeam.
+/// runs. A run uses it as a MultiTracker through PeopleTargets. Call `step` once per frame set. Not
+/// thread safe; the same seed gives the same bits for any size of the ThreadTeam.
 class PeopleTracker {
 public:
   virtual ~PeopleTracker() = default;
