@@ -2,7 +2,7 @@
 #include "core/experiment/scenarios/people_scenario.h"
 
 #include "core/base/random.h"
-#include "core/experiment/random_draws.h"
+#include "core/experiment/scenarios/random_draws.h"
 
 #include <fmt/format.h>
 

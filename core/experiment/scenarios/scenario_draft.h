@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/random.h"
-#include "core/experiment/random_draws.h"
+#include "core/experiment/scenarios/random_draws.h"
 #include "core/experiment/scenarios/scenario.h"
 #include "core/simulation/stage.h"
 #include "core/simulation/view_cache.h"

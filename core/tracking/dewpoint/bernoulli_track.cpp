@@ -7,7 +7,7 @@
 #include "core/filter/isotropic_motion.h"
 #include "core/filter/prepared_gaussian.h"
 #include "core/filter/systematic_resampling.h"
-#include "core/tracking/hypothesis_masses.h"
+#include "core/tracking/dewpoint/hypothesis_masses.h"
 
 #include <algorithm>
 #include <cmath>

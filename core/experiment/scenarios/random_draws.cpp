@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/experiment/random_draws.h"
+#include "core/experiment/scenarios/random_draws.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tracking/hypothesis_masses.h"
+#include "core/tracking/dewpoint/hypothesis_masses.h"
 
 #include <algorithm>
 #include <cmath>
