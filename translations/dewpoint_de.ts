@@ -1821,6 +1821,17 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>TransportBar</name>
+    <message>
+        <source>Transport</source>
+        <translation>Ablaufsteuerung</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+</context>
+<context>
     <name>Unit</name>
     <message>
         <source>m</source>
@@ -2498,6 +2509,10 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <source>Use it anyway</source>
         <translation>Trotzdem verwenden</translation>
     </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::BoxExportDialog</name>
@@ -2676,6 +2691,20 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>Box of %1</source>
         <translation>Rahmen von %1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CalibrationMode</name>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CameraDocks</name>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
     </message>
 </context>
 <context>
@@ -3329,6 +3358,18 @@ bei %4, %5, %6 m</translation>
         <source>Milliseconds by which the images are late</source>
         <translation>Millisekunden, um die die Bilder zu spät sind</translation>
     </message>
+    <message>
+        <source>Load calibration</source>
+        <translation>Kalibrierung laden</translation>
+    </message>
+    <message>
+        <source>The calibration names its cameras differently: they were taken in its order.</source>
+        <translation>Die Kalibrierung nennt ihre Kameras anders: Sie wurden in ihrer Reihenfolge genommen.</translation>
+    </message>
+    <message>
+        <source>The cameras have the calibration of %1 now.</source>
+        <translation>Die Kameras haben jetzt die Kalibrierung aus %1.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CameraView</name>
@@ -3339,6 +3380,13 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>No images yet. Press play (Space), or open a project (Ctrl+O).</source>
         <translation>Noch keine Bilder. Wiedergabe starten (Leertaste) oder ein Projekt öffnen (Strg+O).</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ColorDock</name>
+    <message>
+        <source>Color</source>
+        <translation>Farbe</translation>
     </message>
 </context>
 <context>
@@ -4160,6 +4208,37 @@ bei %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::HistoryDock</name>
+    <message>
+        <source>As it was opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>History of changes</source>
+        <translation>Verlauf der Änderungen</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ManualCalibration</name>
     <message>
         <source>camera %1</source>
@@ -4244,6 +4323,10 @@ bei %4, %5, %6 m</translation>
         <source>Measured points</source>
         <translation>Gemessene Punkte</translation>
     </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::MainWindow</name>
@@ -4254,6 +4337,59 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>%1[*] – Dewpoint</source>
         <translation>%1[*] – Dewpoint</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::PeopleDock</name>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
+        <translation>Jemanden in einem Kamerabild oder den Boden in der Vogelperspektive anklicken. Esc beendet es.</translation>
+    </message>
+    <message>
+        <source>Folder for the tables of people</source>
+        <translation>Ordner für die Tabellen der Personen</translation>
+    </message>
+    <message>
+        <source>There are tables of another run in %1. Replace them?</source>
+        <translation>In %1 liegen Tabellen eines anderen Laufs. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
+        <translation>Orte, Volumen, Hüllen und Dichten der Personen liegen in %1 (Bilder: %2).</translation>
+    </message>
+    <message>
+        <source>Writing the tables of people…</source>
+        <translation>Die Tabellen der Personen werden geschrieben…</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::PlannerInstaller</name>
+    <message>
+        <source>Move %1 in the bird&apos;s-eye view</source>
+        <translation>%1 in der Vogelperspektive verschieben</translation>
+    </message>
+    <message>
+        <source>Turn %1 in the bird&apos;s-eye view</source>
+        <translation>%1 in der Vogelperspektive drehen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ProjectController</name>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view.</source>
+        <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen.</translation>
+    </message>
+    <message>
+        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
+        <translation>Klicken Sie in irgendeinem Bild auf das, was verfolgt werden soll: Seine Farbe wird gelernt, und die Verfolgung beginnt.</translation>
     </message>
     <message>
         <source>Open a project</source>
@@ -4284,94 +4420,6 @@ bei %4, %5, %6 m</translation>
         <translation>Die Änderungen an diesem Projekt speichern?</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view</source>
-        <translation>Vogelperspektive</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Parameter</translation>
-    </message>
-    <message>
-        <source>Camera %1</source>
-        <translation>Kamera %1</translation>
-    </message>
-    <message>
-        <source>Transport</source>
-        <translation>Ablaufsteuerung</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederholen</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>&amp;Project</source>
-        <translation>&amp;Projekt</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;Run</source>
-        <translation>&amp;Lauf</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
-    </message>
-    <message>
-        <source>Colors</source>
-        <translation>Farben</translation>
-    </message>
-    <message>
-        <source>Open recent</source>
-        <translation>Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>Views</source>
-        <translation>Ansichten</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Sprache</translation>
-    </message>
-    <message>
-        <source>Undo: %1</source>
-        <translation>Rückgängig: %1</translation>
-    </message>
-    <message>
-        <source>Redo: %1</source>
-        <translation>Wiederholen: %1</translation>
-    </message>
-    <message>
-        <source>Like the system</source>
-        <translation>Wie das System</translation>
-    </message>
-    <message>
-        <source>As it was opened</source>
-        <translation>Wie geöffnet</translation>
-    </message>
-    <message>
-        <source>History of changes</source>
-        <translation>Verlauf der Änderungen</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>Verlauf</translation>
-    </message>
-    <message>
-        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
-        <translation>Klicken Sie in irgendeinem Bild auf das, was verfolgt werden soll: Seine Farbe wird gelernt, und die Verfolgung beginnt.</translation>
-    </message>
-    <message>
         <source>Nothing yet</source>
         <translation>Noch nichts</translation>
     </message>
@@ -4379,6 +4427,13 @@ bei %4, %5, %6 m</translation>
         <source>Forget these</source>
         <translation>Diese vergessen</translation>
     </message>
+    <message>
+        <source>Recovered. Save the project to keep it.</source>
+        <translation>Wiederhergestellt. Speichern Sie das Projekt, um es zu behalten.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RecoveryOffer</name>
     <message>
         <source>Dewpoint did not end properly. Unsaved work on “%1” is from %2.</source>
         <translation>Dewpoint wurde nicht ordentlich beendet. Ungespeicherte Arbeit an „%1“ ist von %2.</translation>
@@ -4388,105 +4443,20 @@ bei %4, %5, %6 m</translation>
         <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>Recovered. Save the project to keep it.</source>
-        <translation>Wiederhergestellt. Speichern Sie das Projekt, um es zu behalten.</translation>
-    </message>
-    <message>
         <source>Throw it away</source>
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>Target</source>
-        <translation>Ziel</translation>
+        <source>Unsaved work on “%1” was thrown away.</source>
+        <translation>Ungespeicherte Arbeit an „%1“ wurde verworfen.</translation>
     </message>
     <message>
-        <source>Cameras</source>
-        <translation>Kameras</translation>
+        <source>Take it back</source>
+        <translation>Zurückholen</translation>
     </message>
-    <message>
-        <source>Load calibration</source>
-        <translation>Kalibrierung laden</translation>
-    </message>
-    <message>
-        <source>The calibration names its cameras differently: they were taken in its order.</source>
-        <translation>Die Kalibrierung nennt ihre Kameras anders: Sie wurden in ihrer Reihenfolge genommen.</translation>
-    </message>
-    <message>
-        <source>The cameras have the calibration of %1 now.</source>
-        <translation>Die Kameras haben jetzt die Kalibrierung aus %1.</translation>
-    </message>
-    <message>
-        <source>Color</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Save picture as PNG…</source>
-        <translation>Bild als PNG speichern…</translation>
-    </message>
-    <message>
-        <source>Copy picture</source>
-        <translation>Bild kopieren</translation>
-    </message>
-    <message>
-        <source>Save a picture of %1</source>
-        <translation>Ein Bild von %1 speichern</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>Bilder (*.png)</translation>
-    </message>
-    <message>
-        <source>Saved the picture %1.</source>
-        <translation>Das Bild %1 wurde gespeichert.</translation>
-    </message>
-    <message>
-        <source>Plots</source>
-        <translation>Kurven</translation>
-    </message>
-    <message>
-        <source>Trajectory</source>
-        <translation>Bahn</translation>
-    </message>
-    <message>
-        <source>Timeline</source>
-        <translation>Zeitleiste</translation>
-    </message>
-    <message>
-        <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
-        <translation>Die Änderung gilt ab jetzt. „%1“ zeigt, was sie aus diesem Moment macht.</translation>
-    </message>
-    <message>
-        <source>By hand</source>
-        <translation>Von Hand</translation>
-    </message>
-    <message>
-        <source>Calibration</source>
-        <translation>Kalibrierung</translation>
-    </message>
-    <message>
-        <source>Move %1 in the bird&apos;s-eye view</source>
-        <translation>%1 in der Vogelperspektive verschieben</translation>
-    </message>
-    <message>
-        <source>Turn %1 in the bird&apos;s-eye view</source>
-        <translation>%1 in der Vogelperspektive drehen</translation>
-    </message>
-    <message>
-        <source>Show this view</source>
-        <translation>Diese Ansicht zeigen</translation>
-    </message>
-    <message>
-        <source>Speak this language</source>
-        <translation>Diese Sprache sprechen</translation>
-    </message>
-    <message>
-        <source>Wave</source>
-        <translation>Schwenken</translation>
-    </message>
-    <message>
-        <source>&amp;Calibration</source>
-        <translation>&amp;Kalibrierung</translation>
-    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RunAlerts</name>
     <message>
         <source>No camera was bumped.</source>
         <translation>Keine Kamera wurde verdreht.</translation>
@@ -4506,58 +4476,6 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
         <translation>Das Ziel lag %1 px neben dem, wo die anderen es sehen, jetzt %2 px.</translation>
-    </message>
-    <message>
-        <source>Board</source>
-        <translation>Tafel</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Planen</translation>
-    </message>
-    <message>
-        <source>Click the thing or drag a box around it in any camera view.</source>
-        <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen.</translation>
-    </message>
-    <message>
-        <source>This method works in the room: calibrate the cameras first (menu Calibration), their positions are only a guess.</source>
-        <translation>Dieses Verfahren arbeitet im Raum: Zuerst die Kameras kalibrieren (Menü Kalibrierung), ihre Orte sind nur geraten.</translation>
-    </message>
-    <message>
-        <source>People</source>
-        <translation>Personen</translation>
-    </message>
-    <message>
-        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
-        <translation>Jemanden in einem Kamerabild oder den Boden in der Vogelperspektive anklicken. Esc beendet es.</translation>
-    </message>
-    <message>
-        <source>Folder for the tables of people</source>
-        <translation>Ordner für die Tabellen der Personen</translation>
-    </message>
-    <message>
-        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
-        <translation>Orte, Volumen, Hüllen und Dichten der Personen liegen in %1 (Bilder: %2).</translation>
-    </message>
-    <message>
-        <source>Writing the tables of people…</source>
-        <translation>Die Tabellen der Personen werden geschrieben…</translation>
-    </message>
-    <message>
-        <source>Unsaved work on “%1” was thrown away.</source>
-        <translation>Ungespeicherte Arbeit an „%1“ wurde verworfen.</translation>
-    </message>
-    <message>
-        <source>Take it back</source>
-        <translation>Zurückholen</translation>
-    </message>
-    <message>
-        <source>There are tables of another run in %1. Replace them?</source>
-        <translation>In %1 liegen Tabellen eines anderen Laufs. Ersetzen?</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Ersetzen</translation>
     </message>
 </context>
 <context>
@@ -4855,6 +4773,18 @@ bei %4, %5, %6 m</translation>
         <source>How the targets are tracked. Another method begins anew; the rest stays.</source>
         <translation>Wie die Ziele verfolgt werden. Ein anderes Verfahren beginnt neu; der Rest bleibt.</translation>
     </message>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view.</source>
+        <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen.</translation>
+    </message>
+    <message>
+        <source>This method works in the room: calibrate the cameras first (menu Calibration), their positions are only a guess.</source>
+        <translation>Dieses Verfahren arbeitet im Raum: Zuerst die Kameras kalibrieren (Menü Kalibrierung), ihre Orte sind nur geraten.</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PeoplePanel</name>
@@ -5113,6 +5043,10 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
         <translation>Geplante Kameras werden nicht mit dem Projekt gespeichert und gehören nicht zum Lauf. Die Karte berücksichtigt nichts im Raum, was einen Ort verdeckt.</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planen</translation>
     </message>
 </context>
 <context>
@@ -5708,6 +5642,10 @@ Effektive Stichprobengröße %8 von %9</translation>
         <source>Spread %1 px</source>
         <translation>Streuung %1 px</translation>
     </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::Timeline</name>
@@ -5742,6 +5680,10 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Rename a mark</source>
         <translation>Marke umbenennen</translation>
+    </message>
+    <message>
+        <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
+        <translation>Die Änderung gilt ab jetzt. „%1“ zeigt, was sie aus diesem Moment macht.</translation>
     </message>
 </context>
 <context>
@@ -5877,6 +5819,29 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>The boxes are on the clipboard as CSV.</source>
         <translation>Die Rahmen sind als CSV in der Zwischenablage.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ViewPictures</name>
+    <message>
+        <source>Save picture as PNG…</source>
+        <translation>Bild als PNG speichern…</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save a picture of %1</source>
+        <translation>Ein Bild von %1 speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved the picture %1.</source>
+        <translation>Das Bild %1 wurde gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -6229,6 +6194,14 @@ Effektive Stichprobengröße %8 von %9</translation>
         <source>Refine</source>
         <translation>Verfeinern</translation>
     </message>
+    <message>
+        <source>Wave</source>
+        <translation>Schwenken</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::WandWaving</name>
@@ -6271,6 +6244,57 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Image sets left out because they came too fast: %1.</source>
         <translation>Ausgelassene Bildsätze, weil sie zu schnell kamen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::WindowMenus</name>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Calibration</source>
+        <translation>&amp;Kalibrierung</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Lauf</translation>
+    </message>
+    <message>
+        <source>&amp;Project</source>
+        <translation>&amp;Projekt</translation>
+    </message>
+    <message>
+        <source>Open recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>Colors</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Show this view</source>
+        <translation>Diese Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Speak this language</source>
+        <translation>Diese Sprache sprechen</translation>
     </message>
 </context>
 </TS>

@@ -1821,6 +1821,17 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>TransportBar</name>
+    <message>
+        <source>Transport</source>
+        <translation>Reproducción</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+</context>
+<context>
     <name>Unit</name>
     <message>
         <source>m</source>
@@ -2498,6 +2509,10 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <source>Use it anyway</source>
         <translation>Usarla de todos modos</translation>
     </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Se guardó %1.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::BoxExportDialog</name>
@@ -2676,6 +2691,20 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>Box of %1</source>
         <translation>Recuadro de %1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CalibrationMode</name>
+    <message>
+        <source>Calibration</source>
+        <translation>Calibración</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CameraDocks</name>
+    <message>
+        <source>Camera %1</source>
+        <translation>Cámara %1</translation>
     </message>
 </context>
 <context>
@@ -3329,6 +3358,18 @@ en %4, %5, %6 m</translation>
         <source>Milliseconds by which the images are late</source>
         <translation>Milisegundos que se retrasan las imágenes</translation>
     </message>
+    <message>
+        <source>Load calibration</source>
+        <translation>Cargar calibración</translation>
+    </message>
+    <message>
+        <source>The calibration names its cameras differently: they were taken in its order.</source>
+        <translation>La calibración llama a sus cámaras de otro modo: se tomaron en su orden.</translation>
+    </message>
+    <message>
+        <source>The cameras have the calibration of %1 now.</source>
+        <translation>Las cámaras tienen ahora la calibración de %1.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CameraView</name>
@@ -3339,6 +3380,13 @@ en %4, %5, %6 m</translation>
     <message>
         <source>No images yet. Press play (Space), or open a project (Ctrl+O).</source>
         <translation>Aún no hay imágenes. Pulse reproducir (Espacio) o abra un proyecto (Ctrl+O).</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ColorDock</name>
+    <message>
+        <source>Color</source>
+        <translation>Color</translation>
     </message>
 </context>
 <context>
@@ -4160,6 +4208,37 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::HistoryDock</name>
+    <message>
+        <source>As it was opened</source>
+        <translation>Como se abrió</translation>
+    </message>
+    <message>
+        <source>History of changes</source>
+        <translation>Historial de cambios</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historial</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Deshacer: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Rehacer: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ManualCalibration</name>
     <message>
         <source>camera %1</source>
@@ -4244,6 +4323,10 @@ en %4, %5, %6 m</translation>
         <source>Measured points</source>
         <translation>Puntos medidos</translation>
     </message>
+    <message>
+        <source>By hand</source>
+        <translation>A mano</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::MainWindow</name>
@@ -4254,6 +4337,59 @@ en %4, %5, %6 m</translation>
     <message>
         <source>%1[*] – Dewpoint</source>
         <translation>%1[*] – Dewpoint</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::PeopleDock</name>
+    <message>
+        <source>People</source>
+        <translation>Personas</translation>
+    </message>
+    <message>
+        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
+        <translation>Haga clic en alguien en una imagen de cámara, o en el suelo en la vista de pájaro. Esc lo termina.</translation>
+    </message>
+    <message>
+        <source>Folder for the tables of people</source>
+        <translation>Carpeta para las tablas de personas</translation>
+    </message>
+    <message>
+        <source>There are tables of another run in %1. Replace them?</source>
+        <translation>En %1 hay tablas de otra ejecución. ¿Reemplazarlas?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
+        <translation>Los lugares, volúmenes, envolventes y densidades de las personas están en %1 (fotogramas: %2).</translation>
+    </message>
+    <message>
+        <source>Writing the tables of people…</source>
+        <translation>Escribiendo las tablas de personas…</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::PlannerInstaller</name>
+    <message>
+        <source>Move %1 in the bird&apos;s-eye view</source>
+        <translation>Mover %1 en la vista aérea</translation>
+    </message>
+    <message>
+        <source>Turn %1 in the bird&apos;s-eye view</source>
+        <translation>Girar %1 en la vista aérea</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ProjectController</name>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view.</source>
+        <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara.</translation>
+    </message>
+    <message>
+        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
+        <translation>Haga clic en cualquier imagen sobre lo que quiere seguir: se aprende su color y empieza el seguimiento.</translation>
     </message>
     <message>
         <source>Open a project</source>
@@ -4284,94 +4420,6 @@ en %4, %5, %6 m</translation>
         <translation>¿Guardar los cambios de este proyecto?</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view</source>
-        <translation>Vista de pájaro</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Parámetros</translation>
-    </message>
-    <message>
-        <source>Camera %1</source>
-        <translation>Cámara %1</translation>
-    </message>
-    <message>
-        <source>Transport</source>
-        <translation>Reproducción</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Deshacer</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Rehacer</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pausa</translation>
-    </message>
-    <message>
-        <source>&amp;Project</source>
-        <translation>&amp;Proyecto</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Editar</translation>
-    </message>
-    <message>
-        <source>&amp;Run</source>
-        <translation>E&amp;jecución</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ver</translation>
-    </message>
-    <message>
-        <source>Colors</source>
-        <translation>Colores</translation>
-    </message>
-    <message>
-        <source>Open recent</source>
-        <translation>Abrir reciente</translation>
-    </message>
-    <message>
-        <source>Views</source>
-        <translation>Vistas</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Idioma</translation>
-    </message>
-    <message>
-        <source>Undo: %1</source>
-        <translation>Deshacer: %1</translation>
-    </message>
-    <message>
-        <source>Redo: %1</source>
-        <translation>Rehacer: %1</translation>
-    </message>
-    <message>
-        <source>Like the system</source>
-        <translation>Como el sistema</translation>
-    </message>
-    <message>
-        <source>As it was opened</source>
-        <translation>Como se abrió</translation>
-    </message>
-    <message>
-        <source>History of changes</source>
-        <translation>Historial de cambios</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>Historial</translation>
-    </message>
-    <message>
-        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
-        <translation>Haga clic en cualquier imagen sobre lo que quiere seguir: se aprende su color y empieza el seguimiento.</translation>
-    </message>
-    <message>
         <source>Nothing yet</source>
         <translation>Nada todavía</translation>
     </message>
@@ -4379,6 +4427,13 @@ en %4, %5, %6 m</translation>
         <source>Forget these</source>
         <translation>Olvidar estos</translation>
     </message>
+    <message>
+        <source>Recovered. Save the project to keep it.</source>
+        <translation>Recuperado. Guarde el proyecto para conservarlo.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RecoveryOffer</name>
     <message>
         <source>Dewpoint did not end properly. Unsaved work on “%1” is from %2.</source>
         <translation>Dewpoint no terminó correctamente. El trabajo sin guardar en «%1» es de %2.</translation>
@@ -4388,105 +4443,20 @@ en %4, %5, %6 m</translation>
         <translation>Recuperarlo</translation>
     </message>
     <message>
-        <source>Recovered. Save the project to keep it.</source>
-        <translation>Recuperado. Guarde el proyecto para conservarlo.</translation>
-    </message>
-    <message>
         <source>Throw it away</source>
         <translation>Descartarlo</translation>
     </message>
     <message>
-        <source>Target</source>
-        <translation>Objetivo</translation>
+        <source>Unsaved work on “%1” was thrown away.</source>
+        <translation>El trabajo sin guardar en «%1» se ha descartado.</translation>
     </message>
     <message>
-        <source>Cameras</source>
-        <translation>Cámaras</translation>
+        <source>Take it back</source>
+        <translation>Recuperarlo</translation>
     </message>
-    <message>
-        <source>Load calibration</source>
-        <translation>Cargar calibración</translation>
-    </message>
-    <message>
-        <source>The calibration names its cameras differently: they were taken in its order.</source>
-        <translation>La calibración llama a sus cámaras de otro modo: se tomaron en su orden.</translation>
-    </message>
-    <message>
-        <source>The cameras have the calibration of %1 now.</source>
-        <translation>Las cámaras tienen ahora la calibración de %1.</translation>
-    </message>
-    <message>
-        <source>Color</source>
-        <translation>Color</translation>
-    </message>
-    <message>
-        <source>Save picture as PNG…</source>
-        <translation>Guardar la imagen como PNG…</translation>
-    </message>
-    <message>
-        <source>Copy picture</source>
-        <translation>Copiar la imagen</translation>
-    </message>
-    <message>
-        <source>Save a picture of %1</source>
-        <translation>Guardar una imagen de %1</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>Imágenes (*.png)</translation>
-    </message>
-    <message>
-        <source>Saved the picture %1.</source>
-        <translation>Se guardó la imagen %1.</translation>
-    </message>
-    <message>
-        <source>Plots</source>
-        <translation>Gráficos</translation>
-    </message>
-    <message>
-        <source>Trajectory</source>
-        <translation>Trayectoria</translation>
-    </message>
-    <message>
-        <source>Timeline</source>
-        <translation>Línea de tiempo</translation>
-    </message>
-    <message>
-        <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
-        <translation>El cambio vale a partir de ahora. «%1» muestra qué hace con este momento.</translation>
-    </message>
-    <message>
-        <source>By hand</source>
-        <translation>A mano</translation>
-    </message>
-    <message>
-        <source>Calibration</source>
-        <translation>Calibración</translation>
-    </message>
-    <message>
-        <source>Move %1 in the bird&apos;s-eye view</source>
-        <translation>Mover %1 en la vista aérea</translation>
-    </message>
-    <message>
-        <source>Turn %1 in the bird&apos;s-eye view</source>
-        <translation>Girar %1 en la vista aérea</translation>
-    </message>
-    <message>
-        <source>Show this view</source>
-        <translation>Mostrar esta vista</translation>
-    </message>
-    <message>
-        <source>Speak this language</source>
-        <translation>Hablar este idioma</translation>
-    </message>
-    <message>
-        <source>Wave</source>
-        <translation>Agitar</translation>
-    </message>
-    <message>
-        <source>&amp;Calibration</source>
-        <translation>&amp;Calibración</translation>
-    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RunAlerts</name>
     <message>
         <source>No camera was bumped.</source>
         <translation>No se ha movido ninguna cámara.</translation>
@@ -4506,58 +4476,6 @@ en %4, %5, %6 m</translation>
     <message>
         <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
         <translation>El objetivo estaba a %1 px de donde lo ven las demás, y ahora a %2 px.</translation>
-    </message>
-    <message>
-        <source>Board</source>
-        <translation>Tablero</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Planificar</translation>
-    </message>
-    <message>
-        <source>Click the thing or drag a box around it in any camera view.</source>
-        <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara.</translation>
-    </message>
-    <message>
-        <source>This method works in the room: calibrate the cameras first (menu Calibration), their positions are only a guess.</source>
-        <translation>Este método trabaja en el espacio: calibra primero las cámaras (menú Calibración), sus posiciones son solo una suposición.</translation>
-    </message>
-    <message>
-        <source>People</source>
-        <translation>Personas</translation>
-    </message>
-    <message>
-        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
-        <translation>Haga clic en alguien en una imagen de cámara, o en el suelo en la vista de pájaro. Esc lo termina.</translation>
-    </message>
-    <message>
-        <source>Folder for the tables of people</source>
-        <translation>Carpeta para las tablas de personas</translation>
-    </message>
-    <message>
-        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
-        <translation>Los lugares, volúmenes, envolventes y densidades de las personas están en %1 (fotogramas: %2).</translation>
-    </message>
-    <message>
-        <source>Writing the tables of people…</source>
-        <translation>Escribiendo las tablas de personas…</translation>
-    </message>
-    <message>
-        <source>Unsaved work on “%1” was thrown away.</source>
-        <translation>El trabajo sin guardar en «%1» se ha descartado.</translation>
-    </message>
-    <message>
-        <source>Take it back</source>
-        <translation>Recuperarlo</translation>
-    </message>
-    <message>
-        <source>There are tables of another run in %1. Replace them?</source>
-        <translation>En %1 hay tablas de otra ejecución. ¿Reemplazarlas?</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Reemplazar</translation>
     </message>
 </context>
 <context>
@@ -4855,6 +4773,18 @@ en %4, %5, %6 m</translation>
         <source>How the targets are tracked. Another method begins anew; the rest stays.</source>
         <translation>Cómo se siguen los objetivos. Otro método empieza de nuevo; el resto se queda.</translation>
     </message>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view.</source>
+        <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara.</translation>
+    </message>
+    <message>
+        <source>This method works in the room: calibrate the cameras first (menu Calibration), their positions are only a guess.</source>
+        <translation>Este método trabaja en el espacio: calibra primero las cámaras (menú Calibración), sus posiciones son solo una suposición.</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parámetros</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PeoplePanel</name>
@@ -5113,6 +5043,10 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
         <translation>Las cámaras planeadas no se guardan con el proyecto ni forman parte de la ejecución. El mapa no tiene en cuenta nada de la sala que oculte un lugar.</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planificar</translation>
     </message>
 </context>
 <context>
@@ -5708,6 +5642,10 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <source>Spread %1 px</source>
         <translation>Dispersión %1 px</translation>
     </message>
+    <message>
+        <source>Target</source>
+        <translation>Objetivo</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::Timeline</name>
@@ -5742,6 +5680,10 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Rename a mark</source>
         <translation>Renombrar una marca</translation>
+    </message>
+    <message>
+        <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
+        <translation>El cambio vale a partir de ahora. «%1» muestra qué hace con este momento.</translation>
     </message>
 </context>
 <context>
@@ -5877,6 +5819,29 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>The boxes are on the clipboard as CSV.</source>
         <translation>Los recuadros están en el portapapeles como CSV.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ViewPictures</name>
+    <message>
+        <source>Save picture as PNG…</source>
+        <translation>Guardar la imagen como PNG…</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Copiar la imagen</translation>
+    </message>
+    <message>
+        <source>Save a picture of %1</source>
+        <translation>Guardar una imagen de %1</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Imágenes (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved the picture %1.</source>
+        <translation>Se guardó la imagen %1.</translation>
     </message>
 </context>
 <context>
@@ -6229,6 +6194,14 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <source>Refine</source>
         <translation>Refinar</translation>
     </message>
+    <message>
+        <source>Wave</source>
+        <translation>Agitar</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Se guardó %1.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::WandWaving</name>
@@ -6271,6 +6244,57 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Image sets left out because they came too fast: %1.</source>
         <translation>Conjuntos de imágenes omitidos por llegar demasiado rápido: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::WindowMenus</name>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Editar</translation>
+    </message>
+    <message>
+        <source>&amp;Calibration</source>
+        <translation>&amp;Calibración</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>E&amp;jecución</translation>
+    </message>
+    <message>
+        <source>&amp;Project</source>
+        <translation>&amp;Proyecto</translation>
+    </message>
+    <message>
+        <source>Open recent</source>
+        <translation>Abrir reciente</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vistas</translation>
+    </message>
+    <message>
+        <source>Colors</source>
+        <translation>Colores</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>Como el sistema</translation>
+    </message>
+    <message>
+        <source>Show this view</source>
+        <translation>Mostrar esta vista</translation>
+    </message>
+    <message>
+        <source>Speak this language</source>
+        <translation>Hablar este idioma</translation>
     </message>
 </context>
 </TS>

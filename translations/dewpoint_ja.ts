@@ -1821,6 +1821,17 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
+    <name>TransportBar</name>
+    <message>
+        <source>Transport</source>
+        <translation>再生の操作</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+</context>
+<context>
     <name>Unit</name>
     <message>
         <source>m</source>
@@ -2498,6 +2509,10 @@ From %2 to %3%4; default %5%4.</source>
         <source>Use it anyway</source>
         <translation>それでも使う</translation>
     </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::BoxExportDialog</name>
@@ -2675,6 +2690,20 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>Box of %1</source>
         <translation>%1 の枠</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CalibrationMode</name>
+    <message>
+        <source>Calibration</source>
+        <translation>校正</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CameraDocks</name>
+    <message>
+        <source>Camera %1</source>
+        <translation>カメラ %1</translation>
     </message>
 </context>
 <context>
@@ -3328,6 +3357,18 @@ at %4, %5, %6 m</source>
         <source>Milliseconds by which the images are late</source>
         <translation>画像が遅れているミリ秒数</translation>
     </message>
+    <message>
+        <source>Load calibration</source>
+        <translation>キャリブレーションを読み込む</translation>
+    </message>
+    <message>
+        <source>The calibration names its cameras differently: they were taken in its order.</source>
+        <translation>キャリブレーションのカメラ名が異なるため、順番で対応づけました。</translation>
+    </message>
+    <message>
+        <source>The cameras have the calibration of %1 now.</source>
+        <translation>カメラは %1 のキャリブレーションを使います。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CameraView</name>
@@ -3338,6 +3379,13 @@ at %4, %5, %6 m</source>
     <message>
         <source>No images yet. Press play (Space), or open a project (Ctrl+O).</source>
         <translation>まだ画像がありません。再生する（スペース）か、プロジェクトを開いてください（Ctrl+O）。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ColorDock</name>
+    <message>
+        <source>Color</source>
+        <translation>色</translation>
     </message>
 </context>
 <context>
@@ -4158,6 +4206,37 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::HistoryDock</name>
+    <message>
+        <source>As it was opened</source>
+        <translation>開いたときの状態</translation>
+    </message>
+    <message>
+        <source>History of changes</source>
+        <translation>変更の履歴</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>履歴</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>元に戻す: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>やり直し: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直す</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ManualCalibration</name>
     <message>
         <source>camera %1</source>
@@ -4242,6 +4321,10 @@ at %4, %5, %6 m</source>
         <source>Measured points</source>
         <translation>測定点</translation>
     </message>
+    <message>
+        <source>By hand</source>
+        <translation>手動</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::MainWindow</name>
@@ -4252,6 +4335,59 @@ at %4, %5, %6 m</source>
     <message>
         <source>%1[*] – Dewpoint</source>
         <translation>%1[*] – Dewpoint</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::PeopleDock</name>
+    <message>
+        <source>People</source>
+        <translation>人物</translation>
+    </message>
+    <message>
+        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
+        <translation>カメラ画像の中の人、または鳥瞰図の床をクリックしてください。Esc で終わります。</translation>
+    </message>
+    <message>
+        <source>Folder for the tables of people</source>
+        <translation>人物の表を保存するフォルダー</translation>
+    </message>
+    <message>
+        <source>There are tables of another run in %1. Replace them?</source>
+        <translation>%1 に別の実行の表があります。置き換えますか？</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>置き換える</translation>
+    </message>
+    <message>
+        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
+        <translation>人物の位置、体積、凸包、密度を %1 に保存しました（フレーム数：%2）。</translation>
+    </message>
+    <message>
+        <source>Writing the tables of people…</source>
+        <translation>人物の表を書き出しています…</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::PlannerInstaller</name>
+    <message>
+        <source>Move %1 in the bird&apos;s-eye view</source>
+        <translation>鳥瞰図で %1 を移動</translation>
+    </message>
+    <message>
+        <source>Turn %1 in the bird&apos;s-eye view</source>
+        <translation>鳥瞰図で %1 を回転</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ProjectController</name>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view.</source>
+        <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。</translation>
+    </message>
+    <message>
+        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
+        <translation>どの画像でも追跡したいものをクリックすると、その色を学習して追跡を始めます。</translation>
     </message>
     <message>
         <source>Open a project</source>
@@ -4282,94 +4418,6 @@ at %4, %5, %6 m</source>
         <translation>このプロジェクトの変更を保存しますか？</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view</source>
-        <translation>鳥瞰図</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>パラメーター</translation>
-    </message>
-    <message>
-        <source>Camera %1</source>
-        <translation>カメラ %1</translation>
-    </message>
-    <message>
-        <source>Transport</source>
-        <translation>再生の操作</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>元に戻す</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>やり直す</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>一時停止</translation>
-    </message>
-    <message>
-        <source>&amp;Project</source>
-        <translation>プロジェクト(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>編集(&amp;E)</translation>
-    </message>
-    <message>
-        <source>&amp;Run</source>
-        <translation>実行(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>表示(&amp;V)</translation>
-    </message>
-    <message>
-        <source>Colors</source>
-        <translation>配色</translation>
-    </message>
-    <message>
-        <source>Open recent</source>
-        <translation>最近のプロジェクトを開く</translation>
-    </message>
-    <message>
-        <source>Views</source>
-        <translation>表示パネル</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>言語</translation>
-    </message>
-    <message>
-        <source>Undo: %1</source>
-        <translation>元に戻す: %1</translation>
-    </message>
-    <message>
-        <source>Redo: %1</source>
-        <translation>やり直し: %1</translation>
-    </message>
-    <message>
-        <source>Like the system</source>
-        <translation>システムに合わせる</translation>
-    </message>
-    <message>
-        <source>As it was opened</source>
-        <translation>開いたときの状態</translation>
-    </message>
-    <message>
-        <source>History of changes</source>
-        <translation>変更の履歴</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>履歴</translation>
-    </message>
-    <message>
-        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
-        <translation>どの画像でも追跡したいものをクリックすると、その色を学習して追跡を始めます。</translation>
-    </message>
-    <message>
         <source>Nothing yet</source>
         <translation>まだありません</translation>
     </message>
@@ -4377,6 +4425,13 @@ at %4, %5, %6 m</source>
         <source>Forget these</source>
         <translation>履歴を消去</translation>
     </message>
+    <message>
+        <source>Recovered. Save the project to keep it.</source>
+        <translation>復元しました。残すにはプロジェクトを保存してください。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RecoveryOffer</name>
     <message>
         <source>Dewpoint did not end properly. Unsaved work on “%1” is from %2.</source>
         <translation>Dewpoint は正常に終了しませんでした。「%1」の未保存の作業（%2）があります。</translation>
@@ -4386,105 +4441,20 @@ at %4, %5, %6 m</source>
         <translation>復元する</translation>
     </message>
     <message>
-        <source>Recovered. Save the project to keep it.</source>
-        <translation>復元しました。残すにはプロジェクトを保存してください。</translation>
-    </message>
-    <message>
         <source>Throw it away</source>
         <translation>破棄する</translation>
     </message>
     <message>
-        <source>Target</source>
-        <translation>ターゲット</translation>
+        <source>Unsaved work on “%1” was thrown away.</source>
+        <translation>「%1」の未保存の作業を破棄しました。</translation>
     </message>
     <message>
-        <source>Cameras</source>
-        <translation>カメラ</translation>
+        <source>Take it back</source>
+        <translation>元に戻す</translation>
     </message>
-    <message>
-        <source>Load calibration</source>
-        <translation>キャリブレーションを読み込む</translation>
-    </message>
-    <message>
-        <source>The calibration names its cameras differently: they were taken in its order.</source>
-        <translation>キャリブレーションのカメラ名が異なるため、順番で対応づけました。</translation>
-    </message>
-    <message>
-        <source>The cameras have the calibration of %1 now.</source>
-        <translation>カメラは %1 のキャリブレーションを使います。</translation>
-    </message>
-    <message>
-        <source>Color</source>
-        <translation>色</translation>
-    </message>
-    <message>
-        <source>Save picture as PNG…</source>
-        <translation>画像を PNG で保存…</translation>
-    </message>
-    <message>
-        <source>Copy picture</source>
-        <translation>画像をコピー</translation>
-    </message>
-    <message>
-        <source>Save a picture of %1</source>
-        <translation>%1 の画像を保存</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>画像 (*.png)</translation>
-    </message>
-    <message>
-        <source>Saved the picture %1.</source>
-        <translation>画像 %1 を保存しました。</translation>
-    </message>
-    <message>
-        <source>Plots</source>
-        <translation>グラフ</translation>
-    </message>
-    <message>
-        <source>Trajectory</source>
-        <translation>軌跡</translation>
-    </message>
-    <message>
-        <source>Timeline</source>
-        <translation>タイムライン</translation>
-    </message>
-    <message>
-        <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
-        <translation>変更は今後に適用されます。「%1」でこの時点からの結果を確かめられます。</translation>
-    </message>
-    <message>
-        <source>By hand</source>
-        <translation>手動</translation>
-    </message>
-    <message>
-        <source>Calibration</source>
-        <translation>校正</translation>
-    </message>
-    <message>
-        <source>Move %1 in the bird&apos;s-eye view</source>
-        <translation>鳥瞰図で %1 を移動</translation>
-    </message>
-    <message>
-        <source>Turn %1 in the bird&apos;s-eye view</source>
-        <translation>鳥瞰図で %1 を回転</translation>
-    </message>
-    <message>
-        <source>Show this view</source>
-        <translation>このビューを表示します</translation>
-    </message>
-    <message>
-        <source>Speak this language</source>
-        <translation>この言語で表示します</translation>
-    </message>
-    <message>
-        <source>Wave</source>
-        <translation>振る</translation>
-    </message>
-    <message>
-        <source>&amp;Calibration</source>
-        <translation>キャリブレーション(&amp;C)</translation>
-    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RunAlerts</name>
     <message>
         <source>No camera was bumped.</source>
         <translation>動いたカメラはありません。</translation>
@@ -4504,58 +4474,6 @@ at %4, %5, %6 m</source>
     <message>
         <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
         <translation>ターゲットは他のカメラが見る位置から %1 px ずれていましたが、今は %2 px です。</translation>
-    </message>
-    <message>
-        <source>Board</source>
-        <translation>ボード</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>計画</translation>
-    </message>
-    <message>
-        <source>Click the thing or drag a box around it in any camera view.</source>
-        <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。</translation>
-    </message>
-    <message>
-        <source>This method works in the room: calibrate the cameras first (menu Calibration), their positions are only a guess.</source>
-        <translation>この手法は部屋の中の位置を求めます。カメラの位置は仮のものなので、先に較正してください（メニュー「較正」）。</translation>
-    </message>
-    <message>
-        <source>People</source>
-        <translation>人物</translation>
-    </message>
-    <message>
-        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
-        <translation>カメラ画像の中の人、または鳥瞰図の床をクリックしてください。Esc で終わります。</translation>
-    </message>
-    <message>
-        <source>Folder for the tables of people</source>
-        <translation>人物の表を保存するフォルダー</translation>
-    </message>
-    <message>
-        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
-        <translation>人物の位置、体積、凸包、密度を %1 に保存しました（フレーム数：%2）。</translation>
-    </message>
-    <message>
-        <source>Writing the tables of people…</source>
-        <translation>人物の表を書き出しています…</translation>
-    </message>
-    <message>
-        <source>Unsaved work on “%1” was thrown away.</source>
-        <translation>「%1」の未保存の作業を破棄しました。</translation>
-    </message>
-    <message>
-        <source>Take it back</source>
-        <translation>元に戻す</translation>
-    </message>
-    <message>
-        <source>There are tables of another run in %1. Replace them?</source>
-        <translation>%1 に別の実行の表があります。置き換えますか？</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>置き換える</translation>
     </message>
 </context>
 <context>
@@ -4853,6 +4771,18 @@ at %4, %5, %6 m</source>
         <source>How the targets are tracked. Another method begins anew; the rest stays.</source>
         <translation>ターゲットの追跡方法。別の方法にすると最初からやり直し、ほかはそのままです。</translation>
     </message>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view.</source>
+        <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。</translation>
+    </message>
+    <message>
+        <source>This method works in the room: calibrate the cameras first (menu Calibration), their positions are only a guess.</source>
+        <translation>この手法は部屋の中の位置を求めます。カメラの位置は仮のものなので、先に較正してください（メニュー「較正」）。</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>パラメーター</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PeoplePanel</name>
@@ -5111,6 +5041,10 @@ at %4, %5, %6 m</source>
     <message>
         <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
         <translation>計画中のカメラはプロジェクトに保存されず、実行にも含まれません。マップは室内の遮蔽物を考慮しません。</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>計画</translation>
     </message>
 </context>
 <context>
@@ -5706,6 +5640,10 @@ Effective sample size %8 of %9</source>
         <source>Spread %1 px</source>
         <translation>広がり %1 px</translation>
     </message>
+    <message>
+        <source>Target</source>
+        <translation>ターゲット</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::Timeline</name>
@@ -5740,6 +5678,10 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Rename a mark</source>
         <translation>マークの名前を変更</translation>
+    </message>
+    <message>
+        <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
+        <translation>変更は今後に適用されます。「%1」でこの時点からの結果を確かめられます。</translation>
     </message>
 </context>
 <context>
@@ -5872,6 +5814,29 @@ Effective sample size %8 of %9</source>
     <message>
         <source>The boxes are on the clipboard as CSV.</source>
         <translation>枠を CSV としてクリップボードにコピーしました。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ViewPictures</name>
+    <message>
+        <source>Save picture as PNG…</source>
+        <translation>画像を PNG で保存…</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>画像をコピー</translation>
+    </message>
+    <message>
+        <source>Save a picture of %1</source>
+        <translation>%1 の画像を保存</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved the picture %1.</source>
+        <translation>画像 %1 を保存しました。</translation>
     </message>
 </context>
 <context>
@@ -6224,6 +6189,14 @@ Effective sample size %8 of %9</source>
         <source>Refine</source>
         <translation>精密化</translation>
     </message>
+    <message>
+        <source>Wave</source>
+        <translation>振る</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::WandWaving</name>
@@ -6266,6 +6239,57 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Image sets left out because they came too fast: %1.</source>
         <translation>速すぎて省かれた画像の組: %1。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::WindowMenus</name>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>編集(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Calibration</source>
+        <translation>キャリブレーション(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>実行(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Project</source>
+        <translation>プロジェクト(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Open recent</source>
+        <translation>最近のプロジェクトを開く</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>表示(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>表示パネル</translation>
+    </message>
+    <message>
+        <source>Colors</source>
+        <translation>配色</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>言語</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>システムに合わせる</translation>
+    </message>
+    <message>
+        <source>Show this view</source>
+        <translation>このビューを表示します</translation>
+    </message>
+    <message>
+        <source>Speak this language</source>
+        <translation>この言語で表示します</translation>
     </message>
 </context>
 </TS>

@@ -80,6 +80,7 @@ int windowFloor(const std::string& room) {
       {"text", "style", "jobs", "selection", "scene3d"},
       {"widgets"},
       {"document", "session", "actions"},
+      {"workbench"},
       {"cameraview", "view3d", "plots", "timeline"},
       {"panels", "trajectory"},
       {"calibration", "color", "people", "export", "experiments", "start"},
@@ -98,6 +99,7 @@ bool windowNeighbors(const std::string& from, const std::string& to) {
   static const std::set<std::pair<std::string, std::string>> kArrows = {
       {"style", "scene3d"}, // the colors of targets are those of the 3D view
       {"text", "style"},
+      {"session", "document"}, // the run obeys the document
   };
   return kArrows.contains({from, to});
 }

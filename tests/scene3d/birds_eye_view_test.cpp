@@ -144,7 +144,7 @@ private Q_SLOTS:
   }
 
   void fromAboveTheBallIsWhereXAndYSay() {
-    view_->show(ballSnapshot());
+    view_->setSnapshot(ballSnapshot());
     const QImage picture = view_->currentPicture();
     keep(picture, "above");
     const Scene3d& scene = view_->scene();
@@ -165,7 +165,7 @@ private Q_SLOTS:
 
   void fromTheFrontTheBallIsWhereXAndZSay() {
     const QSignalSpy changed(view_.get(), &BirdsEyeView::viewChanged);
-    view_->show(ballSnapshot());
+    view_->setSnapshot(ballSnapshot());
     const QImage above = view_->currentPicture();
     view_->lookFromFront();
     const QImage front = view_->currentPicture();
@@ -183,7 +183,7 @@ private Q_SLOTS:
   }
 
   void darkAndFreeDiffer() {
-    view_->show(ballSnapshot());
+    view_->setSnapshot(ballSnapshot());
     view_->lookFree();
     const QImage light = view_->currentPicture();
     keep(light, "free");
@@ -202,17 +202,17 @@ private Q_SLOTS:
   }
 
   void newSnapshotsMoveTheBall() {
-    view_->show(ballSnapshot());
+    view_->setSnapshot(ballSnapshot());
     const QImage before = view_->currentPicture();
     QCOMPARE(differentPixels(before, view_->currentPicture()), 0);
     auto next = ballSnapshot({-0.6, 0.5, 0.7});
-    view_->show(next);
+    view_->setSnapshot(next);
     const QImage picture = view_->currentPicture();
     const Scene3d& scene = view_->scene();
     const QPointF expected =
         flatProjection(scene, picture, -0.6, 0.5, scene.focus().x(), scene.focus().y());
     QVERIFY(blob(picture, expected, 0.03 / scene.metresPerPixel()).count > 20);
-    view_->show(TrackSnapshotPtr{});
+    view_->setSnapshot(TrackSnapshotPtr{});
     QCOMPARE(blob(view_->currentPicture(), expected, 0.2 / scene.metresPerPixel()).count, 0);
   }
 
@@ -224,7 +224,7 @@ private Q_SLOTS:
     for (std::size_t i = 23; i < 31; ++i) {
       torn->targets[0].tail[i].setConstant(kNaN);
     }
-    view_->show(whole);
+    view_->setSnapshot(whole);
     const QImage before = view_->currentPicture();
     const Scene3d& scene = view_->scene();
     const auto at = [&](std::size_t i) {
@@ -234,7 +234,7 @@ private Q_SLOTS:
     const QPointF inGap = at(27);
     const QPointF held = at(20);
     QVERIFY(blob(before, inGap, 4.0).count > 0 && blob(before, held, 4.0).count > 0);
-    view_->show(torn);
+    view_->setSnapshot(torn);
     const QImage after = view_->currentPicture();
     QCOMPARE(blob(after, inGap, 4.0).count, 0);
     QVERIFY(blob(after, held, 4.0).count > 0);
@@ -267,7 +267,7 @@ private Q_SLOTS:
     CameraRig rig = *snapshot->rig;
     rig.push_back(broken);
     snapshot->rig = std::make_shared<CameraRig>(rig);
-    view_->show(snapshot);
+    view_->setSnapshot(snapshot);
     const QImage picture = view_->currentPicture();
     const Scene3d& scene = view_->scene();
     QVERIFY(std::isfinite(scene.metresPerPixel()) && scene.focus().allFinite());
@@ -276,8 +276,49 @@ private Q_SLOTS:
     QVERIFY(blob(picture, expected, 0.03 / scene.metresPerPixel()).count > 20);
   }
 
+  void aRigThatWasCalibratedAnewIsSeenAsIfItWereNew() {
+    // The same cameras in a room of a tenth of the size: what an import makes of a guess.
+    const auto small = ballSnapshot(0.1 * kBall);
+    CameraRig rig = *small->rig;
+    for (Camera& camera : rig) {
+      camera.cameraFromWorld.translation() *= 0.1;
+    }
+    small->rig = std::make_shared<CameraRig>(rig);
+    small->targets.clear();
+    view_->setSnapshot(small);
+    view_->currentPicture();
+    const double expected = view_->scene().metresPerPixel();
+
+    view_ = std::make_unique<BirdsEyeView>();
+    view_->resize(640, 480);
+    view_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    const auto guessed = ballSnapshot();
+    guessed->targets.clear();
+    view_->setSnapshot(guessed);
+    view_->currentPicture();
+    QVERIFY(view_->scene().metresPerPixel() > 5.0 * expected);
+    view_->setSnapshot(small);
+    view_->currentPicture();
+    QCOMPARE(view_->scene().metresPerPixel(), expected);
+  }
+
+  void oneCameraThatIsMovedLeavesThePictureStill() {
+    const auto snapshot = ballSnapshot();
+    view_->setSnapshot(snapshot);
+    view_->currentPicture();
+    const double before = view_->scene().metresPerPixel();
+    const auto moved = std::make_shared<TrackSnapshot>(*snapshot);
+    CameraRig rig = *snapshot->rig;
+    rig.front().cameraFromWorld.translation() *= 0.9; // nearer to the others
+    moved->rig = std::make_shared<CameraRig>(rig);
+    view_->setSnapshot(moved);
+    view_->currentPicture();
+    QCOMPARE(view_->scene().metresPerPixel(), before);
+  }
+
   void draggingMovesAndDoubleClickRestores() {
-    view_->show(ballSnapshot());
+    view_->setSnapshot(ballSnapshot());
     const QImage before = view_->currentPicture();
     const Eigen::Vector3d focus = view_->scene().focus();
     QTest::mousePress(view_.get(), Qt::LeftButton, {}, {300, 200});
@@ -293,7 +334,7 @@ private Q_SLOTS:
   }
 
   void orbitingTurnsTheFreeView() {
-    view_->show(ballSnapshot());
+    view_->setSnapshot(ballSnapshot());
     view_->lookFree();
     const QImage before = view_->currentPicture();
     QTest::mousePress(view_.get(), Qt::LeftButton, {}, {300, 200});
@@ -314,7 +355,7 @@ private Q_SLOTS:
   }
 
   void picturesComeOnTheirOwn() {
-    view_->show(ballSnapshot());
+    view_->setSnapshot(ballSnapshot());
     const double ratio = view_->devicePixelRatioF();
     // Nothing but the target has its color; the timer alone brings the picture.
     QTRY_VERIFY_WITH_TIMEOUT(
@@ -332,7 +373,7 @@ private Q_SLOTS:
       map->sigmas.push_back(north ? float(kNaN) : i % 4 < 2 ? 0.0005F : 0.05F);
       map->counts.push_back(north ? 1 : 3);
     }
-    view_->show(ballSnapshot());
+    view_->setSnapshot(ballSnapshot());
     MapLook look;
     view_->showMap(map, look);
     const QImage picture = view_->currentPicture();
@@ -358,7 +399,7 @@ private Q_SLOTS:
   }
 
   void withoutOpenGlTheWidgetStillWorks() {
-    view_->show(ballSnapshot());
+    view_->setSnapshot(ballSnapshot());
     view_->lookFree();
     QTest::mouseClick(view_.get(), Qt::LeftButton, {}, {100, 100});
     QTest::keyClick(view_.get(), Qt::Key_Plus);

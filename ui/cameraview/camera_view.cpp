@@ -71,8 +71,8 @@ CameraView::CameraView(int camera, QWidget* parent) : QWidget(parent), camera_(c
   setAttribute(Qt::WA_OpaquePaintEvent);
 }
 
-void CameraView::show(TrackSnapshotPtr snapshot) {
-  snapshot_ = std::move(snapshot);
+void CameraView::setSnapshot(const TrackSnapshotPtr& snapshot) {
+  snapshot_ = snapshot;
   if (const HoldState now = stateNow(); now != state_) {
     state_ = now;
     Q_EMIT stateChanged(state_);

@@ -30,8 +30,8 @@ public:
   /// View of camera `camera` of the rig of the snapshots it is given.
   explicit CameraView(int camera, QWidget* parent = nullptr);
 
-  using QWidget::show;
-  void show(TrackSnapshotPtr snapshot);
+  /// What it shows; null: no images.
+  void setSnapshot(const TrackSnapshotPtr& snapshot);
   void setMaskShown(bool shown);
   /// Likelihood maps and the places that were considered.
   void setEvidenceShown(bool shown);

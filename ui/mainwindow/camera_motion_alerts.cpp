@@ -33,7 +33,12 @@ CameraMotionAlerts::Stage CameraMotionAlerts::stageOf(const CameraMotionReport& 
   return now - seconds(report.event.time) > kPatience ? Stage::Unsolvable : Stage::Waiting;
 }
 
-void CameraMotionAlerts::show(const TrackSnapshot& snapshot) {
+void CameraMotionAlerts::setSnapshot(const TrackSnapshotPtr& shown) {
+  if (!shown) {
+    clear();
+    return;
+  }
+  const TrackSnapshot& snapshot = *shown;
   if (snapshot.bumps.size() < count_) { // one was dealt with: the others are worth saying again
     said_.clear();
     withdraw();

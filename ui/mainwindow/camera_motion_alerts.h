@@ -21,9 +21,8 @@ class CameraMotionAlerts : public QObject {
 public:
   explicit CameraMotionAlerts(MessageBar& bar, QObject* parent = nullptr);
 
-  void show(const TrackSnapshot& snapshot);
-  /// Another run: what was said counts no more.
-  void clear();
+  /// The moment shown; null: the run is over, and what was said counts no more.
+  void setSnapshot(const TrackSnapshotPtr& snapshot);
 
 Q_SIGNALS:
   void resolveWanted(int camera);
@@ -32,6 +31,7 @@ Q_SIGNALS:
 private:
   enum class Stage { Waiting, Solved, Unsolvable, Back };
   using Key = std::tuple<std::size_t, std::int64_t, Stage>;
+  void clear();
   static Stage stageOf(const CameraMotionReport& report, const TrackSnapshot& snapshot);
   void say(const CameraMotionReport& report, Stage stage, const QString& camera);
   void withdraw();

@@ -107,7 +107,6 @@ StatusBarPanel::StatusBarPanel(QWidget* parent) : QWidget(parent) {
   held_->setFont(bold);
   held_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   onRetranslate(this, [this] { say(); });
-  clear();
 }
 
 void StatusBarPanel::say() {
@@ -128,7 +127,7 @@ void StatusBarPanel::say() {
           tr("Estimated position of the target in the room"));
   explain(held_, holdText(HoldState::Searching),
           tr("Held: the cameras confirm the estimate. Lost: not so for a second."));
-  applyPalette();
+  refresh();
 }
 
 QLabel* StatusBarPanel::figure(const char* name) {
@@ -148,7 +147,24 @@ void StatusBarPanel::clear() {
   applyPalette();
 }
 
-void StatusBarPanel::show(const TrackSnapshot& snapshot, int chosen) {
+void StatusBarPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
+  snapshot_ = snapshot;
+  refresh();
+}
+
+void StatusBarPanel::setTarget(int target) {
+  target_ = target;
+  if (snapshot_) {
+    refresh();
+  }
+}
+
+void StatusBarPanel::refresh() {
+  if (!snapshot_) {
+    clear();
+    return;
+  }
+  const TrackSnapshot& snapshot = *snapshot_;
   playing_->setText(playWord(snapshot));
   const QString frame = QString::number(snapshot.frame + 1); // people count from 1
   frame_->setText(snapshot.frameCount ? tr("frame %1 / %2").arg(frame).arg(*snapshot.frameCount)
@@ -160,7 +176,7 @@ void StatusBarPanel::show(const TrackSnapshot& snapshot, int chosen) {
                               ? tr("%1 µs").arg(number(microseconds, 0))
                               : tr("%1 ms").arg(number(microseconds / 1000.0, 1))));
   time_->setToolTip(timeHint(snapshot.latency));
-  const TargetSnapshot* target = targetToExplain(snapshot, chosen);
+  const TargetSnapshot* target = targetToExplain(snapshot, target_);
   if (target != nullptr && target->box) {
     showBox(target->box->estimate);
   } else if (target != nullptr && target->estimate.particleCount > 0) {
@@ -183,7 +199,7 @@ void StatusBarPanel::show(const TrackSnapshot& snapshot, int chosen) {
   name_ = several ? QString::fromStdString(target->target.name) : QString();
   const bool mustSay = target != nullptr && target->status != TargetStatus::Held;
   stateText_.clear();
-  if (snapshot.ofPeople() && chosen < 0) { // nobody in particular
+  if (snapshot.ofPeople() && target_ < 0) { // nobody in particular
     state_ = holdState(snapshot);
     name_.clear();
     const QString there = number(peopleThere(snapshot), 0);

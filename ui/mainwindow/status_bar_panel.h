@@ -6,6 +6,8 @@
 #include <QString>
 #include <QWidget>
 
+#include <memory>
+
 class QLabel;
 
 namespace dewpoint::session {
@@ -19,6 +21,8 @@ namespace dewpoint::ui {
 
 class ElidedLabel;
 
+using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
+
 /// The line of numbers at the bottom: frame, rate, time per iteration, effective sample size,
 /// spread, and whether the target is held. Figures keep their places while they change.
 class StatusBarPanel : public QWidget {
@@ -26,10 +30,10 @@ class StatusBarPanel : public QWidget {
 public:
   explicit StatusBarPanel(QWidget* parent = nullptr);
 
-  /// `target`: the one that is chosen; -1: the one that needs attention.
-  void show(const TrackSnapshot& snapshot, int target = -1);
-  using QWidget::show;
-  void clear();
+  /// The moment shown; null: there is nothing to measure.
+  void setSnapshot(const TrackSnapshotPtr& snapshot);
+  /// The target that is chosen; -1: the one that needs attention.
+  void setTarget(int target);
   /// Held while two cameras see the target; searching at first and for a second after a loss.
   HoldState state() const { return state_; }
 
@@ -39,6 +43,8 @@ protected:
 private:
   QLabel* figure(const char* name);
   void say();
+  void clear();
+  void refresh();
   void showBox(const BoxEstimate& estimate);
   void applyPalette();
 
@@ -51,6 +57,8 @@ private:
   QLabel* position_;
   ElidedLabel* reason_; ///< why it is not held
   QLabel* held_;
+  TrackSnapshotPtr snapshot_;
+  int target_ = -1;
   QString name_;      ///< of the target shown, when there are several
   QString stateText_; ///< in place of the word of the state; empty: that word
   HoldState state_ = HoldState::NoImages;

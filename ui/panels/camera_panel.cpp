@@ -267,8 +267,8 @@ cv::Mat CameraPanel::shownImage() const {
   return any ? snapshot_->frames->frames[row]->image : cv::Mat();
 }
 
-void CameraPanel::setSnapshot(TrackSnapshotPtr snapshot) {
-  snapshot_ = std::move(snapshot);
+void CameraPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
+  snapshot_ = snapshot;
   emptyRoomTake_->setEnabled(source_->isEnabled() && !shownImage().empty());
 }
 

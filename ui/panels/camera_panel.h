@@ -34,7 +34,7 @@ public:
 
   void choose(int camera);
   /// The images that a picture of the empty room may be taken from: those shown.
-  void setSnapshot(TrackSnapshotPtr snapshot);
+  void setSnapshot(const TrackSnapshotPtr& snapshot);
 
 Q_SIGNALS:
   void cameraChosen(int camera);

@@ -134,13 +134,13 @@ void TargetPanel::showChosen() {
   radius_->setValue(target.radius * kMillimetres);
 }
 
-void TargetPanel::show(const TrackSnapshot& snapshot) {
+void TargetPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   const auto index = static_cast<std::size_t>(std::max(0, chosen()));
-  if (snapshot.family != MethodFamily::Boxes || index >= snapshot.targets.size()) {
+  if (!snapshot || snapshot->family != MethodFamily::Boxes || index >= snapshot->targets.size()) {
     box_->clear();
     return;
   }
-  const TargetSnapshot& target = snapshot.targets[index];
+  const TargetSnapshot& target = snapshot->targets[index];
   if (!target.box) {
     box_->setText(tr("No box at this moment."));
     return;
@@ -153,8 +153,8 @@ void TargetPanel::show(const TrackSnapshot& snapshot) {
   box_->setText(
       tr("%1, in %2\nCenter %3, %4 px, size %5 × %6 px\nSimilarity %7\nEffective sample size %8 of "
          "%9")
-          .arg(holdText(holdState(target, snapshot.family)),
-               cameraNames(snapshot).value(target.box->camera), number(center.x(), 1),
+          .arg(holdText(holdState(target, snapshot->family)),
+               cameraNames(*snapshot).value(target.box->camera), number(center.x(), 1),
                number(center.y(), 1), number(estimate.box.width, 1), number(estimate.box.height, 1),
                number(estimate.similarity, 2), number(estimate.effectiveSampleSize, 0),
                QString::number(estimate.particleCount)) +

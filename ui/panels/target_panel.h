@@ -20,6 +20,7 @@ struct TrackSnapshot;
 namespace dewpoint::ui {
 
 class Document;
+using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
 /// What is followed: the targets by name, and the name and size of the chosen one.
 class TargetPanel : public QWidget {
@@ -31,8 +32,7 @@ public:
   int chosen() const;
   void choose(int target);
   /// What is believed of the chosen target's box at the moment shown, if its method follows boxes.
-  void show(const TrackSnapshot& snapshot);
-  using QWidget::show;
+  void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Takes the chosen target out, as an undoable step.
   void removeChosen();
 

@@ -133,10 +133,10 @@ void PeoplePanel::say() {
   refresh();
 }
 
-void PeoplePanel::show(TrackSnapshotPtr snapshot) {
+void PeoplePanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   const bool otherMoment = !snapshot_ || !snapshot || snapshot->state != PlayState::Playing ||
                            snapshot_->targets.size() != snapshot->targets.size();
-  snapshot_ = std::move(snapshot);
+  snapshot_ = snapshot;
   if (otherMoment || !sinceRefresh_.isValid() || sinceRefresh_.elapsed() >= kRefreshMs) {
     refresh();
   }

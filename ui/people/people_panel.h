@@ -24,8 +24,7 @@ public:
   /// `place`, `remove`: the actions of the buttons below the table.
   PeoplePanel(Selection& selection, QAction* place, QAction* remove, QWidget* parent = nullptr);
 
-  using QWidget::show;
-  void show(TrackSnapshotPtr snapshot);
+  void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Identity of the person chosen; 0: none.
   int chosen() const;
 

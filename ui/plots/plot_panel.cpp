@@ -197,13 +197,17 @@ void PlotPanel::useCameras() {
   stack_->setPlots(boxes_ ? boxRunPlots() : runPlots(cameras_));
 }
 
-void PlotPanel::show(const TrackSnapshot& snapshot) {
+void PlotPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
+  if (!snapshot) {
+    clear();
+    return;
+  }
   QStringList cameras;
-  for (std::size_t camera = 0; snapshot.rig && camera < snapshot.rig->size(); ++camera) {
-    const QString name = QString::fromStdString((*snapshot.rig)[camera].name);
+  for (std::size_t camera = 0; snapshot->rig && camera < snapshot->rig->size(); ++camera) {
+    const QString name = QString::fromStdString((*snapshot->rig)[camera].name);
     cameras << (name.isEmpty() ? tr("Camera %1").arg(camera + 1) : name);
   }
-  const bool boxes = snapshot.family == MethodFamily::Boxes;
+  const bool boxes = snapshot->family == MethodFamily::Boxes;
   if (cameras != cameras_ || !camerasKnown_ || boxes != boxes_) {
     camerasKnown_ = true;
     boxes_ = boxes;

@@ -22,6 +22,7 @@ namespace dewpoint::ui {
 class ActionRegistry;
 class PlotStack;
 class Selection;
+using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
 /// The plots of a run: spread per axis, effective sample size, likelihood and existence per camera,
 /// error against truth and time per step of one target, over iterations or time. Which are shown is
@@ -37,9 +38,8 @@ public:
   void append(const std::vector<IterationRecord>& records);
   /// A new run: what comes next is from its start.
   void clear();
-  /// Whose cameras the curves are of.
-  void show(const TrackSnapshot& snapshot);
-  using QWidget::show;
+  /// Whose cameras the curves are of; null: no run, and no curves.
+  void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Whose numbers are shown, from 0.
   void setTarget(int target);
   int shownIterations() const;

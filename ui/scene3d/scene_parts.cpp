@@ -54,6 +54,42 @@ Eigen::Vector3d lookedAt(const CameraRig& rig) {
   return point.allFinite() ? point : Eigen::Vector3d::Zero();
 }
 
+/// Cameras and what they look at.
+Eigen::AlignedBox3d boxOf(const CameraRig& rig) {
+  Eigen::AlignedBox3d box;
+  for (const Camera& each : rig) {
+    if (usablePose(each)) {
+      box.extend(each.center());
+    }
+  }
+  if (!box.isEmpty()) {
+    box.extend(lookedAt(rig));
+  }
+  return box;
+}
+
+/// Whether a rig is the one before with some cameras moved, and not calibrated anew as a whole. All
+/// cameras move at once also when there is only one, or when the world is shifted a little: then
+/// the room stays of about the same size and place.
+bool areAdjusted(const CameraRig& before, const CameraRig& now,
+                 const Eigen::AlignedBox3d& boxBefore, const Eigen::AlignedBox3d& boxNow) {
+  if (before.empty() || !std::ranges::equal(before, now, {}, &Camera::name, &Camera::name)) {
+    return false;
+  }
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    if (now[k].cameraFromWorld.isApprox(before[k].cameraFromWorld)) {
+      return true;
+    }
+  }
+  if (boxBefore.isEmpty() || boxNow.isEmpty()) {
+    return false;
+  }
+  const double sizeBefore = boxBefore.diagonal().norm();
+  const double sizeNow = boxNow.diagonal().norm();
+  return sizeNow < 1.5 * sizeBefore && sizeBefore < 1.5 * sizeNow &&
+         (boxNow.center() - boxBefore.center()).norm() < 0.5 * sizeBefore;
+}
+
 } // namespace
 
 void Scene3d::Parts::applyPalette() {
@@ -76,22 +112,15 @@ ScenePalette Scene3d::Parts::plannedPalette() const {
 }
 
 void Scene3d::Parts::showRig(const std::shared_ptr<const CameraRig>& shown) {
-  // Cameras that are adjusted: the picture holds still unless one leaves it.
-  const bool same =
-      rig && shown && std::ranges::equal(*rig, *shown, {}, &Camera::name, &Camera::name);
-  rig = shown;
-  rigBox.setEmpty();
   const CameraRig none;
-  const CameraRig& cameras = rig ? *rig : none;
-  for (const Camera& each : cameras) {
-    if (usablePose(each)) {
-      rigBox.extend(each.center());
-    }
-  }
-  if (!rigBox.isEmpty()) {
-    rigBox.extend(lookedAt(cameras));
-  }
-  content = same ? content.merged(rigBox) : rigBox;
+  const CameraRig& before = rig ? *rig : none;
+  const CameraRig& cameras = shown ? *shown : none;
+  const Eigen::AlignedBox3d boxBefore = rigBox;
+  rigBox = boxOf(cameras);
+  // Cameras that are adjusted: the picture holds still unless one leaves it.
+  const bool adjusted = areAdjusted(before, cameras, boxBefore, rigBox);
+  content = adjusted ? content.merged(rigBox) : rigBox;
+  rig = shown;
   frusta.show(cameras, frustumLength());
   frusta.setPalette(palette());
   coverGround();

@@ -2,6 +2,7 @@
 #include "ui/session/project_loader.h"
 
 #include "core/session/session.h"
+#include "ui/session/open_request.h"
 #include "ui/text/error_sentence.h"
 
 #include <QMetaObject>
@@ -18,15 +19,21 @@ ProjectLoader::~ProjectLoader() {
   }
 }
 
-void ProjectLoader::open(SessionRequest request) {
+bool ProjectLoader::isReopening() const {
+  const OpenRequest* last = next_ ? next_.get() : now_.get();
+  return last != nullptr && last->keepHistory;
+}
+
+void ProjectLoader::open(OpenRequest request) {
   if (opening_) {
-    next_ = std::make_unique<SessionRequest>(std::move(request));
+    next_ = std::make_unique<OpenRequest>(std::move(request));
     return;
   }
+  now_ = std::make_unique<OpenRequest>(std::move(request));
   opening_ = true;
   Q_EMIT openingChanged(true);
-  worker_ = std::jthread([this, request = std::move(request)] {
-    auto result = std::make_shared<Result<SessionInputs>>(opener_(request));
+  worker_ = std::jthread([this, what = now_->what] {
+    auto result = std::make_shared<Result<SessionInputs>>(opener_(what));
     QMetaObject::invokeMethod(
         this, [this, result] { finish(result); }, Qt::QueuedConnection);
   });
@@ -34,13 +41,14 @@ void ProjectLoader::open(SessionRequest request) {
 
 void ProjectLoader::finish(const std::shared_ptr<Result<SessionInputs>>& result) {
   opening_ = false;
+  const std::unique_ptr<OpenRequest> request = std::move(now_);
   if (next_) {
-    const std::unique_ptr<SessionRequest> next = std::move(next_);
+    const std::unique_ptr<OpenRequest> next = std::move(next_);
     open(std::move(*next));
     return;
   }
   if (*result) {
-    Q_EMIT opened(std::make_shared<SessionInputs>(std::move(**result)));
+    Q_EMIT opened(*request, std::make_shared<SessionInputs>(std::move(**result)));
   } else {
     Q_EMIT failed(errorSentence(result->error()));
   }

@@ -17,6 +17,8 @@ struct SessionRequest;
 
 namespace dewpoint::ui {
 
+struct OpenRequest;
+
 /// Opens a project as the application wires it. Called in a thread.
 using ProjectOpener = std::function<Result<SessionInputs>(const SessionRequest&)>;
 
@@ -29,17 +31,19 @@ public:
 
   /// Starts opening. While an opening is under way: the last of those asked for comes next, and
   /// what is under way is dropped.
-  void open(SessionRequest request);
+  void open(OpenRequest request);
   /// For others that open a project in a thread of theirs.
   const ProjectOpener& opener() const { return opener_; }
   bool isOpening() const { return opening_; }
+  /// Whether what will be opened in the end is the document's own project with other inputs.
+  bool isReopening() const;
   /// Lets a session end in a thread of its own.
   void retire(std::unique_ptr<Session> session);
 
 Q_SIGNALS:
   void openingChanged(bool opening);
-  /// The inputs are the receiver's to move from.
-  void opened(std::shared_ptr<SessionInputs> inputs);
+  /// What was asked for is open. The inputs are the receiver's to move from.
+  void opened(const OpenRequest& request, std::shared_ptr<SessionInputs> inputs);
   void failed(const QString& sentence);
 
 private:
@@ -47,7 +51,8 @@ private:
 
   ProjectOpener opener_;
   bool opening_ = false;
-  std::unique_ptr<SessionRequest> next_;
+  std::unique_ptr<OpenRequest> now_;  ///< what is being opened
+  std::unique_ptr<OpenRequest> next_; ///< what takes its place
   std::jthread worker_;
   std::jthread retirement_;
 };

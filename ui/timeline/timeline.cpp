@@ -22,7 +22,12 @@ constexpr qint64 kPatienceMs = 1500; ///< for a moment that was asked for
 
 } // namespace
 
-void Timeline::show(const TrackSnapshot& snapshot) {
+void Timeline::setSnapshot(const TrackSnapshotPtr& shown) {
+  if (!shown) {
+    clear();
+    return;
+  }
+  const TrackSnapshot& snapshot = *shown;
   model_.history = snapshot.history;
   model_.rerun = snapshot.rerun;
   model_.live = snapshot.frames != nullptr && !snapshot.frameCount.has_value();

@@ -25,8 +25,8 @@ class Timeline : public QWidget {
 public:
   Timeline(Selection& selection, Document& document, QWidget* parent = nullptr);
 
-  using QWidget::show;
-  void show(const TrackSnapshot& snapshot);
+  /// What there is along time; null: no run, and nothing.
+  void setSnapshot(const TrackSnapshotPtr& snapshot);
   void append(const std::vector<FrameRecord>& records, bool restarted);
   void clear();
 

@@ -102,9 +102,12 @@ void BoxPanel::fetch() {
   say();
 }
 
-void BoxPanel::show(const TrackSnapshot& snapshot) {
+void BoxPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
+  if (!snapshot) {
+    return;
+  }
   QStringList names;
-  for (const TargetSnapshot& target : snapshot.targets) {
+  for (const TargetSnapshot& target : snapshot->targets) {
     names.append(QString::fromStdString(target.target.name));
   }
   model_->setNames(names);

@@ -35,8 +35,7 @@ public:
   /// There may be new boxes: fetches them soon, and only while someone looks.
   void refresh();
   /// The newest snapshot: what the targets are called.
-  void show(const TrackSnapshot& snapshot);
-  using QWidget::show;
+  void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// The rows selected, or all, as in boxes.csv.
   QByteArray csv();
 

@@ -267,11 +267,14 @@ void TrajectoryPanel::breakLineBefore(const TrajectorySample& sample) {
   }
 }
 
-void TrajectoryPanel::show(const TrackSnapshot& snapshot) {
-  boxes_->show(snapshot);
-  pages_->setCurrentIndex(snapshot.family == MethodFamily::Boxes ? 1 : 0);
+void TrajectoryPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
+  boxes_->setSnapshot(snapshot);
+  if (!snapshot) {
+    return; // what follows the run empties the table
+  }
+  pages_->setCurrentIndex(snapshot->family == MethodFamily::Boxes ? 1 : 0);
   names_.clear();
-  for (const TargetSnapshot& target : snapshot.targets) {
+  for (const TargetSnapshot& target : snapshot->targets) {
     names_.push_back(target.target.name);
   }
 }

@@ -49,8 +49,7 @@ public:
   /// There may be new samples: fetches them soon, and only while someone looks.
   void refresh();
   /// The newest snapshot: which targets there are.
-  void show(const TrackSnapshot& snapshot);
-  using QWidget::show;
+  void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// The user points at a place of a target's trajectory: that moment is wanted, or, to `extend`,
   /// the span from the moment shown to it is selected.
   void choosePlace(int target, const Eigen::Vector3d& place, bool extend);

@@ -136,10 +136,14 @@ void BirdsEyeView::prepare() {
   }
 }
 
-void BirdsEyeView::show(TrackSnapshotPtr snapshot) {
-  snapshot_ = std::move(snapshot);
+void BirdsEyeView::setSnapshot(const TrackSnapshotPtr& snapshot) {
+  snapshot_ = snapshot;
   sceneStale_ = true;
   requestPicture();
+}
+
+void BirdsEyeView::startAnew() {
+  look(Scene3d::View::Above);
 }
 
 Scene3d::View BirdsEyeView::currentView() const {

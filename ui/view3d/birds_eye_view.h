@@ -39,8 +39,9 @@ public:
   void prepare();
 
   /// Shows a moment with the next picture; null empties the scene. Cheap, also while hidden.
-  void show(TrackSnapshotPtr snapshot);
-  using QWidget::show;
+  void setSnapshot(const TrackSnapshotPtr& snapshot);
+  /// Another project: looks at all of it from above, wherever the person looked before.
+  void startAnew();
   /// Marks a part of a trajectory: strokes of places, metres; none: nothing is marked.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
 

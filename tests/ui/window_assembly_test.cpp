@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the window is put together: a view that is added with one line, views that fill the window
+// and come back, and what another project finds.
+#include "app/wiring/open_project.h"
+#include "core/session/session.h"
+#include "ui/document/document.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/plots/plot_stack.h"
+#include "ui/selection/selection.h"
+#include "ui/session/open_request.h"
+#include "ui/session/project_loader.h"
+#include "ui/session/session_controller.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/workbench/dock_manager.h"
+#include "ui/workbench/workbench.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QLabel>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace dewpoint::tests {
+
+namespace {
+
+constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS; ///< a loaded machine, a sanitizer
+
+/// A view as somebody would add it (docs/architecture.md).
+class FrameNumber : public QLabel {
+public:
+  using QLabel::QLabel;
+  void setSnapshot(const TrackSnapshotPtr& snapshot) {
+    ++given;
+    snapshot ? setNum(static_cast<int>(snapshot->frame)) : clear();
+  }
+  int given = 0;
+};
+
+FrameNumber* installFrameNumber(const Workbench& bench) {
+  auto* view = new FrameNumber(&bench.window);
+  bench.docks.make({.name = QStringLiteral("frameNumberDock"),
+                    .title = [] { return QStringLiteral("Frame number"); },
+                    .content = view});
+  bench.connectView(view);
+  return view;
+}
+
+} // namespace
+
+class WindowAssemblyTest : public QObject {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void init();
+  void cleanup();
+  void aViewIsAddedWithOneLine();
+  void aMaximizedViewGivesTheOthersTheirPlacesBack();
+  void whatIsWantedWhileOneViewFillsTheWindowStays();
+  void anotherProjectIsSeenWhole();
+  void theRequestComesBackWithWhatItOpened();
+  void viewsAreToldInOrder();
+  void closingBeforeTheRunBeginsKeepsItFromBeginning();
+
+private:
+  void open();
+  ViewDock* dock(const char* name) { return window_->findChild<ViewDock*>(QLatin1String(name)); }
+  void doubleClickTitle(const char* name) {
+    QTest::mouseDClick(dock(name)->titleBarWidget(), Qt::LeftButton);
+  }
+  /// Which docks are shown, by name, and where.
+  std::map<QString, QRect> places() const;
+
+  std::unique_ptr<MainWindow> window_;
+};
+
+void WindowAssemblyTest::init() {
+  window_ = std::make_unique<MainWindow>(&openProject);
+  window_->setPlayOnOpen(false);
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+}
+
+void WindowAssemblyTest::cleanup() {
+  window_.reset();
+}
+
+void WindowAssemblyTest::open() {
+  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
+  window_->openProject({});
+  QVERIFY(opened.wait(kPatienceMs));
+  QTRY_VERIFY_WITH_TIMEOUT(window_->shown() && window_->shown()->iterations > 0, kPatienceMs);
+  QVERIFY(QTest::qWaitFor(
+      [this, last = places()]() mutable { return last == std::exchange(last, places()); },
+      kPatienceMs));
+}
+
+std::map<QString, QRect> WindowAssemblyTest::places() const {
+  std::map<QString, QRect> found;
+  for (const ViewDock* one : window_->workbench().docks.docks()) {
+    if (!one->isHidden()) {
+      found[one->objectName()] = one->geometry();
+    }
+  }
+  return found;
+}
+
+void WindowAssemblyTest::aViewIsAddedWithOneLine() {
+  FrameNumber* view = installFrameNumber(window_->workbench());
+  open();
+  QCOMPARE(view->text(), QString::number(window_->shown()->frame));
+  // It is a tab of the inspector, and in the list of views.
+  QVERIFY(!dock("frameNumberDock")->isHidden());
+  QVERIFY(window_->tabifiedDockWidgets(dock("parameterDock")).contains(dock("frameNumberDock")));
+  auto* views = window_->findChild<QMenu*>(QStringLiteral("menuViews"));
+  QVERIFY(views != nullptr);
+  Q_EMIT views->aboutToShow();
+  QVERIFY(views->actions().contains(dock("frameNumberDock")->toggleViewAction()));
+  // Who puts it away does not find it again after the views were arranged anew.
+  dock("frameNumberDock")->toggleViewAction()->trigger();
+  window_->findChild<QAction*>(QStringLiteral("actionResetLayout"))->trigger();
+  QVERIFY(dock("frameNumberDock")->isHidden());
+  const int before = view->given;
+  window_->findChild<QAction*>(QStringLiteral("actionCloseProject"))->trigger();
+  QVERIFY(view->given > before);
+  QCOMPARE(view->text(), QString());
+}
+
+void WindowAssemblyTest::aMaximizedViewGivesTheOthersTheirPlacesBack() {
+  open();
+  const auto before = places();
+  for (int round = 0; round < 2; ++round) {
+    doubleClickTitle("cameraDock1");
+    QTRY_COMPARE_WITH_TIMEOUT(places().size(), std::size_t{1}, kPatienceMs);
+    QVERIFY(!dock("cameraDock1")->isHidden());
+    doubleClickTitle("cameraDock1");
+    QTRY_COMPARE_WITH_TIMEOUT(places().size(), before.size(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(places() == before, kPatienceMs);
+  }
+}
+
+void WindowAssemblyTest::whatIsWantedWhileOneViewFillsTheWindowStays() {
+  open();
+  const auto before = places();
+  doubleClickTitle("birdsEyeDock");
+  QTRY_COMPARE_WITH_TIMEOUT(places().size(), std::size_t{1}, kPatienceMs);
+  dock("historyDock")->toggleViewAction()->trigger();
+  doubleClickTitle("birdsEyeDock");
+  QTRY_COMPARE_WITH_TIMEOUT(places().size(), before.size() + 1, kPatienceMs);
+  QVERIFY(!dock("historyDock")->isHidden());
+  // The view that fills the window is put away: the others come back without it.
+  doubleClickTitle("plotDock");
+  QTRY_COMPARE_WITH_TIMEOUT(places().size(), std::size_t{1}, kPatienceMs);
+  dock("plotDock")->toggleViewAction()->trigger();
+  QTRY_COMPARE_WITH_TIMEOUT(places().size(), before.size(), kPatienceMs);
+  QVERIFY(dock("plotDock")->isHidden());
+}
+
+void WindowAssemblyTest::anotherProjectIsSeenWhole() {
+  open();
+  auto* room = window_->findChild<BirdsEyeView*>();
+  room->lookFree();
+  auto* plots = window_->findChild<PlotStack*>(QStringLiteral("plotStack"));
+  // Long enough to be looked at in part.
+  QTRY_VERIFY_WITH_TIMEOUT((plots->showPart(1.0, 6.0), !plots->showsAll()), kPatienceMs);
+  open();
+  QCOMPARE(room->currentView(), Scene3d::View::Above);
+  QVERIFY(plots->showsAll());
+}
+
+void WindowAssemblyTest::theRequestComesBackWithWhatItOpened() {
+  ProjectLoader loader(&openProject);
+  std::vector<QString> notes;
+  connect(&loader, &ProjectLoader::opened, this,
+          [&](const OpenRequest& request, const std::shared_ptr<SessionInputs>& inputs) {
+            notes.push_back(request.note + QString::fromStdString(inputs->project.scene));
+          });
+  loader.open({.what = std::filesystem::path("still"), .note = QStringLiteral("first ")});
+  loader.open({.what = std::filesystem::path("fast"), .note = QStringLiteral("second ")});
+  loader.open({.what = std::filesystem::path("jump"), .keepHistory = true});
+  QVERIFY(loader.isReopening());
+  loader.open({.what = std::filesystem::path("smooth"), .note = QStringLiteral("last ")});
+  QVERIFY(!loader.isReopening());
+  QTRY_VERIFY_WITH_TIMEOUT(!loader.isOpening(), kPatienceMs);
+  // Of those asked for meanwhile, the last: with its own meaning.
+  QCOMPARE(notes, std::vector<QString>{QStringLiteral("last smooth")});
+}
+
+void WindowAssemblyTest::viewsAreToldInOrder() {
+  QObject window;
+  Document document;
+  Selection selection;
+  SessionController session(&openProject, document, selection, &window);
+  session.setPlayOnOpen(false);
+  QStringList told;
+  const auto tell = [&](const char* what) {
+    return [&told, what] { told << QLatin1String(what); };
+  };
+  connect(&session, &SessionController::replacing, this, tell("replacing"));
+  connect(&session, &SessionController::replaced, this, tell("replaced"));
+  connect(&session, &SessionController::runStarted, this, tell("started"));
+  connect(&session, &SessionController::framesLogged, this, tell("frames"));
+  connect(&session, &SessionController::snapshotChanged, this,
+          [&](const TrackSnapshotPtr& snapshot) { told << (snapshot ? "snapshot" : "nothing"); });
+  connect(&session, &SessionController::iterationsLogged, this, tell("iterations"));
+  connect(&session, &SessionController::opened, this, tell("opened"));
+  connect(&session, &SessionController::runEnded, this, tell("ended"));
+  connect(&session, &SessionController::closed, this, tell("closed"));
+  session.open({.what = std::filesystem::path("still")});
+  QTRY_VERIFY_WITH_TIMEOUT(told.contains(QStringLiteral("opened")), kPatienceMs);
+  QCOMPARE(told.mid(0, 9), QStringList({"ended", "nothing", "replacing", "replaced", "started",
+                                        "frames", "snapshot", "iterations", "opened"}));
+  QCOMPARE(document.project().scene, std::string("still"));
+  told.clear();
+  session.close();
+  QCOMPARE(told, QStringList({"ended", "nothing", "closed"}));
+  QVERIFY(!session.isRunning() && session.shown() == nullptr);
+  QVERIFY(document.project().cameras.empty());
+}
+
+void WindowAssemblyTest::closingBeforeTheRunBeginsKeepsItFromBeginning() {
+  QObject window;
+  Document document;
+  Selection selection;
+  SessionController session(&openProject, document, selection, &window);
+  QSignalSpy started(&session, &SessionController::runStarted);
+  QSignalSpy closed(&session, &SessionController::closed);
+  // Between the document's change and the run's beginning lies a turn of the event loop.
+  connect(&session, &SessionController::replaced, &session, &SessionController::close,
+          Qt::QueuedConnection);
+  session.open({.what = std::filesystem::path("still")});
+  QVERIFY(closed.wait(kPatienceMs));
+  QVERIFY(!QTest::qWaitFor([&] { return started.count() > 0; }, 100));
+  QVERIFY(!session.isRunning());
+}
+
+} // namespace dewpoint::tests
+
+int main(int argc, char** argv) {
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
+  QApplication::setApplicationName(QStringLiteral("window_assembly"));
+  dewpoint::tests::WindowAssemblyTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_assembly_test.moc"

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/board/board_installer.h"
+
+#include "ui/calibration/board/board_calibration_page.h"
+#include "ui/calibration/board/board_calibrator.h"
+#include "ui/calibration/board/board_layer.h"
+#include "ui/calibration/calibration_mode.h"
+#include "ui/cameraview/camera_docks.h"
+#include "ui/cameraview/camera_view.h"
+#include "ui/widgets/message_bar.h"
+
+namespace dewpoint::ui {
+
+void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
+                             const CameraDocks& cameras) {
+  auto* board = new BoardCalibrator(bench.document, bench.session.opener(), &mode);
+  auto* page = new BoardCalibrationPage(*board);
+  mode.addPage(page, [] { return BoardCalibrationPage::tr("Board"); });
+  bench.onTriggered("actionCalibrateBoard", board,
+                    [&mode] { mode.open(QStringLiteral("boardPage")); });
+  bench.onTriggered("actionPrintBoard", page, [page] { page->print(); });
+  bench.needRun({"actionCalibrateBoard"});
+  bench.connectView(board);
+  QObject::connect(&cameras, &CameraDocks::viewMade, board,
+                   [board](int camera, CameraView* view) { new BoardLayer(camera, view, *board); });
+  QObject::connect(board, &BoardCalibrator::playWanted, &bench.session, [run = &bench.session] {
+    if (run->shown() && !run->isPlaying()) {
+      run->play();
+    }
+  });
+  MessageBar* messages = &bench.messages;
+  QObject::connect(board, &BoardCalibrator::failed, messages, &MessageBar::showError);
+  QObject::connect(board, &BoardCalibrator::saved, messages, [messages](const QString& file) {
+    messages->showNotice(BoardCalibrationPage::tr("Saved %1.").arg(file));
+  });
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+namespace dewpoint::ui {
+
+class CalibrationMode;
+class CameraDocks;
+struct Workbench;
+
+/// Adds calibration with a board: its page, its actions, and what it found over the camera views.
+void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
+                             const CameraDocks& cameras);
+
+} // namespace dewpoint::ui

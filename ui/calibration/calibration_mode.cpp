@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/calibration_mode.h"
+
+#include "ui/calibration/calibration_dock.h"
+#include "ui/calibration/manual_calibration.h"
+#include "ui/workbench/dock_manager.h"
+
+#include <QAction>
+#include <QMainWindow>
+
+namespace dewpoint::ui {
+
+namespace {
+constexpr QLatin1String kByHand("handPage");
+constexpr QLatin1String kBoard("boardPage");
+} // namespace
+
+CalibrationMode::CalibrationMode(const Workbench& bench)
+    : QObject(&bench.window), bench_(bench), hand_(new ManualCalibration(bench.document, this)),
+      place_(new CalibrationDock(&bench.window)) {
+  dock_ = bench_.docks.make({.name = QStringLiteral("calibrationDock"),
+                             .title = [] { return tr("Calibration"); },
+                             .content = place_,
+                             .rank = 5,
+                             .hiddenAtFirst = true,
+                             .openedByAction = true});
+  dock_->setMinimumWidth(400); // room for the names of all tabs, and three numbers
+  QAction* mode = bench_.action("actionCalibrateByHand");
+  connect(mode, &QAction::triggered, this, [this, mode](bool checked) {
+    if (!checked && place_->shownPage() != kByHand) {
+      mode->setChecked(true); // another page was in front
+    }
+  });
+  connect(mode, &QAction::toggled, this, [this](bool shown) {
+    show(shown);
+    if (shown) {
+      place_->showPage(kByHand);
+    }
+  });
+  connect(dock_, &ViewDock::toggledByUser, mode, &QAction::setChecked);
+  connect(place_, &CalibrationDock::pageChanged, this, [this, mode] {
+    Q_EMIT pageChanged();
+    show(mode->isChecked());
+  });
+  // A mode, no part of the layout.
+  connect(&bench_.docks, &DockManager::laidOut, this, [this, mode] { show(mode->isChecked()); });
+  bench_.needRun({"actionCalibrateByHand"});
+}
+
+void CalibrationMode::addPage(QWidget* page, const std::function<QString()>& title) {
+  place_->addPage(page, title);
+}
+
+void CalibrationMode::open(const QString& page) {
+  bench_.action("actionCalibrateByHand")->setChecked(true);
+  place_->showPage(page);
+}
+
+void CalibrationMode::show(bool shown) {
+  dock_->setWanted(shown);
+  if (shown) {
+    dock_->raise();
+  }
+  // The grid would lie over the board that is shown to the cameras.
+  hand_->setActive(shown && place_->shownPage() != kBoard);
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/exchange/exchange_installer.h"
+
+#include "ui/calibration/exchange/calibration_export.h"
+#include "ui/calibration/exchange/calibration_import.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/workbench/workbench.h"
+
+#include <QMainWindow>
+
+namespace dewpoint::ui {
+
+namespace {
+
+template <class Dialog> void open(const Workbench& bench) {
+  auto* dialog = bench.window.findChild<Dialog*>();
+  if (dialog == nullptr) {
+    dialog = new Dialog(bench.document, &bench.window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(dialog, &ExchangeDialog::failed, &bench.messages, &MessageBar::showError);
+    QObject::connect(dialog, &ExchangeDialog::done, &bench.messages, &MessageBar::showNotice);
+  }
+  Workbench::present(dialog);
+}
+
+} // namespace
+
+void installCalibrationExchange(const Workbench& bench) {
+  bench.onTriggered("actionImportCalibration", &bench.window,
+                    [bench] { open<CalibrationImportDialog>(bench); });
+  bench.onTriggered("actionExportCalibration", &bench.window,
+                    [bench] { open<CalibrationExportDialog>(bench); });
+  bench.needRun({"actionImportCalibration", "actionExportCalibration"});
+}
+
+} // namespace dewpoint::ui

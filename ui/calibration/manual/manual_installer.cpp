@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration/manual/manual_installer.h"
+
+#include "ui/calibration/calibration_mode.h"
+#include "ui/calibration/manual/grid_layer.h"
+#include "ui/calibration/manual/manual_calibration_page.h"
+#include "ui/calibration/manual_calibration.h"
+#include "ui/calibration/points/point_calibrator.h"
+#include "ui/cameraview/camera_docks.h"
+#include "ui/cameraview/camera_view.h"
+
+namespace dewpoint::ui {
+
+void installManualCalibration(const Workbench& bench, CalibrationMode& mode,
+                              const CameraDocks& cameras) {
+  ManualCalibration* hand = &mode.hand();
+  auto* points = new PointCalibrator(bench.document, *hand, &mode);
+  mode.addPage(new ManualCalibrationPage(*hand, *points),
+               [] { return ManualCalibrationPage::tr("By hand"); });
+  QObject::connect(&mode, &CalibrationMode::pageChanged, points, [points] {
+    points->setClicking(false); // its magnifier belongs to the page that was left
+  });
+  QObject::connect(&cameras, &CameraDocks::viewMade, points,
+                   [bench, hand, points](int camera, CameraView* view) {
+                     bench.connectImageView(new GridLayer(camera, view, *hand, *points));
+                   });
+}
+
+} // namespace dewpoint::ui

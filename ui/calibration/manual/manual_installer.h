@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+namespace dewpoint::ui {
+
+class CalibrationMode;
+class CameraDocks;
+struct Workbench;
+
+/// Adds calibration by hand: its page, and the reference grid over the camera views.
+void installManualCalibration(const Workbench& bench, CalibrationMode& mode,
+                              const CameraDocks& cameras);
+
+} // namespace dewpoint::ui

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/workbench/workbench.h"
+
+namespace dewpoint::ui {
+
+class BirdsEyeView;
+class CalibrationMode;
+class ManualCalibration;
+class RigPlanner;
+
+/// The rig planner in the window: its page and actions, and in the bird's-eye view the map, the
+/// planned cameras, and handles on all cameras, those of the project and those planned.
+class PlannerInstaller : public QObject {
+  Q_OBJECT
+public:
+  PlannerInstaller(const Workbench& bench, CalibrationMode& mode, BirdsEyeView& birdsEye);
+
+private:
+  void connectActions();
+  void connectBirdsEye();
+  void showHandles();
+  void open();
+  /// Number of a handle among the planned cameras; negative: it is one of the project.
+  int planned(int handle) const;
+
+  Workbench bench_;
+  CalibrationMode& mode_;
+  BirdsEyeView& birdsEye_;
+  ManualCalibration& hand_;
+  RigPlanner* plan_;
+};
+
+} // namespace dewpoint::ui

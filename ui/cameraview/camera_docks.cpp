@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cameraview/camera_docks.h"
+
+#include "core/project/project.h"
+#include "core/session/session.h"
+#include "ui/cameraview/camera_view.h"
+#include "ui/document/document.h"
+#include "ui/selection/selection.h"
+#include "ui/text/camera_motion_text.h"
+#include "ui/text/reason_text.h"
+#include "ui/widgets/dock_title.h"
+#include "ui/workbench/dock_manager.h"
+
+#include <QAction>
+#include <QMainWindow>
+
+namespace dewpoint::ui {
+
+CameraDocks::CameraDocks(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
+  connect(&bench_.session, &SessionController::runStarted, this, &CameraDocks::make);
+  connect(&bench_.session, &SessionController::closed, this, &CameraDocks::make);
+  connect(&bench_.session, &SessionController::snapshotChanged, this, &CameraDocks::explain);
+  connect(&bench_.selection, &Selection::targetSelected, this, [this](int target) {
+    for (CameraView* view : views_) {
+      view->setChosenTarget(target);
+    }
+    explain();
+  });
+  connectActions();
+}
+
+void CameraDocks::connectActions() {
+  // Methods of family Boxes know no color to mask and no place to map.
+  bench_.needRun({"actionShowMask", "actionShowEvidence"}, [document = &bench_.document] {
+    return methodFamily(document->project().method) != MethodFamily::Boxes;
+  });
+  bench_.onToggled("actionShowMask", this, [this](bool shown) {
+    if (Session* session = bench_.session.session()) {
+      session->setMasksWanted(shown);
+    }
+    for (CameraView* view : views_) {
+      view->setMaskShown(shown);
+    }
+  });
+  bench_.onToggled("actionShowEvidence", this, [this](bool shown) {
+    if (Session* session = bench_.session.session()) {
+      session->setLikelihoodMapsWanted(shown);
+    }
+    for (CameraView* view : views_) {
+      view->setEvidenceShown(shown);
+    }
+  });
+}
+
+void CameraDocks::make() {
+  bench_.docks.restoreMaximized();
+  for (ViewDock* dock : docks_) {
+    bench_.docks.remove(dock);
+  }
+  docks_.clear();
+  views_.clear();
+  const bool mask = bench_.action("actionShowMask")->isChecked();
+  const bool evidence = bench_.action("actionShowEvidence")->isChecked();
+  const auto& cameras = bench_.document.project().cameras;
+  for (int camera = 0; camera < static_cast<int>(cameras.size()); ++camera) {
+    auto* view = new CameraView(camera, &bench_.window);
+    const QString given =
+        QString::fromStdString(cameras[static_cast<std::size_t>(camera)].camera.name);
+    ViewDock* dock = bench_.docks.make(
+        {.name = QStringLiteral("cameraDock%1").arg(camera),
+         .title = [given,
+                   camera] { return given.isEmpty() ? tr("Camera %1").arg(camera + 1) : given; },
+         .content = view,
+         .place = DockPlace::Cameras,
+         .rank = camera});
+    dock->title().setState(view->state());
+    connect(view, &CameraView::stateChanged, &dock->title(), &DockTitle::setState);
+    view->setMaskShown(mask);
+    view->setEvidenceShown(evidence);
+    view->setChosenTarget(bench_.selection.target());
+    bench_.connectImageView(view);
+    Q_EMIT viewMade(camera, view);
+    docks_.push_back(dock);
+    views_.push_back(view);
+  }
+  bench_.docks.layOut();
+  if (Session* session = bench_.session.session()) {
+    session->setMasksWanted(mask);
+    session->setLikelihoodMapsWanted(evidence);
+  }
+}
+
+void CameraDocks::explain() {
+  const TrackSnapshotPtr& snapshot = bench_.session.shown();
+  if (!snapshot) {
+    return;
+  }
+  const TargetSnapshot* target = targetToExplain(*snapshot, bench_.selection.target());
+  for (std::size_t k = 0; k < docks_.size(); ++k) {
+    // That a box is hidden is its state already.
+    const bool known = target != nullptr && k < target->reasons.size() &&
+                       (!target->box || target->reasons[k].trouble != CameraStatus::Hidden);
+    const QString bump = bumpText(bumpOf(*snapshot, static_cast<int>(k)));
+    docks_[k]->title().setReason(!bump.isEmpty() ? bump
+                                 : known         ? troubleText(target->reasons[k])
+                                                 : QString());
+  }
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/workbench/workbench.h"
+
+#include <QObject>
+
+#include <vector>
+
+namespace dewpoint::ui {
+
+class CameraView;
+class ViewDock;
+
+/// One dock for each camera of the project, made anew with each run: its view, in the title the
+/// state of what it shows and why, and the actions that all camera views share.
+class CameraDocks : public QObject {
+  Q_OBJECT
+public:
+  explicit CameraDocks(const Workbench& bench);
+
+  /// Docks for the cameras of the project, in place of those there are, and a fresh layout.
+  void make();
+
+Q_SIGNALS:
+  /// There is a new view of this camera: what lies over the image is added now.
+  void viewMade(int camera, CameraView* view);
+
+private:
+  void connectActions();
+  void explain();
+
+  Workbench bench_;
+  std::vector<ViewDock*> docks_;
+  std::vector<CameraView*> views_;
+};
+
+} // namespace dewpoint::ui

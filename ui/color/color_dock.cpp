@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/color/color_dock.h"
+
+#include "core/project/project.h"
+#include "ui/actions/action_registry.h"
+#include "ui/cameraview/camera_docks.h"
+#include "ui/cameraview/camera_view.h"
+#include "ui/color/color_panel.h"
+#include "ui/document/document.h"
+#include "ui/panels/inspector_docks.h"
+#include "ui/panels/target_panel.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/workbench/dock_manager.h"
+
+#include <QAction>
+#include <QMainWindow>
+#include <QScrollArea>
+
+namespace dewpoint::ui {
+
+ColorDock::ColorDock(const Workbench& bench, const CameraDocks& cameras, const TargetDock& targets)
+    : QObject(&bench.window), bench_(bench), targetDock_(targets.dock), targets_(targets.panel),
+      panel_(new ColorPanel(bench.document, &bench.window)) {
+  auto* scroll = new QScrollArea(&bench_.window);
+  scroll->setObjectName(QStringLiteral("colorScroll"));
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidget(panel_);
+  dock_ = bench_.docks.make({.name = QStringLiteral("colorDock"),
+                             .title = [] { return tr("Color"); },
+                             .content = scroll,
+                             .rank = 3});
+  bench_.connectImageView(panel_);
+  connect(&cameras, &CameraDocks::viewMade, panel_, &ColorPanel::attach);
+  connect(dock_, &QDockWidget::visibilityChanged, panel_, &ColorPanel::setInFront);
+  connect(panel_, &ColorPanel::failed, &bench_.messages, &MessageBar::showError);
+  connect(panel_, &ColorPanel::pickingChanged, bench_.action("actionLearnColor"),
+          &QAction::setChecked);
+  connect(panel_, &ColorPanel::learned, this, &ColorDock::learned);
+  connect(targets_, &TargetPanel::targetChosen, panel_, &ColorPanel::setTarget);
+  connectActions();
+}
+
+void ColorDock::connectActions() {
+  bench_.onToggled("actionLearnColor", this, [this](bool learning) {
+    panel_->setPicking(learning);
+    if (learning) {
+      dock_->raise();
+    }
+  });
+  bench_.onTriggered("actionAddTarget", this, [this] {
+    panel_->setTarget(-1);
+    panel_->setPicking(true);
+    dock_->raise();
+  });
+  bench_.needRun({"actionLearnColor", "actionAddTarget"});
+  connect(&bench_.session, &SessionController::runStarted, this, &ColorDock::nameLearning);
+  connect(&bench_.document, &Document::methodChanged, this, &ColorDock::nameLearning);
+}
+
+bool ColorDock::followsBoxes() const {
+  return methodFamily(bench_.document.project().method) == MethodFamily::Boxes;
+}
+
+void ColorDock::nameLearning() {
+  bench_.actions.rename(bench_.action("actionLearnColor"),
+                        followsBoxes() ? QT_TRANSLATE_NOOP("Actions", "Take a box")
+                                       : QT_TRANSLATE_NOOP("Actions", "Learn the color"),
+                        "learn");
+}
+
+void ColorDock::learned(int target, bool isNew) {
+  targets_->choose(target);
+  if (followsBoxes()) {
+    targetDock_->raise();
+    bench_.session.startAfterBox(isNew);
+    return;
+  }
+  dock_->raise();
+  bench_.action("actionShowMask")->setChecked(true);
+  bench_.session.startAfterLearning(isNew);
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/workbench/workbench.h"
+
+namespace dewpoint::ui {
+
+class CameraDocks;
+class ColorPanel;
+class TargetPanel;
+class ViewDock;
+struct TargetDock;
+
+/// The color of the chosen target in the window. Its panel takes the clicks in camera images; what
+/// was learned from one is chosen, and the run may begin.
+class ColorDock : public QObject {
+  Q_OBJECT
+public:
+  ColorDock(const Workbench& bench, const CameraDocks& cameras, const TargetDock& targets);
+
+  ViewDock* dock() const { return dock_; }
+  ColorPanel& panel() const { return *panel_; }
+
+private:
+  void connectActions();
+  void nameLearning();
+  void learned(int target, bool isNew);
+  bool followsBoxes() const;
+
+  Workbench bench_;
+  ViewDock* targetDock_;
+  TargetPanel* targets_;
+  ColorPanel* panel_;
+  ViewDock* dock_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+namespace dewpoint::ui {
+
+struct Workbench;
+
+/// Adds the dialog that repeats the papers' experiments.
+void installExperiments(const Workbench& bench);
+
+} // namespace dewpoint::ui

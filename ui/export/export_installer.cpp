@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/export_installer.h"
+
+#include "core/project/project.h"
+#include "core/session/session.h"
+#include "ui/document/document.h"
+#include "ui/export/box_export_dialog.h"
+#include "ui/export/export_dialog.h"
+#include "ui/selection/selection.h"
+#include "ui/timeline/timeline.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/workbench/workbench.h"
+
+#include <QDir>
+#include <QMainWindow>
+
+#include <utility>
+
+namespace dewpoint::ui {
+
+namespace {
+
+/// The folder of the project's file, or the person's.
+QString homeOf(const Document& document) {
+  const auto& file = document.project().file;
+  return file.empty() ? QDir::homePath() : QString::fromStdString(file.parent_path().string());
+}
+
+/// Tells in the window how exports went.
+template <class Dialog> void connectMessages(const Workbench& bench, Dialog* dialog) {
+  QObject::connect(dialog, &Dialog::done, &bench.messages, &MessageBar::showNotice);
+  QObject::connect(dialog, &Dialog::failed, &bench.messages, &MessageBar::showError);
+}
+
+void exportBoxes(const Workbench& bench) {
+  auto* dialog = bench.window.findChild<BoxExportDialog*>();
+  if (dialog == nullptr) {
+    const auto boxes = [run = &bench.session] {
+      return run->isRunning() ? run->session()->boxTrack() : BoxTrack();
+    };
+    dialog = new BoxExportDialog(boxes, &bench.window);
+    connectMessages(bench, dialog);
+    const auto propose = [dialog, document = &bench.document] {
+      dialog->proposeIn(homeOf(*document));
+    };
+    QObject::connect(&bench.document, &Document::replaced, dialog, propose);
+    propose();
+  }
+  Workbench::present(dialog);
+}
+
+void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
+  auto* dialog = bench.window.findChild<ExportDialog*>();
+  if (dialog == nullptr) {
+    const auto trajectory = [run = &bench.session] {
+      return run->isRunning() ? run->session()->trajectory() : Trajectory();
+    };
+    dialog = new ExportDialog(trajectory, &bench.window);
+    connectMessages(bench, dialog);
+    const auto startAnew = [dialog, document = &bench.document] {
+      dialog->startAnew(homeOf(*document));
+    };
+    QObject::connect(&bench.document, &Document::replaced, dialog, startAnew);
+    startAnew();
+  }
+  const auto& span = bench.selection.span();
+  dialog->setSpan(
+      span ? std::optional(std::pair(time.secondsOf(span->first), time.secondsOf(span->last)))
+           : std::nullopt);
+  Workbench::present(dialog);
+}
+
+} // namespace
+
+void installExport(const Workbench& bench, const Timeline& timeline) {
+  bench.onTriggered("actionExportTrajectory", &bench.window, [bench, &timeline] {
+    if (methodFamily(bench.document.project().method) == MethodFamily::Boxes) {
+      exportBoxes(bench);
+    } else {
+      exportTrajectory(bench, timeline.model());
+    }
+  });
+  bench.needRun({"actionExportTrajectory"});
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/mainwindow/history_dock.h"
+
+#include "ui/document/document.h"
+#include "ui/text/retranslation.h"
+#include "ui/workbench/dock_manager.h"
+
+#include <QAction>
+#include <QMainWindow>
+#include <QUndoStack>
+#include <QUndoView>
+
+namespace dewpoint::ui {
+
+HistoryDock::HistoryDock(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
+  QUndoStack* history = bench_.document.undoStack();
+  auto* view = new QUndoView(history, &bench_.window);
+  view->setObjectName(QStringLiteral("historyList"));
+  view->setFrameShape(QFrame::NoFrame);
+  onRetranslate(view, [view] {
+    view->setEmptyLabel(tr("As it was opened"));
+    view->setAccessibleName(tr("History of changes"));
+  });
+  bench_.docks.make({.name = QStringLiteral("historyDock"),
+                     .title = [] { return tr("History"); },
+                     .content = view,
+                     .place = DockPlace::History,
+                     .hiddenAtFirst = true});
+  bench_.onTriggered("actionUndo", this, [history] { history->undo(); });
+  bench_.onTriggered("actionRedo", this, [history] { history->redo(); });
+  connect(history, &QUndoStack::indexChanged, this, &HistoryDock::nameSteps);
+  nameSteps();
+}
+
+void HistoryDock::nameSteps() {
+  const QUndoStack& history = *bench_.document.undoStack();
+  QAction* undo = bench_.action("actionUndo");
+  QAction* redo = bench_.action("actionRedo");
+  undo->setEnabled(history.canUndo());
+  redo->setEnabled(history.canRedo());
+  undo->setText(history.canUndo() ? tr("Undo: %1").arg(history.undoText()) : tr("Undo"));
+  redo->setText(history.canRedo() ? tr("Redo: %1").arg(history.redoText()) : tr("Redo"));
+}
+
+} // namespace dewpoint::ui

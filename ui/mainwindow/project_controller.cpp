@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/mainwindow/project_controller.h"
+
+#include "core/project/project.h"
+#include "ui/document/document.h"
+#include "ui/mainwindow/recovery_offer.h"
+#include "ui/session/open_request.h"
+#include "ui/start/new_project_page.h"
+#include "ui/start/recent_projects.h"
+#include "ui/start/start_page.h"
+#include "ui/text/error_sentence.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/workbench/dock_manager.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QStackedWidget>
+
+#include <utility>
+
+namespace dewpoint::ui {
+
+namespace {
+
+std::filesystem::path toPath(const QString& file) {
+  return file.toStdString();
+}
+
+bool isProject(const QString& file) {
+  return file.endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive);
+}
+
+QStringList filesOf(const QMimeData& data) {
+  QStringList files;
+  for (const QUrl& url : data.urls()) {
+    if (url.isLocalFile()) {
+      files.append(url.toLocalFile());
+    }
+  }
+  return files;
+}
+
+} // namespace
+
+ProjectController::ProjectController(const Workbench& bench)
+    : QObject(&bench.window), bench_(bench) {
+  makePages();
+  connectPages();
+  connectActions();
+  connectRun();
+  bench_.window.setAcceptDrops(true);
+}
+
+void ProjectController::makePages() {
+  pages_ = new QStackedWidget(&bench_.window);
+  pages_->setObjectName(QStringLiteral("start"));
+  startPage_ = new StartPage(pages_);
+  newProject_ = new NewProjectPage(pages_);
+  pages_->addWidget(startPage_);
+  pages_->addWidget(newProject_);
+  bench_.window.setCentralWidget(pages_);
+}
+
+void ProjectController::connectPages() {
+  connect(startPage_, &StartPage::demoWanted, this, [this] { open({}); });
+  connect(startPage_, &StartPage::videosWanted, this, [this] {
+    beginNew({});
+    newProject_->chooseVideos();
+  });
+  connect(startPage_, &StartPage::camerasWanted, this, [this] {
+    beginNew({});
+    newProject_->addConnectedCameras();
+  });
+  connect(startPage_, &StartPage::projectWanted, this,
+          [this](const QString& file) { file.isEmpty() ? askOpen() : open(toPath(file)); });
+  connect(newProject_, &NewProjectPage::cancelled, this, [this] {
+    if (bench_.session.isRunning()) {
+      bench_.docks.showViews(true);
+    } else {
+      showStart();
+    }
+  });
+  connect(newProject_, &NewProjectPage::failed, &bench_.messages, &MessageBar::showError);
+  connect(newProject_, &NewProjectPage::made, this, &ProjectController::openMade);
+}
+
+void ProjectController::connectActions() {
+  const auto unlessUnsaved = [this](auto run) {
+    return [this, run] {
+      if (mayDiscard()) {
+        run();
+      }
+    };
+  };
+  bench_.onTriggered("actionNew", this, unlessUnsaved([this] { beginNew({}); }));
+  bench_.onTriggered("actionOpen", this, [this] { askOpen(); });
+  bench_.onTriggered("actionOpenDemo", this, unlessUnsaved([this] { open({}); }));
+  bench_.onTriggered("actionSave", this, [this] { save(); });
+  bench_.onTriggered("actionSaveAs", this, [this] { askSaveAs(); });
+  bench_.onTriggered("actionCloseProject", this, unlessUnsaved([this] { close(); }));
+  bench_.needRun({"actionSave", "actionSaveAs", "actionCloseProject"});
+  connect(&bench_.session, &SessionController::openingChanged, this, [this](bool opening) {
+    bench_.action("actionOpen")->setEnabled(!opening);
+    bench_.action("actionOpenDemo")->setEnabled(!opening);
+  });
+}
+
+void ProjectController::connectRun() {
+  const SessionController* run = &bench_.session;
+  connect(run, &SessionController::runStarted, this, [this] { bench_.docks.showViews(true); });
+  connect(run, &SessionController::runEnded, &bench_.docks, &DockManager::forgetLayoutBehindPages);
+  connect(run, &SessionController::replacing, this,
+          [this](const OpenRequest& request) { bench_.messages.forget(!request.keepHistory); });
+  connect(run, &SessionController::replaced, this, [this](const OpenRequest& request) {
+    const auto& file = bench_.document.project().file;
+    if (!request.keepHistory && !file.empty()) {
+      addRecentProject(QString::fromStdString(file.string()));
+    }
+    if (request.recovered && recovery_ != nullptr) {
+      recovery_->take(*request.recovered);
+    }
+  });
+  connect(run, &SessionController::opened, this, [this](const OpenRequest& request) {
+    if (!request.note.isEmpty()) {
+      bench_.messages.showNotice(request.note);
+    }
+  });
+  connect(run, &SessionController::openFailed, &bench_.messages, &MessageBar::showError);
+}
+
+void ProjectController::open(const std::filesystem::path& file) {
+  bench_.session.open({.what = file});
+}
+
+void ProjectController::showStart() {
+  startPage_->refresh();
+  pages_->setCurrentWidget(startPage_);
+  bench_.docks.showViews(false);
+}
+
+void ProjectController::beginNew(const QStringList& files) {
+  newProject_->begin(files);
+  pages_->setCurrentWidget(newProject_);
+  bench_.docks.showViews(false);
+}
+
+void ProjectController::openMade(const Project& project, const QString& note) {
+  const bool boxes = methodFamily(project.method) == MethodFamily::Boxes;
+  const QString hint = boxes ? tr("Click the thing or drag a box around it in any camera view.")
+                       : note.isEmpty()
+                           ? tr("Click the thing to follow in any image: its color is learned and "
+                                "tracking starts.")
+                           : note;
+  bench_.session.open({.what = project, .unsaved = true, .note = hint});
+}
+
+void ProjectController::askOpen() {
+  if (!mayDiscard()) {
+    return;
+  }
+  const QString file = QFileDialog::getOpenFileName(
+      &bench_.window, tr("Open a project"), {}, tr("Dewpoint projects (*.toml);;All files (*)"));
+  if (!file.isEmpty()) {
+    open(toPath(file));
+  }
+}
+
+void ProjectController::save() {
+  if (bench_.document.project().file.empty()) {
+    askSaveAs();
+  } else {
+    saveTo(bench_.document.project().file);
+  }
+}
+
+void ProjectController::askSaveAs() {
+  const QString file = QFileDialog::getSaveFileName(&bench_.window, tr("Save the project"),
+                                                    QStringLiteral("project.toml"),
+                                                    tr("Dewpoint projects (*.toml)"));
+  if (!file.isEmpty()) {
+    saveTo(toPath(file));
+  }
+}
+
+void ProjectController::saveTo(std::filesystem::path file) {
+  bench_.docks.storeLayout();
+  if (auto status = bench_.document.saveAs(file); !status) {
+    bench_.messages.showError(errorSentence(status.error()));
+  } else {
+    const QString name = QString::fromStdString(file.string());
+    addRecentProject(name);
+    bench_.messages.showNotice(tr("Saved %1.").arg(name));
+  }
+}
+
+void ProjectController::close() {
+  bench_.session.close();
+  showStart();
+}
+
+bool ProjectController::mayDiscard() {
+  // A simulated scene without a file is the demo: what was tried there is not worth a question.
+  const Project& project = bench_.document.project();
+  if (!bench_.document.isUnsaved() || (project.file.empty() && !project.scene.empty())) {
+    return true;
+  }
+  const auto answer = QMessageBox::question(
+      &bench_.window, tr("Unsaved changes"), tr("Save the changes to this project?"),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  if (answer == QMessageBox::Save) {
+    save();
+    return !bench_.document.isUnsaved();
+  }
+  return answer == QMessageBox::Discard;
+}
+
+bool ProjectController::mayClose() {
+  if (!mayDiscard()) {
+    return false;
+  }
+  if (recovery_ != nullptr) {
+    recovery_->forget(); // saved, or given up on purpose
+  }
+  return true;
+}
+
+void ProjectController::fillRecentMenu(QMenu* menu) {
+  menu->clear();
+  for (const QString& file : recentProjects()) {
+    QAction* entry = menu->addAction(QFileInfo(file).completeBaseName());
+    entry->setObjectName(QStringLiteral("qt_recent")); // a person's word, in no language of ours
+    entry->setToolTip(file);
+    connect(entry, &QAction::triggered, this, [this, file] {
+      if (mayDiscard()) {
+        open(toPath(file));
+      }
+    });
+  }
+  if (menu->isEmpty()) {
+    menu->addAction(tr("Nothing yet"))->setEnabled(false);
+    return;
+  }
+  menu->addSeparator();
+  connect(menu->addAction(tr("Forget these")), &QAction::triggered, this, [this] {
+    clearRecentProjects();
+    startPage_->refresh();
+  });
+}
+
+bool ProjectController::canDrop(const QMimeData& data) {
+  return !filesOf(data).isEmpty();
+}
+
+void ProjectController::drop(const QMimeData& data) {
+  const QStringList files = filesOf(data);
+  if (pages_->isVisible() && pages_->currentWidget() == newProject_) {
+    newProject_->addFiles(files);
+    return;
+  }
+  if (!mayDiscard()) {
+    return;
+  }
+  if (files.size() == 1 && isProject(files.front())) {
+    open(toPath(files.front()));
+  } else {
+    beginNew(files);
+  }
+}
+
+void ProjectController::useRecovery(const std::filesystem::path& folder) {
+  recovery_ = new RecoveryOffer(bench_, folder);
+  connect(recovery_, &RecoveryOffer::wanted, this, [this](const RecoverableWork& work) {
+    if (mayDiscard()) {
+      recovery_->recover(work);
+    } else {
+      recovery_->offer(); // the question came late, and there is other work by now
+    }
+  });
+  connect(recovery_, &RecoveryOffer::recovered, this,
+          [this](const Project& project, const RecoverableWork& work) {
+            bench_.session.open({.what = project,
+                                 .unsaved = true,
+                                 .note = tr("Recovered. Save the project to keep it."),
+                                 .recovered = work});
+          });
+}
+
+} // namespace dewpoint::ui

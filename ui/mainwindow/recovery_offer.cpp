@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/mainwindow/recovery_offer.h"
+
+#include "ui/text/error_sentence.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/workbench/dock_manager.h"
+
+#include <QMainWindow>
+#include <QTimer>
+
+namespace dewpoint::ui {
+
+namespace {
+constexpr int kUntilGoneMs = 8000;
+}
+
+RecoveryOffer::RecoveryOffer(const Workbench& bench, const std::filesystem::path& folder)
+    : QObject(&bench.window), bench_(bench), recovery_(new Recovery(bench.document, folder, this)) {
+  connect(recovery_, &Recovery::failed, &bench_.messages, &MessageBar::showError);
+  connect(recovery_, &Recovery::writing, &bench_.docks, &DockManager::storeLayout);
+  offer();
+  // A window that was killed may take a while to be gone.
+  QTimer::singleShot(kUntilGoneMs, this, [this] {
+    if (!offered_) {
+      offer();
+    }
+  });
+}
+
+void RecoveryOffer::offer() {
+  const auto left = recovery_->leftBehind();
+  if (left.empty()) {
+    return;
+  }
+  offered_ = true;
+  const RecoverableWork work = left.front();
+  // Meanwhile a project may be opened, and much be said: the question comes back after that.
+  bench_.messages.askUntilAnswered(
+      tr("Dewpoint did not end properly. Unsaved work on “%1” is from %2.")
+          .arg(work.name, work.time),
+      {{tr("Recover it"), [this, work] { Q_EMIT wanted(work); }},
+       {tr("Throw it away"), [this, work] { throwAway(work); }}});
+}
+
+void RecoveryOffer::throwAway(const RecoverableWork& work) {
+  recovery_->putAside(work);
+  offer(); // of other work, once this is read
+  bench_.messages.ask(tr("Unsaved work on “%1” was thrown away.").arg(work.name),
+                      {{tr("Take it back"), [this, work] {
+                          recovery_->takeBack(work);
+                          offer();
+                        }}});
+}
+
+void RecoveryOffer::recover(const RecoverableWork& work) {
+  const auto project = recovery_->recover(work);
+  if (project) {
+    Q_EMIT recovered(*project, work);
+  } else {
+    bench_.messages.showError(errorSentence(project.error()));
+  }
+}
+
+} // namespace dewpoint::ui

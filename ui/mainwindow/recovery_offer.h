@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/document/recovery.h"
+#include "ui/workbench/workbench.h"
+
+#include <filesystem>
+
+namespace dewpoint::ui {
+
+/// Offers the unsaved work that an earlier window left behind, one after the other, and keeps that
+/// of this one.
+class RecoveryOffer : public QObject {
+  Q_OBJECT
+public:
+  RecoveryOffer(const Workbench& bench, const std::filesystem::path& folder);
+
+  /// Asks about the newest work that was left behind, if there is any.
+  void offer();
+  /// The document is this work now.
+  void take(const RecoverableWork& work) { recovery_->take(work); }
+  /// The work of this window is saved or given up on purpose.
+  void forget() { recovery_->forget(); }
+  /// Reads the work: recovered() follows, or an error in the window.
+  void recover(const RecoverableWork& work);
+
+Q_SIGNALS:
+  /// The person wants it: recover() it, or offer() it again later.
+  void wanted(const RecoverableWork& work);
+  /// It is read, and to be opened.
+  void recovered(const Project& project, const RecoverableWork& work);
+
+private:
+  void throwAway(const RecoverableWork& work);
+
+  Workbench bench_;
+  Recovery* recovery_;
+  bool offered_ = false;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/mainwindow/run_alerts.h"
+
+#include "core/calibration/manual/interactive_pose.h"
+#include "core/session/run/snapshot.h"
+#include "ui/calibration/manual_calibration.h"
+#include "ui/mainwindow/camera_motion_alerts.h"
+#include "ui/text/camera_motion_text.h"
+#include "ui/text/error_sentence.h"
+#include "ui/widgets/message_bar.h"
+
+#include <QAction>
+#include <QLocale>
+#include <QMainWindow>
+
+#include <algorithm>
+
+namespace dewpoint::ui {
+
+RunAlerts::RunAlerts(const Workbench& bench, ManualCalibration& hand)
+    : QObject(&bench.window), bench_(bench), hand_(hand) {
+  auto* bumps = new CameraMotionAlerts(bench_.messages, this);
+  connect(&bench_.session, &SessionController::snapshotChanged, this, &RunAlerts::showNotices);
+  bench_.connectView(bumps);
+  connect(bumps, &CameraMotionAlerts::resolveWanted, this, &RunAlerts::resolve);
+  connect(bumps, &CameraMotionAlerts::calibrateWanted, this, [this](int camera) {
+    bench_.action("actionCalibrateByHand")->setChecked(true);
+    hand_.selectCamera(camera);
+  });
+  bench_.onTriggered("actionResolveCamera", this, [this] { resolveFirst(); });
+  bench_.needRun({"actionResolveCamera"});
+  connect(&bench_.session, &SessionController::failed, &bench_.messages, &MessageBar::showError);
+}
+
+void RunAlerts::showNotices(const TrackSnapshotPtr& snapshot) {
+  if (!snapshot) {
+    noticesShown_ = 0;
+    return;
+  }
+  // A camera that was moved is said with what can be done about it.
+  const std::size_t count =
+      snapshot->notices.size() - std::min(snapshot->bumps.size(), snapshot->notices.size());
+  if (count > noticesShown_) {
+    bench_.messages.showNotice(errorSentence(snapshot->notices[count - 1]));
+  }
+  noticesShown_ = count;
+}
+
+void RunAlerts::resolveFirst() {
+  const TrackSnapshotPtr& shown = bench_.session.shown();
+  for (int k = 0; k < hand_.cameraCount(); ++k) {
+    if (shown && bumpOf(*shown, k) != nullptr) {
+      resolve(k);
+      return;
+    }
+  }
+  bench_.messages.showNotice(tr("No camera was bumped."));
+}
+
+void RunAlerts::resolve(int camera) {
+  const TrackSnapshotPtr& shown = bench_.session.shown();
+  const CameraMotionReport* report = shown ? bumpOf(*shown, camera) : nullptr;
+  const QString name = hand_.nameOf(camera);
+  if (report == nullptr || !report->resolved) {
+    bench_.messages.showNotice(tr("%1 cannot be solved again now.").arg(name));
+    return;
+  }
+  const ResolvedCamera solved = *report->resolved; // the report goes with the next snapshot
+  Camera now = hand_.cameraAt(camera);
+  now.cameraFromWorld = solved.camera.cameraFromWorld;
+  hand_.change(camera, tr("Re-solve %1").arg(name), now);
+  QString sentence = tr("%1 is calibrated as it stands now. Undo takes it back.").arg(name);
+  if (solved.used > 0) {
+    const QLocale locale;
+    sentence += QLatin1Char(' ') + tr("The target was %1 px beside where the others see it, and is "
+                                      "%2 px now.")
+                                       .arg(locale.toString(solved.pixelsBefore, 'f', 1),
+                                            locale.toString(solved.pixelsAfter, 'f', 1));
+  }
+  bench_.messages.showNotice(sentence);
+}
+
+} // namespace dewpoint::ui

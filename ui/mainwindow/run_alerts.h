@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/workbench/workbench.h"
+
+#include <cstddef>
+
+namespace dewpoint::ui {
+
+class ManualCalibration;
+
+/// What a run has to say while it goes: its notices, and cameras that were moved, with what one
+/// click does about those.
+class RunAlerts : public QObject {
+  Q_OBJECT
+public:
+  RunAlerts(const Workbench& bench, ManualCalibration& hand);
+
+private:
+  void showNotices(const TrackSnapshotPtr& snapshot);
+  void resolveFirst();
+  /// Takes the pose that the run found for a camera that was moved into the project.
+  void resolve(int camera);
+
+  Workbench bench_;
+  ManualCalibration& hand_;
+  std::size_t noticesShown_ = 0;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/mainwindow/window_menus.h"
+
+#include "ui/actions/action_registry.h"
+#include "ui/actions/shortcut_editor.h"
+#include "ui/text/language.h"
+#include "ui/workbench/dock_manager.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QLocale>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSettings>
+
+#include <utility>
+
+namespace dewpoint::ui {
+
+WindowMenus::WindowMenus(const Workbench& bench, Owners owners)
+    : QObject(&bench.window), bench_(bench), owners_(std::move(owners)),
+      palette_(new CommandPalette(bench.actions, &bench.window)) {
+  palette_->setMore([this] { return moreForPalette(); });
+  bench_.onTriggered("actionPalette", this, [this] { openPalette(); });
+  bench_.onTriggered("actionShortcuts", this, [this] { openShortcuts(); });
+}
+
+QMenu* WindowMenus::add(const QString& title, const char* name,
+                        std::initializer_list<const char*> ids) {
+  QMenu* menu = bench_.window.menuBar()->addMenu(title);
+  menu->setObjectName(QLatin1String(name));
+  for (const char* id : ids) {
+    id == nullptr ? (void)menu->addSeparator() : menu->addAction(bench_.action(id));
+  }
+  return menu;
+}
+
+void WindowMenus::make() {
+  QMenuBar* bar = bench_.window.menuBar();
+  qDeleteAll(bar->findChildren<QMenu*>(Qt::FindDirectChildrenOnly));
+  bar->clear();
+  bar->setObjectName(QStringLiteral("menuBar"));
+  makeProjectMenu();
+  add(tr("&Edit"), "menuEdit",
+      {"actionUndo", "actionRedo", nullptr, "actionLearnColor", "actionAddTarget",
+       "actionRemoveTarget", nullptr, "actionPlacePerson", "actionRemovePerson", nullptr,
+       "actionShortcuts"});
+  add(tr("&Calibration"), "menuCalibration",
+      {"actionCalibrateByHand", "actionCalibrateBoard", "actionPrintBoard", "actionCalibrateWand",
+       nullptr, "actionPlanRig", "actionPlanCamera", "actionFindPlace", "actionResolveCamera",
+       nullptr, "actionImportCalibration", "actionExportCalibration"});
+  add(tr("&Run"), "menuRun",
+      {"actionPlay", "actionNextFrame", "actionNextIteration", "actionPreviousFrame", nullptr,
+       "actionNow", "actionRerun", nullptr, "actionAddMark", "actionRemoveMark",
+       "actionPreviousMark", "actionNextMark", "actionZoomToSpan", nullptr, "actionRestart",
+       "actionRestartNewSeed", nullptr, "actionExperiments"});
+  makeViewMenu();
+}
+
+void WindowMenus::makeProjectMenu() {
+  QMenu* project = add(tr("&Project"), "menuProject",
+                       {"actionNew", "actionOpen", "actionOpenDemo", nullptr, "actionSave",
+                        "actionSaveAs", nullptr, "actionExportTrajectory", "actionExportPeople",
+                        "actionSavePicture", nullptr, "actionCloseProject", "actionQuit"});
+  auto* recent = new QMenu(tr("Open recent"), project);
+  recent->setObjectName(QStringLiteral("menuRecent"));
+  recent->setToolTipsVisible(true);
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] { owners_.fillRecent(recent); });
+  project->insertMenu(bench_.action("actionOpenDemo"), recent);
+}
+
+void WindowMenus::makeViewMenu() {
+  QMenu* view = add(tr("&View"), "menuView",
+                    {"actionPalette", nullptr, "actionShowMask", "actionShowEvidence",
+                     "actionShowVolumes", "actionShowMap", nullptr, "actionLookFromAbove",
+                     "actionLookFromFront", "actionLookFree", nullptr, "actionResetLayout"});
+  QMenu* views = view->addMenu(tr("Views"));
+  views->setObjectName(QStringLiteral("menuViews"));
+  connect(views, &QMenu::aboutToShow, this, [this, views] {
+    views->clear();
+    for (ViewDock* dock : bench_.docks.docks()) {
+      views->addAction(dock->toggleViewAction());
+    }
+  });
+  QMenu* colors = view->addMenu(tr("Colors"));
+  colors->setObjectName(QStringLiteral("menuColors"));
+  for (const char* theme : {"actionThemeSystem", "actionThemeLight", "actionThemeDark"}) {
+    colors->addAction(bench_.action(theme));
+  }
+  QMenu* language = view->addMenu(tr("Language"));
+  language->setObjectName(QStringLiteral("menuLanguage"));
+  fillLanguageMenu(language);
+}
+
+void WindowMenus::fillLanguageMenu(QMenu* menu) {
+  auto* choice = new QActionGroup(menu);
+  const QString now = QSettings().value(QStringLiteral("language")).toString();
+  languages_.clear();
+  const auto addChoice = [&](const QString& text, const QString& language) {
+    QAction* entry = menu->addAction(text);
+    entry->setObjectName(QStringLiteral("qt_language_") + language); // each in its own words
+    entry->setCheckable(true);
+    entry->setChecked(language == now);
+    choice->addAction(entry);
+    connect(entry, &QAction::triggered, this, [this, language] { owners_.setLanguage(language); });
+    languages_.push_back(entry);
+  };
+  addChoice(tr("Like the system"), {});
+  for (const QString& language : languages()) {
+    const QString name = QLocale(language).nativeLanguageName();
+    addChoice(name.isEmpty() ? language : name.at(0).toUpper() + name.mid(1), language);
+  }
+}
+
+void WindowMenus::openShortcuts() {
+  auto* editor = bench_.window.findChild<ShortcutEditor*>();
+  if (editor == nullptr) {
+    editor = new ShortcutEditor(bench_.actions, &bench_.window);
+  }
+  Workbench::present(editor);
+}
+
+std::vector<CommandPalette::Entry> WindowMenus::moreForPalette() {
+  std::vector<CommandPalette::Entry> entries;
+  if (bench_.session.isRunning()) {
+    for (ViewDock* dock : bench_.docks.docks()) {
+      if (!dock->isOpenedByAction()) { // that is in the list already
+        entries.push_back({tr("Views"), dock->windowTitle(), tr("Show this view"), {}, {}, [dock] {
+                             dock->bringToFront();
+                           }});
+      }
+    }
+  }
+  for (QAction* language : languages_) {
+    entries.push_back(
+        {tr("Language"), language->text(), tr("Speak this language"), {}, {}, [language] {
+           language->trigger();
+         }});
+  }
+  return entries;
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/inspector_docks.h"
+
+#include "core/setup/new_project.h"
+#include "ui/document/document.h"
+#include "ui/panels/camera_panel.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/panels/target_panel.h"
+#include "ui/selection/selection.h"
+#include "ui/text/error_sentence.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/workbench/dock_manager.h"
+#include "ui/workbench/workbench.h"
+
+#include <QMainWindow>
+#include <QScrollArea>
+
+#include <algorithm>
+
+namespace dewpoint::ui {
+
+namespace {
+
+void sayWhatMethodNeeds(const Workbench& bench) {
+  const Project& project = bench.document.project();
+  const auto hasBox = [](const Target& target) { return target.box.has_value(); };
+  if (methodFamily(project.method) == MethodFamily::Boxes) {
+    if (std::ranges::none_of(project.targets, hasBox)) {
+      bench.messages.showNotice(
+          ParameterPanel::tr("Click the thing or drag a box around it in any camera view."));
+    }
+  } else if (isGuessed(project)) {
+    bench.messages.showNotice(ParameterPanel::tr(
+        "This method works in the room: calibrate the cameras first (menu Calibration), their "
+        "positions are only a guess."));
+  }
+}
+
+void loadCalibration(const Workbench& bench, const QString& file) {
+  auto made = withCalibration(bench.document.project(), file.toStdString());
+  if (made) {
+    const auto edited =
+        bench.document.edit(CameraPanel::tr("Load calibration"),
+                            [&](Project& project) { project.cameras = made->project.cameras; });
+    if (edited) {
+      bench.messages.showNotice(
+          made->matchedByOrder
+              ? CameraPanel::tr("The calibration names its cameras differently: they were "
+                                "taken in its order.")
+              : CameraPanel::tr("The cameras have the calibration of %1 now.").arg(file));
+      return;
+    }
+    made = tl::make_unexpected(edited.error());
+  }
+  bench.messages.showError(errorSentence(made.error()));
+}
+
+} // namespace
+
+void installParameters(const Workbench& bench) {
+  auto* scroll = new QScrollArea(&bench.window);
+  scroll->setObjectName(QStringLiteral("parameterScroll"));
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(324); // room for the names of all tabs
+  scroll->setWidget(new ParameterPanel(bench.document, &bench.window));
+  ViewDock* dock = bench.docks.make({.name = QStringLiteral("parameterDock"),
+                                     .title = [] { return ParameterPanel::tr("Parameters"); },
+                                     .content = scroll,
+                                     .rank = 0});
+  // The dock itself too: with a title bar of our own its minimum does not follow its content's.
+  dock->setMinimumWidth(scroll->minimumWidth());
+  QObject::connect(&bench.document, &Document::methodChanged, dock,
+                   [bench] { sayWhatMethodNeeds(bench); });
+}
+
+TargetDock installTargets(const Workbench& bench) {
+  auto* panel = new TargetPanel(bench.document, &bench.window);
+  ViewDock* dock = bench.docks.make({.name = QStringLiteral("targetDock"),
+                                     .title = [] { return TargetPanel::tr("Target"); },
+                                     .content = panel,
+                                     .rank = 2});
+  bench.connectView(panel);
+  QObject::connect(panel, &TargetPanel::targetChosen, &bench.selection, &Selection::selectTarget);
+  bench.onTriggered("actionRemoveTarget", panel, [panel] { panel->removeChosen(); });
+  bench.needRun({"actionRemoveTarget"});
+  return {dock, panel};
+}
+
+CameraPanel* installCameras(const Workbench& bench) {
+  auto* panel = new CameraPanel(bench.document, &bench.window);
+  bench.docks.make({.name = QStringLiteral("cameraListDock"),
+                    .title = [] { return CameraPanel::tr("Cameras"); },
+                    .content = panel,
+                    .rank = 4});
+  bench.connectImageView(panel);
+  QObject::connect(panel, &CameraPanel::calibrationWanted, panel,
+                   [bench](const QString& file) { loadCalibration(bench, file); });
+  QObject::connect(panel, &CameraPanel::failed, &bench.messages, &MessageBar::showError);
+  QObject::connect(panel, &CameraPanel::said, &bench.messages, &MessageBar::showNotice);
+  QObject::connect(panel, &CameraPanel::asked, &bench.messages,
+                   [bar = &bench.messages](const QString& question, const QString& yes,
+                                           const std::function<void()>& act) {
+                     bar->ask(question, {{yes, act}});
+                   });
+  return panel;
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+namespace dewpoint::ui {
+
+class CameraPanel;
+class TargetPanel;
+class ViewDock;
+struct Workbench;
+
+/// Adds the parameters of the method, and what a person should know when another one is chosen.
+void installParameters(const Workbench& bench);
+
+/// The targets in the window.
+struct TargetDock {
+  ViewDock* dock;
+  TargetPanel* panel;
+};
+/// Adds the list of targets.
+TargetDock installTargets(const Workbench& bench);
+
+/// Adds the list of cameras.
+CameraPanel* installCameras(const Workbench& bench);
+
+} // namespace dewpoint::ui

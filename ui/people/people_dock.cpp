@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/people/people_dock.h"
+
+#include "core/project/project.h"
+#include "core/session/session.h"
+#include "ui/cameraview/camera_docks.h"
+#include "ui/cameraview/camera_view.h"
+#include "ui/cameraview/people_painter.h"
+#include "ui/document/document.h"
+#include "ui/jobs/long_job.h"
+#include "ui/people/add_person_tool.h"
+#include "ui/people/people_panel.h"
+#include "ui/selection/selection.h"
+#include "ui/text/error_sentence.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/workbench/dock_manager.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QMainWindow>
+
+#include <memory>
+#include <utility>
+
+namespace dewpoint::ui {
+
+PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, BirdsEyeView& birdsEye,
+                       std::vector<ViewDock*> others)
+    : QObject(&bench.window), bench_(bench),
+      panel_(new PeoplePanel(bench.selection, bench.action("actionPlacePerson"),
+                             bench.action("actionRemovePerson"), &bench.window)),
+      placer_(new AddPersonTool(&birdsEye, this)), job_(new LongJob(this)),
+      others_(std::move(others)) {
+  dock_ = bench_.docks.make({.name = QStringLiteral("peopleDock"),
+                             .title = [] { return tr("People"); },
+                             .content = panel_,
+                             .rank = 1,
+                             .hiddenAtFirst = true}); // until a method for people is chosen
+  dock_->setMinimumWidth(384);                        // room for all columns
+  bench_.connectView(panel_);
+  connectPlacer(cameras);
+  connectActions();
+  connect(&birdsEye, &BirdsEyeView::personClicked, &bench_.selection, &Selection::selectTarget);
+  connect(&bench_.session, &SessionController::runStarted, this, [this] {
+    bench_.session.session()->setShapesWanted(bench_.action("actionShowVolumes")->isChecked());
+    suitMethod();
+  });
+  connect(&bench_.document, &Document::replaced, this, &PeopleDock::suitMethod);
+  connect(&bench_.document, &Document::methodChanged, this, &PeopleDock::suitMethod);
+}
+
+bool PeopleDock::isOfPeople() const {
+  return methodFamily(bench_.document.project().method) == MethodFamily::People;
+}
+
+void PeopleDock::connectPlacer(const CameraDocks& cameras) {
+  QAction* place = bench_.action("actionPlacePerson");
+  connect(&cameras, &CameraDocks::viewMade, placer_, &AddPersonTool::attach);
+  connect(placer_, &AddPersonTool::seen, this,
+          [this, place](int camera, const Eigen::Vector2d& pixel) {
+            if (Session* session = bench_.session.session()) {
+              session->addPersonSeen(camera, pixel);
+            }
+            place->setChecked(false);
+          });
+  connect(placer_, &AddPersonTool::placed, this, [this, place](const Eigen::Vector2d& where) {
+    if (Session* session = bench_.session.session()) {
+      session->addPerson(where);
+    }
+    place->setChecked(false);
+  });
+  connect(placer_, &AddPersonTool::cancelled, place, [place] { place->setChecked(false); });
+}
+
+void PeopleDock::connectActions() {
+  bench_.onToggled("actionPlacePerson", this, [this](bool placing) { placePeople(placing); });
+  bench_.onTriggered("actionRemovePerson", this, [this] {
+    Session* session = bench_.session.session();
+    if (session != nullptr && panel_->chosen() > 0) {
+      session->removePerson(panel_->chosen());
+    }
+  });
+  bench_.onToggled("actionShowVolumes", this, [this](bool shown) {
+    if (Session* session = bench_.session.session()) {
+      session->setShapesWanted(shown);
+    }
+  });
+  bench_.onTriggered("actionExportPeople", this, [this] { askExport(); });
+  bench_.needRun(
+      {"actionPlacePerson", "actionRemovePerson", "actionExportPeople", "actionShowVolumes"},
+      [this] { return isOfPeople(); });
+}
+
+void PeopleDock::selectSeenAt(int camera, const QPointF& pixel) {
+  const TrackSnapshotPtr& shown = bench_.session.shown();
+  const int person = shown ? personSeenAt(*shown, camera, pixel) : -1;
+  if (person >= 0) {
+    bench_.selection.selectTarget(person);
+  }
+}
+
+void PeopleDock::suitMethod() {
+  const bool people = isOfPeople();
+  if (!people) {
+    bench_.action("actionPlacePerson")->setChecked(false);
+  }
+  if (!dock_->isHiddenByUser() == people || !bench_.session.isRunning()) {
+    return;
+  }
+  dock_->setWanted(people);
+  for (ViewDock* other : others_) {
+    other->setWanted(!people);
+  }
+  if (people) {
+    dock_->raise();
+  }
+}
+
+void PeopleDock::placePeople(bool placing) {
+  const bool can = placing && bench_.session.isRunning() && isOfPeople();
+  placer_->setPlacing(can, can ? bench_.document.project().parameters.at("floor_z") : 0.0);
+  const QString hint =
+      tr("Click somebody in a camera image, or the floor in the bird's-eye view. Esc ends it.");
+  if (can) {
+    bench_.messages.showNotice(hint);
+  } else if (bench_.messages.text() == hint) {
+    bench_.messages.close();
+  }
+}
+
+void PeopleDock::askExport() {
+  if (!bench_.session.isRunning()) {
+    return;
+  }
+  const QString folder = QFileDialog::getExistingDirectory(
+      &bench_.window, tr("Folder for the tables of people"),
+      QString::fromStdString(bench_.document.project().file.parent_path().string()));
+  if (folder.isEmpty()) {
+    return;
+  }
+  if (QDir(folder).exists(QStringLiteral("volumes.csv")) ||
+      QDir(folder).exists(QStringLiteral("trajectory.csv"))) {
+    bench_.messages.ask(tr("There are tables of another run in %1. Replace them?").arg(folder),
+                        {{tr("Replace"), [this, folder] { write(folder); }}});
+  } else {
+    write(folder);
+  }
+}
+
+void PeopleDock::write(const QString& folder) {
+  const Session* session = bench_.session.session();
+  if (session == nullptr) { // closed meanwhile
+    return;
+  }
+  const auto record = std::make_shared<const PeopleRecord>(session->peopleRecord());
+  const bool begun = job_->start([this, folder, record](const auto& progress) {
+    auto saved = savePeople(*record, folder.toStdString(), progress);
+    return std::function<void()>([this, folder, saved = std::move(saved)] {
+      saved ? bench_.messages.showNotice(
+                  tr("Places, volumes, hulls and densities of people are in %1 (frames: %2).")
+                      .arg(folder)
+                      .arg(*saved))
+            : bench_.messages.showError(errorSentence(saved.error()));
+    });
+  });
+  if (begun) {
+    bench_.messages.showNotice(tr("Writing the tables of people…"));
+  }
+}
+
+} // namespace dewpoint::ui

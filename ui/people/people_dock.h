@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/workbench/workbench.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+class QPointF;
+
+namespace dewpoint::ui {
+
+class BirdsEyeView;
+class CameraDocks;
+class LongJob;
+class PeoplePanel;
+class AddPersonTool;
+class ViewDock;
+
+/// Methods for people in the window: who is there, who stands where, and what is exported of them.
+/// While such a method is chosen, its panel takes the place of those of the other methods.
+class PeopleDock : public QObject {
+  Q_OBJECT
+public:
+  /// `others`: docks that mean nothing to people, nor theirs to other methods.
+  PeopleDock(const Workbench& bench, const CameraDocks& cameras, BirdsEyeView& birdsEye,
+             std::vector<ViewDock*> others);
+
+  /// A click into the image of a camera, pixels: selects the person who is seen there.
+  void selectSeenAt(int camera, const QPointF& pixel);
+
+private:
+  void connectActions();
+  void connectPlacer(const CameraDocks& cameras);
+  /// The docks and actions that the method has a use for.
+  void suitMethod();
+  void placePeople(bool placing);
+  void askExport();
+  void write(const QString& folder);
+  bool isOfPeople() const;
+
+  Workbench bench_;
+  PeoplePanel* panel_;
+  AddPersonTool* placer_;
+  LongJob* job_; ///< writes tables
+  ViewDock* dock_;
+  std::vector<ViewDock*> others_;
+};
+
+} // namespace dewpoint::ui

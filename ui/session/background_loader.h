@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QObject>
+#include <QString>
+#include <opencv2/core/mat.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dewpoint::project {
+struct Project;
+} // namespace dewpoint::project
+
+namespace dewpoint::ui {
+
+class LongJob;
+
+/// Reads the pictures of a project's empty rooms beside the window; a run takes them and goes on.
+class BackgroundLoader : public QObject {
+  Q_OBJECT
+public:
+  explicit BackgroundLoader(QObject* parent = nullptr);
+  ~BackgroundLoader() override;
+
+  /// Reads those of this project, in place of those that are being read.
+  void load(const Project& project);
+  /// What is being read is not wanted any more: neither loaded() nor failed() follows.
+  void forget();
+
+Q_SIGNALS:
+  /// The files, one per camera, and what they show; empty where a camera has none.
+  void loaded(const std::vector<std::string>& files, const std::vector<cv::Mat>& rooms);
+  void failed(const QString& sentence);
+
+private:
+  void start();
+
+  LongJob* job_;
+  std::shared_ptr<const Project> wanted_; ///< what is to be read next
+  int wish_ = 0;                          ///< counts up; an answer to an earlier one is not given
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/session.h"
+#include "ui/document/recovery.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace dewpoint::ui {
+
+/// A wish to work on a project, and what becomes of the document once it is open. It goes along
+/// with the opening and comes back with the result, so nothing waits for it elsewhere.
+struct OpenRequest {
+  SessionRequest what;
+  bool keepHistory = false; ///< the project of the document, with other inputs: it stays as it is
+  bool unsaved = false;     ///< it is in no file as it is
+  QString note = {};        ///< said once it is open
+  std::optional<RecoverableWork> recovered = {}; ///< the copy it comes from
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/session_controller.h"
+
+#include "core/project/project.h"
+#include "core/session/run/tracking_run.h"
+#include "core/session/session.h"
+#include "ui/document/document.h"
+#include "ui/selection/selection.h"
+#include "ui/session/background_loader.h"
+#include "ui/session/logged_records.h"
+#include "ui/session/open_request.h"
+#include "ui/session/session_bridge.h"
+
+#include <QRandomGenerator>
+#include <QTimer>
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint::ui {
+
+SessionController::SessionController(ProjectOpener opener, Document& document, Selection& selection,
+                                     QObject* parent)
+    : QObject(parent), loader_(new ProjectLoader(std::move(opener), this)),
+      backgrounds_(new BackgroundLoader(this)), document_(document), selection_(selection) {
+  connect(loader_, &ProjectLoader::opened, this, &SessionController::adopt);
+  connect(loader_, &ProjectLoader::failed, this, &SessionController::openFailed);
+  connect(loader_, &ProjectLoader::openingChanged, this, &SessionController::openingChanged);
+  connect(backgrounds_, &BackgroundLoader::failed, this, &SessionController::failed);
+  connect(backgrounds_, &BackgroundLoader::loaded, this,
+          [this](const auto& files, const auto& rooms) {
+            if (bridge_ != nullptr) {
+              bridge_->session().setEmptyRooms(files, rooms);
+            }
+          });
+  connect(&selection_, &Selection::momentWanted, this, [this](qint64 frame) {
+    if (bridge_ != nullptr) {
+      bridge_->session().showFrame(frame);
+    }
+  });
+  connect(&selection_, &Selection::nowWanted, this, [this] {
+    if (bridge_ != nullptr) {
+      bridge_->session().backToHead();
+    }
+  });
+  connectDocument();
+}
+
+SessionController::~SessionController() {
+  if (bridge_ != nullptr) {
+    disconnect(bridge_, nullptr, this, nullptr);
+  }
+}
+
+void SessionController::connectDocument() {
+  connect(&document_, &Document::parameterChanged, this, [this] {
+    if (bridge_ != nullptr) {
+      bridge_->session().setParameters(document_.project().parameters);
+    }
+  });
+  connect(&document_, &Document::methodChanged, this, &SessionController::applyMethod);
+  connect(&document_, &Document::targetsChanged, this, [this] {
+    if (bridge_ != nullptr) {
+      bridge_->session().setTargets(document_.project().targets);
+    }
+  });
+  // Queued: what is being edited may be a view that goes with it.
+  connect(&document_, &Document::calibrationChanged, this, &SessionController::applyCalibration,
+          Qt::QueuedConnection);
+  connect(&document_, &Document::emptyRoomsChanged, this, [this] {
+    if (bridge_ != nullptr) {
+      backgrounds_->load(document_.project());
+    }
+  });
+  connect(&document_, &Document::sourcesChanged, this, &SessionController::reopen,
+          Qt::QueuedConnection);
+}
+
+Session* SessionController::session() const {
+  return bridge_ != nullptr ? &bridge_->session() : nullptr;
+}
+
+void SessionController::open(OpenRequest request) {
+  loader_->open(std::move(request));
+}
+
+void SessionController::reopen() {
+  // A project that is being opened takes the place of this one anyway.
+  if (bridge_ != nullptr && (!loader_->isOpening() || loader_->isReopening())) {
+    loader_->open({.what = document_.project(), .keepHistory = true});
+  }
+}
+
+void SessionController::adopt(const OpenRequest& request,
+                              const std::shared_ptr<SessionInputs>& inputs) {
+  endRun();
+  Q_EMIT replacing(request);
+  if (!request.keepHistory) {
+    document_.replace(inputs->project, request.unsaved);
+  }
+  Q_EMIT replaced(request);
+  // The panels have just been filled; the views come with the next turn of the event loop, so that
+  // neither holds it for long.
+  QTimer::singleShot(0, this, [this, request, inputs, number = ++starts_] {
+    if (number == starts_) {
+      start(request, std::move(*inputs));
+    }
+  });
+}
+
+void SessionController::start(const OpenRequest& request, SessionInputs inputs) {
+  // Without a target a recording waits for the click instead of running away.
+  const bool wantsTarget =
+      inputs.project.targets.empty() && methodFamily(inputs.project.method) != MethodFamily::People;
+  const bool waits = request.unsaved || (wantsTarget && !inputs.source->isLive());
+  // Of the window, not of this: it goes after the views, which look at the session to the end.
+  bridge_ = new SessionBridge(std::move(inputs), parent());
+  connect(bridge_, &SessionBridge::snapshotChanged, this, &SessionController::publish);
+  Q_EMIT runStarted();
+  publish(bridge_->session().newest());
+  if (playOnOpen_ && !waits) {
+    bridge_->session().play();
+  } else {
+    bridge_->session().stepFrame(); // something to look at
+  }
+  Q_EMIT opened(request);
+}
+
+void SessionController::close() {
+  ++starts_;
+  endRun();
+  document_.replace({});
+  Q_EMIT closed();
+}
+
+void SessionController::endRun() {
+  SessionBridge* over = std::exchange(bridge_, nullptr);
+  backgrounds_->forget();
+  shown_.reset();
+  filledFrom_.reset();
+  filled_.reset();
+  frames_ = {};
+  iterations_ = {};
+  Q_EMIT runEnded(); // first: what is cleared may look at the run
+  Q_EMIT snapshotChanged(nullptr);
+  selection_.clear();
+  if (over != nullptr) {
+    loader_->retire(over->release());
+    delete over;
+  }
+}
+
+TrackSnapshotPtr SessionController::withLateImages(const TrackSnapshotPtr& snapshot) {
+  if (bridge_ == nullptr || snapshot == nullptr) {
+    return snapshot;
+  }
+  if (snapshot != filledFrom_) {
+    filledFrom_ = snapshot;
+    filled_ = bridge_->asSeen(snapshot);
+  }
+  return filled_;
+}
+
+void SessionController::publish(const TrackSnapshotPtr& snapshot) {
+  shown_ = snapshot;
+  const Session& session = bridge_->session();
+  auto frames = session.framesSince(frames_.generation, frames_.position);
+  Q_EMIT framesLogged({std::move(frames.records), frames.restarted});
+  Q_EMIT snapshotChanged(snapshot);
+  auto iterations = session.logSince(iterations_.generation, iterations_.position);
+  Q_EMIT iterationsLogged({std::move(iterations.records), iterations.restarted});
+}
+
+void SessionController::applyMethod() {
+  if (bridge_ == nullptr) {
+    return;
+  }
+  const Project& project = document_.project();
+  Session& session = bridge_->session();
+  // Whoever looks at an earlier moment wants to see the other method from there; what was tracked
+  // of a recording is tracked again.
+  const bool tracked = shown_ && shown_->frameCount && shown_->history.head >= 0;
+  if (selection_.isPast() || tracked) {
+    session.setMethodFrom(selection_.isPast() ? selection_.moment() : 0, project.method,
+                          project.parameters);
+  } else {
+    session.setMethod(project.method, project.parameters);
+  }
+}
+
+void SessionController::applyCalibration() {
+  if (bridge_ == nullptr) {
+    return;
+  }
+  const CameraRig rig = rigOf(document_.project());
+  const auto newest = bridge_->session().newest();
+  if (newest->rig && haveSameImages(rig, *newest->rig)) {
+    bridge_->session().setCameras(rig); // the run goes on
+  } else {
+    reopen();
+  }
+}
+
+bool SessionController::isPlaying() const {
+  return shown_ && shown_->state == PlayState::Playing;
+}
+
+void SessionController::play() {
+  if (bridge_ != nullptr) {
+    bridge_->session().play();
+  }
+}
+
+void SessionController::togglePlay() {
+  if (bridge_ == nullptr) {
+    return;
+  }
+  Session& session = bridge_->session();
+  const PlayState state = shown_ ? shown_->state : PlayState::Paused;
+  if (state == PlayState::Playing) {
+    session.pause();
+    return;
+  }
+  if (state == PlayState::Ended) {
+    session.restart();
+  }
+  session.play();
+}
+
+void SessionController::restart(bool newSeed) {
+  if (bridge_ == nullptr) {
+    return;
+  }
+  if (newSeed) {
+    // 31 bits: short enough to be read out and typed.
+    bridge_->session().restart(QRandomGenerator::global()->generate() >> 1U);
+  } else {
+    bridge_->session().restart();
+  }
+}
+
+void SessionController::rerun() {
+  if (bridge_ != nullptr && selection_.moment() >= 0) {
+    bridge_->session().rerunFrom(selection_.moment());
+  }
+}
+
+void SessionController::startAfterLearning(bool isNew) {
+  if (shown_ && !isPlaying() && isNew) {
+    togglePlay(); // at the end: from the beginning
+  }
+}
+
+void SessionController::startAfterBox(bool isNew) {
+  if (!shown_ || shown_->state != PlayState::Paused || !isNew) {
+    return;
+  }
+  // From a frame that was tracked already it is tracked again by itself, up to where the run
+  // stands; at the end there is nothing to play.
+  const bool again = shown_->past && shown_->frame <= shown_->history.head;
+  const auto hasBox = [](const Target& one) { return one.box.has_value(); };
+  const bool only =
+      std::ranges::count_if(document_.project().targets, hasBox) == 1 && shown_->history.head <= 0;
+  if (only && !again) {
+    play();
+  }
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/project_loader.h"
+
+#include <QObject>
+#include <QString>
+
+#include <cstdint>
+#include <memory>
+
+namespace dewpoint::session {
+struct TrackSnapshot;
+} // namespace dewpoint::session
+
+namespace dewpoint::ui {
+
+class BackgroundLoader;
+class Document;
+class Selection;
+class SessionBridge;
+struct LoggedFrames;
+struct LoggedIterations;
+struct OpenRequest;
+using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
+
+/// The run of the window: opens it, ends it, passes on what the document and the selection ask of
+/// it, and tells the views what it shows. All policy about the run is here: when it begins to play,
+/// what another method does to what was tracked, whether another calibration keeps it.
+class SessionController : public QObject {
+  Q_OBJECT
+public:
+  SessionController(ProjectOpener opener, Document& document, Selection& selection,
+                    QObject* parent = nullptr);
+  ~SessionController() override;
+
+  /// Opens in the background what is asked for; runStarted() or openFailed() follow.
+  void open(OpenRequest request);
+  bool isOpening() const { return loader_->isOpening(); }
+  /// Ends the run, and empties the document: nothing is open any more.
+  void close();
+  /// Whether a project plays as soon as it is open.
+  void setPlayOnOpen(bool play) { playOnOpen_ = play; }
+  /// For others that open a project in a thread of theirs.
+  const ProjectOpener& opener() const { return loader_->opener(); }
+
+  bool isRunning() const { return bridge_ != nullptr; }
+  /// The running machine; null while none is open.
+  Session* session() const;
+  /// The newest snapshot that the views were given; null before the first.
+  const TrackSnapshotPtr& shown() const { return shown_; }
+  bool isPlaying() const;
+  /// A snapshot as camera views show it: with the last images of live cameras that are late.
+  TrackSnapshotPtr withLateImages(const TrackSnapshotPtr& snapshot);
+
+  /// Plays or pauses; at the end, plays from the beginning.
+  void togglePlay();
+  void play();
+  /// From the beginning, with another seed or the same.
+  void restart(bool newSeed);
+  /// Tracks again from the moment shown.
+  void rerun();
+  /// The color of a target was learned: whoever points at the first thing to follow wants to see
+  /// it tracked; a sample more or less takes no run away.
+  void startAfterLearning(bool isNew);
+  /// The same of a target's box. More boxes are given on the same image, and a run that a person
+  /// has stopped stays where it is: only the first of all plays.
+  void startAfterBox(bool isNew);
+
+Q_SIGNALS:
+  void openingChanged(bool opening);
+  /// The sentence why nothing was opened.
+  void openFailed(const QString& sentence);
+  /// The run before is gone, and the document is about to change.
+  void replacing(const OpenRequest& request);
+  /// The document holds what was opened; the run begins with the next turn of the event loop.
+  void replaced(const OpenRequest& request);
+  /// There is a session: views are made and connected to it. The first snapshot follows.
+  void runStarted();
+  /// The run has begun to play, or waits for its person.
+  void opened(const OpenRequest& request);
+  /// The session is gone; snapshotChanged() with null follows.
+  void runEnded();
+  /// Nothing is open any more, by the person's wish.
+  void closed();
+  /// What views show from now on; null: nothing, the run is over.
+  void snapshotChanged(const TrackSnapshotPtr& snapshot);
+  /// What was logged since the last time, all of it anew after a restart. Frames come before the
+  /// snapshot that follows them, iterations after it.
+  void framesLogged(const LoggedFrames& frames);
+  void iterationsLogged(const LoggedIterations& iterations);
+  /// Something of the project cannot be used: the sentence why.
+  void failed(const QString& sentence);
+
+private:
+  /// How far one of the session's logs was read.
+  struct LogCursor {
+    std::uint64_t generation = 0;
+    std::size_t position = 0;
+  };
+  void connectDocument();
+  void adopt(const OpenRequest& request, const std::shared_ptr<SessionInputs>& inputs);
+  void start(const OpenRequest& request, SessionInputs inputs);
+  void endRun();
+  void publish(const TrackSnapshotPtr& snapshot);
+  void reopen();
+  void applyMethod();
+  void applyCalibration();
+
+  ProjectLoader* loader_;
+  BackgroundLoader* backgrounds_;
+  Document& document_;
+  Selection& selection_;
+  SessionBridge* bridge_ = nullptr;
+  int starts_ = 0; ///< of runs, and closings: a start that was overtaken does not happen
+  bool playOnOpen_ = true;
+  TrackSnapshotPtr shown_;
+  TrackSnapshotPtr filledFrom_; ///< what filled_ was made of
+  TrackSnapshotPtr filled_;
+  LogCursor frames_;
+  LogCursor iterations_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/timeline/timeline_dock.h"
+
+#include "core/project/project.h"
+#include "core/session/session.h"
+#include "ui/document/document.h"
+#include "ui/selection/selection.h"
+#include "ui/session/logged_records.h"
+#include "ui/timeline/timeline.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/workbench/dock_manager.h"
+#include "ui/workbench/workbench.h"
+
+#include <QAction>
+#include <QMainWindow>
+#include <QMenu>
+
+namespace dewpoint::ui {
+
+namespace {
+
+void showMenu(const Workbench& bench, const QPoint& place) {
+  auto* menu = new QMenu(&bench.window);
+  menu->setObjectName(QStringLiteral("menuTimeline"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  for (const char* id : {"actionRerun", "actionNow", "", "actionAddMark", "actionRemoveMark",
+                         "actionPreviousMark", "actionNextMark", "", "actionZoomToSpan"}) {
+    *id == '\0' ? (void)menu->addSeparator() : menu->addAction(bench.action(id));
+  }
+  menu->popup(place);
+}
+
+void connectActions(const Workbench& bench, Timeline* timeline) {
+  bench.onTriggered("actionPreviousFrame", timeline, [timeline] { timeline->step(-1); });
+  bench.onTriggered("actionNow", timeline, [bench] { bench.selection.wantNow(); });
+  bench.onTriggered("actionRerun", timeline, [bench] { bench.session.rerun(); });
+  bench.onTriggered("actionAddMark", timeline, [timeline] { timeline->addMark(); });
+  bench.onTriggered("actionRemoveMark", timeline, [timeline] { timeline->removeMark(); });
+  bench.onTriggered("actionPreviousMark", timeline, [timeline] { timeline->stepMark(-1); });
+  bench.onTriggered("actionNextMark", timeline, [timeline] { timeline->stepMark(1); });
+  bench.onTriggered("actionZoomToSpan", timeline, [timeline] { timeline->zoomToSpan(); });
+  bench.needRun({"actionPreviousFrame", "actionRerun", "actionAddMark", "actionRemoveMark",
+                 "actionPreviousMark", "actionNextMark", "actionZoomToSpan"});
+  bench.action("actionNow")->setEnabled(false); // the moment shown decides
+}
+
+/// Whoever changes something while looking back is told what that changes.
+void explainChange(const Workbench& bench, const ProjectChanges& changes) {
+  const bool boxes = methodFamily(bench.document.project().method) == MethodFamily::Boxes;
+  const bool again = changes.boxes && boxes; // that is tracked again by itself
+  if (bench.selection.isPast() && (changes.parameters || changes.targets) && !again) {
+    bench.messages.showNotice(
+        Timeline::tr("The change holds from now on. “%1” shows what it makes of this moment.")
+            .arg(bench.action("actionRerun")->text()));
+  }
+}
+
+} // namespace
+
+Timeline* installTimeline(const Workbench& bench) {
+  auto* timeline = new Timeline(bench.selection, bench.document, &bench.window);
+  bench.docks.make({.name = QStringLiteral("timelineDock"),
+                    .title = [] { return Timeline::tr("Timeline"); },
+                    .content = timeline,
+                    .place = DockPlace::Timeline});
+  QObject::connect(&bench.session, &SessionController::framesLogged, timeline,
+                   [timeline](const LoggedFrames& frames) {
+                     timeline->append(frames.records, frames.restarted);
+                   });
+  bench.connectView(timeline);
+  QObject::connect(&bench.session, &SessionController::snapshotChanged, timeline,
+                   [bench, timeline](const TrackSnapshotPtr& snapshot) {
+                     bench.action("actionNow")->setEnabled(snapshot && snapshot->past);
+                     if (snapshot) {
+                       bench.selection.setMoment(snapshot->frame,
+                                                 timeline->model().secondsOf(snapshot->frame),
+                                                 snapshot->past);
+                     }
+                   });
+  QObject::connect(timeline, &Timeline::menuWanted, timeline,
+                   [bench](const QPoint& place) { showMenu(bench, place); });
+  QObject::connect(&bench.document, &Document::changed, timeline,
+                   [bench](const ProjectChanges& changes) { explainChange(bench, changes); });
+  connectActions(bench, timeline);
+  return timeline;
+}
+
+} // namespace dewpoint::ui

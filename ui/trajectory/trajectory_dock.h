@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+namespace dewpoint::ui {
+
+class BirdsEyeView;
+class TrajectoryPanel;
+struct Workbench;
+
+/// Adds the trajectory of the run to the window: a span chosen in it is marked in the bird's-eye
+/// view, and a click on a tail there chooses a place in it.
+TrajectoryPanel* installTrajectory(const Workbench& bench, BirdsEyeView& birdsEye);
+
+} // namespace dewpoint::ui

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view3d/birds_eye_dock.h"
+
+#include "core/project/project.h"
+#include "ui/document/document.h"
+#include "ui/selection/selection.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/workbench/dock_manager.h"
+#include "ui/workbench/workbench.h"
+
+#include <QMainWindow>
+
+namespace dewpoint::ui {
+
+namespace {
+
+void showForMethod(const Workbench& bench, ViewDock* dock) {
+  const bool boxes = methodFamily(bench.document.project().method) == MethodFamily::Boxes;
+  if (!bench.session.isRunning() || dock->isHidden() == boxes) {
+    return;
+  }
+  dock->setVisible(!boxes && !dock->isHiddenByUser());
+  if (bench.document.project().layout.empty()) { // else it is as the person wanted it
+    bench.docks.shareSpaceSoon();
+  }
+}
+
+} // namespace
+
+BirdsEyeView* installBirdsEyeView(const Workbench& bench) {
+  auto* view = new BirdsEyeView(&bench.window);
+  ViewDock* dock = bench.docks.make({.name = QStringLiteral("birdsEyeDock"),
+                                     .title = [] { return BirdsEyeView::tr("Bird's-eye view"); },
+                                     .content = view,
+                                     .place = DockPlace::Scene});
+  bench.connectView(view);
+  QObject::connect(&bench.document, &Document::replaced, view, &BirdsEyeView::startAnew);
+  QObject::connect(&bench.selection, &Selection::targetSelected, view,
+                   &BirdsEyeView::setChosenTarget);
+  bench.onTriggered("actionLookFromAbove", view, [view] { view->lookFromAbove(); });
+  bench.onTriggered("actionLookFromFront", view, [view] { view->lookFromFront(); });
+  bench.onTriggered("actionLookFree", view, [view] { view->lookFree(); });
+  const auto update = [bench, dock] { showForMethod(bench, dock); };
+  QObject::connect(&bench.docks, &DockManager::laidOut, dock, update);
+  QObject::connect(&bench.document, &Document::methodChanged, dock, update);
+  return view;
+}
+
+} // namespace dewpoint::ui

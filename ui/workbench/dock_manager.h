@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/workbench/view_dock.h"
+
+#include <QByteArray>
+#include <QObject>
+
+#include <utility>
+#include <vector>
+
+class QMainWindow;
+
+namespace dewpoint::ui {
+
+class Document;
+class SessionController;
+
+/// The docks of the window: makes them, arranges them, gives one the whole window and takes it
+/// back, puts all aside while a page is shown in the window's middle, and keeps their layout in the
+/// document.
+class DockManager : public QObject {
+  Q_OBJECT
+public:
+  /// The central widget of the window is the place of the pages.
+  DockManager(QMainWindow& window, Document& document, const SessionController& session,
+              QObject* parent = nullptr);
+
+  ViewDock* make(const DockDeclaration& declaration);
+  /// Takes a dock, with its view, out of the window for good.
+  void remove(ViewDock* dock);
+  /// All there are, in the order of the window's children.
+  std::vector<ViewDock*> docks() const;
+  /// Whether a widget is in a dock of which nothing is seen.
+  static bool isBehind(const QWidget* widget);
+
+  /// The arrangement that the window begins with, then that of the document, if it has one.
+  void layOut();
+  /// Forgets the document's arrangement, and what was put away of the cameras.
+  void reset();
+  /// Gives the views the sizes that the window begins with, once the layout has settled.
+  void shareSpaceSoon();
+  /// Puts the layout into the document: that of all views, also while one fills the window or a
+  /// page takes their place.
+  void storeLayout();
+
+  /// Shows the views, or the page in the middle of the window.
+  void showViews(bool shown);
+  /// The views of another project follow: those put aside do not come back.
+  void forgetLayoutBehindPages() { layoutBehindPages_.clear(); }
+
+  /// Gives a dock the whole window, or all views their places again; a floating one comes back.
+  void toggleMaximized(ViewDock* dock);
+  void restoreMaximized();
+  /// The dock that fills the window; null when none does.
+  ViewDock* maximized() const { return maximized_; }
+
+Q_SIGNALS:
+  void made(ViewDock* dock);
+  /// The docks have been arranged anew: modes of the window show theirs.
+  void laidOut();
+  /// The views, or the page, are about to come, and have come.
+  void viewsShowing(bool shown);
+  void viewsShown(bool shown);
+
+private:
+  std::vector<ViewDock*> at(DockPlace place) const;
+  ViewDock* first(DockPlace place) const;
+  void arrange();
+  void arrangeCameras(ViewDock* scene);
+  void shareSpace();
+  void maximize(ViewDock* dock);
+
+  QMainWindow& window_;
+  Document& document_;
+  const SessionController& session_;
+  ViewDock* maximized_ = nullptr;
+  QByteArray layoutBeforeMaximized_;
+  /// Which docks were put away when one was maximized.
+  std::vector<std::pair<ViewDock*, bool>> hiddenBeforeMaximized_;
+  QByteArray layoutBehindPages_; ///< of the views while a page takes their place
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/workbench.h"
+
+#include "ui/actions/action_registry.h"
+#include "ui/document/document.h"
+
+#include <QAction>
+#include <QWidget>
+
+#include <utility>
+#include <vector>
+
+namespace dewpoint::ui {
+
+QAction* Workbench::action(const char* id) const {
+  return actions.action(id);
+}
+
+void Workbench::onTriggered(const char* id, QObject* context, std::function<void()> run) const {
+  QObject::connect(action(id), &QAction::triggered, context, std::move(run));
+}
+
+void Workbench::onToggled(const char* id, QObject* context, std::function<void(bool)> run) const {
+  QObject::connect(action(id), &QAction::toggled, context, std::move(run));
+}
+
+void Workbench::needRun(std::initializer_list<const char*> ids) const {
+  needRun(ids, [] { return true; });
+}
+
+void Workbench::needRun(std::initializer_list<const char*> ids,
+                        const std::function<bool()>& suits) const {
+  std::vector<QAction*> dependent;
+  for (const char* id : ids) {
+    dependent.push_back(action(id));
+  }
+  const auto update = [dependent, suits, run = &session] {
+    const bool enabled = run->isRunning() && suits();
+    for (QAction* one : dependent) {
+      one->setEnabled(enabled);
+    }
+  };
+  QObject::connect(&session, &SessionController::runStarted, &actions, update);
+  QObject::connect(&session, &SessionController::runEnded, &actions, update);
+  QObject::connect(&document, &Document::replaced, &actions, update);
+  QObject::connect(&document, &Document::methodChanged, &actions, update);
+  update();
+}
+
+void Workbench::present(QWidget* dialog) {
+  dialog->show();
+  dialog->raise();
+  dialog->activateWindow();
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/session_controller.h"
+
+#include <functional>
+#include <initializer_list>
+
+class QAction;
+class QMainWindow;
+
+namespace dewpoint::ui {
+
+class ActionRegistry;
+class DockManager;
+class Document;
+class MessageBar;
+class Selection;
+
+/// What views and features are installed into: the parts of the window that all of them share. A
+/// feature takes it in its constructor (or in an install function), makes its dock, connects its
+/// actions and asks for the snapshots; nothing else of the window knows of it.
+struct Workbench {
+  QMainWindow& window; ///< parent of docks, views and dialogs
+  ActionRegistry& actions;
+  Document& document;
+  Selection& selection;
+  SessionController& session;
+  DockManager& docks;
+  MessageBar& messages;
+
+  /// The action with this id; it must be declared.
+  QAction* action(const char* id) const;
+  void onTriggered(const char* id, QObject* context, std::function<void()> run) const;
+  void onToggled(const char* id, QObject* context, std::function<void(bool)> run) const;
+  /// These actions can be used only while a project is open.
+  void needRun(std::initializer_list<const char*> ids) const;
+  /// The same, and only while `suits` says so: asked again when a run begins or ends, and when the
+  /// method changes.
+  void needRun(std::initializer_list<const char*> ids, const std::function<bool()>& suits) const;
+  /// Shows a dialog in front of the window.
+  static void present(QWidget* dialog);
+
+  /// From now on a view is given what is shown: setSnapshot(const TrackSnapshotPtr&), null when
+  /// there is nothing to show.
+  template <class View> void connectView(View* view) const {
+    QObject::connect(&session, &SessionController::snapshotChanged, view, &View::setSnapshot);
+  }
+  /// The same for a view of images: live cameras that are late show their last one.
+  template <class View> void connectImageView(View* view) const {
+    QObject::connect(&session, &SessionController::snapshotChanged, view,
+                     [view, run = &session](const TrackSnapshotPtr& snapshot) {
+                       view->setSnapshot(run->withLateImages(snapshot));
+                     });
+  }
+};
+
+} // namespace dewpoint::ui
