@@ -29,11 +29,31 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  // Commands.
+  /// What a command leaves to be published once it is carried out.
+  enum class Publish {
+    Now,
+    Quickly, ///< a preview will do
+    Done,    ///< nothing: the command has published by itself
+  };
+  /// Carries out a command. A type of command without a handle() of its own does not compile.
   void obey(const Command& command);
-  void obeyPlaying(const Command& command);
-  void obeyChange(const Command& command);
-  void obeyTravel(const Command& command);
+  Publish handle(const command::Play& wish);
+  Publish handle(const command::Pause& wish);
+  Publish handle(const command::StepFrame& wish);
+  Publish handle(const command::StepIteration& wish);
+  Publish handle(const command::Restart& wish);
+  Publish handle(const command::Configure& wish);
+  Publish handle(const command::SetMethod& wish);
+  Publish handle(const command::SetTargets& wish);
+  Publish handle(const command::SetCameras& wish);
+  Publish handle(const command::SetEmptyRooms& wish);
+  Publish handle(const command::ChangePeople& wish);
+  Publish handle(const command::ShowMasks& wish);
+  Publish handle(const command::ShowMaps& wish);
+  Publish handle(const command::ShowShapes& wish);
+  Publish handle(const command::ShowFrame& wish);
+  Publish handle(const command::BackToHead& wish);
+  Publish handle(const command::Rerun& wish);
   void changeMethod(const command::SetMethod& wish);
   void changeTargets(const std::vector<Target>& targets);
   void changeBoxes(const std::vector<Target>& targets);

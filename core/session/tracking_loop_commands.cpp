@@ -12,83 +12,127 @@ void TrackingLoop::obey(const Command& command) {
   if (!run_ || !source_) {
     return;
   }
-  if (std::holds_alternative<command::StepFrame>(command)) {
-    state_ = state_ == PlayState::Ended ? state_ : PlayState::Paused;
-    if (view_) {
-      showNext();
-      return;
-    }
-    if (state_ != PlayState::Ended) {
-      iterateFrame();
-      return;
-    }
-  }
-  obeyPlaying(command);
-  obeyChange(command);
-  obeyTravel(command);
-  publish(std::holds_alternative<command::ShowFrame>(command));
-}
-
-void TrackingLoop::obeyPlaying(const Command& command) {
-  if (std::holds_alternative<command::Play>(command)) {
-    if (view_ && *view_ > head()) {
-      rerun(*view_); // from a part that was not tracked yet
-    } else if (view_ || !atEnd_ || restart(std::nullopt)) {
-      state_ = PlayState::Playing;
-    }
-    nextFrameDue_ = Clock::now();
-    frameTimes_.clear();
-  } else if (std::holds_alternative<command::Pause>(command)) {
-    state_ = state_ == PlayState::Ended ? state_ : PlayState::Paused;
-    rerun_.reset();
-  } else if (std::holds_alternative<command::StepIteration>(command)) {
-    backToHead();
-    state_ = state_ == PlayState::Ended ? state_ : PlayState::Paused;
-    if (iterateOnce()) {
-      recordFrame();
-    }
-  } else if (const auto* wish = std::get_if<command::Restart>(&command)) {
-    restart(wish->seed);
+  switch (std::visit([this](const auto& wish) { return handle(wish); }, command)) {
+  case Publish::Done:
+    break;
+  case Publish::Now:
+    publish();
+    break;
+  case Publish::Quickly:
+    publish(true);
+    break;
   }
 }
 
-void TrackingLoop::obeyChange(const Command& command) {
-  if (const auto* configure = std::get_if<command::Configure>(&command)) {
-    project_.parameters = configure->parameters;
-    run_->configure(configure->parameters);
-    travel_->changed(*run_, {configure->parameters, std::nullopt, std::nullopt});
-    log_.change(project_);
-  } else if (const auto* targets = std::get_if<command::SetTargets>(&command)) {
-    changeTargets(targets->targets);
-  } else if (const auto* cameras = std::get_if<command::SetCameras>(&command)) {
-    changeCameras(cameras->rig);
-  } else if (const auto* rooms = std::get_if<command::SetEmptyRooms>(&command)) {
-    changeEmptyRooms(*rooms);
-  } else if (const auto* people = std::get_if<command::ChangePeople>(&command)) {
-    changePeople(*people);
-  } else if (const auto* method = std::get_if<command::SetMethod>(&command)) {
-    if (method->from) {
-      rerun(*method->from, method);
-    } else {
-      changeMethod(*method);
-    }
+TrackingLoop::Publish TrackingLoop::handle(const command::Play&) {
+  if (view_ && *view_ > head()) {
+    rerun(*view_); // from a part that was not tracked yet
+  } else if (view_ || !atEnd_ || restart(std::nullopt)) {
+    state_ = PlayState::Playing;
   }
+  nextFrameDue_ = Clock::now();
+  frameTimes_.clear();
+  return Publish::Now;
 }
 
-void TrackingLoop::obeyTravel(const Command& command) {
-  if (const auto* masks = std::get_if<command::ShowMasks>(&command)) {
-    masksWanted_ = masks->wanted;
-  } else if (const auto* maps = std::get_if<command::ShowMaps>(&command)) {
-    mapsWanted_ = maps->wanted;
-  } else if (const auto* shapes = std::get_if<command::ShowShapes>(&command)) {
-    shapesWanted_ = shapes->wanted;
-  } else if (const auto* moment = std::get_if<command::ShowFrame>(&command)) {
-    show(moment->frame);
-  } else if (std::holds_alternative<command::BackToHead>(command)) {
-    backToHead();
-  } else if (const auto* again = std::get_if<command::Rerun>(&command)) {
-    rerun(again->from);
+TrackingLoop::Publish TrackingLoop::handle(const command::Pause&) {
+  state_ = state_ == PlayState::Ended ? state_ : PlayState::Paused;
+  rerun_.reset();
+  return Publish::Now;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::StepFrame&) {
+  state_ = state_ == PlayState::Ended ? state_ : PlayState::Paused;
+  if (view_) {
+    showNext();
+    return Publish::Done;
   }
+  if (state_ != PlayState::Ended) {
+    iterateFrame();
+    return Publish::Done;
+  }
+  return Publish::Now;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::StepIteration&) {
+  backToHead();
+  state_ = state_ == PlayState::Ended ? state_ : PlayState::Paused;
+  if (iterateOnce()) {
+    recordFrame();
+  }
+  return Publish::Now;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::Restart& wish) {
+  restart(wish.seed);
+  return Publish::Now;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::Configure& wish) {
+  project_.parameters = wish.parameters;
+  run_->configure(wish.parameters);
+  travel_->changed(*run_, {wish.parameters, std::nullopt, std::nullopt});
+  log_.change(project_);
+  return Publish::Now;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::SetMethod& wish) {
+  if (wish.from) {
+    rerun(*wish.from, &wish);
+  } else {
+    changeMethod(wish);
+  }
+  return Publish::Now;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::SetTargets& wish) {
+  changeTargets(wish.targets);
+  return Publish::Now;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::SetCameras& wish) {
+  changeCameras(wish.rig);
+  return Publish::Now;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::SetEmptyRooms& wish) {
+  changeEmptyRooms(wish);
+  return Publish::Now;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::ChangePeople& wish) {
+  changePeople(wish);
+  return Publish::Now;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::ShowMasks& wish) {
+  masksWanted_ = wish.wanted;
+  return Publish::Now;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::ShowMaps& wish) {
+  mapsWanted_ = wish.wanted;
+  return Publish::Now;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::ShowShapes& wish) {
+  shapesWanted_ = wish.wanted;
+  return Publish::Now;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::ShowFrame& wish) {
+  show(wish.frame);
+  return Publish::Quickly;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::BackToHead&) {
+  backToHead();
+  return Publish::Now;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::Rerun& wish) {
+  rerun(wish.from);
+  return Publish::Now;
 }
 
 void TrackingLoop::changeMethod(const command::SetMethod& wish) {
