@@ -49,7 +49,7 @@ RunLog::RunLog()
       frames_(kMostFrames, [](const FrameRecord& record) { return record.frame; }),
       people_(kMostPeopleFrames, [](const PeopleFramePtr& people) { return people->frame; }) {}
 
-void RunLog::restart(const Project& project) {
+void RunLog::restart(const Project& project, int threads) {
   const std::lock_guard lock(mutex_);
   ++generation_;
   records_.clear();
@@ -59,6 +59,7 @@ void RunLog::restart(const Project& project) {
   boxes_.clear();
   project_ = project;
   figures_ = RunFigures{};
+  figures_.threads = threads;
 }
 
 void RunLog::change(const Project& project) {
@@ -232,25 +233,6 @@ Latency RunLog::latency() const {
 std::pair<Project, RunFigures> RunLog::run() const {
   const std::lock_guard lock(mutex_);
   return {project_, figures_};
-}
-
-void SnapshotPublisher::onSnapshot(std::function<void()> wake) {
-  const std::lock_guard lock(mutex_);
-  wake_ = std::move(wake);
-}
-
-void SnapshotPublisher::publish(TrackSnapshotPtr snapshot) {
-  // The wake-up runs under the lock: after onSnapshot(nullptr) returns it is never called again.
-  const std::lock_guard lock(mutex_);
-  newest_ = std::move(snapshot);
-  if (wake_) {
-    wake_();
-  }
-}
-
-TrackSnapshotPtr SnapshotPublisher::newest() const {
-  const std::lock_guard lock(mutex_);
-  return newest_;
 }
 
 } // namespace dewpoint::session

@@ -8,7 +8,6 @@
 #include "core/session/thinned_log.h"
 #include "core/trajectory/trajectory.h"
 
-#include <functional>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -26,8 +25,9 @@ public:
   /// About 30 MB with four cameras.
   static constexpr std::size_t kMostRecords = 100000;
   RunLog();
-  /// Forgets the run; what follows belongs to this project, as it is now.
-  void restart(const Project& project);
+  /// Forgets the run; what follows belongs to this project, as it is now, and is filtered by so
+  /// many threads.
+  void restart(const Project& project, int threads = 1);
   /// The project has other parameters from now on.
   void change(const Project& project);
   void append(const std::vector<IterationRecord>& records);
@@ -97,19 +97,6 @@ private:
   std::vector<BoxSample> boxes_;
   Project project_;
   RunFigures figures_;
-};
-
-/// The newest snapshot, and whom to wake when there is one.
-class SnapshotPublisher {
-public:
-  void onSnapshot(std::function<void()> wake);
-  void publish(TrackSnapshotPtr snapshot);
-  TrackSnapshotPtr newest() const;
-
-private:
-  mutable std::mutex mutex_;
-  TrackSnapshotPtr newest_ = std::make_shared<const TrackSnapshot>();
-  std::function<void()> wake_;
 };
 
 } // namespace dewpoint::session

@@ -6,6 +6,7 @@
 #include "core/trajectory/trajectory_writer.h"
 
 #include <thread>
+#include <utility>
 
 namespace dewpoint::session {
 
@@ -92,68 +93,8 @@ void Session::setFrameTap(FrameTap tap) {
   impl_->loop.tap().set(std::move(tap));
 }
 
-void Session::play() {
-  impl_->loop.commands().push(command::Play{});
-}
-void Session::pause() {
-  impl_->loop.commands().push(command::Pause{});
-}
-void Session::stepFrame() {
-  impl_->loop.commands().push(command::StepFrame{});
-}
-void Session::stepIteration() {
-  impl_->loop.commands().push(command::StepIteration{});
-}
-void Session::restart(std::optional<std::uint64_t> seed) {
-  impl_->loop.commands().push(command::Restart{seed});
-}
-void Session::setParameters(const ParameterValues& parameters) {
-  impl_->loop.commands().push(command::Configure{parameters});
-}
-void Session::setMethod(const std::string& method, const ParameterValues& parameters) {
-  impl_->loop.commands().push(command::SetMethod{method, parameters, std::nullopt});
-}
-void Session::setMethodFrom(std::int64_t frame, const std::string& method,
-                            const ParameterValues& parameters) {
-  impl_->loop.commands().push(command::SetMethod{method, parameters, frame});
-}
-void Session::showFrame(std::int64_t frame) {
-  impl_->loop.commands().push(command::ShowFrame{frame});
-}
-void Session::backToHead() {
-  impl_->loop.commands().push(command::BackToHead{});
-}
-void Session::rerunFrom(std::int64_t frame) {
-  impl_->loop.commands().push(command::Rerun{frame});
-}
-void Session::setLikelihoodMapsWanted(bool wanted) {
-  impl_->loop.commands().push(command::ShowMaps{wanted});
-}
-void Session::setTargets(const std::vector<Target>& targets) {
-  impl_->loop.commands().push(command::SetTargets{targets});
-}
-void Session::setCameras(const CameraRig& rig) {
-  impl_->loop.commands().push(command::SetCameras{rig});
-}
-void Session::setEmptyRooms(const std::vector<std::string>& files,
-                            const std::vector<cv::Mat>& rooms) {
-  impl_->loop.commands().push(command::SetEmptyRooms{files, rooms});
-}
-void Session::setShapesWanted(bool wanted) {
-  impl_->loop.commands().push(command::ShowShapes{wanted});
-}
-void Session::addPerson(const Eigen::Vector2d& place) {
-  impl_->loop.commands().push(command::ChangePeople{place, std::nullopt, std::nullopt});
-}
-void Session::addPersonSeen(int camera, const Eigen::Vector2d& pixel) {
-  impl_->loop.commands().push(command::ChangePeople{
-      std::nullopt, command::ChangePeople::Seen{camera, pixel}, std::nullopt});
-}
-void Session::removePerson(int identity) {
-  impl_->loop.commands().push(command::ChangePeople{std::nullopt, std::nullopt, identity});
-}
-void Session::setMasksWanted(bool wanted) {
-  impl_->loop.commands().push(command::ShowMasks{wanted});
+void Session::send(Command command) {
+  impl_->loop.commands().push(std::move(command));
 }
 
 } // namespace dewpoint::session

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/capture/frame_source.h"
-#include "core/project/project.h"
+#include "core/session/command.h"
 #include "core/session/frames/frame_tap.h"
 #include "core/session/people/people_frame.h"
 #include "core/session/run/box_track_file.h"
 #include "core/session/run/snapshot.h"
+#include "core/session/session_inputs.h"
 #include "core/trajectory/trajectory.h"
 
-#include <opencv2/core/mat.hpp>
-
-#include <concepts>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -21,29 +18,6 @@
 #include <vector>
 
 namespace dewpoint::session {
-
-/// What a run needs, chosen and wired by the application.
-struct SessionInputs {
-  Project project;
-  std::unique_ptr<FrameSetSource> source;
-  Trajectory truth; ///< empty when unknown
-  /// Of the cameras (loadEmptyRooms); may be empty.
-  std::vector<cv::Mat> emptyRooms = {};
-  /// Bytes that going back in the run may take: images of live cameras, particles, copies.
-  /// 0: 1 GB for live cameras, half of it for recordings.
-  std::size_t historyBytes = 0;
-};
-
-/// What a person wants to work on: the project in a file (empty: the demo), or one that is in no
-/// file as it is.
-struct SessionRequest {
-  template <std::convertible_to<std::filesystem::path> File>
-  SessionRequest(File&& wanted) : file(std::forward<File>(wanted)) {} // NOLINT: implicit
-  SessionRequest(Project wanted) : project(std::move(wanted)) {}      // NOLINT: implicit
-
-  std::filesystem::path file;
-  std::optional<Project> project;
-};
 
 /// The running machine: one tracking thread that takes frame sets, iterates the filters and
 /// publishes snapshots. Every call returns at once; wishes are queued and obeyed at the next step.
@@ -99,44 +73,43 @@ public:
   /// All that is known of the people of the run; nothing for other methods.
   PeopleRecord peopleRecord() const;
 
-  void play();
-  void pause();
-  void stepFrame();     ///< next frame with all its iterations, then pause
-  void stepIteration(); ///< one filter iteration on the frame shown, then pause
-  void restart(std::optional<std::uint64_t> seed = std::nullopt); ///< same seed unless given
-  /// Another method with its parameters, from the start and with the same seed.
-  void setMethod(const std::string& method, const ParameterValues& parameters);
-  /// Another method that begins at this frame; what was tracked before it stays.
+  /// Asks for something; command.h says what each command does.
+  void send(Command command);
+  void play() { send(command::Play{}); }
+  void pause() { send(command::Pause{}); }
+  void stepFrame() { send(command::StepFrame{}); }
+  void stepIteration() { send(command::StepIteration{}); }
+  void restart(std::optional<std::uint64_t> seed = std::nullopt) { send(command::Restart{seed}); }
+  void setParameters(const ParameterValues& parameters) { send(command::Configure{parameters}); }
+  void setTargets(const std::vector<Target>& targets) { send(command::SetTargets{targets}); }
+  void setCameras(const CameraRig& rig) { send(command::SetCameras{rig}); }
+  void setEmptyRooms(const std::vector<std::string>& files, const std::vector<cv::Mat>& rooms) {
+    send(command::SetEmptyRooms{files, rooms});
+  }
+  /// From the start.
+  void setMethod(const std::string& method, const ParameterValues& parameters) {
+    send(command::SetMethod{method, parameters, std::nullopt});
+  }
   void setMethodFrom(std::int64_t frame, const std::string& method,
-                     const ParameterValues& parameters);
-  /// Pauses and shows an earlier moment as it was (or a later one of a recording, untracked); the
-  /// run itself stays where it is. Playing goes on from the moment shown: through what was recorded
-  /// up to where the run stands, then tracking.
-  void showFrame(std::int64_t frame);
-  /// Shows where the run stands again.
-  void backToHead();
-  /// Tracks again from this frame on, as fast as it goes, up to where the run stood: with the
-  /// parameters and colors of now. What was recorded from there on is replaced. Pausing stops it.
-  void rerunFrom(std::int64_t frame);
-  void setLikelihoodMapsWanted(bool wanted);
-  void setParameters(const ParameterValues& parameters);
-  /// Other colors or radii take effect at once; another number of targets means new beliefs.
-  void setTargets(const std::vector<Target>& targets);
-  /// Another calibration of the same cameras, from the next iteration on; what is believed stays. A
-  /// rig with other image sizes, or another number of cameras, is ignored: that is another run.
-  void setCameras(const CameraRig& rig);
-  /// Other empty rooms of the same cameras (loadEmptyRooms), and the files they are from; what is
-  /// believed stays.
-  void setEmptyRooms(const std::vector<std::string>& files, const std::vector<cv::Mat>& rooms);
-  void setMasksWanted(bool wanted);
-  /// Hulls and level curves of persons (TargetSnapshot::shape).
-  void setShapesWanted(bool wanted);
-  /// Of methods for people, else nothing happens: somebody stands here (world x and y,
-  /// metres), or is seen at a pixel of a camera; this identity is not there. At an earlier moment,
-  /// the run is tracked again from there with that.
-  void addPerson(const Eigen::Vector2d& place);
-  void addPersonSeen(int camera, const Eigen::Vector2d& pixel);
-  void removePerson(int identity);
+                     const ParameterValues& parameters) {
+    send(command::SetMethod{method, parameters, frame});
+  }
+  void showFrame(std::int64_t frame) { send(command::ShowFrame{frame}); }
+  void backToHead() { send(command::BackToHead{}); }
+  void rerunFrom(std::int64_t frame) { send(command::Rerun{frame}); }
+  void setMasksWanted(bool wanted) { send(command::ShowMasks{wanted}); }
+  void setLikelihoodMapsWanted(bool wanted) { send(command::ShowMaps{wanted}); }
+  void setShapesWanted(bool wanted) { send(command::ShowShapes{wanted}); }
+  void addPerson(const Eigen::Vector2d& place) {
+    send(command::ChangePeople{place, std::nullopt, std::nullopt});
+  }
+  void addPersonSeen(int camera, const Eigen::Vector2d& pixel) {
+    send(command::ChangePeople{std::nullopt, command::ChangePeople::Seen{camera, pixel},
+                               std::nullopt});
+  }
+  void removePerson(int identity) {
+    send(command::ChangePeople{std::nullopt, std::nullopt, identity});
+  }
   /// Gives every frame set that is taken from now on to `tap` too, in the tracking thread; an empty
   /// one ends it. Cameras that a person calibrates are seen so while they are tracked.
   void setFrameTap(FrameTap tap);

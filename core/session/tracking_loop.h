@@ -3,18 +3,17 @@
 
 #include "core/session/command_queue.h"
 #include "core/session/frames/frame_tap.h"
-#include "core/session/history/time_travel.h"
-#include "core/session/run/camera_motion_watch.h"
-#include "core/session/run/tracking_run.h"
+#include "core/session/run_driver.h"
 #include "core/session/run_log.h"
-#include "core/session/session.h"
+#include "core/session/snapshot_builder.h"
+#include "core/session/snapshot_publisher.h"
 
 #include <chrono>
-#include <deque>
+#include <stop_token>
 
 namespace dewpoint::session {
 
-/// What the tracking thread does: obey commands, take frame sets, iterate, publish.
+/// What the tracking thread does: obey commands, let the run go on when it is time, publish.
 class TrackingLoop {
 public:
   explicit TrackingLoop(SessionInputs inputs);
@@ -29,11 +28,11 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  /// What a command leaves to be published once it is carried out.
+  /// What is to be published after a command.
   enum class Publish {
     Now,
-    Quickly, ///< a preview will do
-    Done,    ///< nothing: the command has published by itself
+    Quickly,   ///< a preview will do
+    NowAndThen ///< not more often than a screen shows it
   };
   /// Carries out a command. A type of command without a handle() of its own does not compile.
   void obey(const Command& command);
@@ -54,98 +53,24 @@ private:
   Publish handle(const command::ShowFrame& wish);
   Publish handle(const command::BackToHead& wish);
   Publish handle(const command::Rerun& wish);
-  void changeMethod(const command::SetMethod& wish);
-  void changeTargets(const std::vector<Target>& targets);
-  void changeBoxes(const std::vector<Target>& targets);
-  void changeCameras(const CameraRig& rig);
-  void changeEmptyRooms(const command::SetEmptyRooms& wish);
-  /// Somebody stands somewhere, or is not there after all; at an earlier moment, the run goes on
-  /// from there.
-  void changePeople(const command::ChangePeople& wish);
-  /// False if there is nothing to track.
-  bool restart(std::optional<std::uint64_t> seed);
 
-  // Tracking.
-  /// Takes the next frame set; false at the end, on an error, or when nothing came (live).
-  bool takeFrame();
-  Result<FrameSetPtr> nextFrames();
-  void iterateFrame();
-  bool iterateOnce();
-  std::vector<IterationRecord> iterationRecords() const;
-  /// The estimates of the frame shown, in place of earlier ones of the same frame.
-  void recordFrame();
-  /// Counts an iteration that took so long, in milliseconds, against the budget of now.
-  void countAgainstBudget(double milliseconds);
-  void reachEnd();
-
-  // Going back.
-  /// The frame the run stands at; -1 before the first.
-  std::int64_t head() const { return run_ && run_->frames() ? run_->frames()->index : -1; }
-  void show(std::int64_t frame);
-  void backToHead();
-  /// Shows the next moment that was recorded; at the head, the run goes on.
-  void showNext();
-  void rerun(std::int64_t from, const command::SetMethod* method = nullptr);
-  bool goBackTo(std::int64_t from, const command::SetMethod* method);
-  std::int64_t beginOf(const command::SetMethod& method, std::int64_t from) const;
-  void finishRerun();
-  /// What is otherwise than in `before`, for the header of the trajectory.
-  std::string differences(const Project& before) const;
-
-  // Publishing.
-  /// `quickly`: a preview will do if the images would take long.
-  void publish(bool quickly = false);
-  /// Less often than a screen shows while tracking as fast as it goes.
-  void publishNowAndThen();
-  void showHead(TrackSnapshot& snapshot);
-  /// Targets of the run that are not in the moment shown.
-  void addOthers(TrackSnapshot& snapshot) const;
-  /// With methods of family Boxes: of a moment the targets that there are now, in their order.
-  void showPresentBoxes(TrackSnapshot& snapshot) const;
-  static void addShapes(TrackSnapshot& snapshot);
-  void addFigures(TrackSnapshot& snapshot) const;
-  static std::vector<cv::Mat> masks(const TrackSnapshot& snapshot);
+  const Playback& playback() const { return driver_.playback(); }
+  /// When the thread has something to do again, unless a command comes; nothing: not by itself.
+  std::optional<Clock::time_point> deadline() const;
+  /// A slow step must not be followed by a burst: the clock is moved on, frames are never skipped.
+  void planNextFrame();
+  /// As often as is of use: while past frames are tracked again, less often than every frame.
+  Publish usual() const { return playback().rerunning() ? Publish::NowAndThen : Publish::Now; }
+  void publish(Publish how);
   void addMaps(const std::stop_token& stop);
 
-  Project project_;
-  std::unique_ptr<FrameSetSource> source_;
-  TruthTable truth_;
-  std::vector<cv::Mat> emptyRooms_;
-  std::shared_ptr<const CameraRig> rig_;
-  std::optional<TrackingRun> run_;
-  CameraMotionWatch bumps_;          ///< of the cameras as they were calibrated
-  std::optional<TimeTravel> travel_; ///< as long as there is a source
   CommandQueue commands_;
   FrameTapSlot tap_;
   SnapshotPublisher publisher_;
   RunLog log_;
-
-  PlayState state_ = PlayState::Paused;
-  bool masksWanted_ = false;
-  bool mapsWanted_ = false;
-  bool shapesWanted_ = false;
-  bool exactDue_ = false;            ///< a preview is shown
-  bool mapsDue_ = false;             ///< the moment shown has no likelihood maps yet
-  bool atEnd_ = false;               ///< the input's end was reached
-  std::int64_t next_ = 0;            ///< the frame to track next
-  std::optional<std::int64_t> view_; ///< the moment shown, if it is not the head's
-  struct Rerun {
-    RerunState range;
-    PlayState afterwards = PlayState::Paused;
-    bool atEnd = false;                    ///< the end had been reached
-    std::optional<std::int64_t> lookingAt; ///< a moment to show again when it is done
-  };
-  std::optional<Rerun> rerun_;
+  SnapshotBuilder builder_;
+  RunDriver driver_;
   Clock::time_point published_;
-  bool frameFresh_ = false; ///< taken, but without any iteration yet
-  std::optional<std::int64_t> recordedFrame_;
-  Clock::time_point arrival_;                     ///< of the frame shown
-  std::optional<Clock::time_point> firstArrival_; ///< since the (re)start
-  std::vector<Error> errors_;
-  std::vector<std::deque<Eigen::Vector3d>> tails_;
-  std::deque<double> iterationTimes_;
-  std::deque<Clock::time_point> frameTimes_;
-  BudgetFigures budget_;
   Clock::time_point nextFrameDue_ = Clock::now();
 };
 

@@ -17,6 +17,13 @@ bool hasParticles(const TrackedFrame& moment) {
   });
 }
 
+/// Whether nothing but the cameras is otherwise.
+bool isOfCameras(const DefinitionChange& change) {
+  RunDefinition moved = *change.before;
+  moved.rig = change.after->rig;
+  return moved == *change.after;
+}
+
 } // namespace
 
 Eigen::Vector3d tailPlace(const TargetEstimate& estimate) {
@@ -38,11 +45,12 @@ void History::clear() {
   spacing_ = 0;
   changes_.clear();
   begun_.reset();
+  tailBegins_.clear();
 }
 
 void History::beforeFrame(std::int64_t frame, const TrackingRun& run) {
   if (!begun_) {
-    begun_ = Checkpoint{frame, run.definition()};
+    begun_ = Checkpoint{frame, {nullptr, run.definition(), run.iterations(), 0}};
   }
   const bool due = checkpoints_.empty() || frame >= checkpoints_.rbegin()->first + spacing_;
   if (!due || checkpoints_.contains(frame)) {
@@ -75,11 +83,12 @@ void History::thinCheckpoints() {
 
 void History::changed(std::int64_t frame, int iterations, const RunChange& change) {
   std::vector<RunChange>& there = changes_[{frame, iterations}];
-  const auto isOfCameras = [](const RunChange& one) {
-    return one.rig && !one.parameters && !one.targets;
-  };
-  if (!there.empty() && isOfCameras(there.back()) && isOfCameras(change)) {
-    there.back() = change; // a camera that is dragged
+  const auto* next = std::get_if<DefinitionChange>(&change);
+  auto* last = there.empty() ? nullptr : std::get_if<DefinitionChange>(&there.back());
+  // A camera that is dragged, unless it is back where it was: each step is something to a method.
+  if (next != nullptr && last != nullptr && isOfCameras(*last) && isOfCameras(*next) &&
+      *last->before->rig != *next->after->rig) {
+    last->after = next->after;
   } else {
     there.push_back(change);
   }
@@ -143,6 +152,7 @@ void History::forgetFrom(std::int64_t frame) {
     place = checkpoints_.erase(place);
   }
   changes_.erase(changes_.lower_bound({frame, 0}), changes_.end());
+  tailBegins_.erase(tailBegins_.lower_bound(frame), tailBegins_.end());
   if (begun_ && begun_->frame >= frame) {
     begun_.reset();
   }
@@ -189,19 +199,21 @@ const TrackedFrame* History::after(std::int64_t frame) const {
   return place != moments_.end() ? &*place : nullptr;
 }
 
-std::vector<Eigen::Vector3d> History::tail(std::size_t target, std::int64_t frame,
-                                           std::size_t most) const {
-  const auto end = lowerBound(frame + 1);
-  const auto count = std::min<std::ptrdiff_t>(std::distance(moments_.begin(), end),
-                                              static_cast<std::ptrdiff_t>(most));
+std::vector<Eigen::Vector3d> History::tail(std::size_t target, std::int64_t frame) const {
+  const auto begins = tailBegins_.upper_bound(frame);
+  const auto first =
+      begins != tailBegins_.begin() ? lowerBound(*std::prev(begins)) : moments_.begin();
   std::vector<Eigen::Vector3d> tail;
-  for (auto moment = end - count; moment != end; ++moment) {
-    const bool known = target < moment->targets.size() && !moment->targets[target].box &&
-                       !moment->targets[target].estimate.gone;
-    if (known) {
-      tail.push_back(tailPlace(moment->targets[target].estimate));
+  for (auto moment = lowerBound(frame + 1); moment != first && tail.size() < kTailLength;) {
+    --moment;
+    const bool isKnown = target < moment->targets.size() && !moment->targets[target].box &&
+                         !moment->targets[target].estimate.gone;
+    if (!isKnown) {
+      break;
     }
+    tail.push_back(tailPlace(moment->targets[target].estimate));
   }
+  std::ranges::reverse(tail);
   return tail;
 }
 

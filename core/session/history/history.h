@@ -9,6 +9,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace dewpoint::session {
@@ -37,7 +38,7 @@ public:
   void clear();
   /// Before the run begins `frame`: keeps a copy of it from time to time.
   void beforeFrame(std::int64_t frame, const TrackingRun& run);
-  /// Parameters or targets were changed while the run was at `frame`, after so many iterations.
+  /// The run was told something while it was at `frame`, after so many iterations.
   void changed(std::int64_t frame, int iterations, const RunChange& change);
   /// The frame was tracked, or tracked again.
   void record(TrackedFrame moment);
@@ -46,6 +47,10 @@ public:
   void forgetFrom(std::int64_t frame);
   /// Forgets all copies: they are of another method.
   void forgetCopies();
+  /// What is believed from now on has nothing to do with what was believed before: the moments of
+  /// this frame and of later ones, once they are recorded, do not continue the tails of earlier
+  /// ones.
+  void beginTails(std::int64_t frame) { tailBegins_.insert(frame); }
   /// Forgets what came before this frame (its images are gone).
   void forgetBefore(std::int64_t frame);
 
@@ -56,8 +61,11 @@ public:
   const TrackedFrame* newest() const { return moments_.empty() ? nullptr : &moments_.back(); }
   /// The first moment after this frame; null when there is none.
   const TrackedFrame* after(std::int64_t frame) const;
-  /// The tailPlace() of a target up to and with this frame, the last `most` of them, oldest first.
-  std::vector<Eigen::Vector3d> tail(std::size_t target, std::int64_t frame, std::size_t most) const;
+  /// Places in a tail, at most.
+  static constexpr std::size_t kTailLength = 256;
+  /// The tailPlace() of a target up to and with this frame, the last kTailLength of them, oldest
+  /// first; nothing of targets that are boxes, or gone.
+  std::vector<Eigen::Vector3d> tail(std::size_t target, std::int64_t frame) const;
 
   /// A state of the run from which a frame can be reached by tracking on.
   struct Checkpoint {
@@ -89,6 +97,7 @@ private:
   std::int64_t spacing_ = 0; ///< frames between checkpoints
   std::optional<Checkpoint> begun_;
   std::map<std::pair<std::int64_t, int>, std::vector<RunChange>> changes_;
+  std::set<std::int64_t> tailBegins_;
 };
 
 } // namespace dewpoint::session

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/history/time_travel.h"
 
-#include "core/tracking/people/people_targets.h"
-
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 
 namespace dewpoint::session {
@@ -12,22 +8,6 @@ namespace {
 
 /// Particles kept of each target and frame.
 constexpr int kParticlesKept = 500;
-constexpr std::size_t kTailLength = 256;
-constexpr int kMapReach = 48; ///< pixels
-
-TargetSnapshot snapshotOf(const TrackedTarget& moment, const Target& target) {
-  TargetSnapshot shown;
-  shown.target = target;
-  shown.estimate = moment.estimate;
-  shown.particles = moment.particles.cast<double>();
-  shown.weights = moment.weights.cast<double>();
-  shown.proposals = moment.proposals;
-  shown.reasons = moment.reasons;
-  shown.status = moment.status;
-  shown.box = moment.box;
-  shown.person = moment.person;
-  return shown;
-}
 
 } // namespace
 
@@ -73,29 +53,11 @@ std::optional<std::int64_t> TimeTravel::following(std::int64_t frame) const {
   return frame < library_->newest() ? nearest(frame + 1) : std::nullopt;
 }
 
-Status TimeTravel::show(std::int64_t frame, bool quickly, TrackSnapshot& snapshot) {
+Result<FrameSetPtr> TimeTravel::glance(std::int64_t frame, bool& preview) {
   bool exact = true;
-  snapshot.frames = quickly ? library_->glance(frame, exact) : nullptr;
-  snapshot.preview = snapshot.frames != nullptr && !exact;
-  if (!snapshot.frames) {
-    auto frames = library_->at(frame);
-    if (!frames) {
-      return tl::make_unexpected(frames.error());
-    }
-    snapshot.frames = std::move(*frames);
-  }
-  snapshot.frame = frame;
-  snapshot.targets.clear();
-  if (const TrackedFrame* moment = history_.at(frame)) {
-    snapshot.tracked = true;
-    snapshot.iterations = moment->totalIterations;
-    snapshot.peopleCameras = moment->peopleCameras;
-    for (std::size_t k = 0; k < moment->targets.size(); ++k) {
-      snapshot.targets.push_back(snapshotOf(moment->targets[k], (*moment->definitions)[k]));
-      snapshot.targets.back().tail = history_.tail(k, frame, kTailLength);
-    }
-  }
-  return {};
+  const FrameSetPtr frames = library_->glance(frame, exact);
+  preview = frames && !exact;
+  return frames ? frames : library_->at(frame);
 }
 
 HistoryState TimeTravel::state() const {
@@ -127,8 +89,7 @@ Status TimeTravel::repeat(TrackingRun& run, const TrackedFrame& moment) {
   return {};
 }
 
-bool TimeTravel::bringNear(TrackingRun& run, std::int64_t frame, std::uint64_t seed,
-                           std::int64_t& next) const {
+bool TimeTravel::bringNear(TrackingRun& run, std::int64_t frame, std::int64_t& next) const {
   if (const History::Checkpoint* checkpoint = history_.checkpointFor(frame)) {
     run.restore(checkpoint->state);
     next = checkpoint->frame;
@@ -140,18 +101,17 @@ bool TimeTravel::bringNear(TrackingRun& run, std::int64_t frame, std::uint64_t s
       begun && begun->frame < frame && begun->frame >= library_->oldest() && !run.canBeCopied();
   next = again ? begun->frame : frame;
   if (again) {
-    run.apply({begun->state.parameters, begun->state.targets, begun->state.rig});
+    run.apply(begun->state.definition);
   }
   const TrackedFrame* before = history_.before(next);
-  run.restart(seed);
+  run.restart(run.definition()->seed);
   run.countFrom(before != nullptr ? before->totalIterations : 0);
   return again;
 }
 
-Result<std::int64_t> TimeTravel::goBack(TrackingRun& run, std::int64_t frame, std::uint64_t seed,
-                                        const GoOn& goOn) {
+Result<std::int64_t> TimeTravel::goBack(TrackingRun& run, std::int64_t frame, const GoOn& goOn) {
   std::int64_t next = frame;
-  if (!bringNear(run, frame, seed, next)) {
+  if (!bringNear(run, frame, next)) {
     return frame;
   }
   const TrackedFrame* moment = history_.at(next);
@@ -167,30 +127,19 @@ Result<std::int64_t> TimeTravel::goBack(TrackingRun& run, std::int64_t frame, st
   return frame;
 }
 
-void TimeTravel::addMaps(const TrackingRun& run, TrackSnapshot& snapshot) {
-  if (run.people() != nullptr) {
-    return; // their masks are what the images say
-  }
-  for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
-    snapshot.targets[k].maps = run.likelihoodMaps(k, kMapReach);
-  }
-}
-
-void TimeTravel::addMaps(const Project& project, std::int64_t frame, bool masks,
-                         TrackSnapshot& snapshot, const GoOn& goOn) {
-  const TrackedFrame* moment = history_.at(frame);
-  if (moment == nullptr) {
-    return;
-  }
+const TrackingRun* TimeTravel::runAt(std::int64_t frame, const TrackingRun& run, const GoOn& goOn) {
   const History::Checkpoint* checkpoint = history_.checkpointFor(frame);
-  const bool near = probe_ && probeNext_ && *probeNext_ <= frame && checkpoint != nullptr &&
-                    *probeNext_ >= checkpoint->frame;
+  if (history_.at(frame) == nullptr || checkpoint == nullptr) {
+    return nullptr;
+  }
+  const bool near =
+      probe_ && probeNext_ && *probeNext_ <= frame && *probeNext_ >= checkpoint->frame;
   if (!near) {
-    auto run = TrackingRun::create(project, 1);
-    if (!run || checkpoint == nullptr) {
-      return;
+    auto probe = TrackingRun::create(checkpoint->state.definition, run.threadCount());
+    if (!probe) {
+      return nullptr;
     }
-    probe_.emplace(std::move(*run));
+    probe_.emplace(std::move(*probe));
     probe_->restore(checkpoint->state);
     probeNext_ = checkpoint->frame;
   }
@@ -199,29 +148,11 @@ void TimeTravel::addMaps(const Project& project, std::int64_t frame, bool masks,
   for (; next != nullptr && next->frame <= frame; next = history_.after(next->frame)) {
     if (!goOn() || !repeat(*probe_, *next)) {
       probe_.reset();
-      return;
+      return nullptr;
     }
     probeNext_ = next->frame + 1;
   }
-  addMaps(*probe_, snapshot);
-  if (masks && probe_->people() != nullptr) {
-    snapshot.masks = motionMasks(*probe_);
-  }
-}
-
-std::vector<cv::Mat> motionMasks(const TrackingRun& run) {
-  std::vector<cv::Mat> masks;
-  for (std::size_t camera = 0; camera < run.rig().size(); ++camera) {
-    cv::Mat mask = run.people()->tracker().foreground(camera);
-    const Intrinsics& size = run.rig()[camera].intrinsics;
-    if (!mask.empty() && mask.size() != cv::Size(size.width, size.height)) {
-      cv::Mat larger;
-      cv::resize(mask, larger, cv::Size(size.width, size.height), 0.0, 0.0, cv::INTER_NEAREST);
-      mask = larger;
-    }
-    masks.push_back(mask);
-  }
-  return masks;
+  return &*probe_;
 }
 
 } // namespace dewpoint::session

@@ -32,9 +32,8 @@ public:
   std::optional<std::int64_t> nearest(std::int64_t frame) const;
   /// The next frame after this one that can be shown; nothing at the end.
   std::optional<std::int64_t> following(std::int64_t frame) const;
-  /// Fills in frames and targets of a snapshot with an earlier moment; `quickly`: perhaps as a
-  /// preview.
-  Status show(std::int64_t frame, bool quickly, TrackSnapshot& snapshot);
+  /// As frames(), perhaps as a `preview`: small images, scaled up.
+  Result<FrameSetPtr> glance(std::int64_t frame, bool& preview);
   /// Range and memory of what can be shown.
   HistoryState state() const;
   const History& history() const { return history_; }
@@ -42,45 +41,39 @@ public:
   /// Whether to go on with something long.
   using GoOn = std::function<bool()>;
   /// Makes `run` what it was right before it began `frame`: from the nearest copy, tracking on. The
-  /// frame it reached (`frame`, unless `goOn` said no) or an error. Nothing is forgotten yet. When
-  /// there is no copy before the frame, `run` begins anew there.
-  Result<std::int64_t> goBack(TrackingRun& run, std::int64_t frame, std::uint64_t seed,
-                              const GoOn& goOn);
+  /// frame it reached (`frame`, unless `goOn` said no) or an error. Nothing is forgotten yet; the
+  /// run goes by what it went by then. When there is no copy before the frame, `run` begins anew
+  /// there.
+  Result<std::int64_t> goBack(TrackingRun& run, std::int64_t frame, const GoOn& goOn);
   /// Forgets what was recorded of this frame and of later ones.
   void forgetFrom(std::int64_t frame) {
     history_.forgetFrom(frame);
     probe_.reset();
   }
-  /// No copy made so far is of use: the method changes.
+  /// Another run goes on from `frame`: no copy made so far is of use to it.
   void forgetCopies() {
     history_.forgetCopies();
     probe_.reset();
   }
+  /// As History::beginTails().
+  void beginTails(std::int64_t frame) { history_.beginTails(frame); }
 
-  /// The likelihood maps of a past moment into the snapshot's targets, and (`masks`) the motion
-  /// masks of a method for people: a run of its own is brought there. Nothing happens when it
-  /// cannot be.
-  void addMaps(const Project& project, std::int64_t frame, bool masks, TrackSnapshot& snapshot,
-               const GoOn& goOn);
-  static void addMaps(const TrackingRun& run, TrackSnapshot& snapshot);
+  /// A run of its own, brought to what `run` was after this frame of the past: for likelihood maps
+  /// and motion masks, of which nothing is kept. Null when that cannot be, or `goOn` said no.
+  const TrackingRun* runAt(std::int64_t frame, const TrackingRun& run, const GoOn& goOn);
 
 private:
   /// Brings a run to a copy from before `frame`, or to the method's beginning when it cannot be
   /// copied; `next` is the frame it begins next. False: it begins anew at `frame`.
-  bool bringNear(TrackingRun& run, std::int64_t frame, std::uint64_t seed,
-                 std::int64_t& next) const;
+  bool bringNear(TrackingRun& run, std::int64_t frame, std::int64_t& next) const;
   /// Tracks one frame of the past again, with the changes that were made meanwhile.
   Status repeat(TrackingRun& run, const TrackedFrame& moment);
 
   bool live_;
   History history_;
   std::unique_ptr<FrameCache> library_;
-  std::optional<TrackingRun> probe_;      ///< for maps
+  std::optional<TrackingRun> probe_;      ///< of runAt()
   std::optional<std::int64_t> probeNext_; ///< the frame it would begin next
 };
-
-/// The motion masks of a method for people after its last frame, in the sizes of the images
-/// (CV_8UC1, 0 or 255); empty where there is none.
-std::vector<cv::Mat> motionMasks(const TrackingRun& run);
 
 } // namespace dewpoint::session

@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
+#include <utility>
 
 namespace dewpoint::session {
 
@@ -48,22 +50,31 @@ std::vector<std::pair<std::string, std::string>> boxTrackHeader(const Project& p
   return entries;
 }
 
-Result<TrackingRun> TrackingRun::create(const Project& project, int threadCount,
-                                        const std::vector<cv::Mat>& emptyRooms) {
-  auto tracker =
-      makeMultiTracker(project.method, project.parameters, rigOf(project), project.targets);
+Result<TrackingRun> TrackingRun::create(RunDefinitionPtr definition, int threadCount) {
+  auto tracker = makeMultiTracker(definition->method, definition->parameters, *definition->rig,
+                                  definition->targets);
   if (!tracker) {
     return tl::make_unexpected(tracker.error());
   }
+  return of(std::move(*tracker), std::move(definition), threadCount);
+}
+
+Result<TrackingRun> TrackingRun::create(const Project& project, int threadCount,
+                                        std::vector<cv::Mat> emptyRooms) {
+  return create(
+      std::make_shared<const RunDefinition>(RunDefinition::of(project, std::move(emptyRooms))),
+      threadCount);
+}
+
+TrackingRun TrackingRun::of(std::unique_ptr<MultiTracker> tracker, RunDefinitionPtr definition,
+                            int threadCount) {
   TrackingRun run;
-  run.tracker_ = std::move(*tracker);
-  run.tracker_->setEmptyRooms(emptyRooms);
-  run.family_ = methodFamily(project.method);
-  run.targets_ = project.targets;
-  run.parameters_ = project.parameters;
-  run.rig_ = rigOf(project);
+  run.tracker_ = std::move(tracker);
+  run.tracker_->setEmptyRooms(definition->emptyRooms);
+  run.family_ = definition->family();
+  run.definition_ = std::move(definition);
   run.team_ = std::make_unique<ThreadTeam>(threadCount);
-  run.restart(project.seed);
+  run.restart(run.definition_->seed);
   return run;
 }
 
@@ -74,49 +85,40 @@ void TrackingRun::restart(std::uint64_t seed) {
   frameIterations_ = 0;
 }
 
-void TrackingRun::configure(const ParameterValues& parameters) {
-  parameters_ = parameters;
-  tracker_->configure(parameters);
+bool TrackingRun::takes(const RunDefinition& definition) const {
+  return definition.method == definition_->method && haveSameImages(*definition.rig, rig()) &&
+         (definition.targets.size() == definition_->targets.size() || tracker_->takesAnyNumber());
 }
 
-void TrackingRun::setTargets(const std::vector<Target>& targets) {
-  if (targets.size() != targets_.size() && !tracker_->takesAnyNumber()) {
-    return;
+void TrackingRun::apply(const RunDefinitionPtr& definition) {
+  assert(takes(*definition));
+  const RunDefinitionPtr before = std::exchange(definition_, definition);
+  if (!(definition->parameters == before->parameters)) {
+    tracker_->configure(definition->parameters);
   }
-  targets_ = targets;
-  tracker_->setTargets(targets_);
-}
-
-void TrackingRun::setCameras(const CameraRig& rig) {
-  if (haveSameImages(rig, rig_)) {
-    rig_ = rig;
-    tracker_->setCameras(rig_);
+  if (definition->targets != before->targets) {
+    tracker_->setTargets(definition->targets);
   }
-}
-
-void TrackingRun::setEmptyRooms(const std::vector<cv::Mat>& rooms) {
-  tracker_->setEmptyRooms(rooms);
+  if (definition->rig != before->rig && *definition->rig != *before->rig) {
+    tracker_->setCameras(*definition->rig);
+  }
+  if (!areSameRooms(definition->emptyRooms, before->emptyRooms)) {
+    tracker_->setEmptyRooms(definition->emptyRooms);
+  }
 }
 
 void TrackingRun::apply(const RunChange& change) {
-  if (change.parameters) {
-    configure(*change.parameters);
-  }
-  if (change.targets) {
-    setTargets(*change.targets);
-  }
-  if (change.rig) {
-    setCameras(*change.rig);
-  }
-  if (change.emptyRooms) {
-    setEmptyRooms(*change.emptyRooms);
+  if (const auto* other = std::get_if<DefinitionChange>(&change)) {
+    apply(other->after);
+    return;
   }
   PeopleTargets* const people = tracker_->people();
-  if (change.newPerson && people != nullptr) {
-    people->addPerson(*change.newPerson);
+  const auto& of = std::get<PeopleChange>(change);
+  if (of.newPerson && people != nullptr) {
+    people->addPerson(*of.newPerson);
   }
-  if (change.personGone && people != nullptr) {
-    people->removePerson(*change.personGone);
+  if (of.personGone && people != nullptr) {
+    people->removePerson(*of.personGone);
   }
 }
 
@@ -125,11 +127,11 @@ const PeopleTargets* TrackingRun::people() const {
 }
 
 const std::vector<Target>& TrackingRun::targets() const {
-  return people() != nullptr ? people()->targets() : targets_;
+  return people() != nullptr ? people()->targets() : definition_->targets;
 }
 
 TrackingRun::State TrackingRun::save() const {
-  State state = definition();
+  State state{nullptr, definition_, iterations_, 0};
   if (std::unique_ptr<MultiTracker> copy = tracker_->clone()) {
     copy->beginFrame(nullptr); // the images of the last frame are not needed to go on
     state.bytes = copy->memoryBytes();
@@ -140,9 +142,7 @@ TrackingRun::State TrackingRun::save() const {
 
 void TrackingRun::restore(const State& state) {
   tracker_ = state.tracker->clone();
-  targets_ = state.targets;
-  parameters_ = state.parameters;
-  rig_ = state.rig;
+  definition_ = state.definition;
   frames_ = nullptr;
   iterations_ = state.iterations;
   frameIterations_ = 0;
@@ -168,7 +168,7 @@ double TrackingRun::iterate() {
 }
 
 std::size_t TrackingRun::trackedCount() const {
-  return people() != nullptr ? people()->tracker().people().size() : targets_.size();
+  return people() != nullptr ? people()->tracker().people().size() : targets().size();
 }
 
 std::vector<TrajectorySample> TrackingRun::samples() const {
@@ -182,9 +182,9 @@ std::vector<TrajectorySample> TrackingRun::samples() const {
     }
     return samples;
   }
-  for (std::size_t k = 0; frames_ && k < targets_.size(); ++k) {
+  for (std::size_t k = 0; frames_ && k < targets().size(); ++k) {
     const auto& estimate = estimates()[k];
-    samples.push_back({seconds(frames_->time), frames_->index, targets_[k].name, estimate.mean,
+    samples.push_back({seconds(frames_->time), frames_->index, targets()[k].name, estimate.mean,
                        estimate.covariance, estimate.effectiveSampleSize, estimate.camerasSeeing,
                        estimate.valid, std::nullopt, estimate.existence});
     if (estimate.seen) {
@@ -196,7 +196,7 @@ std::vector<TrajectorySample> TrackingRun::samples() const {
 
 std::vector<BoxSample> TrackingRun::boxSamples() const {
   std::vector<BoxSample> samples;
-  for (std::size_t k = 0; frames_ && k < targets_.size(); ++k) {
+  for (std::size_t k = 0; frames_ && k < targets().size(); ++k) {
     if (const auto belief = box(k, 0)) {
       samples.push_back(
           {seconds(frames_->time), frames_->index, static_cast<int>(k) + 1, belief->estimate});
@@ -205,38 +205,21 @@ std::vector<BoxSample> TrackingRun::boxSamples() const {
   return samples;
 }
 
-std::vector<TargetSnapshot> TrackingRun::snapshots(int particleLimit) const {
-  std::vector<TargetSnapshot> all(targets().size());
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    all[k].target = targets()[k];
-    all[k].estimate = estimates()[k];
-    all[k].person = personAt(k);
-    tracker_->particles(k, particleLimit, all[k].particles, all[k].weights);
-    all[k].box = box(k, particleLimit);
-    // A box is known as it is given, all else only when the frame was tracked.
-    all[k].status = estimates()[k].gone                  ? TargetStatus::Gone
-                    : all[k].box && estimates()[k].valid ? TargetStatus::Held
-                                                         : TargetStatus::Searching;
-  }
-  return all;
-}
-
 std::optional<PersonEstimate> TrackingRun::personAt(std::size_t target) const {
   const PersonEstimate* person = people() != nullptr ? people()->person(target) : nullptr;
   return person != nullptr ? std::optional(*person) : std::nullopt;
 }
 
-TrackedFrame TrackingRun::moment(int particleLimit, const TrackedFrame* previous) const {
+TrackedFrame TrackingRun::commonMoment(const TrackedFrame* before, int boxParticleLimit) const {
   TrackedFrame moment;
-  moment.frame = frames_ ? frames_->index : 0;
+  moment.frame = frames_ ? frames_->index : -1;
   moment.time = frames_ ? seconds(frames_->time) : 0.0;
   moment.iterations = frameIterations_;
   moment.totalIterations = iterations_;
   const std::vector<Target>& tracked = targets();
-  const bool same =
-      previous != nullptr && previous->definitions && tracked == *previous->definitions;
+  const bool same = before != nullptr && before->definitions && tracked == *before->definitions;
   moment.definitions =
-      same ? previous->definitions : std::make_shared<const std::vector<Target>>(tracked);
+      same ? before->definitions : std::make_shared<const std::vector<Target>>(tracked);
   if (people() != nullptr) {
     moment.peopleCameras = people()->tracker().cameraStates();
   }
@@ -244,15 +227,41 @@ TrackedFrame TrackingRun::moment(int particleLimit, const TrackedFrame* previous
   for (std::size_t k = 0; k < tracked.size(); ++k) {
     TrackedTarget& target = moment.targets[k];
     target.estimate = estimates()[k];
-    Eigen::ArrayXXd particles;
+    target.box = box(k, boxParticleLimit);
+    target.person = personAt(k);
+  }
+  return moment;
+}
+
+TrackedFrame TrackingRun::present(const TrackedFrame* recorded, int boxParticleLimit) const {
+  TrackedFrame moment = commonMoment(recorded, boxParticleLimit);
+  for (std::size_t k = 0; k < moment.targets.size(); ++k) {
+    TrackedTarget& target = moment.targets[k];
+    if (recorded != nullptr && k < recorded->targets.size()) {
+      target.status = recorded->targets[k].status;
+      target.reasons = recorded->targets[k].reasons;
+      target.proposals = recorded->targets[k].proposals;
+    } else { // a box is known as it is given, all else only when the frame was tracked
+      const bool isHeld = target.box && target.estimate.valid;
+      target.status = target.estimate.gone ? TargetStatus::Gone
+                      : isHeld             ? TargetStatus::Held
+                                           : TargetStatus::Searching;
+    }
+  }
+  return moment;
+}
+
+TrackedFrame TrackingRun::moment(int particleLimit, const TrackedFrame* previous) const {
+  TrackedFrame moment = commonMoment(previous, particleLimit);
+  for (std::size_t k = 0; k < moment.targets.size(); ++k) {
+    TrackedTarget& target = moment.targets[k];
+    Eigen::ArrayXXd positions;
     Eigen::ArrayXd weights;
-    tracker_->particles(k, particleLimit, particles, weights);
-    target.particles = particles.cast<float>();
+    particles(k, particleLimit, positions, weights);
+    target.particles = positions.cast<float>();
     target.weights = weights.cast<float>();
-    target.box = box(k, particleLimit);
     target.proposals = tracker_->proposals(k);
     target.reasons = tracker_->explain(k);
-    target.person = personAt(k);
     if (previous != nullptr && k < previous->targets.size()) {
       target.lastHeld = previous->targets[k].lastHeld;
     }

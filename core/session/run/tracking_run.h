@@ -4,7 +4,7 @@
 #include "core/project/project_rig.h"
 #include "core/session/frames/tracked_frame.h"
 #include "core/session/run/box_track_file.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/run_definition.h"
 #include "core/tracking/multi_tracker.h"
 #include "core/trajectory/trajectory.h"
 
@@ -13,6 +13,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace dewpoint::session {
@@ -23,56 +26,63 @@ TrajectoryHeader trajectoryHeader(const Project& project);
 /// Header of the boxes that were tracked: method, seed, parameters, and what each target is.
 std::vector<std::pair<std::string, std::string>> boxTrackHeader(const Project& project);
 
-/// A change of a run under way: other parameters, other colors, another calibration,
-/// or another empty room.
-struct RunChange {
-  std::optional<ParameterValues> parameters;
-  std::optional<std::vector<Target>> targets;
-  std::optional<CameraRig> rig;
-  std::optional<std::vector<cv::Mat>> emptyRooms = std::nullopt;
-  std::optional<Eigen::Vector3d> newPerson = std::nullopt; ///< PeopleTracker::addPerson
-  std::optional<int> personGone = std::nullopt;            ///< PeopleTracker::removePerson
+/// Somebody is there whom a method for people has not found by itself, or nobody is.
+struct PeopleChange {
+  std::optional<Eigen::Vector3d> newPerson; ///< PeopleTracker::addPerson
+  std::optional<int> personGone;            ///< PeopleTracker::removePerson
 };
+
+/// A run goes by `after` in place of `before`.
+struct DefinitionChange {
+  RunDefinitionPtr before;
+  RunDefinitionPtr after;
+};
+
+/// What a run under way may be told.
+using RunChange = std::variant<DefinitionChange, PeopleChange>;
 
 /// The tracker of all targets fed with frame sets: what the window's tracking thread and
 /// the command line both drive. Not thread safe.
 class TrackingRun {
 public:
-  /// `emptyRooms` as of loadEmptyRooms(), or none. NotFound for an unknown method.
+  /// `threadCount` threads share the work; they never change the result. NotFound for an unknown
+  /// method.
+  static Result<TrackingRun> create(RunDefinitionPtr definition, int threadCount);
+  /// The run of a project; `emptyRooms` as of loadEmptyRooms(), or none.
   static Result<TrackingRun> create(const Project& project, int threadCount,
-                                    const std::vector<cv::Mat>& emptyRooms = {});
+                                    std::vector<cv::Mat> emptyRooms = {});
+  /// A run of a tracker that need not be a method of the catalog.
+  static TrackingRun of(std::unique_ptr<MultiTracker> tracker, RunDefinitionPtr definition,
+                        int threadCount);
 
+  /// What the run goes by now; never null.
+  const RunDefinitionPtr& definition() const { return definition_; }
+  /// Whether a run of this definition is this one: of the same method, with the same images, and as
+  /// many targets unless the method takes any number. If not, it needs a run of its own.
+  bool takes(const RunDefinition& definition) const;
   /// Forgets all beliefs.
   void restart(std::uint64_t seed);
-  void configure(const ParameterValues& parameters);
-  /// New colors for the same targets; a different number of targets is ignored (reopen instead),
-  /// but by methods of family Boxes and People: to people the project's targets mean nothing.
-  void setTargets(const std::vector<Target>& targets);
-
-  /// Another calibration of the same cameras; one for other images is ignored (reopen instead).
-  void setCameras(const CameraRig& rig);
-  /// As of loadEmptyRooms(); what is believed stays.
-  void setEmptyRooms(const std::vector<cv::Mat>& rooms);
-
+  /// Goes by another definition, which takes() it, from the next iteration on; what is believed
+  /// stays. The tracker is told only of what is otherwise. Another seed counts from the next
+  /// restart() on.
+  void apply(const RunDefinitionPtr& definition);
   void apply(const RunChange& change);
 
   /// All that the run is between two frames, to go on from with the same bits.
   struct State {
     std::shared_ptr<const MultiTracker> tracker; ///< null when the method cannot be copied
-    std::vector<Target> targets;
-    ParameterValues parameters;
+    RunDefinitionPtr definition;
     std::int64_t iterations = 0;
     std::size_t bytes = 0;
-    CameraRig rig;
   };
   State save() const;
-  /// What the run is told, without what it believes: a state without a tracker.
-  State definition() const { return {nullptr, targets_, parameters_, iterations_, 0, rig_}; }
+  /// `state` has a tracker.
   void restore(const State& state);
   /// Whether save() has a tracker to restore.
   bool canBeCopied() const { return tracker_->canBeCopied(); }
   /// Goes on counting iterations from here.
   void countFrom(std::int64_t iterations) { iterations_ = iterations; }
+  int threadCount() const { return team_->threadCount(); }
 
   void beginFrame(FrameSetPtr frames);
   int iterationsPerFrame() const;
@@ -83,11 +93,9 @@ public:
   std::int64_t iterations() const { return iterations_; }
   /// Those that are tracked: the project's, or the persons who have been there.
   const std::vector<Target>& targets() const;
-  const std::vector<Target>& projectTargets() const { return targets_; }
   /// Null unless the method is for people.
   const PeopleTargets* people() const;
-  const CameraRig& rig() const { return rig_; }
-  const ParameterValues& parameters() const { return parameters_; }
+  const CameraRig& rig() const { return *definition_->rig; }
   const std::vector<TargetEstimate>& estimates() const { return tracker_->estimates(); }
   const FrameSetPtr& frames() const { return frames_; }
   /// The estimates as trajectory samples of the current frame; of people, those who are there.
@@ -98,8 +106,14 @@ public:
   std::optional<BoxBelief> box(std::size_t target, int particleLimit) const {
     return tracker_->box(target, particleLimit);
   }
-  /// What views show, without tail and truth.
-  std::vector<TargetSnapshot> snapshots(int particleLimit) const;
+  /// Up to `limit` particles of a target; rows x y z, metres, and their weights, linear.
+  void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
+                 Eigen::ArrayXd& weights) const {
+    tracker_->particles(target, limit, positions, weights);
+  }
+  /// What is believed now, without particles in space; `recorded` is the moment that was kept of
+  /// this frame, null when it was not tracked: how the targets are doing, and why, is from there.
+  TrackedFrame present(const TrackedFrame* recorded, int boxParticleLimit) const;
   /// What is kept of the current frame; `previous` is the moment before it, null at the beginning.
   TrackedFrame moment(int particleLimit, const TrackedFrame* previous) const;
   /// Around the estimate of a target, one per camera; may be empty.
@@ -112,15 +126,15 @@ public:
   std::size_t trackedCount() const;
 
 private:
+  /// What both kinds of moments hold.
+  TrackedFrame commonMoment(const TrackedFrame* before, int boxParticleLimit) const;
   std::optional<PersonEstimate> personAt(std::size_t target) const;
 
+  RunDefinitionPtr definition_;
   MethodFamily family_ = MethodFamily::Targets;
-  std::vector<Target> targets_; ///< the project's
   std::unique_ptr<MultiTracker> tracker_;
   FrameSetPtr frames_;
   std::unique_ptr<ThreadTeam> team_;
-  ParameterValues parameters_;
-  CameraRig rig_;
   std::int64_t iterations_ = 0;
   int frameIterations_ = 0;
 };

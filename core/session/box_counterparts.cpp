@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/box_counterparts.h"
+
+#include <numeric>
+
+namespace dewpoint::session {
+
+std::vector<int> placesOf(const std::vector<Target>& before, const std::vector<Target>& after) {
+  std::vector<int> places;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    places.push_back(counterpart(after, &Target::name, before.size(), k, before[k].name));
+  }
+  return places;
+}
+
+bool keepTheirPlaces(const std::vector<int>& places) {
+  std::vector<int> same(places.size());
+  std::iota(same.begin(), same.end(), 0);
+  return places == same;
+}
+
+std::optional<std::int64_t> firstChange(const std::vector<Target>& before,
+                                        const std::vector<Target>& after) {
+  std::optional<std::int64_t> first;
+  for (std::size_t k = 0; k < after.size(); ++k) {
+    const int old = counterpart(before, &Target::name, after.size(), k, after[k].name);
+    const auto oldBox = old >= 0 ? before[static_cast<std::size_t>(old)].box : std::nullopt;
+    if (oldBox != after[k].box) {
+      const std::int64_t frame = after[k].box ? after[k].box->frame : oldBox->frame;
+      first = std::min(first.value_or(frame), frame);
+    }
+  }
+  return first;
+}
+
+} // namespace dewpoint::session

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/frame_loop.h"
+#include "core/session/run/camera_motion_watch.h"
+
+namespace dewpoint::session {
+
+/// Lets a CameraMotionWatch see what a run tracks; nothing with methods of family Boxes, whose
+/// camera may move.
+class BumpObserver final : public FrameObserver {
+public:
+  /// `watch` must outlive it.
+  explicit BumpObserver(CameraMotionWatch& watch) : watch_(watch) {}
+
+  Status tracked(const TrackingRun& run) override {
+    if (run.family() == MethodFamily::Targets) {
+      watch_.watch(*run.frames(), run.targets(), run.estimates());
+    } else if (run.family() == MethodFamily::People) { // no targets of a known size
+      watch_.watch(*run.frames(), {}, {});
+    }
+    return {};
+  }
+
+private:
+  CameraMotionWatch& watch_;
+};
+
+} // namespace dewpoint::session

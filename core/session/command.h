@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/camera.h"
+#include "core/tracking/parameters.h"
+#include "core/tracking/tracker.h"
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace dewpoint::session {
+
+/// Wishes of the user, passed by value to the tracking thread.
+namespace command {
+struct Play {};
+struct Pause {};
+/// The next frame with all its iterations, then pause.
+struct StepFrame {};
+/// One filter iteration on the frame that the run stands at, then pause.
+struct StepIteration {};
+/// From the first frame, knowing nothing.
+struct Restart {
+  std::optional<std::uint64_t> seed; ///< the same as before unless given
+};
+/// Other parameters of the same method.
+struct Configure {
+  ParameterValues parameters;
+};
+/// Another method, with the same seed. When it begins at a frame, what was tracked before it stays.
+struct SetMethod {
+  std::string method;
+  ParameterValues parameters;
+  std::optional<std::int64_t> from; ///< nothing: from the start
+};
+/// Pauses and shows an earlier moment as it was (or a later one of a recording, untracked); the run
+/// itself stays where it is. Playing goes on from the moment shown: through what was recorded up to
+/// where the run stands, then tracking.
+struct ShowFrame {
+  std::int64_t frame = 0;
+};
+/// Shows where the run stands again.
+struct BackToHead {};
+/// Tracks again from this frame on, as fast as it goes, up to where the run stood: with the
+/// parameters, colors and empty rooms of now. What was recorded from there on is replaced. Pausing
+/// stops it.
+struct Rerun {
+  std::int64_t from = 0;
+};
+/// Likelihood maps (TargetSnapshot::maps).
+struct ShowMaps {
+  bool wanted = false;
+};
+/// Other colors or radii take effect at once; another number of targets means new beliefs.
+struct SetTargets {
+  std::vector<Target> targets;
+};
+/// Another calibration of the same cameras, from the next iteration on; what is believed stays. A
+/// rig with other image sizes, or another number of cameras, is ignored: that is another run.
+struct SetCameras {
+  CameraRig rig;
+};
+/// Other empty rooms of the same cameras (loadEmptyRooms); what is believed stays.
+struct SetEmptyRooms {
+  std::vector<std::string> files; ///< as the project names them
+  std::vector<cv::Mat> rooms;
+};
+/// Which pixels have a target's color, or move (TrackSnapshot::masks).
+struct ShowMasks {
+  bool wanted = false;
+};
+/// Hulls and level curves of persons (TargetSnapshot::shape).
+struct ShowShapes {
+  bool wanted = false;
+};
+/// Of methods for people, else nothing happens: somebody stands somewhere, or is not there. At an
+/// earlier moment, the run is tracked again from there with that.
+struct ChangePeople {
+  struct Seen {
+    int camera = 0;
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+  };
+  std::optional<Eigen::Vector2d> place; ///< somebody stands here; world x and y, metres
+  std::optional<Seen> seen;             ///< somebody is seen here
+  std::optional<int> gone;              ///< this identity is not there
+};
+} // namespace command
+
+using Command =
+    std::variant<command::Play, command::Pause, command::StepFrame, command::StepIteration,
+                 command::Restart, command::Configure, command::SetMethod, command::SetTargets,
+                 command::SetCameras, command::SetEmptyRooms, command::ShowMasks,
+                 command::ShowFrame, command::BackToHead, command::Rerun, command::ShowMaps,
+                 command::ShowShapes, command::ChangePeople>;
+
+} // namespace dewpoint::session

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/frame_loop.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint::session {
+
+Status trackOneFrame(TrackingRun& run, FrameObservers observers) {
+  const int iterations = run.iterationsPerFrame();
+  for (int k = 0; k < iterations; ++k) {
+    const double microseconds = run.iterate();
+    for (FrameObserver* const observer : observers) {
+      observer->iterated(run, microseconds);
+    }
+  }
+  for (FrameObserver* const observer : observers) {
+    if (const auto told = observer->tracked(run); !told) {
+      return told;
+    }
+  }
+  return {};
+}
+
+Status trackOneFrame(TrackingRun& run, FrameSetPtr frames, FrameObservers observers) {
+  for (FrameObserver* const observer : observers) {
+    observer->taken(*frames);
+  }
+  run.beginFrame(std::move(frames));
+  return trackOneFrame(run, observers);
+}
+
+bool hasImages(const FrameSet& frames) {
+  return std::ranges::any_of(frames.frames, [](const FramePtr& frame) { return frame != nullptr; });
+}
+
+std::optional<std::int64_t> FrameRange::count(const FrameSetSource& source) const {
+  const auto total = source.frameCount();
+  if (!total && !end) {
+    return std::nullopt;
+  }
+  const std::int64_t last = total && end ? std::min(*end, *total) : end.value_or(total.value_or(0));
+  return std::max<std::int64_t>(0, last - first);
+}
+
+Status trackFrames(FrameSetSource& source, const FrameRange& range, TrackingRun& run,
+                   FrameObservers observers, const std::function<bool()>& goOn) {
+  if (range.first > 0) {
+    if (const auto sought = source.seek(range.first); !sought) {
+      return sought;
+    }
+  }
+  const auto count = range.count(source);
+  for (std::int64_t done = 0; goOn() && (!count || done < *count);) {
+    auto frames = source.next();
+    if (!frames) {
+      return tl::make_unexpected(frames.error());
+    }
+    if (!*frames) {
+      break;
+    }
+    if (!hasImages(**frames)) {
+      continue;
+    }
+    if (const auto tracked = trackOneFrame(run, std::move(*frames), observers); !tracked) {
+      return tracked;
+    }
+    ++done;
+  }
+  return {};
+}
+
+} // namespace dewpoint::session

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/playback.h"
+
+#include <utility>
+
+namespace dewpoint::session {
+namespace {
+
+template <class... Functions> struct Overloaded : Functions... { using Functions::operator()...; };
+
+/// The head, paused or ended.
+Playback::State waiting(bool inputEnded) {
+  return inputEnded ? Playback::State(Playback::Ended{}) : Playback::State(Playback::Paused{});
+}
+
+Playback::State headState(PlayState state) {
+  switch (state) {
+  case PlayState::Paused:
+    return Playback::Paused{};
+  case PlayState::Playing:
+    return Playback::Playing{};
+  case PlayState::Ended:
+    return Playback::Ended{};
+  }
+  return Playback::Paused{};
+}
+
+} // namespace
+
+PlayState Playback::playState() const {
+  return std::visit(Overloaded{[](const Paused&) { return PlayState::Paused; },
+                               [](const Playing&) { return PlayState::Playing; },
+                               [](const Ended&) { return PlayState::Ended; },
+                               [](const Viewing&) { return PlayState::Paused; },
+                               [](const Replaying&) { return PlayState::Playing; },
+                               [](const Rerunning&) { return PlayState::Playing; },
+                               [](const Holding&) { return PlayState::Paused; }},
+                    state_);
+}
+
+std::optional<std::int64_t> Playback::viewed() const {
+  if (const auto* viewing = std::get_if<Viewing>(&state_)) {
+    return viewing->frame;
+  }
+  const auto* replaying = std::get_if<Replaying>(&state_);
+  return replaying != nullptr ? std::optional(replaying->frame) : std::nullopt;
+}
+
+std::optional<RerunState> Playback::rerunning() const {
+  if (const auto* rerunning = std::get_if<Rerunning>(&state_)) {
+    return rerunning->range;
+  }
+  const auto* holding = std::get_if<Holding>(&state_);
+  return holding != nullptr ? std::optional(holding->rerun.range) : std::nullopt;
+}
+
+bool Playback::hasInputEnded() const {
+  return std::visit(Overloaded{[](const Ended&) { return true; },
+                               [](const Viewing& viewing) { return viewing.inputEnded; },
+                               [](const Replaying& replaying) { return replaying.inputEnded; },
+                               [](const auto&) { return false; }},
+                    state_);
+}
+
+void Playback::play() {
+  if (std::holds_alternative<Paused>(state_)) {
+    state_ = Playing{};
+  } else if (const auto* viewing = std::get_if<Viewing>(&state_)) {
+    state_ = Replaying{viewing->frame, viewing->inputEnded};
+  } else if (const auto* holding = std::get_if<Holding>(&state_)) {
+    state_ = Rerunning(holding->rerun);
+  }
+}
+
+void Playback::pause() {
+  hold();
+  if (std::holds_alternative<Holding>(state_)) {
+    state_ = Paused{};
+  }
+}
+
+void Playback::hold() {
+  if (std::holds_alternative<Playing>(state_)) {
+    state_ = Paused{};
+  } else if (const auto* replaying = std::get_if<Replaying>(&state_)) {
+    state_ = Viewing{replaying->frame, replaying->inputEnded};
+  } else if (const auto* rerunning = std::get_if<Rerunning>(&state_)) {
+    state_ = Holding{*rerunning};
+  }
+}
+
+void Playback::show(std::optional<std::int64_t> frame, std::int64_t head) {
+  const bool inputEnded = hasInputEnded();
+  if (frame && *frame != head) {
+    state_ = Viewing{*frame, inputEnded};
+  } else {
+    state_ = waiting(inputEnded);
+  }
+}
+
+void Playback::returnToHead() {
+  if (!viewed()) {
+    return;
+  }
+  state_ = goesOn() && !hasInputEnded() ? State(Playing{}) : waiting(hasInputEnded());
+}
+
+void Playback::advance(std::optional<std::int64_t> next, std::int64_t head) {
+  if (!viewed()) {
+    return;
+  }
+  if (!next) {
+    hold();
+  } else if (*next == head) {
+    returnToHead();
+  } else if (auto* viewing = std::get_if<Viewing>(&state_)) {
+    viewing->frame = *next;
+  } else {
+    std::get<Replaying>(state_).frame = *next;
+  }
+}
+
+void Playback::rerun(const RerunState& range, std::optional<std::int64_t> lookAgain) {
+  const PlayState afterwards = hasInputEnded() ? PlayState::Ended
+                               : viewed()      ? PlayState::Paused
+                                               : playState();
+  state_ = Rerunning{range, afterwards, lookAgain};
+  leaveHead(range.from);
+}
+
+void Playback::trackOnFrom(std::int64_t frame) {
+  state_ = Playing{};
+  leaveHead(frame);
+}
+
+void Playback::endInput() {
+  state_ = Ended{};
+}
+
+void Playback::restart() {
+  state_ = goesOn() ? State(Playing{}) : State(Paused{});
+  leaveHead(0);
+}
+
+void Playback::leaveHead(std::int64_t nextFrame) {
+  head_ = Head::None;
+  nextFrame_ = nextFrame;
+}
+
+void Playback::take(std::int64_t frame) {
+  head_ = Head::Taken;
+  nextFrame_ = frame + 1;
+}
+
+void Playback::track() {
+  if (head_ == Head::Taken) {
+    head_ = Head::Tracked;
+  }
+}
+
+std::optional<std::int64_t> Playback::reach(std::int64_t head) {
+  const auto range = rerunning();
+  if (!range || head < range->to) {
+    return std::nullopt;
+  }
+  const auto* holding = std::get_if<Holding>(&state_);
+  const Rerunning done = holding != nullptr ? holding->rerun : std::get<Rerunning>(state_);
+  state_ = headState(done.afterwards);
+  return done.lookAgain;
+}
+
+void Playback::forgetEstimates() {
+  head_ = head_ == Head::None ? Head::None : Head::Taken;
+}
+
+void Playback::published(bool isPreview, bool lacksMaps) {
+  missing_ = isPreview ? Missing::Images : lacksMaps ? Missing::Maps : Missing::Nothing;
+}
+
+} // namespace dewpoint::session

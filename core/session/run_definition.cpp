@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run_definition.h"
+
+#include "core/project/project_rig.h"
+
+#include <fmt/format.h>
+#include <opencv2/core.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint::session {
+namespace {
+
+bool isSameImage(const cv::Mat& a, const cv::Mat& b) {
+  if (a.size() != b.size() || a.type() != b.type()) {
+    return false;
+  }
+  return a.data == b.data || a.empty() || cv::norm(a, b, cv::NORM_INF) == 0.0;
+}
+
+/// What is said of a target that is another one.
+std::string definitionOf(const Target& target, MethodFamily family) {
+  if (family == MethodFamily::Boxes) {
+    return target.box ? "another box" : "no box";
+  }
+  const ColorRange& color = target.color;
+  return fmt::format("hue {} to {}, saturation {} to {}, intensity {} to {}, radius {} m",
+                     color.hueMin, color.hueMax, color.saturationMin, color.saturationMax,
+                     color.intensityMin, color.intensityMax, target.radius);
+}
+
+} // namespace
+
+bool areSameRooms(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b) {
+  return std::ranges::equal(a, b, isSameImage);
+}
+
+RunDefinition RunDefinition::of(const Project& project, std::vector<cv::Mat> emptyRooms) {
+  RunDefinition definition;
+  definition.method = project.method;
+  definition.parameters = project.parameters;
+  definition.targets = project.targets;
+  definition.rig = std::make_shared<const CameraRig>(rigOf(project));
+  definition.emptyRooms = std::move(emptyRooms);
+  for (const ProjectCamera& camera : project.cameras) {
+    definition.emptyRoomFiles.push_back(camera.emptyRoom);
+  }
+  definition.seed = project.seed;
+  return definition;
+}
+
+Project RunDefinition::appliedTo(Project project) const {
+  project.method = method;
+  project.parameters = parameters;
+  project.targets = targets;
+  project.seed = seed;
+  for (std::size_t k = 0; k < std::min(project.cameras.size(), rig->size()); ++k) {
+    project.cameras[k].camera = (*rig)[k];
+    project.cameras[k].emptyRoom = emptyRoomFiles[k];
+  }
+  return project;
+}
+
+bool RunDefinition::operator==(const RunDefinition& other) const {
+  return method == other.method && parameters == other.parameters && targets == other.targets &&
+         (rig == other.rig || *rig == *other.rig) && areSameRooms(emptyRooms, other.emptyRooms) &&
+         emptyRoomFiles == other.emptyRoomFiles && seed == other.seed;
+}
+
+std::string differences(const RunDefinition& before, const RunDefinition& after) {
+  std::string text;
+  const auto add = [&text](const std::string& key, const auto& value) {
+    text += fmt::format("{}{} = {}", text.empty() ? "" : "; ", key, value);
+  };
+  const bool hasOtherMethod = before.method != after.method;
+  if (hasOtherMethod) {
+    add("method", after.method);
+  }
+  for (const auto& declaration : after.parameters.declarations()) {
+    const double value = after.parameters.at(declaration.key);
+    if (hasOtherMethod || before.parameters.at(declaration.key) != value) {
+      add(declaration.key, value);
+    }
+  }
+  for (std::size_t k = 0; k < std::min(before.targets.size(), after.targets.size()); ++k) {
+    if (!(before.targets[k] == after.targets[k])) {
+      add(after.targets[k].name, definitionOf(after.targets[k], after.family()));
+    }
+  }
+  for (std::size_t k = 0; k < std::min(before.rig->size(), after.rig->size()); ++k) {
+    if (!((*before.rig)[k] == (*after.rig)[k])) {
+      add((*after.rig)[k].name, "another calibration");
+    }
+    if (before.emptyRoomFiles[k] != after.emptyRoomFiles[k]) {
+      add((*after.rig)[k].name, "another empty room");
+    }
+  }
+  return text;
+}
+
+} // namespace dewpoint::session

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/camera.h"
+#include "core/project/project.h"
+#include "core/tracking/parameters.h"
+#include "core/tracking/tracker.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dewpoint::session {
+
+/// All that decides what a run makes of its frames: one value, never changed once it is made, so
+/// that the tracking thread, its history and its snapshots can share it. A change is another value.
+struct RunDefinition {
+  std::string method;
+  ParameterValues parameters;
+  std::vector<Target> targets;             ///< the project's; methods for people find others
+  std::shared_ptr<const CameraRig> rig;    ///< never null; in the order of the project
+  std::vector<cv::Mat> emptyRooms;         ///< per camera, as of loadEmptyRooms(); may be empty
+  std::vector<std::string> emptyRoomFiles; ///< per camera, as the project names them
+  std::uint64_t seed = 1;
+
+  /// What a project says; `emptyRooms` as of loadEmptyRooms(), or none.
+  static RunDefinition of(const Project& project, std::vector<cv::Mat> emptyRooms = {});
+  /// The project with what this says in place of its own.
+  Project appliedTo(Project project) const;
+
+  MethodFamily family() const { return methodFamily(method); }
+  /// Of empty rooms the pixels are compared, unless they are the same in memory.
+  bool operator==(const RunDefinition& other) const;
+};
+using RunDefinitionPtr = std::shared_ptr<const RunDefinition>;
+
+/// Whether both are images of the same empty rooms.
+bool areSameRooms(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b);
+
+/// What is otherwise in `after` than in `before`, in words for the header of a trajectory; empty
+/// when nothing is.
+std::string differences(const RunDefinition& before, const RunDefinition& after);
+
+} // namespace dewpoint::session

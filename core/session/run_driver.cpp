@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run_driver.h"
+
+#include "core/session/box_counterparts.h"
+#include "core/session/people_change.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+namespace dewpoint::session {
+namespace {
+
+constexpr std::size_t kRecordedHistory = std::size_t{512} << 20; // bytes
+constexpr std::size_t kLiveHistory = std::size_t{1024} << 20;
+
+} // namespace
+
+RunDriver::RunDriver(SessionInputs inputs, FrameTapSlot& tap, RunLog& log, const TruthTable& truth)
+    : project_(std::move(inputs.project)), source_(std::move(inputs.source)),
+      threads_(filterThreads(inputs.threads)), tap_(tap), log_(log),
+      definition_(
+          std::make_shared<const RunDefinition>(RunDefinition::of(project_, inputs.emptyRooms))),
+      bumps_(*definition_->rig), recorder_(log, truth) {
+  replaceRun(*definition_, 0);
+  if (source_) {
+    const std::size_t usual = source_->isLive() ? kLiveHistory : kRecordedHistory;
+    travel_.emplace(*source_, inputs.historyBytes > 0 ? inputs.historyBytes : usual);
+  }
+  log_.restart(project_, threads_);
+}
+
+bool RunDriver::replaceRun(RunDefinition definition, std::int64_t iterations) {
+  auto made = std::make_shared<const RunDefinition>(std::move(definition));
+  auto run = TrackingRun::create(made, threads_);
+  if (!run) {
+    note(run.error());
+    return false;
+  }
+  run->countFrom(iterations);
+  definition_ = std::move(made);
+  run_.emplace(std::move(*run));
+  return true;
+}
+
+void RunDriver::start() {
+  if (isReady()) {
+    takeFrame();
+  }
+}
+
+Result<FrameSetPtr> RunDriver::nextFrames() {
+  // What a live run goes over again is in the library; when it is through, the cameras go on.
+  if (source_->isLive() && !playback_.rerunning()) {
+    return source_->next();
+  }
+  const std::int64_t next = playback_.nextFrame();
+  const auto frame = travel_->nearest(next);
+  return frame && *frame >= next ? travel_->frames(*frame) : Result<FrameSetPtr>(FrameSetPtr());
+}
+
+bool RunDriver::takeFrame() {
+  auto taken = nextFrames();
+  if (!taken) {
+    note(taken.error());
+  }
+  if (!taken || !*taken) {
+    playback_.endInput();
+    return false;
+  }
+  if (!hasImages(**taken)) {
+    return false; // live, and nothing came
+  }
+  if (!playback_.rerunning()) {
+    tap_.give(*taken);
+  }
+  travel_->beforeFrame(*taken, *run_);
+  run_->beginFrame(*taken);
+  playback_.take((*taken)->index);
+  recorder_.arrive();
+  return true;
+}
+
+void RunDriver::iterateFrame() {
+  // The frame shown first was already taken, but has had no iteration yet.
+  const bool hasWaited = playback_.head() == Playback::Head::Taken;
+  if (hasWaited) {
+    recorder_.arriveNow();
+  }
+  if (hasWaited || takeFrame()) {
+    const std::array<FrameObserver*, 2> observers{&bumpObserver_, &recorder_};
+    if (const auto told = trackOneFrame(*run_, observers); !told) {
+      note(told.error());
+    }
+    playback_.track(); // also without any target
+    record();
+  }
+  if (const auto again = playback_.reach(head())) {
+    show(*again);
+  }
+}
+
+void RunDriver::record() {
+  recorder_.record(*run_, travel_->record(*run_));
+  playback_.record();
+}
+
+void RunDriver::advance() {
+  if (playback_.viewed()) {
+    showNext();
+  } else {
+    iterateFrame();
+  }
+}
+
+void RunDriver::showNext() {
+  playback_.advance(travel_->following(*playback_.viewed()), head());
+}
+
+void RunDriver::play() {
+  const auto viewed = playback_.viewed();
+  const bool isEnded = std::holds_alternative<Playback::Ended>(playback_.state());
+  if (viewed && *viewed > head()) {
+    rerun(*viewed); // from a part that was not tracked yet
+  } else if (!isEnded || restart(std::nullopt)) {
+    playback_.play();
+  }
+  recorder_.interrupt();
+}
+
+void RunDriver::stepFrame() {
+  playback_.hold();
+  if (!std::holds_alternative<Playback::Ended>(playback_.state())) {
+    advance();
+  }
+}
+
+void RunDriver::stepIteration() {
+  playback_.returnToHead();
+  playback_.hold();
+  if (!run_->frames() && !takeFrame()) {
+    return;
+  }
+  recorder_.iterated(*run_, run_->iterate());
+  playback_.track();
+  record();
+}
+
+bool RunDriver::restart(std::optional<std::uint64_t> seed) {
+  if (seed) {
+    RunDefinition other = *definition_;
+    other.seed = *seed;
+    definition_ = std::make_shared<const RunDefinition>(std::move(other));
+    run_->apply(definition_);
+  }
+  errors_.clear();
+  run_->restart(definition_->seed);
+  log_.restart(project(), threads_);
+  travel_->clear();
+  if (!source_->isLive()) { // live cameras stay where they are; the calibrated place is still known
+    bumps_.restart();
+  }
+  recorder_.restart();
+  playback_.restart();
+  if (const auto sought = source_->seek(0); !sought) {
+    note(sought.error());
+    playback_.endInput();
+    return false;
+  }
+  takeFrame();
+  return playback_.playState() != PlayState::Ended;
+}
+
+std::int64_t RunDriver::beginOf(const command::SetMethod& method, std::int64_t from) const {
+  const MethodFamily family = methodFamily(method.method);
+  // Another family follows other things; and people need the background learned at the beginning.
+  if (family != run_->family() || family == MethodFamily::People) {
+    return travel_->nearest(0).value_or(from);
+  }
+  if (family == MethodFamily::Boxes) {
+    for (const Target& target : run_->targets()) { // they begin at their boxes
+      from = target.box ? std::min(from, travel_->nearest(target.box->frame).value_or(from)) : from;
+    }
+  }
+  return from;
+}
+
+void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool lookAgain) {
+  const auto nearest = travel_->nearest(from);
+  if (!nearest) {
+    return;
+  }
+  from = method != nullptr ? beginOf(*method, *nearest) : *nearest;
+  const RerunState range{from, head()};
+  const bool isPast = from <= range.to;
+  errors_.clear();
+  RunDefinitionPtr before = definition_;
+  if (method != nullptr) {
+    RunDefinition other = *definition_;
+    other.method = method->method;
+    other.parameters = method->parameters;
+    const TrackedFrame* last = travel_->history().before(from);
+    if (!replaceRun(std::move(other), last != nullptr ? last->totalIterations : 0)) {
+      return;
+    }
+    travel_->forgetCopies();
+  } else if (isPast) {
+    if (const auto reached = travel_->goBack(*run_, from, [] { return true; }); !reached) {
+      note(reached.error());
+      playback_.endInput();
+      return;
+    }
+    before = run_->definition();
+  }
+  if (isPast) {
+    travel_->forgetFrom(from);
+    log_.goBack(from);
+    playback_.rerun(range, lookAgain ? playback_.viewed() : std::nullopt);
+  } else {
+    playback_.trackOnFrom(from);
+  }
+  if (!takeFrame()) {
+    return;
+  }
+  // What changed since then holds from this frame on.
+  if (const RunDefinitionPtr then = run_->definition(); *then != *definition_) {
+    run_->apply(definition_);
+    travel_->changed(*run_, DefinitionChange{then, definition_});
+  }
+  log_.note(from, differences(*before, *definition_));
+  log_.change(project());
+}
+
+bool RunDriver::change(RunDefinition wanted) {
+  if (!run_->takes(wanted)) {
+    return false;
+  }
+  if (wanted == *definition_) {
+    return true;
+  }
+  const RunDefinitionPtr before =
+      std::exchange(definition_, std::make_shared<const RunDefinition>(std::move(wanted)));
+  run_->apply(definition_);
+  travel_->changed(*run_, DefinitionChange{before, definition_});
+  log_.change(project());
+  return true;
+}
+
+void RunDriver::setMethod(const command::SetMethod& wish) {
+  if (wish.from) {
+    rerun(*wish.from, &wish, true);
+    return;
+  }
+  RunDefinition other = *definition_;
+  other.method = wish.method;
+  other.parameters = wish.parameters;
+  if (replaceRun(std::move(other), 0)) {
+    restart(std::nullopt);
+  }
+}
+
+void RunDriver::setTargets(const std::vector<Target>& targets) {
+  RunDefinition wanted = *definition_;
+  wanted.targets = targets;
+  if (run_->family() == MethodFamily::Boxes) {
+    changeBoxes(std::move(wanted));
+    return;
+  }
+  const FrameSetPtr frames = run_->frames();
+  if (change(wanted) || !replaceRun(std::move(wanted), run_->iterations())) {
+    return;
+  }
+  // Another number of targets: new beliefs, on the frame that the run stands at.
+  log_.change(project());
+  travel_->forgetCopies();
+  playback_.forgetEstimates();
+  if (frames) {
+    travel_->beginTails(frames->index);
+    travel_->beforeFrame(frames, *run_);
+    run_->beginFrame(frames);
+  }
+}
+
+void RunDriver::changeBoxes(RunDefinition wanted) {
+  const auto from = firstChange(definition_->targets, wanted.targets);
+  const std::vector<int> places = placesOf(definition_->targets, wanted.targets);
+  change(std::move(wanted));
+  if (!keepTheirPlaces(places)) {
+    log_.renumber(places, definition_->targets.size());
+  }
+  const auto viewed = playback_.viewed();
+  if ((!from && run_->frames()) || from == head()) { // a target may begin in the image shown
+    playback_.head() == Playback::Head::Taken ? iterateFrame() : record();
+  } else if (from && *from < head()) {
+    rerun(*from);
+  } else if (from && viewed == from) { // in a part that was not tracked yet
+    rerun(*from);
+    playback_.pause();
+    if (playback_.head() == Playback::Head::Taken) {
+      iterateFrame();
+    }
+  }
+}
+
+void RunDriver::setCameras(const CameraRig& rig) {
+  RunDefinition wanted = *definition_;
+  wanted.rig = std::make_shared<const CameraRig>(rig);
+  if (change(std::move(wanted))) {
+    bumps_.setCameras(rig);
+  }
+}
+
+void RunDriver::setEmptyRooms(const command::SetEmptyRooms& wish) {
+  if (wish.rooms.size() != definition_->rig->size()) {
+    return;
+  }
+  RunDefinition wanted = *definition_;
+  std::copy_n(wish.files.begin(), std::min(wish.files.size(), wanted.emptyRoomFiles.size()),
+              wanted.emptyRoomFiles.begin());
+  wanted.emptyRooms = wish.rooms;
+  change(std::move(wanted));
+}
+
+void RunDriver::changePeople(const command::ChangePeople& wish) {
+  if (run_->people() == nullptr || !run_->frames()) {
+    return;
+  }
+  if (const auto viewed = playback_.viewed()) {
+    rerun(*viewed, true);
+  }
+  const PeopleChange change = peopleChange(*run_, wish, errors_);
+  if (!change.newPerson && !change.personGone) {
+    return;
+  }
+  run_->apply(change);
+  travel_->changed(*run_, change);
+  if (playback_.head() == Playback::Head::Recorded) {
+    record();
+  }
+}
+
+void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
+  if (const auto viewed = playback_.viewed()) {
+    snapshot.past = true;
+    const auto shown = builder.showPast(*run_, *travel_, *viewed, quickly, snapshot);
+    if (shown) {
+      return;
+    }
+    note(shown.error());
+    playback_.returnToHead();
+    snapshot.past = false;
+  }
+  const bool isRecorded = playback_.head() == Playback::Head::Recorded;
+  builder.showHead(*run_, travel_ ? &travel_->history() : nullptr, isRecorded, snapshot);
+}
+
+void RunDriver::describe(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
+  snapshot.rig = definition_->rig;
+  snapshot.family = definition_->family();
+  snapshot.emptyRooms = definition_->emptyRooms;
+  snapshot.seed = definition_->seed;
+  if (run_) {
+    showFrame(builder, quickly, snapshot);
+  }
+  playback_.published(snapshot.preview, builder.lacksMaps(snapshot));
+  snapshot.state = playback_.playState();
+  snapshot.rerun = playback_.rerunning();
+  snapshot.notices = errors_;
+  snapshot.bumps = bumps_.reports();
+  if (source_) {
+    std::ranges::move(source_->notices(), std::back_inserter(snapshot.notices));
+    snapshot.frameCount = source_->frameCount();
+    snapshot.droppedFrames = source_->droppedFrames();
+    snapshot.history = travel_->state();
+  }
+  std::ranges::move(bumps_.notices(), std::back_inserter(snapshot.notices));
+  recorder_.addFigures(snapshot);
+  log_.setFinished(playback_.hasInputEnded());
+}
+
+void RunDriver::addMaps(const SnapshotBuilder& builder, TrackSnapshot& snapshot,
+                        const TimeTravel::GoOn& goOn) {
+  playback_.complete();
+  if (const TrackingRun* then = travel_->runAt(snapshot.frame, *run_, goOn)) {
+    builder.addMaps(*then, snapshot);
+  }
+}
+
+} // namespace dewpoint::session

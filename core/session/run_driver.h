@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/bump_observer.h"
+#include "core/session/command.h"
+#include "core/session/frames/frame_tap.h"
+#include "core/session/history/time_travel.h"
+#include "core/session/playback.h"
+#include "core/session/run/tracking_run.h"
+#include "core/session/run_definition.h"
+#include "core/session/run_log.h"
+#include "core/session/run_recorder.h"
+#include "core/session/session_inputs.h"
+#include "core/session/snapshot_builder.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace dewpoint::session {
+
+/// Drives a run over the frames of its input: forward, back to a frame of the past, and on from
+/// there with what has changed. Used by the tracking thread only.
+class RunDriver {
+public:
+  /// `tap`, `log` and `truth` must outlive it.
+  RunDriver(SessionInputs inputs, FrameTapSlot& tap, RunLog& log, const TruthTable& truth);
+  RunDriver(const RunDriver&) = delete;
+  RunDriver& operator=(const RunDriver&) = delete;
+
+  /// Whether there is something to track, and something to track it with.
+  bool isReady() const { return run_ && source_; }
+  /// Takes the first frame; it is shown, but not yet tracked.
+  void start();
+  const Playback& playback() const { return playback_; }
+  /// Of the input; there is one.
+  double framesPerSecond() const { return source_->framesPerSecond(); }
+  bool isLive() const { return source_->isLive(); }
+
+  // Playing.
+  void play();
+  void pause() { playback_.pause(); }
+  /// Shows the next frame, after tracking it if need be, and waits.
+  void stepFrame();
+  /// One iteration on the head's frame.
+  void stepIteration();
+  /// False if there is nothing to track.
+  bool restart(std::optional<std::uint64_t> seed);
+  /// What goes on by itself goes on: tracks a frame, or shows the next one of the past.
+  void advance();
+
+  // Going back.
+  void show(std::int64_t frame) { playback_.show(travel_->nearest(frame), head()); }
+  void returnToHead() { playback_.returnToHead(); }
+  /// Tracks again from this frame on; with `lookAgain`, the frame that is shown now is shown again
+  /// afterwards.
+  void rerun(std::int64_t from, bool lookAgain = false) { rerun(from, nullptr, lookAgain); }
+
+  // Changes. What is believed stays as far as it can.
+  /// A definition that the run takes(); false if it does not.
+  bool change(RunDefinition wanted);
+  void setMethod(const command::SetMethod& wish);
+  void setTargets(const std::vector<Target>& targets);
+  void setCameras(const CameraRig& rig);
+  void setEmptyRooms(const command::SetEmptyRooms& wish);
+  void changePeople(const command::ChangePeople& wish);
+
+  /// What is tracked from now on.
+  const RunDefinition& definition() const { return *definition_; }
+  /// Fills in everything but what the publishing thread knows itself; `quickly`: a preview will do
+  /// if the images would take long.
+  void describe(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
+  /// Adds to a snapshot of the past what only tracking up to its frame can tell, unless `goOn` says
+  /// no.
+  void addMaps(const SnapshotBuilder& builder, TrackSnapshot& snapshot,
+               const TimeTravel::GoOn& goOn);
+
+private:
+  /// The frame the run stands at; -1 before the first.
+  std::int64_t head() const { return run_ && run_->frames() ? run_->frames()->index : -1; }
+  /// Goes on with a run of its own for another definition, which knows nothing yet. False if that
+  /// cannot be made; then all stays as it was.
+  bool replaceRun(RunDefinition definition, std::int64_t iterations);
+  /// The project with the definition of now.
+  Project project() const { return definition_->appliedTo(project_); }
+
+  Result<FrameSetPtr> nextFrames();
+  /// Takes the next frame set; false at the end, on an error, or when nothing came (live).
+  bool takeFrame();
+  void iterateFrame();
+  void showNext();
+  void record();
+
+  void rerun(std::int64_t from, const command::SetMethod* method, bool lookAgain);
+  /// Where tracking by another method begins so that it can be tracked at `from`.
+  std::int64_t beginOf(const command::SetMethod& method, std::int64_t from) const;
+  void changeBoxes(RunDefinition wanted);
+  void note(const Error& error) { errors_.push_back(error); }
+  void showFrame(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
+
+  Project project_; ///< as it was opened; definition_ goes before it
+  std::unique_ptr<FrameSetSource> source_;
+  int threads_;
+  FrameTapSlot& tap_;
+  RunLog& log_;
+  RunDefinitionPtr definition_;
+  std::optional<TrackingRun> run_;   ///< nothing if the project's could not be made
+  std::optional<TimeTravel> travel_; ///< as long as there is a source
+  CameraMotionWatch bumps_;          ///< of the cameras as they were calibrated
+  BumpObserver bumpObserver_{bumps_};
+  RunRecorder recorder_;
+  Playback playback_;
+  std::vector<Error> errors_;
+};
+
+} // namespace dewpoint::session

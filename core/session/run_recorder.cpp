@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run_recorder.h"
+
+#include "core/base/statistics.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint::session {
+namespace {
+
+constexpr std::size_t kTimesKept = 101; // odd: the median is one of them
+constexpr std::size_t kFrameTimesKept = 31;
+
+using Seconds = std::chrono::duration<double>;
+
+template <class T> void append(std::deque<T>& values, T value, std::size_t most) {
+  values.push_back(std::move(value));
+  while (values.size() > most) {
+    values.pop_front();
+  }
+}
+
+} // namespace
+
+void RunRecorder::restart() {
+  firstArrival_.reset();
+  frameTimes_.clear();
+  iterationTimes_.clear();
+  budget_ = {};
+}
+
+void RunRecorder::arrive() {
+  arrival_ = Clock::now();
+  append(frameTimes_, arrival_, kFrameTimesKept);
+}
+
+void RunRecorder::iterated(const TrackingRun& run, double microseconds) {
+  append(iterationTimes_, microseconds, kTimesKept);
+  log_.countIteration(1e-6 * microseconds);
+  countAgainstBudget(run.definition()->parameters,
+                     1e-3 * microseconds *
+                         static_cast<double>(std::max<std::size_t>(1, run.trackedCount())));
+  log_.append(records(run));
+}
+
+Status RunRecorder::tracked(const TrackingRun& /*run*/) {
+  const auto now = Clock::now();
+  firstArrival_ = firstArrival_.value_or(arrival_);
+  log_.countFrame(Seconds(now - arrival_).count(), Seconds(now - *firstArrival_).count());
+  return {};
+}
+
+std::vector<IterationRecord> RunRecorder::records(const TrackingRun& run) const {
+  std::vector<IterationRecord> records;
+  for (std::size_t k = 0; k < run.estimates().size(); ++k) {
+    const auto& estimate = run.estimates()[k];
+    if (estimate.gone) {
+      continue;
+    }
+    IterationRecord record;
+    record.iteration = run.iterations();
+    record.frame = run.frames()->index;
+    record.target = static_cast<int>(k);
+    record.spread = estimate.spread();
+    record.effectiveSampleSize = estimate.effectiveSampleSize;
+    record.time = seconds(run.frames()->time);
+    record.microseconds = iterationTimes_.back();
+    record.spreadPerAxis = estimate.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+    record.particleCount = estimate.particleCount;
+    record.existence = estimate.existence;
+    record.held = estimate.valid;
+    record.cameras = estimate.cameras;
+    const bool isPerson = run.people() != nullptr; // which of the true ones it is, nobody knows
+    if (const auto belief = run.box(k, 0)) {
+      record.similarity = belief->estimate.similarity;
+      record.spread = belief->estimate.spread;
+      record.particleCount = belief->estimate.particleCount;
+    } else if (const auto truth = truth_.at(run.targets()[k].name, record.frame);
+               truth && !isPerson) {
+      record.error = (estimate.mean - *truth).norm();
+    }
+    records.push_back(std::move(record));
+  }
+  return records;
+}
+
+void RunRecorder::countAgainstBudget(const ParameterValues& parameters, double milliseconds) {
+  const auto declared = parameters.declarations();
+  const bool has =
+      std::ranges::find(declared, "time_budget", &ParameterDeclaration::key) != declared.end();
+  const double budget = has ? parameters.at("time_budget") : 0.0;
+  if (budget != budget_.milliseconds) {
+    budget_ = {budget, 0, 0};
+  }
+  ++budget_.iterations;
+  budget_.late += milliseconds > budget ? 1 : 0;
+}
+
+void RunRecorder::record(const TrackingRun& run, const TrackedFrame& moment) {
+  log_.append(run.samples());
+  log_.append(run.boxSamples());
+  log_.append(frameRecord(moment, *run.frames()));
+  if (run.people() != nullptr && !moment.targets.empty()) {
+    log_.append(peopleFrame(moment));
+  }
+}
+
+void RunRecorder::addFigures(TrackSnapshot& snapshot) const {
+  if (frameTimes_.size() > 1) {
+    const Seconds span = frameTimes_.back() - frameTimes_.front();
+    snapshot.framesPerSecond =
+        static_cast<double>(frameTimes_.size() - 1) / std::max(1e-9, span.count());
+  }
+  snapshot.microsecondsPerIteration = upperMedian({iterationTimes_.begin(), iterationTimes_.end()});
+  snapshot.budget = budget_;
+  snapshot.latency = log_.latency();
+}
+
+} // namespace dewpoint::session

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/snapshot_builder.h"
+
+#include "core/color/match_image.h"
+#include "core/session/box_counterparts.h"
+#include "core/tracking/people/people_targets.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+
+namespace dewpoint::session {
+namespace {
+
+constexpr int kParticlesShown = 10000;
+constexpr int kMapReach = 48;            ///< pixels
+constexpr std::size_t kMostInMask = 255; ///< targets that one byte tells apart
+
+TargetSnapshot snapshotOf(const TrackedTarget& moment, const Target& target) {
+  TargetSnapshot shown;
+  shown.target = target;
+  shown.estimate = moment.estimate;
+  shown.particles = moment.particles.cast<double>();
+  shown.weights = moment.weights.cast<double>();
+  shown.proposals = moment.proposals;
+  shown.reasons = moment.reasons;
+  shown.status = moment.status;
+  shown.box = moment.box;
+  shown.person = moment.person;
+  return shown;
+}
+
+/// Of whom nothing is to be shown at this frame.
+TargetSnapshot absent(const Target& target) {
+  TargetSnapshot shown;
+  shown.target = target;
+  shown.estimate.gone = true;
+  shown.status = TargetStatus::Gone;
+  return shown;
+}
+
+/// Targets of the run that are not in the moment shown. Nothing is believed of them then, but they
+/// are known; people are not there yet.
+void addOthers(const TrackingRun& run, TrackSnapshot& snapshot) {
+  const bool ofPeople = run.people() != nullptr;
+  if (snapshot.tracked && !ofPeople) {
+    return;
+  }
+  for (std::size_t k = snapshot.targets.size(); k < run.targets().size(); ++k) {
+    const Target& target = run.targets()[k];
+    if (ofPeople) {
+      snapshot.targets.push_back(absent(target));
+    } else {
+      snapshot.targets.emplace_back().target = target;
+    }
+  }
+}
+
+/// With methods of family Boxes a moment shows the targets that there are now, in their order.
+void showPresentBoxes(const TrackingRun& run, TrackSnapshot& snapshot) {
+  std::vector<TargetSnapshot> then = std::exchange(snapshot.targets, {});
+  const auto nameOf = [](const TargetSnapshot& shown) { return shown.target.name; };
+  const std::vector<Target>& targets = run.targets();
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const int old = counterpart(then, nameOf, targets.size(), k, targets[k].name);
+    if (old >= 0) {
+      snapshot.targets.push_back(then[static_cast<std::size_t>(old)]);
+      snapshot.targets.back().target = targets[k];
+    } else { // it was added later
+      snapshot.targets.push_back(absent(targets[k]));
+    }
+  }
+}
+
+void addShapes(TrackSnapshot& snapshot) {
+  for (TargetSnapshot& target : snapshot.targets) {
+    if (target.person && target.particles.rows() > 0) {
+      target.shape = std::make_shared<const PersonShape>(
+          personShape(BodyCloud{target.particles, target.weights}));
+    }
+  }
+}
+
+/// Which pixels have the colors of the targets; what matches several targets is the first one's.
+std::vector<cv::Mat> colorMasks(const TrackSnapshot& snapshot) {
+  std::vector<cv::Mat> masks;
+  const auto& frames = snapshot.frames->frames;
+  for (std::size_t camera = 0; camera < frames.size(); ++camera) {
+    const FramePtr& frame = frames[camera];
+    cv::Mat mask;
+    for (std::size_t k = 0; k < std::min(snapshot.targets.size(), kMostInMask); ++k) {
+      const auto& target = snapshot.targets[k];
+      const auto& followed = target.estimate.colors; // empty: the range is as it was learned
+      const ColorRange& range = camera < followed.size() ? followed[camera] : target.target.color;
+      if (frame) {
+        const cv::Mat matched = matchImage(frame->image, ColorClassifier(range));
+        if (mask.empty()) {
+          mask = matched;
+        } else {
+          mask.setTo(255 - static_cast<int>(k), matched & (mask == 0));
+        }
+      }
+    }
+    masks.push_back(mask);
+  }
+  return masks;
+}
+
+/// The motion masks of a method for people after its last frame, in the sizes of the images
+/// (CV_8UC1, 0 or 255); empty where there is none.
+std::vector<cv::Mat> motionMasks(const TrackingRun& run) {
+  std::vector<cv::Mat> masks;
+  for (std::size_t camera = 0; camera < run.rig().size(); ++camera) {
+    cv::Mat mask = run.people()->tracker().foreground(camera);
+    const Intrinsics& size = run.rig()[camera].intrinsics;
+    if (!mask.empty() && mask.size() != cv::Size(size.width, size.height)) {
+      cv::Mat larger;
+      cv::resize(mask, larger, cv::Size(size.width, size.height), 0.0, 0.0, cv::INTER_NEAREST);
+      mask = larger;
+    }
+    masks.push_back(mask);
+  }
+  return masks;
+}
+
+} // namespace
+
+void SnapshotBuilder::show(const TrackedFrame& moment, const TrackingRun& run,
+                           const History* history, std::int64_t tailEnd, TrackSnapshot& snapshot) {
+  snapshot.iterations = moment.totalIterations;
+  snapshot.peopleCameras = moment.peopleCameras;
+  snapshot.targets.clear();
+  for (std::size_t k = 0; k < moment.targets.size(); ++k) {
+    snapshot.targets.push_back(snapshotOf(moment.targets[k], (*moment.definitions)[k]));
+    if (history != nullptr) {
+      snapshot.targets.back().tail = history->tail(k, tailEnd);
+    }
+  }
+  addOthers(run, snapshot);
+  if (run.family() == MethodFamily::Boxes) {
+    showPresentBoxes(run, snapshot);
+  }
+}
+
+void SnapshotBuilder::addImages(TrackSnapshot& snapshot) const {
+  if (wishes_.shapes && snapshot.ofPeople()) {
+    addShapes(snapshot);
+  }
+  if (!snapshot.frames) {
+    return;
+  }
+  for (TargetSnapshot& target : snapshot.targets) {
+    if (!snapshot.ofPeople()) { // which of the true people it is, nobody knows
+      target.truth = truth_.at(target.target.name, snapshot.frame);
+    }
+  }
+  // A target without a color has no mask.
+  if (wishes_.masks && !snapshot.preview && snapshot.family == MethodFamily::Targets) {
+    snapshot.masks = colorMasks(snapshot);
+  }
+}
+
+void SnapshotBuilder::showHead(const TrackingRun& run, const History* history, bool isRecorded,
+                               TrackSnapshot& snapshot) const {
+  snapshot.frames = run.frames();
+  snapshot.frame = run.frames() ? run.frames()->index : -1;
+  const TrackedFrame* recorded = history != nullptr ? history->at(snapshot.frame) : nullptr;
+  snapshot.tracked = recorded != nullptr;
+  const std::int64_t tailEnd = isRecorded ? snapshot.frame : snapshot.frame - 1;
+  show(run.present(recorded, kParticlesShown), run, history, tailEnd, snapshot);
+  for (std::size_t k = 0; k < snapshot.targets.size(); ++k) { // all of them, and to the last bit
+    run.particles(k, kParticlesShown, snapshot.targets[k].particles, snapshot.targets[k].weights);
+  }
+  addImages(snapshot);
+  if (wantsMaps(snapshot) &&
+      (snapshot.ofPeople() ? snapshot.frames != nullptr : snapshot.tracked)) {
+    addMaps(run, snapshot);
+  }
+}
+
+Status SnapshotBuilder::showPast(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
+                                 bool quickly, TrackSnapshot& snapshot) const {
+  auto frames = quickly ? travel.glance(frame, snapshot.preview) : travel.frames(frame);
+  if (!frames) {
+    return tl::make_unexpected(frames.error());
+  }
+  snapshot.frames = std::move(*frames);
+  snapshot.frame = frame;
+  const TrackedFrame* moment = travel.history().at(frame);
+  snapshot.tracked = moment != nullptr;
+  show(moment != nullptr ? *moment : TrackedFrame(), run, &travel.history(), frame, snapshot);
+  addImages(snapshot);
+  return {};
+}
+
+bool SnapshotBuilder::lacksMaps(const TrackSnapshot& snapshot) const {
+  return snapshot.past && snapshot.tracked && !snapshot.preview && wantsMaps(snapshot);
+}
+
+void SnapshotBuilder::addMaps(const TrackingRun& run, TrackSnapshot& snapshot) const {
+  if (run.people() != nullptr) {
+    snapshot.masks = motionMasks(run);
+    return;
+  }
+  for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
+    snapshot.targets[k].maps = run.likelihoodMaps(k, kMapReach);
+  }
+}
+
+} // namespace dewpoint::session

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/history/time_travel.h"
+#include "core/session/run/snapshot.h"
+#include "core/session/run/tracking_run.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace dewpoint::session {
+
+/// What views want to see beside images, estimates and particles; each takes time.
+struct SnapshotWishes {
+  bool masks = false;  ///< TrackSnapshot::masks
+  bool maps = false;   ///< TargetSnapshot::maps
+  bool shapes = false; ///< TargetSnapshot::shape
+};
+
+/// Makes snapshots show one frame: the one that the run stands at, or one of the past. Both become
+/// a TrackedFrame first, and what is shown of a moment is the same for all.
+class SnapshotBuilder {
+public:
+  explicit SnapshotBuilder(TruthTable truth) : truth_(std::move(truth)) {}
+
+  SnapshotWishes& wishes() { return wishes_; }
+  const TruthTable& truth() const { return truth_; }
+
+  /// The frame that the run stands at. `history` is null when nothing is kept; `isRecorded` says
+  /// whether it has the estimates of now.
+  void showHead(const TrackingRun& run, const History* history, bool isRecorded,
+                TrackSnapshot& snapshot) const;
+  /// Another frame; `quickly`: perhaps as a preview. Fails when it cannot be read.
+  Status showPast(const TrackingRun& run, TimeTravel& travel, std::int64_t frame, bool quickly,
+                  TrackSnapshot& snapshot) const;
+  /// Whether something is wanted of a past frame that only addMaps() can tell.
+  bool lacksMaps(const TrackSnapshot& snapshot) const;
+  /// What the run itself has to tell of the frame it stands at: likelihood maps, or motion masks
+  /// with methods for people.
+  void addMaps(const TrackingRun& run, TrackSnapshot& snapshot) const;
+
+private:
+  /// What every frame shows of a moment; `tailEnd` is the last frame of the tails.
+  static void show(const TrackedFrame& moment, const TrackingRun& run, const History* history,
+                   std::int64_t tailEnd, TrackSnapshot& snapshot);
+  /// What every frame shows of its images.
+  void addImages(TrackSnapshot& snapshot) const;
+  bool wantsMaps(const TrackSnapshot& snapshot) const {
+    return snapshot.ofPeople() ? wishes_.masks : wishes_.maps;
+  }
+
+  TruthTable truth_;
+  SnapshotWishes wishes_;
+};
+
+} // namespace dewpoint::session

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/playback.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace dewpoint::tests {
+namespace {
+
+constexpr std::int64_t kHead = 9;  // where the run stands
+constexpr std::int64_t kOther = 5; // another frame
+
+const std::array<std::string, 7> kNames{"Paused",    "Playing",   "Ended",  "Viewing",
+                                        "Replaying", "Rerunning", "Holding"};
+
+std::string nameOf(const Playback& playback) {
+  return kNames.at(playback.state().index());
+}
+
+/// A machine in each of the states, in the order of the table.
+std::vector<Playback> everyState() {
+  std::vector<Playback> all(kNames.size());
+  all[1].play();
+  all[2].endInput();
+  all[3].show(kOther, kHead);
+  all[4].show(kOther, kHead);
+  all[4].play();
+  all[5].rerun({2, kHead}, std::nullopt);
+  all[6].rerun({2, kHead}, std::nullopt);
+  all[6].hold();
+  return all;
+}
+
+/// The states that an event leads to, in the order of the table.
+std::vector<std::string> after(const std::function<void(Playback&)>& event) {
+  std::vector<std::string> names;
+  for (Playback& playback : everyState()) {
+    event(playback);
+    names.push_back(nameOf(playback));
+  }
+  return names;
+}
+
+using Row = std::vector<std::string>;
+
+TEST(Playback, EveryStateCanBeReached) {
+  Row names;
+  for (const Playback& playback : everyState()) {
+    names.push_back(nameOf(playback));
+  }
+  EXPECT_EQ(names, Row(kNames.begin(), kNames.end()));
+}
+
+// The rows of the table in playback.h, one test each.
+TEST(PlaybackTable, Play) {
+  EXPECT_EQ(
+      after([](Playback& playback) { playback.play(); }),
+      (Row{"Playing", "Playing", "Ended", "Replaying", "Replaying", "Rerunning", "Rerunning"}));
+}
+
+TEST(PlaybackTable, Pause) {
+  EXPECT_EQ(after([](Playback& playback) { playback.pause(); }),
+            (Row{"Paused", "Paused", "Ended", "Viewing", "Viewing", "Paused", "Paused"}));
+}
+
+TEST(PlaybackTable, Hold) {
+  EXPECT_EQ(after([](Playback& playback) { playback.hold(); }),
+            (Row{"Paused", "Paused", "Ended", "Viewing", "Viewing", "Holding", "Holding"}));
+}
+
+TEST(PlaybackTable, ShowAFrame) {
+  EXPECT_EQ(after([](Playback& playback) { playback.show(3, kHead); }), Row(7, "Viewing"));
+}
+
+TEST(PlaybackTable, ShowTheHead) {
+  const Row expected{"Paused", "Paused", "Ended", "Paused", "Paused", "Paused", "Paused"};
+  EXPECT_EQ(after([](Playback& playback) { playback.show(kHead, kHead); }), expected);
+  EXPECT_EQ(after([](Playback& playback) { playback.show(std::nullopt, kHead); }), expected);
+}
+
+TEST(PlaybackTable, ReturnToHead) {
+  EXPECT_EQ(after([](Playback& playback) { playback.returnToHead(); }),
+            (Row{"Paused", "Playing", "Ended", "Paused", "Playing", "Rerunning", "Holding"}));
+}
+
+TEST(PlaybackTable, Advance) {
+  EXPECT_EQ(after([](Playback& playback) { playback.advance(kOther + 1, kHead); }),
+            (Row(kNames.begin(), kNames.end())));
+}
+
+TEST(PlaybackTable, AdvanceToTheHead) {
+  EXPECT_EQ(after([](Playback& playback) { playback.advance(kHead, kHead); }),
+            (Row{"Paused", "Playing", "Ended", "Paused", "Playing", "Rerunning", "Holding"}));
+}
+
+TEST(PlaybackTable, AdvanceToNowhere) {
+  EXPECT_EQ(after([](Playback& playback) { playback.advance(std::nullopt, kHead); }),
+            (Row{"Paused", "Playing", "Ended", "Viewing", "Viewing", "Rerunning", "Holding"}));
+}
+
+TEST(PlaybackTable, Restart) {
+  EXPECT_EQ(after([](Playback& playback) { playback.restart(); }),
+            (Row{"Paused", "Playing", "Paused", "Paused", "Playing", "Playing", "Paused"}));
+}
+
+TEST(PlaybackTable, ReachTheGoal) { // of reruns that began while paused
+  EXPECT_EQ(after([](Playback& playback) { playback.reach(kHead); }),
+            (Row{"Paused", "Playing", "Ended", "Viewing", "Replaying", "Paused", "Paused"}));
+}
+
+TEST(PlaybackTable, Rerun) {
+  EXPECT_EQ(after([](Playback& playback) {
+              playback.rerun({1, kHead}, std::nullopt);
+            }),
+            Row(7, "Rerunning"));
+}
+
+TEST(PlaybackTable, TrackOnFrom) {
+  EXPECT_EQ(after([](Playback& playback) { playback.trackOnFrom(20); }), Row(7, "Playing"));
+}
+
+TEST(PlaybackTable, EndInput) {
+  EXPECT_EQ(after([](Playback& playback) { playback.endInput(); }), Row(7, "Ended"));
+}
+
+// The first note of the table: the end of the input is not forgotten while another frame is shown.
+TEST(Playback, AnEndedRunIsEndedAgainAfterAnotherFrame) {
+  const std::vector<std::function<void(Playback&)>> waysBack{
+      [](Playback& playback) { playback.show(kHead, kHead); },
+      [](Playback& playback) { playback.returnToHead(); },
+      [](Playback& playback) { playback.advance(kHead, kHead); }};
+  for (const auto& goBack : waysBack) {
+    for (const bool plays : {false, true}) {
+      Playback playback;
+      playback.endInput();
+      playback.show(kOther, kHead);
+      EXPECT_TRUE(playback.hasInputEnded());
+      if (plays) {
+        playback.play();
+      }
+      goBack(playback);
+      EXPECT_EQ(nameOf(playback), "Ended");
+    }
+  }
+}
+
+// The second note: what follows a rerun, of the states it may begin in.
+TEST(Playback, AfterARerunAllIsAsBefore) {
+  Row names;
+  for (Playback& playback : everyState()) {
+    playback.rerun({1, kHead}, std::nullopt);
+    EXPECT_FALSE(playback.hasInputEnded());
+    EXPECT_FALSE(playback.reach(kHead - 1));
+    EXPECT_EQ(nameOf(playback), "Rerunning"); // the goal is ahead
+    playback.reach(kHead);
+    names.push_back(nameOf(playback));
+  }
+  EXPECT_EQ(names, (Row{"Paused", "Playing", "Ended", "Paused", "Paused", "Playing", "Paused"}));
+  Playback ended;
+  ended.endInput();
+  ended.show(kOther, kHead);
+  ended.rerun({1, kHead}, std::nullopt);
+  ended.reach(kHead);
+  EXPECT_EQ(nameOf(ended), "Ended");
+}
+
+TEST(Playback, ARerunKnowsWhatToShowAfterwards) {
+  Playback playback;
+  playback.show(kOther, kHead);
+  playback.rerun({1, kHead}, playback.viewed());
+  EXPECT_FALSE(playback.viewed());
+  ASSERT_TRUE(playback.rerunning());
+  EXPECT_EQ(playback.rerunning()->from, 1);
+  EXPECT_EQ(playback.rerunning()->to, kHead);
+  EXPECT_EQ(playback.reach(kHead), kOther);
+  EXPECT_FALSE(playback.rerunning());
+  playback.rerun({1, kHead}, std::nullopt);
+  playback.hold();
+  EXPECT_TRUE(playback.rerunning()); // it waits
+  playback.pause();
+  EXPECT_FALSE(playback.rerunning());
+}
+
+TEST(Playback, SnapshotsSayThreeStates) {
+  std::vector<PlayState> states;
+  for (const Playback& playback : everyState()) {
+    states.push_back(playback.playState());
+    EXPECT_EQ(playback.goesOn(), playback.playState() == PlayState::Playing);
+  }
+  using enum PlayState;
+  EXPECT_EQ(states,
+            (std::vector<PlayState>{Paused, Playing, Ended, Paused, Playing, Playing, Paused}));
+}
+
+TEST(Playback, TheFrameShownMovesOn) {
+  for (const bool plays : {false, true}) {
+    Playback playback;
+    playback.show(kOther, kHead);
+    if (plays) {
+      playback.play();
+    }
+    playback.advance(kOther + 1, kHead);
+    EXPECT_EQ(playback.viewed(), kOther + 1);
+    playback.advance(std::nullopt, kHead); // a part that was not tracked yet has an end too
+    EXPECT_EQ(playback.viewed(), kOther + 1);
+  }
+}
+
+TEST(Playback, WhatBecomesOfAFrame) {
+  Playback playback;
+  EXPECT_EQ(playback.head(), Playback::Head::None);
+  EXPECT_EQ(playback.nextFrame(), 0);
+  playback.forgetEstimates(); // there is no frame that could be tracked anew
+  EXPECT_EQ(playback.head(), Playback::Head::None);
+  playback.take(7);
+  EXPECT_EQ(playback.head(), Playback::Head::Taken);
+  EXPECT_EQ(playback.nextFrame(), 8);
+  playback.track();
+  EXPECT_EQ(playback.head(), Playback::Head::Tracked);
+  playback.record();
+  EXPECT_EQ(playback.head(), Playback::Head::Recorded);
+  playback.track(); // another iteration: its record is replaced
+  EXPECT_EQ(playback.head(), Playback::Head::Recorded);
+  playback.forgetEstimates();
+  EXPECT_EQ(playback.head(), Playback::Head::Taken);
+  playback.rerun({3, 7}, std::nullopt);
+  EXPECT_EQ(playback.head(), Playback::Head::None);
+  EXPECT_EQ(playback.nextFrame(), 3);
+  playback.trackOnFrom(30);
+  EXPECT_EQ(playback.nextFrame(), 30);
+  playback.take(30);
+  playback.restart();
+  EXPECT_EQ(playback.head(), Playback::Head::None);
+  EXPECT_EQ(playback.nextFrame(), 0);
+}
+
+TEST(Playback, WhatASnapshotLacks) {
+  Playback playback;
+  EXPECT_EQ(playback.missing(), Playback::Missing::Nothing);
+  playback.published(true, true); // first the images, then what belongs to them
+  EXPECT_EQ(playback.missing(), Playback::Missing::Images);
+  playback.published(false, true);
+  EXPECT_EQ(playback.missing(), Playback::Missing::Maps);
+  playback.complete();
+  EXPECT_EQ(playback.missing(), Playback::Missing::Nothing);
+  playback.published(false, false);
+  EXPECT_EQ(playback.missing(), Playback::Missing::Nothing);
+}
+
+} // namespace
+} // namespace dewpoint::tests

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text_file.h"
+#include "core/session/frame_loop.h"
+#include "core/session/run_definition.h"
+#include "tests/session/drawn_recording.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <functional>
+
+namespace dewpoint::tests {
+namespace {
+
+using test::drawnInputs;
+using test::DrawnRecording;
+using test::eventually;
+using test::reaches;
+using test::sameBits;
+
+constexpr std::int64_t kFrames = 40;
+
+/// What the cameras of the recording show without the ball.
+std::vector<cv::Mat> emptyRooms() {
+  std::vector<cv::Mat> rooms;
+  for (const FramePtr& frame : drawn::framesOf(DrawnRecording::rig(), {}, 0)->frames) {
+    rooms.push_back(frame->image);
+  }
+  return rooms;
+}
+
+RunDefinition definition() {
+  return RunDefinition::of(drawnInputs("dewpoint", 1).project, emptyRooms());
+}
+
+Trajectory played(Session& session) {
+  session.play();
+  EXPECT_TRUE(reaches(session, PlayState::Ended));
+  return session.trajectory();
+}
+
+TEST(RunDefinition, IsComparedAsAWhole) {
+  const RunDefinition one = definition();
+  EXPECT_TRUE(one == definition()); // other images in memory with the same pixels
+  const std::vector<std::function<void(RunDefinition&)>> changes{
+      [](RunDefinition& other) { other.method = "barrera"; },
+      [](RunDefinition& other) { (void)other.parameters.set("start_x", 0.61); },
+      [](RunDefinition& other) { other.targets[0].radius *= 1.1; },
+      [](RunDefinition& other) { other.targets.clear(); },
+      [](RunDefinition& other) {
+        CameraRig rig = *other.rig;
+        rig[1].intrinsics.focalX += 1e-6;
+        other.rig = std::make_shared<const CameraRig>(rig);
+      },
+      [](RunDefinition& other) {
+        other.emptyRooms[1] = other.emptyRooms[1].clone();
+        other.emptyRooms[1].at<cv::Vec3b>(3, 4)[2] ^= 1;
+      },
+      [](RunDefinition& other) { other.emptyRooms.clear(); },
+      [](RunDefinition& other) { other.emptyRoomFiles[0] = "room.png"; },
+      [](RunDefinition& other) { ++other.seed; }};
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    RunDefinition other = one;
+    changes[k](other);
+    EXPECT_FALSE(one == other) << k;
+  }
+}
+
+TEST(RunDefinition, GoesIntoAProjectAndBack) {
+  const Project project = drawnInputs("dewpoint", 1).project;
+  RunDefinition other = definition();
+  other.seed = 7;
+  other.targets[0].name = "another ball";
+  other.emptyRoomFiles[1] = "/rooms/two.png";
+  const Project changed = other.appliedTo(project);
+  EXPECT_EQ(changed.name, project.name);
+  EXPECT_EQ(changed.cameras[1].emptyRoom, "/rooms/two.png");
+  EXPECT_TRUE(RunDefinition::of(changed, emptyRooms()) == other);
+}
+
+TEST(RunDefinition, SaysWhatIsOtherwise) {
+  const RunDefinition before = definition();
+  EXPECT_EQ(differences(before, before), "");
+  RunDefinition after = before;
+  ASSERT_TRUE(after.parameters.set("start_x", 0.61));
+  after.emptyRoomFiles[1] = "room.png";
+  EXPECT_EQ(differences(before, after),
+            "start_x = 0.61; " + (*before.rig)[1].name + " = another empty room");
+  after = before;
+  after.targets[0].color.hueMax = 10.0;
+  EXPECT_TRUE(differences(before, after).starts_with(before.targets[0].name + " = hue "));
+  after = before;
+  after.method = "barrera";
+  after.parameters = ParameterValues(methodParameters("barrera"));
+  EXPECT_TRUE(differences(before, after).starts_with("method = barrera; "));
+}
+
+// The copy that a run goes back to was made before the empty rooms were known.
+TEST(EmptyRoomsOfARun, ArePartOfWhatGoesOnFromAnEarlierFrame) {
+  Session without(drawnInputs("dewpoint", kFrames));
+  const Trajectory unknown = played(without);
+  SessionInputs known = drawnInputs("dewpoint", kFrames);
+  known.emptyRooms = emptyRooms();
+  Session with(std::move(known));
+  const Trajectory expected = played(with);
+  ASSERT_FALSE(sameBits(unknown, expected)) << "the rooms must matter";
+
+  Session session(drawnInputs("dewpoint", kFrames));
+  played(session);
+  session.setEmptyRooms({"left.png", "right.png"}, emptyRooms());
+  session.rerunFrom(20);
+  ASSERT_TRUE(eventually([&] {
+    return !session.newest()->rerun && session.newest()->state == PlayState::Ended &&
+           session.trajectory().samples.size() == kFrames;
+  }));
+  session.restart();
+  ASSERT_TRUE(reaches(session, PlayState::Paused));
+  EXPECT_TRUE(sameBits(played(session), expected));
+}
+
+TEST(EmptyRoomsOfARun, AreSaidWhereTheyChange) {
+  Session session(drawnInputs("dewpoint", kFrames));
+  played(session);
+  session.setEmptyRooms({"left.png", "right.png"}, emptyRooms());
+  session.rerunFrom(20);
+  ASSERT_TRUE(eventually([&] {
+    const auto entries = session.trajectory().header.entries;
+    return !entries.empty() && entries.back().first == "changed_at_frame_20";
+  }));
+  const std::string said = session.trajectory().header.entries.back().second;
+  EXPECT_NE(said.find("another empty room"), std::string::npos) << said;
+}
+
+class FilterThreads : public testing::TestWithParam<const char*> {};
+
+TEST_P(FilterThreads, AnyNumberGivesTheSameBits) {
+  std::vector<Trajectory> found;
+  for (const int threads : {1, 2, 5}) {
+    SessionInputs inputs = drawnInputs(GetParam(), kFrames);
+    inputs.threads = threads;
+    Session session(std::move(inputs));
+    played(session);
+    session.rerunFrom(11); // from a copy, too
+    ASSERT_TRUE(eventually([&] {
+      return !session.newest()->rerun && session.newest()->state == PlayState::Ended &&
+             session.trajectory().samples.size() == kFrames;
+    }));
+    found.push_back(session.trajectory());
+    const auto folder = std::filesystem::path(testing::TempDir()) / "filter_threads" / GetParam();
+    ASSERT_TRUE(session.saveRun(folder));
+    const auto report = readTextFile(folder / "run.json");
+    ASSERT_TRUE(report);
+    EXPECT_NE(report->find("\"threads\": " + std::to_string(threads) + ","), std::string::npos);
+  }
+  EXPECT_TRUE(sameBits(found[0], found[1]));
+  EXPECT_TRUE(sameBits(found[0], found[2]));
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, FilterThreads, testing::Values("dewpoint", "barrera"));
+
+TEST(FilterThreadCount, IsAsWantedOrWhatTheMachineHas) {
+  EXPECT_EQ(filterThreads(1), 1);
+  EXPECT_EQ(filterThreads(7), 7);
+  EXPECT_GE(filterThreads(0), 1);
+}
+
+/// Notes what it is told.
+class Notes final : public FrameObserver {
+public:
+  void taken(const FrameSet& frames) override { text += "t" + std::to_string(frames.index); }
+  void iterated(const TrackingRun& /*run*/, double /*microseconds*/) override { text += "i"; }
+  Status tracked(const TrackingRun& run) override {
+    text += "d ";
+    if (run.frames()->index == fails) {
+      return failure(ErrorCode::FileUnwritable, "", "", "");
+    }
+    return {};
+  }
+  std::string text;
+  std::int64_t fails = -1;
+};
+
+TEST(FrameLoop, TellsOfEveryFrameInOrder) {
+  SessionInputs inputs = drawnInputs("barrera", 6);
+  ASSERT_TRUE(inputs.project.parameters.set("iterations_per_frame", 2));
+  auto run = TrackingRun::create(inputs.project, 1).value();
+  Notes notes;
+  const std::array<FrameObserver*, 1> observers{&notes};
+  const auto always = [] { return true; };
+  EXPECT_EQ((FrameRange{2, 5}.count(*inputs.source)), 3);
+  EXPECT_TRUE(trackFrames(*inputs.source, {2, 5}, run, observers, always));
+  EXPECT_EQ(notes.text, "t2iid t3iid t4iid ");
+  notes.text.clear();
+  EXPECT_TRUE(trackFrames(*inputs.source, {4, std::nullopt}, run, observers, always));
+  EXPECT_EQ(notes.text, "t4iid t5iid ");
+  notes.text.clear();
+  notes.fails = 3;
+  EXPECT_FALSE(trackFrames(*inputs.source, {2, 6}, run, observers, always)); // nobody hears of 4
+  EXPECT_EQ(notes.text, "t2iid t3iid ");
+  notes.text.clear();
+  EXPECT_TRUE(trackFrames(*inputs.source, {1, 6}, run, observers,
+                          [&notes] { return notes.text.size() < 12; }));
+  EXPECT_EQ(notes.text, "t1iid t2iid ");
+}
+
+TEST(FrameLoop, GivesTheBitsOfASession) {
+  Session session(drawnInputs("dewpoint", kFrames));
+  const Trajectory expected = played(session);
+  class Samples final : public FrameObserver {
+  public:
+    Status tracked(const TrackingRun& run) override {
+      std::ranges::copy(run.samples(), std::back_inserter(trajectory.samples));
+      return {};
+    }
+    Trajectory trajectory;
+  } samples;
+  SessionInputs inputs = drawnInputs("dewpoint", kFrames);
+  auto run = TrackingRun::create(inputs.project, 3).value();
+  const std::array<FrameObserver*, 1> observers{&samples};
+  ASSERT_TRUE(trackFrames(*inputs.source, {}, run, observers, [] { return true; }));
+  EXPECT_TRUE(sameBits(samples.trajectory, expected));
+}
+
+} // namespace
+} // namespace dewpoint::tests
