@@ -5,16 +5,18 @@
 #include "app/dewpoint-cli/parameter_settings.h"
 #include "app/dewpoint-cli/progress.h"
 #include "app/wiring/open_project.h"
+#include "core/session/run/frame_loop.h"
 #include "core/session/people/people_overlay.h"
 #include "core/session/people/people_writer.h"
 #include "core/session/run/tracking_run.h"
 #include "core/tracking/people/people_parameters.h"
-#include "core/tracking/people/people_tracker.h"
+#include "core/tracking/people/people_targets.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <memory>
 
@@ -32,19 +34,6 @@ struct PeopleOptions {
   std::vector<std::string> persons;
   int overlay = 0;
   bool list = false;
-};
-
-/// Everything that is open while people are tracked.
-struct PeopleJob {
-  SessionInputs inputs;
-  CameraRig rig;
-  std::unique_ptr<PeopleTracker> tracker;
-  FrameRange range;
-  int overlayEvery = 0; ///< frames between two rows of the contact sheet; 0: none
-  std::vector<cv::Mat> rows;
-  std::int64_t frames = 0;
-  double seconds = 0.0; ///< in the tracker
-  int most = 0;         ///< people at once
 };
 
 void listMethods() {
@@ -87,8 +76,7 @@ Status inArea(const std::string& text, const Eigen::Vector3d& place, const Peopl
                              area.floor + kReach));
 }
 
-Status addPersons(const std::vector<std::string>& texts, const PeopleArea& area,
-                  PeopleTracker& tracker) {
+Status addPersons(const std::vector<std::string>& texts, const PeopleArea& area, TrackingRun& run) {
   for (const std::string& text : texts) {
     Eigen::Vector3d place;
     int used = 0;
@@ -99,47 +87,62 @@ Status addPersons(const std::vector<std::string>& texts, const PeopleArea& area,
     if (const auto inside = inArea(text, place, area); !inside) {
       return inside;
     }
-    tracker.addPerson(place);
+    run.apply(PeopleChange{place, std::nullopt});
   }
   return {};
 }
 
-Status trackPeople(PeopleJob& job, const PeopleOptions& options, PeopleWriter& writer) {
-  ThreadTeam team(options.threads);
-  const auto total = job.inputs.source->frameCount();
-  const auto end = std::min(job.range.end.value_or(total.value_or(0)), total.value_or(0));
-  if (job.range.first > 0) {
-    if (const auto sought = job.inputs.source->seek(job.range.first); !sought) {
-      return sought;
-    }
+/// Writes what becomes of the frames, and draws some of them.
+class PeopleObserver final : public FrameObserver {
+public:
+  /// `overlayEvery`: frames between two rows of the contact sheet; 0: none.
+  PeopleObserver(PeopleWriter& writer, Progress& progress, int overlayEvery)
+      : writer_(writer), progress_(progress), overlayEvery_(overlayEvery) {}
+
+  void taken(const FrameSet& /*frames*/) override { taken_ = Clock::now(); }
+  void iterated(const TrackingRun& /*run*/, double /*microseconds*/) override {
+    seconds_ += std::chrono::duration<double>(Clock::now() - taken_).count();
   }
-  Progress progress("people", std::max<std::int64_t>(0, end - job.range.first));
-  while (!interruptionAsked() && (!total || job.range.first + job.frames < end)) {
-    auto frames = job.inputs.source->next();
-    if (!frames) {
-      progress.finish();
-      return tl::make_unexpected(frames.error());
-    }
-    if (!*frames) {
-      break;
-    }
-    const auto begin = std::chrono::steady_clock::now();
-    job.tracker->step(*frames, team);
-    job.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    job.most = std::max(job.most, static_cast<int>(job.tracker->people().size()));
-    const auto written =
-        writer.write(*job.tracker, (*frames)->index, dewpoint::base::seconds((*frames)->time));
-    if (!written) {
-      progress.finish();
+  Status tracked(const TrackingRun& run) override {
+    const PeopleTracker& tracker = run.people()->tracker();
+    const FrameSet& set = *run.frames();
+    most_ = std::max(most_, static_cast<int>(tracker.people().size()));
+    if (const auto written = writer_.write(tracker, set.index, dewpoint::base::seconds(set.time));
+        !written) {
       return written;
     }
-    if (job.overlayEvery > 0 && job.frames % job.overlayEvery == 0) {
-      job.rows.push_back(peopleOverlay(*job.tracker, **frames, job.rig, 400));
+    if (overlayEvery_ > 0 && frames_ % overlayEvery_ == 0) {
+      rows_.push_back(peopleOverlay(tracker, set, run.rig(), 400));
     }
-    progress.show(++job.frames);
+    progress_.show(++frames_);
+    return {};
   }
-  progress.finish();
-  return writer.finish();
+
+  std::int64_t frames() const { return frames_; }
+  double seconds() const { return seconds_; } ///< in the tracker
+  int most() const { return most_; }          ///< people at once
+  const std::vector<cv::Mat>& rows() const { return rows_; }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  PeopleWriter& writer_;
+  Progress& progress_;
+  int overlayEvery_;
+  Clock::time_point taken_;
+  std::vector<cv::Mat> rows_;
+  std::int64_t frames_ = 0;
+  double seconds_ = 0.0;
+  int most_ = 0;
+};
+
+int overlayEvery(const PeopleOptions& options, const FrameRange& range, std::int64_t total) {
+  if (options.overlay == 0) {
+    return 0;
+  }
+  const auto span = range.end.value_or(total) - range.first;
+  return static_cast<int>(
+      std::max<std::int64_t>(1, (span + options.overlay - 1) / options.overlay));
 }
 
 int runPeople(const PeopleOptions& options) {
@@ -161,49 +164,42 @@ int runPeople(const PeopleOptions& options) {
   if (!inputs) {
     return report(inputs.error());
   }
-  PeopleJob job;
-  job.range = *frames;
-  job.inputs = std::move(*inputs);
-  job.rig = rigOf(job.inputs.project);
-  auto tracker =
-      makePeopleTracker(job.inputs.project.method, job.inputs.project.parameters, job.rig);
-  if (!tracker) {
-    return report(tracker.error());
+  auto run = TrackingRun::create(inputs->project, options.threads, inputs->emptyRooms);
+  if (!run) {
+    return report(run.error());
   }
-  job.tracker = std::move(*tracker);
-  job.tracker->setEmptyRooms(job.inputs.emptyRooms);
-  job.tracker->restart(job.inputs.project.seed);
-  if (const auto added = addPersons(
-          options.persons, peopleSettings(job.inputs.project.parameters).area, *job.tracker);
-      !added) {
+  const PeopleArea area = peopleSettings(inputs->project.parameters).area;
+  if (const auto added = addPersons(options.persons, area, *run); !added) {
     report(added.error());
     return kExitUsage;
   }
-  const auto total = job.inputs.source->frameCount().value_or(0);
-  if (options.overlay > 0) {
-    const auto span = job.range.end.value_or(total) - job.range.first;
-    job.overlayEvery =
-        static_cast<int>(std::max<std::int64_t>(1, (span + options.overlay - 1) / options.overlay));
-  }
-  auto writer = PeopleWriter::create(options.folder, trajectoryHeader(job.inputs.project));
+  auto writer = PeopleWriter::create(options.folder, trajectoryHeader(inputs->project));
   if (!writer) {
     return report(writer.error());
   }
   heedInterruption();
-  const auto tracked = trackPeople(job, options, *writer);
-  if (!job.rows.empty()) {
+  FrameSetSource& source = *inputs->source;
+  Progress progress("people", frames->count(source).value_or(0));
+  PeopleObserver observer(*writer, progress,
+                          overlayEvery(options, *frames, source.frameCount().value_or(0)));
+  const std::array<FrameObserver*, 1> observers{&observer};
+  auto tracked = trackFrames(source, *frames, *run, observers, [] { return !interruptionAsked(); });
+  progress.finish();
+  tracked = tracked ? writer->finish() : tracked;
+  if (!observer.rows().empty()) {
     const auto sheet = std::filesystem::path(options.folder) / "overlay.png";
-    if (const auto written = writeContactSheet(job.rows, sheet); !written) {
+    if (const auto written = writeContactSheet(observer.rows(), sheet); !written) {
       return report(written.error());
     }
   }
-  fmt::print("frames                  {:>10}\n", job.frames);
-  fmt::print("most people at once     {:>10}\n", job.most);
+  fmt::print("frames                  {:>10}\n", observer.frames());
+  fmt::print("most people at once     {:>10}\n", observer.most());
   fmt::print("ms per frame            {:>10.2f}\n",
-             1000.0 * job.seconds / static_cast<double>(std::max<std::int64_t>(1, job.frames)));
+             1000.0 * observer.seconds() /
+                 static_cast<double>(std::max<std::int64_t>(1, observer.frames())));
   if (!tracked) {
     const int code = report(tracked.error());
-    return code == kExitBadInput && job.frames > 0 ? kExitEndedEarly : code;
+    return code == kExitBadInput && observer.frames() > 0 ? kExitEndedEarly : code;
   }
   return interruptionAsked() ? kExitInterrupted : kExitDone;
 }

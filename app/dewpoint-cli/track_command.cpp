@@ -59,8 +59,7 @@ int track(TrackOptions options) {
     report(frames.error());
     return kExitUsage;
   }
-  options.job.firstFrame = frames->first;
-  options.job.endFrame = frames->end;
+  options.job.frames = *frames;
   if (const auto applied = applyOptions(options, *project); !applied) {
     report(applied.error());
     return kExitUsage;

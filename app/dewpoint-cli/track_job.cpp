@@ -5,6 +5,7 @@
 #include "app/dewpoint-cli/interruption.h"
 #include "app/dewpoint-cli/progress.h"
 #include "core/base/text_file.h"
+#include "core/session/run/camera_motion_observer.h"
 #include "core/session/run/camera_motion_watch.h"
 #include "core/session/run/run_report.h"
 #include "core/session/run/tracking_run.h"
@@ -14,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <iterator>
 #include <optional>
@@ -65,54 +67,61 @@ struct TrackOutput {
   }
 };
 
-/// The loop itself; what stopped it, if it was not the end.
-Status trackFrames(const TrackJob& job, FrameSetSource& source, TrackingRun& run,
-                   const CameraRig& rig, TrackOutput& output, RunFigures& figures) {
-  CameraMotionWatch bumps(rig);
-  std::size_t bumpsSaid = 0;
-  if (job.firstFrame > 0) {
-    if (const auto sought = source.seek(job.firstFrame); !sought) {
-      return sought;
-    }
+/// Writes and says what becomes of the frames of a job.
+class TrackObserver final : public FrameObserver {
+public:
+  TrackObserver(const FrameSetSource& source, const CameraMotionWatch& bumps, Progress& progress,
+                TrackOutput& output, RunFigures& figures)
+      : source_(source), bumps_(bumps), progress_(progress), output_(output), figures_(figures) {}
+
+  void taken(const FrameSet& /*frames*/) override {
+    sayNotices(source_, figures_);
+    taken_ = Clock::now();
   }
-  const auto total = source.frameCount();
-  const auto end = job.endFrame && total ? std::min(*job.endFrame, *total)
-                                         : job.endFrame.value_or(total.value_or(0));
-  Progress progress("tracking", std::max<std::int64_t>(0, end - job.firstFrame));
-  const bool bounded = total.has_value() || job.endFrame.has_value();
-  while (!interruptionAsked() && (!bounded || figures.frames < end - job.firstFrame)) {
-    auto frames = source.next();
-    sayNotices(source, figures);
-    if (!frames) {
-      progress.finish();
-      return tl::make_unexpected(frames.error());
-    }
-    if (!*frames) {
-      break;
-    }
-    const auto present = [](const FramePtr& frame) { return frame != nullptr; };
-    if (std::none_of((*frames)->frames.begin(), (*frames)->frames.end(), present)) {
-      continue; // live, and nothing came
-    }
-    const auto arrived = std::chrono::steady_clock::now();
-    run.beginFrame(*frames);
-    for (int k = 0; k < run.iterationsPerFrame(); ++k) {
-      figures.iterations.add(1e-6 * run.iterate());
-    }
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - arrived;
-    figures.latency.add(took.count());
-    if (run.family() != MethodFamily::Boxes) { // they follow in moving cameras, too
-      bumps.watch(**frames, run.targets(), run.estimates());
-      sayBumps(bumps, bumpsSaid, figures);
-    }
-    if (const auto taken = output.take(run); !taken) {
-      progress.finish();
-      return taken;
-    }
-    progress.show(++figures.frames);
+  void iterated(const TrackingRun& /*run*/, double microseconds) override {
+    figures_.iterations.add(1e-6 * microseconds);
+    iterated_ = Clock::now();
   }
+  Status tracked(const TrackingRun& run) override {
+    const std::chrono::duration<double> took = std::max(taken_, iterated_) - taken_;
+    figures_.latency.add(took.count());
+    sayBumps(bumps_, bumpsSaid_, figures_);
+    if (const auto written = output_.take(run); !written) {
+      return written;
+    }
+    progress_.show(++figures_.frames);
+    return {};
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  const FrameSetSource& source_;
+  const CameraMotionWatch& bumps_;
+  Progress& progress_;
+  TrackOutput& output_;
+  RunFigures& figures_;
+  Clock::time_point taken_;
+  Clock::time_point iterated_; ///< the last time
+  std::size_t bumpsSaid_ = 0;
+};
+
+/// Tracks the frames of a job; what stopped it, if it was not the end.
+Status trackJob(const TrackJob& job, FrameSetSource& source, TrackingRun& run, TrackOutput& output,
+                RunFigures& figures) {
+  CameraMotionWatch bumps(run.rig());
+  CameraMotionObserver motionObserver(bumps);
+  Progress progress("tracking", job.frames.count(source).value_or(0));
+  TrackObserver observer(source, bumps, progress, output, figures);
+  const auto goOn = [&] {
+    sayNotices(source, figures); // also while nothing comes
+    return !interruptionAsked();
+  };
+  const std::array<FrameObserver*, 2> observers{&motionObserver, &observer};
+  const Status tracked = trackFrames(source, job.frames, run, observers, goOn);
+  sayNotices(source, figures);
   progress.finish();
-  return {};
+  return tracked;
 }
 
 void printSummary(const Trajectory& estimate, const Trajectory& truth, int iterationsPerFrame,
@@ -179,7 +188,7 @@ int TrackJob::run(SessionInputs inputs) const {
     return report(began.error());
   }
   const auto begin = std::chrono::steady_clock::now();
-  auto tracked = trackFrames(*this, *inputs.source, *run, rigOf(inputs.project), output, figures);
+  auto tracked = trackJob(*this, *inputs.source, *run, output, figures);
   if (const auto finished = output.finish(folder); !finished && tracked) {
     tracked = finished;
   }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/session.h"
+#include "core/session/run/frame_loop.h"
+#include "core/session/session_inputs.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -13,8 +14,7 @@ namespace dewpoint::app {
 struct TrackJob {
   std::filesystem::path folder;
   int threads = 1;
-  std::int64_t firstFrame = 0;
-  std::optional<std::int64_t> endFrame; ///< exclusive
+  FrameRange frames;
 
   /// The process's exit code.
   int run(SessionInputs inputs) const;

@@ -89,7 +89,7 @@ void RunDriver::iterateFrame() {
     recorder_.arriveNow();
   }
   if (hasWaited || takeFrame()) {
-    const std::array<FrameObserver*, 2> observers{&bumpObserver_, &recorder_};
+    const std::array<FrameObserver*, 2> observers{&motionObserver_, &recorder_};
     if (const auto told = trackOneFrame(*run_, observers); !told) {
       note(told.error());
     }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/bump_observer.h"
 #include "core/session/command.h"
 #include "core/session/frames/frame_tap.h"
 #include "core/session/history/time_travel.h"
 #include "core/session/playback.h"
+#include "core/session/run/camera_motion_observer.h"
+#include "core/session/run/run_definition.h"
 #include "core/session/run/tracking_run.h"
-#include "core/session/run_definition.h"
 #include "core/session/run_log.h"
 #include "core/session/run_recorder.h"
 #include "core/session/session_inputs.h"
@@ -108,7 +108,7 @@ private:
   std::optional<TrackingRun> run_;   ///< nothing if the project's could not be made
   std::optional<TimeTravel> travel_; ///< as long as there is a source
   CameraMotionWatch bumps_;          ///< of the cameras as they were calibrated
-  BumpObserver bumpObserver_{bumps_};
+  CameraMotionObserver motionObserver_{bumps_};
   RunRecorder recorder_;
   Playback playback_;
   std::vector<Error> errors_;

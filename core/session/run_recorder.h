@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/frame_loop.h"
+#include "core/session/run/frame_loop.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/run/tracking_run.h"
 #include "core/session/run_log.h"

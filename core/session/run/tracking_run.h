@@ -4,7 +4,7 @@
 #include "core/project/project_rig.h"
 #include "core/session/frames/tracked_frame.h"
 #include "core/session/run/box_track_file.h"
-#include "core/session/run_definition.h"
+#include "core/session/run/run_definition.h"
 #include "core/tracking/multi_tracker.h"
 #include "core/trajectory/trajectory.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text_file.h"
-#include "core/session/frame_loop.h"
-#include "core/session/run_definition.h"
+#include "core/session/run/frame_loop.h"
+#include "core/session/run/run_definition.h"
 #include "tests/session/drawn_recording.h"
 
 #include <gtest/gtest.h>

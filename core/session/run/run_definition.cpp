@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/run_definition.h"
+#include "core/session/run/run_definition.h"
 
 #include "core/project/project_rig.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/frame_loop.h"
+#include "core/session/run/frame_loop.h"
 
 #include <algorithm>
 #include <utility>

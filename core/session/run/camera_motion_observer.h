@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/frame_loop.h"
 #include "core/session/run/camera_motion_watch.h"
+#include "core/session/run/frame_loop.h"
 
 namespace dewpoint::session {
 
 /// Lets a CameraMotionWatch see what a run tracks; nothing with methods of family Boxes, whose
 /// camera may move.
-class BumpObserver final : public FrameObserver {
+class CameraMotionObserver final : public FrameObserver {
 public:
   /// `watch` must outlive it.
-  explicit BumpObserver(CameraMotionWatch& watch) : watch_(watch) {}
+  explicit CameraMotionObserver(CameraMotionWatch& watch) : watch_(watch) {}
 
   Status tracked(const TrackingRun& run) override {
     if (run.family() == MethodFamily::Targets) {
