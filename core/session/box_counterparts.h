@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tracking/tracker.h"
+#include "core/tracking/target.h"
 
 #include <algorithm>
 #include <cstddef>

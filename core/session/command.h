@@ -3,7 +3,7 @@
 
 #include "core/geometry/camera.h"
 #include "core/tracking/parameters.h"
-#include "core/tracking/tracker.h"
+#include "core/tracking/target.h"
 
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>

@@ -4,7 +4,7 @@
 #include "core/geometry/camera.h"
 #include "core/project/project.h"
 #include "core/tracking/parameters.h"
-#include "core/tracking/tracker.h"
+#include "core/tracking/target.h"
 
 #include <opencv2/core/mat.hpp>
 
