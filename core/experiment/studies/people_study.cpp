@@ -5,6 +5,9 @@
 #include "core/experiment/metrics/gospa.h"
 #include "core/experiment/metrics/hota.h"
 #include "core/filter/assignment.h"
+#include "core/session/run/frame_loop.h"
+#include "core/session/run/tracking_run.h"
+#include "core/tracking/people/people_targets.h"
 #include "core/tracking/people/people_volume.h"
 
 #include <opencv2/core.hpp>
@@ -17,6 +20,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <utility>
 
 namespace dewpoint::experiment {
 namespace {
@@ -85,17 +89,19 @@ private:
 /// One method at work on a scene.
 class EvaluatedTracker {
 public:
-  EvaluatedTracker(std::string method, std::unique_ptr<PeopleTracker> tracker, std::uint64_t seed)
-      : method_(std::move(method)), tracker_(std::move(tracker)) {
-    tracker_->restart(seed);
-  }
+  /// The run is of a method for people.
+  EvaluatedTracker(std::string method, TrackingRun run)
+      : method_(std::move(method)), run_(std::move(run)) {}
 
-  void see(const OfficeRenderer& renderer, const OfficeInstant& instant,
-           const std::vector<PeopleInstant>& moments, ThreadTeam& team) {
+  Status see(const OfficeRenderer& renderer, const OfficeInstant& instant,
+             const std::vector<PeopleInstant>& moments) {
     const std::clock_t begin = std::clock(); // of this process: others may be busy
-    tracker_->step(instant.frames, team);
+    const Status tracked = trackOneFrame(run_, instant.frames, {});
     const std::clock_t end = std::clock();
-    if (!tracker_->people().empty()) {
+    if (!tracked) {
+      return tracked;
+    }
+    if (!tracker().people().empty()) {
       seconds_ += static_cast<double>(end - begin) / CLOCKS_PER_SEC;
       ++steps_;
     }
@@ -103,10 +109,11 @@ public:
     for (const PeopleInstant& moment : moments) {
       if (moment.frame == instant.frames->index) {
         pictures_.push_back(
-            {moment.words, peoplePicture(*tracker_, *instant.frames, renderer.scene().cameras,
+            {moment.words, peoplePicture(tracker(), *instant.frames, renderer.scene().cameras,
                                          frames_.back().truth)});
       }
     }
+    return {};
   }
 
   PeopleTrial trial(const PeopleStudySetup& setup, const PeopleScenario& scenario) const {
@@ -140,6 +147,8 @@ public:
   }
 
 private:
+  const PeopleTracker& tracker() const { return run_.people()->tracker(); }
+
   void record(const OfficeRenderer& renderer, const OfficeInstant& instant) {
     constexpr std::int64_t kVolumeEvery = 15; // frames: a volume costs more than a step
     const double time = dewpoint::base::seconds(instant.frames->time);
@@ -152,10 +161,10 @@ private:
         frame.truth.push_back({static_cast<int>(k), place});
       }
     }
-    for (const PersonEstimate& person : tracker_->people()) {
+    for (const PersonEstimate& person : tracker().people()) {
       frame.estimates.push_back({person.identity, {person.position.x(), person.position.y(), 0.0}});
       if (frame.frame % kVolumeEvery == 0) {
-        volume_ += bodyHull(tracker_->body(person.identity)).volume();
+        volume_ += bodyHull(tracker().body(person.identity)).volume();
         ++volumes_;
       }
     }
@@ -183,7 +192,7 @@ private:
   }
 
   std::string method_;
-  std::unique_ptr<PeopleTracker> tracker_;
+  TrackingRun run_;
   std::vector<TrackFrame> frames_;
   std::vector<PeoplePicture> pictures_;
   LongestRun ghosts_;
@@ -212,11 +221,16 @@ Result<std::vector<EvaluatedTracker>> contestants(const PeopleStudySetup& setup,
         return tl::make_unexpected(set.error());
       }
     }
-    auto tracker = makePeopleTracker(method, parameters, rig);
-    if (!tracker) {
-      return tl::make_unexpected(tracker.error());
+    RunDefinition definition;
+    definition.method = method;
+    definition.parameters = std::move(parameters);
+    definition.rig = std::make_shared<const CameraRig>(rig);
+    definition.seed = setup.seed;
+    auto run = TrackingRun::create(std::make_shared<const RunDefinition>(std::move(definition)), 1);
+    if (!run) {
+      return tl::make_unexpected(run.error());
     }
-    all.emplace_back(method, std::move(*tracker), setup.seed);
+    all.emplace_back(method, std::move(*run));
   }
   return all;
 }
@@ -263,11 +277,12 @@ Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
   }
   const OfficeRenderer renderer(scenario->scene, views);
   const auto moments = setup.pictures ? tellingMoments(*scenario) : std::vector<PeopleInstant>();
-  ThreadTeam team(1);
   for (std::int64_t frame = 0; frame < scenario->scene.frameCount; ++frame) {
     const OfficeInstant instant = renderInstant(renderer, frame);
     for (EvaluatedTracker& one : *all) {
-      one.see(renderer, instant, moments, team);
+      if (const auto seen = one.see(renderer, instant, moments); !seen) {
+        return tl::make_unexpected(seen.error());
+      }
     }
   }
   std::vector<PeopleTrial> trials;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/suite_runner.h"
 
-#include "core/base/thread_team.h"
 #include "core/experiment/baselines/baseline_methods.h"
 #include "core/experiment/baselines/smoothed_method.h"
+#include "core/session/run/frame_loop.h"
+#include "core/session/run/tracking_run.h"
 
 #include <fmt/format.h>
 #include <opencv2/core/utility.hpp>
@@ -11,9 +12,11 @@
 #include <algorithm>
 #include <atomic>
 #include <ctime>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <tuple>
+#include <utility>
 
 namespace dewpoint::experiment {
 namespace {
@@ -27,12 +30,21 @@ double threadSeconds() {
 
 /// One method in one run.
 struct EvaluatedTracker {
-  std::unique_ptr<MultiTracker> tracker;
+  TrackingRun run;
   SuiteRecorder recorder;
   bool smoothed = false; ///< all estimates are collected first
   std::vector<std::vector<TargetEstimate>> estimates;
   double seconds = 0.0;
 };
+
+RunDefinitionPtr definitionOf(const std::string& method, const ScenarioRun& run) {
+  RunDefinition definition;
+  definition.method = method;
+  definition.targets = run.targets;
+  definition.rig = std::make_shared<const CameraRig>(run.rig);
+  definition.seed = run.seed;
+  return std::make_shared<const RunDefinition>(std::move(definition));
+}
 
 Result<std::vector<EvaluatedTracker>> enter(const SuiteJob& job, const ScenarioRun& run) {
   std::vector<EvaluatedTracker> contestants;
@@ -42,24 +54,25 @@ Result<std::vector<EvaluatedTracker>> enter(const SuiteJob& job, const ScenarioR
     if (!tracker) {
       return tl::make_unexpected(tracker.error());
     }
-    (*tracker)->restart(run.seed);
-    contestants.push_back({std::move(*tracker), SuiteRecorder(run, method), smoothed, {}, 0.0});
+    contestants.push_back({TrackingRun::of(std::move(*tracker), definitionOf(method, run), 1),
+                           SuiteRecorder(run, method),
+                           smoothed,
+                           {},
+                           0.0});
   }
   return contestants;
 }
 
-void advance(EvaluatedTracker& contestant, const FrameSetPtr& frames, ThreadTeam& team) {
+Status advance(EvaluatedTracker& contestant, const FrameSetPtr& frames) {
   const double begin = threadSeconds();
-  contestant.tracker->beginFrame(frames);
-  for (int k = 0; k < contestant.tracker->iterationsPerFrame(); ++k) {
-    contestant.tracker->iterate(team);
-  }
+  const Status tracked = trackOneFrame(contestant.run, frames, {});
   contestant.seconds += threadSeconds() - begin;
   if (contestant.smoothed) {
-    contestant.estimates.push_back(contestant.tracker->estimates());
+    contestant.estimates.push_back(contestant.run.estimates());
   } else {
-    contestant.recorder.add(contestant.tracker->estimates());
+    contestant.recorder.add(contestant.run.estimates());
   }
+  return tracked;
 }
 
 void finish(EvaluatedTracker& contestant, double framesPerSecond) {
@@ -81,14 +94,15 @@ Result<std::vector<SuiteResult>> runJob(const SuiteJob& job, const std::function
   if (!contestants) {
     return tl::make_unexpected(contestants.error());
   }
-  ThreadTeam team(1);
   for (std::int64_t frame = 0; frame < run->frameCount; ++frame) {
     if (stop()) {
       return std::vector<SuiteResult>();
     }
     const FrameSetPtr frames = run->frames(frame);
     for (EvaluatedTracker& contestant : *contestants) {
-      advance(contestant, frames, team);
+      if (const auto advanced = advance(contestant, frames); !advanced) {
+        return tl::make_unexpected(advanced.error());
+      }
     }
   }
   std::vector<SuiteResult> results;
