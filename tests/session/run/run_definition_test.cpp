@@ -6,9 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace dewpoint::tests {
 namespace {
@@ -38,6 +43,20 @@ Trajectory played(Session& session) {
   session.play();
   EXPECT_TRUE(reaches(session, PlayState::Ended));
   return session.trajectory();
+}
+
+/// Tracks again from this frame, to the end.
+void rerun(Session& session, std::int64_t from) {
+  std::uint64_t generation = 0;
+  std::size_t position = 0;
+  session.framesSince(generation, position);
+  session.rerunFrom(from);
+  ASSERT_TRUE(eventually([&] { return session.framesSince(generation, position).restarted; }));
+  ASSERT_TRUE(eventually([&] {
+    const auto shown = session.newest();
+    return !shown->rerun && shown->state == PlayState::Ended &&
+           session.trajectory().samples.size() == kFrames;
+  }));
 }
 
 TEST(RunDefinition, IsComparedAsAWhole) {
@@ -109,11 +128,7 @@ TEST(EmptyRoomsOfARun, ArePartOfWhatGoesOnFromAnEarlierFrame) {
   Session session(drawnInputs("dewpoint", kFrames));
   played(session);
   session.setEmptyRooms({"left.png", "right.png"}, emptyRooms());
-  session.rerunFrom(20);
-  ASSERT_TRUE(eventually([&] {
-    return !session.newest()->rerun && session.newest()->state == PlayState::Ended &&
-           session.trajectory().samples.size() == kFrames;
-  }));
+  rerun(session, 20);
   session.restart();
   ASSERT_TRUE(reaches(session, PlayState::Paused));
   EXPECT_TRUE(sameBits(played(session), expected));
@@ -141,11 +156,7 @@ TEST_P(FilterThreads, AnyNumberGivesTheSameBits) {
     inputs.threads = threads;
     Session session(std::move(inputs));
     played(session);
-    session.rerunFrom(11); // from a copy, too
-    ASSERT_TRUE(eventually([&] {
-      return !session.newest()->rerun && session.newest()->state == PlayState::Ended &&
-             session.trajectory().samples.size() == kFrames;
-    }));
+    rerun(session, 11); // from a copy, too
     found.push_back(session.trajectory());
     const auto folder = std::filesystem::path(testing::TempDir()) / "filter_threads" / GetParam();
     ASSERT_TRUE(session.saveRun(folder));

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/snapshot_builder.h"
+#include "tests/session/drawn_recording.h"
+
+#include <gtest/gtest.h>
+
+namespace dewpoint::tests {
+namespace {
+
+using test::drawnInputs;
+using test::DrawnRecording;
+using test::eventually;
+
+void stepTo(Session& session, std::int64_t frame) {
+  while (session.newest()->history.head < frame) {
+    const std::int64_t before = session.newest()->iterations;
+    session.stepFrame();
+    ASSERT_TRUE(eventually([&] { return session.newest()->iterations > before; }));
+  }
+}
+
+TrackSnapshotPtr shown(Session& session, std::int64_t frame) {
+  session.showFrame(frame);
+  EXPECT_TRUE(
+      eventually([&] { return session.newest()->frame == frame && !session.newest()->preview; }));
+  return session.newest();
+}
+
+// What was believed of another number of targets is not continued: neither where the run stands,
+// nor where it stood.
+TEST(SnapshotBuilder, NewBeliefsBeginNewTails) {
+  Session session(drawnInputs("dewpoint", 60));
+  stepTo(session, 9);
+  EXPECT_EQ(session.newest()->targets.at(0).tail.size(), 10U);
+  Target second = drawn::redBall();
+  second.name = "second";
+  session.setTargets({drawn::redBall(), second});
+  ASSERT_TRUE(eventually([&] { return session.newest()->targets.size() == 2; }));
+  EXPECT_TRUE(session.newest()->targets[0].tail.empty()); // nothing is believed yet
+  stepTo(session, 12);
+  // The frame they begin in is tracked again: 9, 10, 11, 12.
+  EXPECT_EQ(session.newest()->targets.at(0).tail.size(), 4U);
+  EXPECT_EQ(session.newest()->targets.at(1).tail.size(), 4U);
+  EXPECT_EQ(shown(session, 11)->targets.at(0).tail.size(), 3U);
+  EXPECT_EQ(shown(session, 5)->targets.at(0).tail.size(), 6U);
+}
+
+TEST(SnapshotBuilder, AFrameLooksTheSameNowAndLater) {
+  SessionInputs inputs = drawnInputs("dewpoint", 60);
+  for (std::int64_t frame = 0; frame < 60; ++frame) {
+    TrajectorySample truth;
+    truth.target = drawn::redBall().name;
+    truth.frame = frame;
+    truth.position = DrawnRecording::ballAt(frame);
+    inputs.truth.samples.push_back(truth);
+  }
+  Session session(std::move(inputs));
+  session.setMasksWanted(true);
+  stepTo(session, 20);
+  const TrackSnapshotPtr then = session.newest();
+  ASSERT_EQ(then->frame, 20);
+  stepTo(session, 21);
+  const TrackSnapshotPtr later = shown(session, 20);
+  EXPECT_FALSE(then->past);
+  EXPECT_TRUE(later->past);
+  EXPECT_TRUE(then->tracked && later->tracked);
+  EXPECT_EQ(then->iterations, later->iterations);
+  ASSERT_EQ(then->masks.size(), later->masks.size());
+  EXPECT_EQ(cv::norm(then->masks[0], later->masks[0], cv::NORM_INF), 0.0);
+  const TargetSnapshot& a = then->targets.at(0);
+  const TargetSnapshot& b = later->targets.at(0);
+  EXPECT_EQ(a.estimate.mean, b.estimate.mean);
+  ASSERT_EQ(a.tail.size(), b.tail.size());
+  EXPECT_EQ(a.tail.back(), b.tail.back());
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.reasons.size(), b.reasons.size());
+  EXPECT_EQ(a.proposals.size(), b.proposals.size());
+  ASSERT_TRUE(a.truth && b.truth);
+  EXPECT_EQ(*a.truth, *b.truth);
+}
+
+} // namespace
+} // namespace dewpoint::tests
