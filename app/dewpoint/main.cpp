@@ -6,16 +6,19 @@
 #include "core/base/thread_precedence.h"
 #include "core/session/session.h"
 #include "ui/document/recovery.h"
+#include "ui/jobs/job_thread.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/preferences/preferences.h"
 #include "ui/text/language.h"
 #include "ui/view3d/birds_eye_view.h"
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QIcon>
-#include <QSettings>
 
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
 #include <vector>
@@ -86,15 +89,18 @@ int run(int argc, char** argv) {
   Options options;
   describe(app, options);
   CLI11_PARSE(app, argc, argv);
-  dewpoint::ui::useLanguage(options.language.empty()
-                                ? QSettings().value(QStringLiteral("language")).toString()
-                                : QString::fromStdString(options.language));
+  dewpoint::ui::useLanguage(options.language.empty() ? dewpoint::ui::Preferences().language()
+                                                     : QString::fromStdString(options.language));
 
-  const QString theme = options.theme.empty()
-                            ? QSettings().value(QStringLiteral("theme")).toString()
-                            : QString::fromStdString(options.theme);
+  const dewpoint::ui::Theme theme =
+      options.theme.empty() ? dewpoint::ui::Preferences().theme()
+                            : dewpoint::ui::themeFromName(QString::fromStdString(options.theme));
   dewpoint::ui::MainWindow window(&dewpoint::app::openProject);
-  window.setTheme(dewpoint::ui::themeFromName(theme));
+  window.setTheme(theme);
+  const bool unattended = !options.screenshot.empty() || !options.out.empty();
+  if (!unattended) {
+    window.keepGeometry();
+  }
   int width = 0;
   int height = 0;
   if (isSize(options.size, width, height)) {
@@ -109,7 +115,6 @@ int run(int argc, char** argv) {
     dewpoint::app::writeRunTo(window, options.out);
   }
   window.show();
-  const bool unattended = !options.screenshot.empty() || !options.out.empty();
   if (!unattended) {
     window.useRecovery(dewpoint::ui::Recovery::standardFolder());
   }
@@ -124,7 +129,13 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   dewpoint::app::quietLibraries();
   try {
-    return run(argc, argv);
+    const int code = run(argc, argv);
+    if (!dewpoint::ui::waitForDetached(std::chrono::milliseconds(0))) {
+      // A thread hangs in a dead camera or disk: the window is closed, and so is the program.
+      std::fflush(nullptr);
+      std::_Exit(code);
+    }
+    return code;
   } catch (const std::exception& error) {
     // Nothing below throws on purpose; this is memory running out and the like.
     std::fprintf(stderr, "dewpoint: stopped: %s.\n", error.what());

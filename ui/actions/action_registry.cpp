@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions/action_registry.h"
 
+#include "ui/preferences/preferences.h"
 #include "ui/style/symbolic_icon.h"
 
 #include <QAbstractButton>
@@ -10,10 +11,11 @@
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QPalette>
-#include <QSettings>
 #include <QWidget>
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
 
 namespace dewpoint::ui {
 
@@ -23,8 +25,9 @@ QString translated(const char* text) {
   return QCoreApplication::translate("Actions", text);
 }
 
-QString settingOf(const ActionDeclaration& declaration) {
-  return QStringLiteral("shortcuts/") + QLatin1String(declaration.id);
+QString nameOf(const ActionDeclaration& declaration) {
+  const std::string_view name = declaration.id.name();
+  return QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
 }
 
 /// Whether the space bar presses or opens it.
@@ -48,12 +51,11 @@ ActionRegistry::ActionRegistry(QWidget* window) : QObject(window), window_(windo
 
 QAction* ActionRegistry::add(const ActionDeclaration& declaration) {
   auto* action = new QAction(this);
-  action->setObjectName(QLatin1String(declaration.id));
+  action->setObjectName(nameOf(declaration));
   action->setCheckable(declaration.checkable);
-  const QVariant chosen = QSettings().value(settingOf(declaration));
-  action->setShortcut(chosen.isValid() ? QKeySequence(chosen.toString(), QKeySequence::PortableText)
-                                       : declaration.shortcut);
+  action->setShortcut(Preferences().shortcut(nameOf(declaration)).value_or(declaration.shortcut));
   entries_.push_back({declaration, action});
+  byId_[declaration.id.index()] = action;
   say(entries_.back());
   if (declaration.icon != nullptr) {
     action->setIcon(symbolicIcon(QLatin1String(declaration.icon), QGuiApplication::palette()));
@@ -62,31 +64,25 @@ QAction* ActionRegistry::add(const ActionDeclaration& declaration) {
   return action;
 }
 
-QAction* ActionRegistry::action(const char* id) const {
-  const auto found = std::ranges::find_if(
-      entries_, [&](const Entry& entry) { return qstrcmp(entry.declaration.id, id) == 0; });
-  Q_ASSERT(found != entries_.end());
-  return found->action;
-}
-
 std::vector<QAction*> ActionRegistry::all() const {
   std::vector<QAction*> actions;
   std::ranges::transform(entries_, std::back_inserter(actions), &Entry::action);
   return actions;
 }
 
-const ActionRegistry::Entry& ActionRegistry::entryOf(const QAction* action) const {
+const ActionRegistry::Entry* ActionRegistry::entryOf(const QAction* action) const {
   const auto found = std::ranges::find(entries_, action, &Entry::action);
-  Q_ASSERT(found != entries_.end());
-  return *found;
+  return found == entries_.end() ? nullptr : &*found;
 }
 
 QString ActionRegistry::groupOf(const QAction* action) const {
-  return translated(entryOf(action).declaration.group);
+  const Entry* entry = entryOf(action);
+  return entry == nullptr ? QString() : translated(entry->declaration.group);
 }
 
 QString ActionRegistry::hintOf(const QAction* action) const {
-  return translated(entryOf(action).declaration.hint);
+  const Entry* entry = entryOf(action);
+  return entry == nullptr ? QString() : translated(entry->declaration.hint);
 }
 
 void ActionRegistry::say(const Entry& entry) {
@@ -108,7 +104,8 @@ void ActionRegistry::rename(QAction* action, const char* text, const char* icon)
 }
 
 QKeySequence ActionRegistry::defaultShortcut(const QAction* action) const {
-  return entryOf(action).declaration.shortcut;
+  const Entry* entry = entryOf(action);
+  return entry == nullptr ? QKeySequence() : entry->declaration.shortcut;
 }
 
 QAction* ActionRegistry::holderOf(const QKeySequence& shortcut, const QAction* except) const {
@@ -119,23 +116,24 @@ QAction* ActionRegistry::holderOf(const QKeySequence& shortcut, const QAction* e
 }
 
 void ActionRegistry::remember(const Entry& entry) {
-  QSettings settings;
-  if (entry.action->shortcut() == entry.declaration.shortcut) {
-    settings.remove(settingOf(entry.declaration));
-  } else {
-    settings.setValue(settingOf(entry.declaration),
-                      entry.action->shortcut().toString(QKeySequence::PortableText));
-  }
+  const QKeySequence shortcut = entry.action->shortcut();
+  Preferences().setShortcut(nameOf(entry.declaration), shortcut == entry.declaration.shortcut
+                                                           ? std::nullopt
+                                                           : std::optional(shortcut));
   say(entry);
 }
 
 void ActionRegistry::setShortcut(QAction* action, const QKeySequence& shortcut) {
+  const Entry* entry = entryOf(action);
+  if (entry == nullptr) {
+    return;
+  }
   if (QAction* holder = holderOf(shortcut, action)) {
     holder->setShortcut({});
-    remember(entryOf(holder));
+    remember(*entryOf(holder));
   }
   action->setShortcut(shortcut);
-  remember(entryOf(action));
+  remember(*entry);
   Q_EMIT shortcutsChanged();
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/floors.h"
+#include "ui/actions/action_id.h"
 
 #include <QKeySequence>
 #include <QObject>
 #include <QString>
 
+#include <array>
 #include <vector>
 
 class QAction;
@@ -16,7 +17,7 @@ namespace dewpoint::ui {
 
 /// What an action is, said once. Texts are marked with QT_TRANSLATE_NOOP("Actions", "...").
 struct ActionDeclaration {
-  const char* id;             ///< objectName of the action: "actionPlay"
+  ActionId id;                ///< objectName of the action: "actionPlay"
   const char* group;          ///< heading in lists of actions: "Run"
   const char* text;           ///< "Play"
   const char* hint;           ///< one sentence for the tooltip
@@ -26,7 +27,7 @@ struct ActionDeclaration {
 };
 
 /// All actions of the window: menus, toolbar, shortcuts, tooltips and the command palette come from
-/// here. Shortcuts can be changed and are kept in the person's settings. What an action does is
+/// here. Shortcuts can be changed and are kept in the person's preferences. What an action does is
 /// connected by the window.
 class ActionRegistry : public QObject {
   Q_OBJECT
@@ -35,8 +36,8 @@ public:
   explicit ActionRegistry(QWidget* window);
 
   QAction* add(const ActionDeclaration& declaration);
-  /// The action with this id; it must exist.
-  QAction* action(const char* id) const;
+  /// The action with this id; null as long as it was not added.
+  QAction* action(ActionId id) const { return byId_[id.index()]; }
   std::vector<QAction*> all() const;
   /// Heading under which an action is listed, in the person's language.
   QString groupOf(const QAction* action) const;
@@ -69,12 +70,14 @@ private:
     ActionDeclaration declaration;
     QAction* action;
   };
-  const Entry& entryOf(const QAction* action) const;
+  /// Null for an action that is not of this registry.
+  const Entry* entryOf(const QAction* action) const;
   void say(const Entry& entry);
   void remember(const Entry& entry);
 
   QWidget* window_;
   std::vector<Entry> entries_;
+  std::array<QAction*, kActionNames.size()> byId_{};
 };
 
 /// Tooltip of an action: its sentence and its shortcut.

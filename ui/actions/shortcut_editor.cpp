@@ -6,6 +6,7 @@
 #include "ui/text/retranslation.h"
 
 #include <QAction>
+#include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeySequenceEdit>
@@ -29,7 +30,8 @@ enum Column { kName, kKeys, kHint };
 ShortcutEditor::ShortcutEditor(ActionRegistry& registry, QWidget* parent)
     : QDialog(parent), registry_(registry), search_(new QLineEdit(this)),
       tree_(new QTreeWidget(this)), keys_(new QKeySequenceEdit(this)),
-      clear_(new QPushButton(this)), resetAll_(new QPushButton(this)), note_(new QLabel(this)) {
+      clear_(new QPushButton(this)), resetAll_(new QPushButton(this)),
+      close_(new QPushButton(this)), note_(new QLabel(this)) {
   setObjectName(QStringLiteral("shortcutEditor"));
   search_->setObjectName(QStringLiteral("shortcutSearch"));
   search_->setClearButtonEnabled(true);
@@ -43,13 +45,14 @@ ShortcutEditor::ShortcutEditor(ActionRegistry& registry, QWidget* parent)
   clear_->setAutoDefault(false);
   resetAll_->setObjectName(QStringLiteral("shortcutResetAll"));
   resetAll_->setAutoDefault(false);
+  close_->setObjectName(QStringLiteral("shortcutClose"));
+  close_->setAutoDefault(false);
   note_->setObjectName(QStringLiteral("shortcutNote"));
   note_->setWordWrap(true);
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   row->addWidget(keys_, 1);
   row->addWidget(clear_);
-  row->addWidget(resetAll_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(16, 16, 16, 16);
   layout->setSpacing(8);
@@ -57,6 +60,11 @@ ShortcutEditor::ShortcutEditor(ActionRegistry& registry, QWidget* parent)
   layout->addWidget(tree_, 1);
   layout->addLayout(row);
   layout->addWidget(note_);
+  auto* buttons = new QDialogButtonBox(this);
+  buttons->addButton(resetAll_, QDialogButtonBox::ResetRole);
+  buttons->addButton(close_, QDialogButtonBox::RejectRole);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+  layout->addWidget(buttons);
   onRetranslate(this, [this] {
     setWindowTitle(tr("Shortcuts"));
     search_->setPlaceholderText(tr("Search"));
@@ -69,6 +77,8 @@ ShortcutEditor::ShortcutEditor(ActionRegistry& registry, QWidget* parent)
     clear_->setToolTip(tr("Take the shortcut of the chosen action away"));
     resetAll_->setText(tr("Reset all"));
     resetAll_->setToolTip(tr("All shortcuts as they were at first"));
+    close_->setText(tr("Close"));
+    close_->setToolTip(tr("Close; changed shortcuts are kept already"));
     fill();
     if (noteWords_) {
       note_->setText(noteWords_());

@@ -40,6 +40,7 @@ private:
   QKeySequenceEdit* keys_;
   QPushButton* clear_;
   QPushButton* resetAll_;
+  QPushButton* close_;
   QLabel* note_;
   std::function<QString()> noteWords_;
 };

@@ -260,7 +260,8 @@ void declareWindowActions(ActionRegistry& registry) {
   }
   registry.action("actionShowVolumes")->setChecked(true);
   auto* themes = new QActionGroup(&registry);
-  for (const char* theme : {"actionThemeSystem", "actionThemeLight", "actionThemeDark"}) {
+  for (const ActionId theme : std::initializer_list<ActionId>{
+           "actionThemeSystem", "actionThemeLight", "actionThemeDark"}) {
     themes->addAction(registry.action(theme));
   }
 }

@@ -6,8 +6,6 @@
 #include "ui/document/document.h"
 #include "ui/text/error_sentence.h"
 
-#include <QMetaObject>
-
 #include <memory>
 #include <utility>
 
@@ -23,29 +21,20 @@ void BoxPicker::point(const TrackSnapshotPtr& snapshot, int camera, const QRectF
     Q_EMIT failed(tr("This camera shows no image to take a box from."));
     return;
   }
-  const std::uint64_t number = ++newest_;
   const bool isBox = region.width() > 0.0 && region.height() > 0.0;
   // The corner of a box lies half a pixel before the center of its first pixel.
   const ImageBox drawn{region.x() + 0.5, region.y() + 0.5, region.width(), region.height()};
-  worker_ = std::jthread([this, number, isBox, drawn, camera, target = target_,
-                          frame = snapshot->frame, shown = snapshot->frames->frames[index],
-                          before = std::make_shared<std::jthread>(std::move(worker_))]() mutable {
-    before.reset(); // an earlier click is waited for here, never by the window
+  looking_.start([this, isBox, drawn, camera, target = target_, frame = snapshot->frame,
+                  shown = snapshot->frames->frames[index]](const BackgroundJob::Progress&) {
     const auto found = isBox ? checkBox(shown->image, drawn).map([&] { return drawn; })
                              : boxFromClick(shown->image, drawn.x, drawn.y);
-    QMetaObject::invokeMethod(
-        this,
-        [this, number, found, camera, frame, target] {
-          if (number != newest_) {
-            return;
-          }
-          if (found) {
-            adopt(target, {camera, frame, *found});
-          } else {
-            Q_EMIT failed(errorSentence(found.error()));
-          }
-        },
-        Qt::QueuedConnection);
+    return [this, found, camera, frame, target] {
+      if (found) {
+        adopt(target, {camera, frame, *found});
+      } else {
+        Q_EMIT failed(errorSentence(found.error()));
+      }
+    };
   });
 }
 

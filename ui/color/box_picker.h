@@ -2,11 +2,10 @@
 #pragma once
 
 #include "core/session/run/snapshot.h"
+#include "ui/jobs/latest_job.h"
 
 #include <QObject>
 #include <QRectF>
-
-#include <thread>
 
 namespace dewpoint::ui {
 
@@ -36,8 +35,7 @@ private:
 
   Document& document_;
   int target_ = 0;
-  std::uint64_t newest_ = 0; ///< number of the click that counts
-  std::jthread worker_;
+  LatestJob looking_{LatestJob::Overtaken::Dropped};
 };
 
 } // namespace dewpoint::ui

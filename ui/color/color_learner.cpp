@@ -6,15 +6,15 @@
 #include "ui/document/document.h"
 #include "ui/text/error_sentence.h"
 
-#include <QMetaObject>
-
 #include <algorithm>
 #include <utility>
 
 namespace dewpoint::ui {
 
 ColorLearner::ColorLearner(Document& document, QObject* parent)
-    : QObject(parent), document_(document) {}
+    : QObject(parent), document_(document) {
+  connect(&learning_, &LatestJob::idle, this, [this] { Q_EMIT busyChanged(false); });
+}
 
 std::vector<cv::Mat> ColorLearner::emptyRooms() const {
   return snapshot_ ? snapshot_->emptyRooms : std::vector<cv::Mat>{};
@@ -31,25 +31,8 @@ std::vector<cv::Mat> ColorLearner::images() const {
 }
 
 void ColorLearner::start(Work work) {
-  const std::uint64_t number = ++newest_;
-  busy_ = true;
+  learning_.start([work = std::move(work)](const BackgroundJob::Progress&) { return work(); });
   Q_EMIT busyChanged(true);
-  // An earlier work is waited for by the new thread, never by this one.
-  worker_ = std::jthread([this, number, before = std::make_shared<std::jthread>(std::move(worker_)),
-                          work = std::move(work)]() mutable {
-    before.reset();
-    auto finish = std::make_shared<std::function<void()>>(work());
-    QMetaObject::invokeMethod(
-        this,
-        [this, number, finish] {
-          if (number == newest_) {
-            busy_ = false;
-            Q_EMIT busyChanged(false);
-            (*finish)();
-          }
-        },
-        Qt::QueuedConnection);
-  });
 }
 
 void ColorLearner::point(int camera, const QRectF& region, SampleAction lesson) {

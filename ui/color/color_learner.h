@@ -4,13 +4,13 @@
 #include "core/color/color_learning.h"
 #include "core/session/run/background_images.h"
 #include "core/session/run/snapshot.h"
+#include "ui/jobs/latest_job.h"
 
 #include <QObject>
 #include <QRectF>
 
 #include <functional>
 #include <memory>
-#include <thread>
 
 namespace dewpoint::ui {
 
@@ -33,7 +33,7 @@ public:
   void point(int camera, const QRectF& region, SampleAction lesson);
   /// Takes a sample away and learns from the rest; the last one keeps the color as it is.
   void removeSample(int index);
-  bool isBusy() const { return busy_; }
+  bool isBusy() const { return learning_.isRunning(); }
   /// Judges the color of the target as it is in the images shown.
   void judge();
 
@@ -56,9 +56,7 @@ private:
   Document& document_;
   TrackSnapshotPtr snapshot_;
   int target_ = 0;
-  bool busy_ = false;
-  std::uint64_t newest_ = 0; ///< number of the work that counts
-  std::jthread worker_;
+  LatestJob learning_{LatestJob::Overtaken::Dropped};
 };
 
 } // namespace dewpoint::ui

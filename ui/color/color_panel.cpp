@@ -367,11 +367,10 @@ void ColorPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
 }
 
 void ColorPanel::surveyImages() {
-  if (surveying_ || !snapshot_ || !snapshot_->frames) {
+  if (!snapshot_ || !snapshot_->frames) {
     return;
   }
-  surveying_ = true;
-  survey_ = std::jthread([this, frames = snapshot_->frames] {
+  survey_.start([this, frames = snapshot_->frames](const BackgroundJob::Progress&) {
     std::vector<cv::Mat> images;
     for (const FramePtr& frame : frames->frames) {
       if (frame) {
@@ -379,13 +378,7 @@ void ColorPanel::surveyImages() {
       }
     }
     auto histogram = std::make_shared<const ColorHistogram>(histogramOf(images));
-    QMetaObject::invokeMethod(
-        this,
-        [this, histogram] {
-          surveying_ = false;
-          picker_->setHistogram(*histogram);
-        },
-        Qt::QueuedConnection);
+    return [this, histogram] { picker_->setHistogram(*histogram); };
   });
 }
 

@@ -3,12 +3,12 @@
 
 #include "core/color/color_learning.h"
 #include "core/session/run/snapshot.h"
+#include "ui/jobs/background_job.h"
 
 #include <QElapsedTimer>
 #include <QWidget>
 
 #include <memory>
-#include <thread>
 #include <vector>
 
 class QLabel;
@@ -97,8 +97,7 @@ private:
   bool outlined_ = false;         ///< look-alikes are outlined in the views
   QTimer* judgeSoon_;
   QElapsedTimer sinceSurvey_;
-  bool surveying_ = false;
-  std::jthread survey_;
+  BackgroundJob survey_;
 };
 
 } // namespace dewpoint::ui

@@ -127,21 +127,17 @@ void Document::setLayout(const std::string& layout) {
   }
 }
 
-Status Document::save() {
-  return saveAs(project_->file);
-}
-
-Status Document::saveAs(std::filesystem::path file) {
-  if (auto status = saveProject(*project_, file); !status) {
-    return status;
-  }
+void Document::setSaved(const Project& state, const std::filesystem::path& file) {
   auto saved = std::make_shared<Project>(*project_);
-  saved->file = std::move(file);
+  saved->file = file;
   project_ = std::move(saved);
   unsaved_ = false;
-  undoStack_->setClean();
+  if (changesBetween(state, *project_).any()) {
+    undoStack_->resetClean();
+  } else {
+    undoStack_->setClean();
+  }
   Q_EMIT fileChanged();
-  return {};
 }
 
 } // namespace dewpoint::ui

@@ -26,6 +26,8 @@ public:
 
   /// Valid until the next change: copy what is to be kept.
   const Project& project() const { return *project_; }
+  /// The same, to be kept: it never changes.
+  std::shared_ptr<const Project> state() const { return project_; }
   QUndoStack* undoStack() const { return undoStack_; }
   /// Another project takes the place of this one; the history starts anew. `unsaved`: the project
   /// is in no file as it is (recovered, or just made).
@@ -50,8 +52,9 @@ public:
   /// How the views are laid out: saved with the project, but no edit and no step.
   void setLayout(const std::string& layout);
 
-  Status save();
-  Status saveAs(std::filesystem::path file); ///< by value: it may be the project's own
+  /// This state of the project is in this file now, which is the project's from now on. What was
+  /// changed since is still unsaved. Written by ProjectSaver.
+  void setSaved(const Project& state, const std::filesystem::path& file);
 
 Q_SIGNALS:
   /// Another project is there.

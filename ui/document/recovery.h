@@ -1,45 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/error.h"
-#include "core/project/project.h"
+#include "ui/document/recovery_folder.h"
+#include "ui/jobs/job_queue.h"
 
 #include <QObject>
 #include <QString>
 #include <QTimer>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
-#include <thread>
-
-class QLockFile;
+#include <vector>
 
 namespace dewpoint::ui {
 
 class Document;
 
-/// Work that a window left behind without a proper end.
-struct RecoverableWork {
-  std::filesystem::path file; ///< the copy, a whole project
-  QString name;               ///< of the project
-  QString time;               ///< when it was last written, for people
-};
-
 /// Keeps a copy of unsaved work beside the person's data, so that a crash costs two seconds at
 /// most: every change is on the disk that much later, written beside, flushed and renamed. The copy
-/// goes when the work is saved or given up.
+/// goes when the work is saved or given up. All this is done in order beside the window, which
+/// never waits for the disk.
 class Recovery : public QObject {
   Q_OBJECT
 public:
-  /// `folder` is made when it is missing; one lock in it says which copies have a living window.
-  Recovery(Document& document, std::filesystem::path folder, QObject* parent = nullptr);
+  /// `folder` is made when it is missing; `write`: how texts are written, writeTextFile() when
+  /// there is none.
+  Recovery(Document& document, std::filesystem::path folder, QObject* parent = nullptr,
+           TextWriter write = {});
   ~Recovery() override;
 
-  /// What windows that are gone left in the folder, the newest first.
-  std::vector<RecoverableWork> leftBehind() const;
-  /// The project of such a copy, with the file it was loaded from.
-  Result<Project> recover(const RecoverableWork& work);
+  /// Finds what windows that are gone left in the folder, the newest first.
+  void look(std::function<void(const std::vector<RecoverableWork>&)> then);
+  /// Reads the project of such a copy, with the file it was loaded from.
+  void recover(const RecoverableWork& work, std::function<void(const Result<Project>&)> then);
   /// The document is that work now: its copy goes as soon as this window has written its own, or
   /// the work is saved or given up.
   void take(const RecoverableWork& work) { taken_.push_back(work); }
@@ -61,22 +56,20 @@ Q_SIGNALS:
   void failed(const QString& sentence);
 
 private:
-  void sweep();
-  void discard(const RecoverableWork& work);
+  using Folder = std::optional<RecoveryFolder>; ///< made, used and closed by the queue alone
+  void inFolder(std::function<void(RecoveryFolder&)> work);
   void schedule();
   void removeOwn();
   void removeTaken();
   void write();
-  std::filesystem::path copyOf(const QString& id) const;
 
   Document& document_;
-  std::filesystem::path folder_;
-  QString id_; ///< of this window
-  std::unique_ptr<QLockFile> lock_;
+  std::shared_ptr<Folder> folder_;
   QTimer timer_;
   std::vector<RecoverableWork> taken_; ///< thrown away once this window has its own copy
   QString lastFailure_;
-  std::jthread writer_; ///< flushing takes long on some disks
+  bool writing_ = false;
+  JobQueue queue_;
 };
 
 } // namespace dewpoint::ui

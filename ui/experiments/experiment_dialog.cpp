@@ -2,13 +2,14 @@
 #include "ui/experiments/experiment_dialog.h"
 
 #include "core/experiment/studies/figure_experiments.h"
-#include "ui/jobs/long_job.h"
+#include "ui/jobs/background_job.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/retranslation.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDesktopServices>
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QFormLayout>
@@ -34,7 +35,7 @@ QString words(std::string_view text) {
 } // namespace
 
 ExperimentDialog::ExperimentDialog(QWidget* parent)
-    : QDialog(parent), job_(new LongJob(this)), list_(new QListWidget(this)),
+    : QDialog(parent), job_(new BackgroundJob(this)), list_(new QListWidget(this)),
       sentence_(new QLabel(this)), runsLabel_(new QLabel(this)), runs_(new QSpinBox(this)),
       clothesLabel_(new QLabel(this)), clothes_(new QComboBox(this)),
       recordingsLabel_(new QLabel(this)), recordings_(new QLineEdit(this)),
@@ -56,15 +57,13 @@ ExperimentDialog::ExperimentDialog(QWidget* parent)
           [this] { chooseFolder(folder_, tr("Folder of the report")); });
   connect(browseRecordings_, &QPushButton::clicked, this,
           [this] { chooseFolder(recordings_, tr("Folder of the recordings")); });
-  connect(run_, &QPushButton::clicked, this, &ExperimentDialog::run);
-  connect(cancel_, &QPushButton::clicked, job_, &LongJob::cancel);
+  connect(cancel_, &QPushButton::clicked, job_, &BackgroundJob::cancel);
   connect(open_, &QPushButton::clicked, this, &ExperimentDialog::openReport);
-  connect(close_, &QPushButton::clicked, this, &QDialog::close);
-  connect(job_, &LongJob::progressChanged, this, [this](double part) {
+  connect(job_, &BackgroundJob::progressChanged, this, [this](double part) {
     progress_->setRange(0, part < 0.0 ? 0 : 1000);
     progress_->setValue(static_cast<int>(1000.0 * part));
   });
-  connect(job_, &LongJob::ended, this, [this](bool cancelled) {
+  connect(job_, &BackgroundJob::ended, this, [this](bool cancelled) {
     showRunning(false);
     if (cancelled) {
       state_->setText(tr("Cancelled."));
@@ -134,11 +133,12 @@ void ExperimentDialog::makeFields() {
   auto* progressRow = new QHBoxLayout;
   progressRow->addWidget(progress_, 1);
   progressRow->addWidget(cancel_);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(open_);
-  buttons->addStretch();
-  buttons->addWidget(close_);
-  buttons->addWidget(run_);
+  auto* buttons = new QDialogButtonBox(this);
+  buttons->addButton(run_, QDialogButtonBox::AcceptRole);
+  buttons->addButton(open_, QDialogButtonBox::ActionRole);
+  buttons->addButton(close_, QDialogButtonBox::RejectRole);
+  connect(buttons, &QDialogButtonBox::accepted, this, &ExperimentDialog::run);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   auto* column = new QVBoxLayout(this);
   column->setSpacing(10);
   column->addWidget(list_, 1);
@@ -146,7 +146,7 @@ void ExperimentDialog::makeFields() {
   column->addLayout(form);
   column->addLayout(progressRow);
   column->addWidget(state_);
-  column->addLayout(buttons);
+  column->addWidget(buttons);
   resize(560, 520);
 }
 
@@ -222,19 +222,20 @@ void ExperimentDialog::run() {
     return;
   }
   const FigureExperiment& experiment = chosen();
-  const bool begun = job_->start([this, options, &experiment](const LongJob::Progress& progress) {
-    ExperimentOptions watched = options;
-    watched.progress = progress;
-    const Status made = experiment.run(watched);
-    return std::function<void()>([this, options, made, &experiment] {
-      if (made) {
-        finish(QString::fromStdString((options.folder / experiment.report).string()));
-      } else {
-        state_->setText(errorSentence(made.error()));
-        Q_EMIT failed(errorSentence(made.error()));
-      }
-    });
-  });
+  const bool begun =
+      job_->start([this, options, &experiment](const BackgroundJob::Progress& progress) {
+        ExperimentOptions watched = options;
+        watched.progress = progress;
+        const Status made = experiment.run(watched);
+        return std::function<void()>([this, options, made, &experiment] {
+          if (made) {
+            finish(QString::fromStdString((options.folder / experiment.report).string()));
+          } else {
+            state_->setText(errorSentence(made.error()));
+            Q_EMIT failed(errorSentence(made.error()));
+          }
+        });
+      });
   if (begun) {
     report_.clear();
     open_->setEnabled(false);

@@ -23,7 +23,7 @@ struct FigureExperiment;
 
 namespace dewpoint::ui {
 
-class LongJob;
+class BackgroundJob;
 
 /// The papers' figures, made anew: choose one, see how far it is, open its report. Work goes on
 /// while the window is used.
@@ -47,7 +47,7 @@ private:
   void openReport();
 
   std::vector<const FigureExperiment*> all_; ///< in the order of the list
-  LongJob* job_;
+  BackgroundJob* job_;
   QListWidget* list_;
   QLabel* sentence_;
   QLabel* runsLabel_;

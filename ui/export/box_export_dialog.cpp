@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/box_export_dialog.h"
 
-#include "ui/jobs/long_job.h"
+#include "ui/jobs/background_job.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/retranslation.h"
 
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QFontDatabase>
@@ -28,7 +29,7 @@ constexpr std::size_t kPreviewRows = 200;
 } // namespace
 
 BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* parent)
-    : QDialog(parent), boxes_(std::move(boxes)), job_(new LongJob(this)),
+    : QDialog(parent), boxes_(std::move(boxes)), job_(new BackgroundJob(this)),
       sentence_(new QLabel(this)), preview_(new QPlainTextEdit(this)),
       folderLabel_(new QLabel(this)), folder_(new QLineEdit(this)), browse_(new QPushButton(this)),
       close_(new QPushButton(this)), export_(new QPushButton(this)), question_(new QLabel(this)) {
@@ -52,23 +53,22 @@ BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* paren
   row->addWidget(folderLabel_);
   row->addWidget(folder_, 1);
   row->addWidget(browse_);
-  auto* buttons = new QHBoxLayout;
-  buttons->addStretch();
-  buttons->addWidget(close_);
-  buttons->addWidget(export_);
+  auto* buttons = new QDialogButtonBox(this);
+  buttons->addButton(export_, QDialogButtonBox::AcceptRole);
+  buttons->addButton(close_, QDialogButtonBox::RejectRole);
   auto* column = new QVBoxLayout(this);
   column->setSpacing(10);
   column->addWidget(sentence_);
   column->addWidget(preview_, 1);
   column->addLayout(row);
   column->addWidget(question_);
-  column->addLayout(buttons);
+  column->addWidget(buttons);
   resize(720, 460);
   connect(browse_, &QPushButton::clicked, this, &BoxExportDialog::chooseFolder);
-  connect(close_, &QPushButton::clicked, this, &QDialog::close);
+  connect(buttons, &QDialogButtonBox::accepted, this, &BoxExportDialog::start);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   connect(folder_, &QLineEdit::textChanged, this, [this] { askToReplace(false); });
-  connect(export_, &QPushButton::clicked, this, &BoxExportDialog::start);
-  connect(job_, &LongJob::ended, this, [this] { export_->setEnabled(true); });
+  connect(job_, &BackgroundJob::ended, this, [this] { export_->setEnabled(true); });
   onRetranslate(this, [this] { say(); });
 }
 
@@ -124,7 +124,7 @@ void BoxExportDialog::start() {
   }
   askToReplace(false);
   auto track = std::make_shared<const BoxTrack>(boxes_());
-  const bool begun = job_->start([this, folder, track](const LongJob::Progress&) {
+  const bool begun = job_->start([this, folder, track](const BackgroundJob::Progress&) {
     std::error_code problem;
     std::filesystem::create_directories(folder, problem);
     const Status written =

@@ -14,7 +14,7 @@ class QPushButton;
 
 namespace dewpoint::ui {
 
-class LongJob;
+class BackgroundJob;
 
 /// Takes the boxes of a run home: boxes.csv and boxes_mot.txt into a folder. Not modal; files are
 /// written in the background.
@@ -41,7 +41,7 @@ private:
   void askToReplace(bool ask);
 
   std::function<BoxTrack()> boxes_;
-  LongJob* job_;
+  BackgroundJob* job_;
   QLabel* sentence_;
   QPlainTextEdit* preview_;
   QLabel* folderLabel_;

@@ -86,7 +86,6 @@ void ExportDialog::connectFields() {
   connect(export_, &QPushButton::clicked, this, &ExportDialog::start);
   connect(figure_, &QPushButton::clicked, this, &ExportDialog::startFigure);
   connect(cancel_, &QPushButton::clicked, this, &ExportDialog::stop);
-  connect(close_, &QPushButton::clicked, this, &QDialog::close);
   connect(worker_, &ExportWorker::previewing, this, [this](int percent) {
     if (previewing_) {
       size_->setText(tr("Working on the preview: %1 %").arg(percent));

@@ -6,6 +6,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFontDatabase>
 #include <QFormLayout>
@@ -121,14 +122,18 @@ void ExportDialog::arrangeFields() {
   place->setSpacing(8);
   place->addWidget(file_, 1);
   place->addWidget(browse_);
+  // No accept role: Enter would press it.
+  auto* box = new QDialogButtonBox(this);
+  box->addButton(figure_, QDialogButtonBox::ActionRole);
+  box->addButton(export_, QDialogButtonBox::ActionRole);
+  box->addButton(close_, QDialogButtonBox::RejectRole);
+  connect(box, &QDialogButtonBox::rejected, this, &QDialog::close);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addWidget(progress_, 1);
   buttons->addWidget(cancel_);
   buttons->addStretch(1);
-  buttons->addWidget(figure_);
-  buttons->addWidget(export_);
-  buttons->addWidget(close_);
+  buttons->addWidget(box);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(16, 16, 16, 16);
   layout->setSpacing(16);

@@ -26,9 +26,17 @@ HistoryDock::HistoryDock(const Workbench& bench) : QObject(&bench.window), bench
                      .content = view,
                      .place = DockPlace::History,
                      .hiddenAtFirst = true});
-  bench_.onTriggered("actionUndo", this, [history] { history->undo(); });
-  bench_.onTriggered("actionRedo", this, [history] { history->redo(); });
-  connect(history, &QUndoStack::indexChanged, this, &HistoryDock::nameSteps);
+  // As QUndoStack::createUndoAction() does, whose texts stay in the language they were made in.
+  QAction* undo = bench_.action("actionUndo");
+  QAction* redo = bench_.action("actionRedo");
+  connect(undo, &QAction::triggered, history, &QUndoStack::undo);
+  connect(redo, &QAction::triggered, history, &QUndoStack::redo);
+  connect(history, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
+  connect(history, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
+  connect(history, &QUndoStack::undoTextChanged, this, &HistoryDock::nameSteps);
+  connect(history, &QUndoStack::redoTextChanged, this, &HistoryDock::nameSteps);
+  undo->setEnabled(history->canUndo());
+  redo->setEnabled(history->canRedo());
   nameSteps();
 }
 
@@ -36,8 +44,6 @@ void HistoryDock::nameSteps() {
   const QUndoStack& history = *bench_.document.undoStack();
   QAction* undo = bench_.action("actionUndo");
   QAction* redo = bench_.action("actionRedo");
-  undo->setEnabled(history.canUndo());
-  redo->setEnabled(history.canRedo());
   undo->setText(history.canUndo() ? tr("Undo: %1").arg(history.undoText()) : tr("Undo"));
   redo->setText(history.canRedo() ? tr("Redo: %1").arg(history.redoText()) : tr("Redo"));
 }

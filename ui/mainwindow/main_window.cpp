@@ -31,6 +31,7 @@
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/selection/selection.h"
+#include "ui/style/theme.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/language.h"
 #include "ui/timeline/timeline.h"
@@ -40,13 +41,13 @@
 #include "ui/view3d/birds_eye_dock.h"
 #include "ui/view3d/birds_eye_view.h"
 #include "ui/widgets/message_bar.h"
+#include "ui/widgets/system_colors.h"
 #include "ui/workbench/dock_manager.h"
 #include "ui/workbench/workbench.h"
 
 #include <QAction>
 #include <QCloseEvent>
 #include <QDropEvent>
-#include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QUndoStack>
@@ -57,6 +58,12 @@
 namespace dewpoint::ui {
 
 namespace {
+
+ActionId actionOf(Theme theme) {
+  return theme == Theme::Light  ? ActionId("actionThemeLight")
+         : theme == Theme::Dark ? ActionId("actionThemeDark")
+                                : ActionId("actionThemeSystem");
+}
 
 /// The pointer's place in time is shown wherever there is a time axis.
 void shareCursor(PlotStack& plots, PlotStack& trajectory, Timeline* timeline) {
@@ -76,8 +83,9 @@ MainWindow::MainWindow(ProjectOpener opener, QWidget* parent)
       session_(new SessionController(std::move(opener), *document_, *selection_, this)),
       actions_(new ActionRegistry(this)),
       docks_(new DockManager(*this, *document_, *session_, this)), messages_(new MessageBar()),
-      bench_(new Workbench{*this, *actions_, *document_, *selection_, *session_, *docks_,
-                           *messages_}) {
+      bench_(
+          new Workbench{*this, *actions_, *document_, *selection_, *session_, *docks_, *messages_}),
+      systemColors_(new SystemColors(this)) {
   setObjectName(QStringLiteral("mainWindow"));
   declareWindowActions(*actions_);
   installFeatures();
@@ -161,14 +169,15 @@ void MainWindow::connectRun() {
 }
 
 void MainWindow::connectThemes() {
-  for (const auto& [id, theme] :
-       {std::pair("actionThemeSystem", Theme::System), std::pair("actionThemeLight", Theme::Light),
-        std::pair("actionThemeDark", Theme::Dark)}) {
-    bench_->onTriggered(id, this, [this, theme = theme] {
+  for (const Theme theme : {Theme::System, Theme::Light, Theme::Dark}) {
+    bench_->onTriggered(actionOf(theme), this, [this, theme] {
       setTheme(theme);
-      QSettings().setValue(QStringLiteral("theme"), themeName(theme));
+      Preferences().setTheme(theme);
     });
   }
+  const auto applyAgain = [this] { setTheme(theme_); };
+  connect(systemColors_, &SystemColors::changed, this, applyAgain);
+  connect(systemColors_, &SystemColors::replaced, this, applyAgain);
 }
 
 void MainWindow::openProject(const std::filesystem::path& file) {
@@ -179,8 +188,12 @@ void MainWindow::setPlayOnOpen(bool play) {
   session_->setPlayOnOpen(play);
 }
 
-void MainWindow::useRecovery(const std::filesystem::path& folder) {
-  projects_->useRecovery(folder);
+void MainWindow::useRecovery(const std::filesystem::path& folder, TextWriter write) {
+  projects_->useRecovery(folder, std::move(write));
+}
+
+ProjectSaver& MainWindow::saver() {
+  return projects_->saver();
 }
 
 TrackSnapshotPtr MainWindow::shown() const {
@@ -201,17 +214,19 @@ bool MainWindow::saveRun(const std::filesystem::path& folder) {
 
 void MainWindow::setTheme(Theme theme) {
   theme_ = theme;
-  applyTheme(theme);
-  actions_->drawIcons(themePalette(isDark(theme)));
-  bench_
-      ->action(theme == Theme::Light  ? "actionThemeLight"
-               : theme == Theme::Dark ? "actionThemeDark"
-                                      : "actionThemeSystem")
-      ->setChecked(true);
+  const bool dark = theme == Theme::Dark || (theme == Theme::System && systemColors_->isDark());
+  applyTheme(dark);
+  actions_->drawIcons(themePalette(dark));
+  bench_->action(actionOf(theme))->setChecked(true);
+}
+
+void MainWindow::keepGeometry() {
+  keepsGeometry_ = true;
+  restoreGeometry(Preferences().windowGeometry());
 }
 
 void MainWindow::setLanguage(const QString& language) {
-  QSettings().setValue(QStringLiteral("language"), language);
+  Preferences().setLanguage(language);
   useLanguage(language);
 }
 
@@ -242,6 +257,9 @@ bool MainWindow::focusNextPrevChild(bool next) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   event->setAccepted(projects_->mayClose());
+  if (event->isAccepted() && keepsGeometry_) {
+    Preferences().setWindowGeometry(saveGeometry());
+  }
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/document/recovery_folder.h"
+#include "ui/preferences/preferences.h"
 #include "ui/session/project_loader.h"
-#include "ui/style/theme.h"
 
 #include <QMainWindow>
 
@@ -21,8 +22,10 @@ class Document;
 class HistoryDock;
 class MessageBar;
 class ProjectController;
+class ProjectSaver;
 class Selection;
 class SessionController;
+class SystemColors;
 class WindowMenus;
 struct Workbench;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
@@ -41,8 +44,14 @@ public:
   void setTheme(Theme theme);
   Theme theme() const { return theme_; }
 
-  /// Keeps unsaved work in this folder, and offers what an earlier window left there.
-  void useRecovery(const std::filesystem::path& folder);
+  /// Takes the size and place that the window had when it was closed last, and remembers them when
+  /// it is closed.
+  void keepGeometry();
+  /// Keeps unsaved work in this folder, and offers what an earlier window left there. `write`: how
+  /// its copies are written, writeTextFile() when there is none.
+  void useRecovery(const std::filesystem::path& folder, TextWriter write = {});
+  /// Writes projects to their files.
+  ProjectSaver& saver();
   /// Speaks another language from now on, and remembers it.
   void setLanguage(const QString& language);
 
@@ -89,7 +98,9 @@ private:
   ProjectController* projects_ = nullptr;
   HistoryDock* history_ = nullptr;
   WindowMenus* menus_ = nullptr;
+  SystemColors* systemColors_;
   Theme theme_ = Theme::System;
+  bool keepsGeometry_ = false;
 };
 
 } // namespace dewpoint::ui

@@ -3,17 +3,17 @@
 
 #include "core/project/project.h"
 #include "ui/document/document.h"
+#include "ui/document/project_saver.h"
 #include "ui/mainwindow/recovery_offer.h"
+#include "ui/preferences/preferences.h"
 #include "ui/session/open_request.h"
 #include "ui/start/new_project_page.h"
-#include "ui/start/recent_projects.h"
 #include "ui/start/start_page.h"
-#include "ui/text/error_sentence.h"
+#include "ui/widgets/file_choice.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/dock_manager.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
@@ -48,11 +48,12 @@ QStringList filesOf(const QMimeData& data) {
 } // namespace
 
 ProjectController::ProjectController(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench) {
+    : QObject(&bench.window), bench_(bench), saver_(new ProjectSaver(bench.document, this)) {
   makePages();
   connectPages();
   connectActions();
   connectRun();
+  connectSaver();
   bench_.window.setAcceptDrops(true);
 }
 
@@ -90,12 +91,8 @@ void ProjectController::connectPages() {
 }
 
 void ProjectController::connectActions() {
-  const auto unlessUnsaved = [this](auto run) {
-    return [this, run] {
-      if (mayDiscard()) {
-        run();
-      }
-    };
+  const auto unlessUnsaved = [this](const std::function<void()>& run) {
+    return [this, run] { whenSettled(run); };
   };
   bench_.onTriggered("actionNew", this, unlessUnsaved([this] { beginNew({}); }));
   bench_.onTriggered("actionOpen", this, [this] { askOpen(); });
@@ -119,7 +116,7 @@ void ProjectController::connectRun() {
   connect(run, &SessionController::replaced, this, [this](const OpenRequest& request) {
     const auto& file = bench_.document.project().file;
     if (!request.keepHistory && !file.empty()) {
-      addRecentProject(QString::fromStdString(file.string()));
+      Preferences().addRecentProject(QString::fromStdString(file.string()));
     }
     if (request.recovered && recovery_ != nullptr) {
       recovery_->take(*request.recovered);
@@ -160,14 +157,13 @@ void ProjectController::openMade(const Project& project, const QString& note) {
 }
 
 void ProjectController::askOpen() {
-  if (!mayDiscard()) {
-    return;
-  }
-  const QString file = QFileDialog::getOpenFileName(
-      &bench_.window, tr("Open a project"), {}, tr("Dewpoint projects (*.toml);;All files (*)"));
-  if (!file.isEmpty()) {
-    open(toPath(file));
-  }
+  whenSettled([this] {
+    const QString file = askForFile(&bench_.window, tr("Open a project"),
+                                    tr("Dewpoint projects (*.toml);;All files (*)"));
+    if (!file.isEmpty()) {
+      open(toPath(file));
+    }
+  });
 }
 
 void ProjectController::save() {
@@ -179,23 +175,31 @@ void ProjectController::save() {
 }
 
 void ProjectController::askSaveAs() {
-  const QString file = QFileDialog::getSaveFileName(&bench_.window, tr("Save the project"),
-                                                    QStringLiteral("project.toml"),
-                                                    tr("Dewpoint projects (*.toml)"));
+  const QString file =
+      askForFileToSave(&bench_.window, tr("Save the project"), QStringLiteral("project.toml"),
+                       tr("Dewpoint projects (*.toml)"));
   if (!file.isEmpty()) {
     saveTo(toPath(file));
   }
 }
 
-void ProjectController::saveTo(std::filesystem::path file) {
+void ProjectController::saveTo(const std::filesystem::path& file) {
   bench_.docks.storeLayout();
-  if (auto status = bench_.document.saveAs(file); !status) {
-    bench_.messages.showError(errorSentence(status.error()));
-  } else {
-    const QString name = QString::fromStdString(file.string());
-    addRecentProject(name);
-    bench_.messages.showNotice(tr("Saved %1.").arg(name));
-  }
+  saver_->save(file);
+}
+
+void ProjectController::connectSaver() {
+  connect(saver_, &ProjectSaver::saved, this, [this](const QString& file) {
+    Preferences().addRecentProject(file);
+    bench_.messages.showNotice(tr("Saved %1.").arg(file));
+    if (const auto next = std::exchange(afterSaving_, {})) {
+      whenSettled(next); // it may have been changed while it was saved
+    }
+  });
+  connect(saver_, &ProjectSaver::failed, this, [this](const QString& sentence) {
+    afterSaving_ = {};
+    bench_.messages.showError(sentence);
+  });
 }
 
 void ProjectController::close() {
@@ -203,7 +207,7 @@ void ProjectController::close() {
   showStart();
 }
 
-bool ProjectController::mayDiscard() {
+bool ProjectController::mayDiscard(const std::function<void()>& saved) {
   // A simulated scene without a file is the demo: what was tried there is not worth a question.
   const Project& project = bench_.document.project();
   if (!bench_.document.isUnsaved() || (project.file.empty() && !project.scene.empty())) {
@@ -214,13 +218,19 @@ bool ProjectController::mayDiscard() {
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   if (answer == QMessageBox::Save) {
     save();
-    return !bench_.document.isUnsaved();
+    afterSaving_ = saver_->isSaving() ? saved : std::function<void()>();
   }
   return answer == QMessageBox::Discard;
 }
 
+void ProjectController::whenSettled(const std::function<void()>& next) {
+  if (mayDiscard(next)) {
+    next();
+  }
+}
+
 bool ProjectController::mayClose() {
-  if (!mayDiscard()) {
+  if (!mayDiscard([this] { bench_.window.close(); })) {
     return false;
   }
   if (recovery_ != nullptr) {
@@ -231,15 +241,12 @@ bool ProjectController::mayClose() {
 
 void ProjectController::fillRecentMenu(QMenu* menu) {
   menu->clear();
-  for (const QString& file : recentProjects()) {
+  for (const QString& file : Preferences().recentProjects()) {
     QAction* entry = menu->addAction(QFileInfo(file).completeBaseName());
     entry->setObjectName(QStringLiteral("qt_recent")); // a person's word, in no language of ours
     entry->setToolTip(file);
-    connect(entry, &QAction::triggered, this, [this, file] {
-      if (mayDiscard()) {
-        open(toPath(file));
-      }
-    });
+    connect(entry, &QAction::triggered, this,
+            [this, file] { whenSettled([this, file] { open(toPath(file)); }); });
   }
   if (menu->isEmpty()) {
     menu->addAction(tr("Nothing yet"))->setEnabled(false);
@@ -247,7 +254,7 @@ void ProjectController::fillRecentMenu(QMenu* menu) {
   }
   menu->addSeparator();
   connect(menu->addAction(tr("Forget these")), &QAction::triggered, this, [this] {
-    clearRecentProjects();
+    Preferences().clearRecentProjects();
     startPage_->refresh();
   });
 }
@@ -262,21 +269,21 @@ void ProjectController::drop(const QMimeData& data) {
     newProject_->addFiles(files);
     return;
   }
-  if (!mayDiscard()) {
-    return;
-  }
-  if (files.size() == 1 && isProject(files.front())) {
-    open(toPath(files.front()));
-  } else {
-    beginNew(files);
-  }
+  whenSettled([this, files] {
+    if (files.size() == 1 && isProject(files.front())) {
+      open(toPath(files.front()));
+    } else {
+      beginNew(files);
+    }
+  });
 }
 
-void ProjectController::useRecovery(const std::filesystem::path& folder) {
-  recovery_ = new RecoveryOffer(bench_, folder);
+void ProjectController::useRecovery(const std::filesystem::path& folder, TextWriter write) {
+  recovery_ = new RecoveryOffer(bench_, folder, std::move(write));
   connect(recovery_, &RecoveryOffer::wanted, this, [this](const RecoverableWork& work) {
-    if (mayDiscard()) {
-      recovery_->recover(work);
+    const auto read = [this, work] { recovery_->recover(work); };
+    if (mayDiscard(read)) {
+      read();
     } else {
       recovery_->offer(); // the question came late, and there is other work by now
     }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/document/recovery_folder.h"
 #include "ui/workbench/workbench.h"
 
 #include <filesystem>
+#include <functional>
 
 class QMenu;
 class QMimeData;
@@ -16,6 +18,7 @@ struct Project;
 namespace dewpoint::ui {
 
 class NewProjectPage;
+class ProjectSaver;
 class Recovery;
 class RecoveryOffer;
 class StartPage;
@@ -33,8 +36,10 @@ public:
   /// Shows the start page.
   void showStart();
   /// Keeps unsaved work in this folder, and offers what an earlier window left there.
-  void useRecovery(const std::filesystem::path& folder);
-  /// Whether the window may close. The copy of what was given up goes.
+  void useRecovery(const std::filesystem::path& folder, TextWriter write);
+  ProjectSaver& saver() { return *saver_; }
+  /// Whether the window may close now; it is closed later if its work is saved first. The copy of
+  /// what was given up goes.
   bool mayClose();
   void fillRecentMenu(QMenu* menu);
   /// Whether there is anything that could be opened.
@@ -46,20 +51,27 @@ private:
   void connectPages();
   void connectActions();
   void connectRun();
+  void connectSaver();
   void beginNew(const QStringList& files);
   void openMade(const Project& project, const QString& note);
   void askOpen();
   void askSaveAs();
   void save();
-  void saveTo(std::filesystem::path file);
+  void saveTo(const std::filesystem::path& file);
   void close();
-  bool mayDiscard();
+  /// Asks about unsaved changes. True: go on. False: not now; `saved` runs once they are saved, if
+  /// that was the answer.
+  bool mayDiscard(const std::function<void()>& saved);
+  /// Runs `next` as soon as nothing unsaved is lost by it.
+  void whenSettled(const std::function<void()>& next);
 
   Workbench bench_;
   QStackedWidget* pages_ = nullptr;
   StartPage* startPage_ = nullptr;
   NewProjectPage* newProject_ = nullptr;
   RecoveryOffer* recovery_ = nullptr;
+  ProjectSaver* saver_;
+  std::function<void()> afterSaving_; ///< what waits until the project is in its file
 };
 
 } // namespace dewpoint::ui

@@ -8,14 +8,18 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include <utility>
+
 namespace dewpoint::ui {
 
 namespace {
 constexpr int kUntilGoneMs = 8000;
 }
 
-RecoveryOffer::RecoveryOffer(const Workbench& bench, const std::filesystem::path& folder)
-    : QObject(&bench.window), bench_(bench), recovery_(new Recovery(bench.document, folder, this)) {
+RecoveryOffer::RecoveryOffer(const Workbench& bench, const std::filesystem::path& folder,
+                             TextWriter write)
+    : QObject(&bench.window), bench_(bench),
+      recovery_(new Recovery(bench.document, folder, this, std::move(write))) {
   connect(recovery_, &Recovery::failed, &bench_.messages, &MessageBar::showError);
   connect(recovery_, &Recovery::writing, &bench_.docks, &DockManager::storeLayout);
   offer();
@@ -28,7 +32,10 @@ RecoveryOffer::RecoveryOffer(const Workbench& bench, const std::filesystem::path
 }
 
 void RecoveryOffer::offer() {
-  const auto left = recovery_->leftBehind();
+  recovery_->look([this](const std::vector<RecoverableWork>& left) { ask(left); });
+}
+
+void RecoveryOffer::ask(const std::vector<RecoverableWork>& left) {
   if (left.empty()) {
     return;
   }
@@ -44,21 +51,24 @@ void RecoveryOffer::offer() {
 
 void RecoveryOffer::throwAway(const RecoverableWork& work) {
   recovery_->putAside(work);
-  offer(); // of other work, once this is read
-  bench_.messages.ask(tr("Unsaved work on “%1” was thrown away.").arg(work.name),
-                      {{tr("Take it back"), [this, work] {
-                          recovery_->takeBack(work);
-                          offer();
-                        }}});
+  recovery_->look([this, work](const std::vector<RecoverableWork>& left) {
+    ask(left); // of other work, once this is read
+    bench_.messages.ask(tr("Unsaved work on “%1” was thrown away.").arg(work.name),
+                        {{tr("Take it back"), [this, work] {
+                            recovery_->takeBack(work);
+                            offer();
+                          }}});
+  });
 }
 
 void RecoveryOffer::recover(const RecoverableWork& work) {
-  const auto project = recovery_->recover(work);
-  if (project) {
-    Q_EMIT recovered(*project, work);
-  } else {
-    bench_.messages.showError(errorSentence(project.error()));
-  }
+  recovery_->recover(work, [this, work](const Result<Project>& project) {
+    if (project) {
+      Q_EMIT recovered(*project, work);
+    } else {
+      bench_.messages.showError(errorSentence(project.error()));
+    }
+  });
 }
 
 } // namespace dewpoint::ui

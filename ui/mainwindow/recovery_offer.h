@@ -5,6 +5,7 @@
 #include "ui/workbench/workbench.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace dewpoint::ui {
 
@@ -13,7 +14,7 @@ namespace dewpoint::ui {
 class RecoveryOffer : public QObject {
   Q_OBJECT
 public:
-  RecoveryOffer(const Workbench& bench, const std::filesystem::path& folder);
+  RecoveryOffer(const Workbench& bench, const std::filesystem::path& folder, TextWriter write);
 
   /// Asks about the newest work that was left behind, if there is any.
   void offer();
@@ -31,6 +32,7 @@ Q_SIGNALS:
   void recovered(const Project& project, const RecoverableWork& work);
 
 private:
+  void ask(const std::vector<RecoverableWork>& left);
   void throwAway(const RecoverableWork& work);
 
   Workbench bench_;

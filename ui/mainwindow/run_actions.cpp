@@ -1,13 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mainwindow/run_actions.h"
 
+#include "core/session/run/snapshot.h"
 #include "core/session/session.h"
 #include "ui/actions/action_registry.h"
+#include "ui/actions/key_guard.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/workbench/workbench.h"
 
 #include <QAction>
 
 namespace dewpoint::ui {
+
+namespace {
+
+/// False: there is nothing to lose.
+bool askToRestart(const Workbench& bench, bool newSeed) {
+  const TrackSnapshotPtr& shown = bench.session.shown();
+  if (shown == nullptr || shown->history.head <= 0) {
+    return false;
+  }
+  SessionController* run = &bench.session;
+  bench.messages.ask(
+      SessionController::tr("Restart the run? What was tracked so far is lost."),
+      {{SessionController::tr("Restart"), [run, newSeed] { run->restart(newSeed); }}});
+  return true;
+}
+
+} // namespace
 
 void installRunActions(const Workbench& bench) {
   SessionController* run = &bench.session;
@@ -16,6 +36,11 @@ void installRunActions(const Workbench& bench) {
   bench.onTriggered("actionNextIteration", run, [run] { run->session()->stepIteration(); });
   bench.onTriggered("actionRestart", run, [run] { run->restart(false); });
   bench.onTriggered("actionRestartNewSeed", run, [run] { run->restart(true); });
+  for (const bool newSeed : {false, true}) {
+    new KeyGuard(
+        bench.action(newSeed ? ActionId("actionRestartNewSeed") : ActionId("actionRestart")),
+        [bench, newSeed] { return askToRestart(bench, newSeed); });
+  }
   bench.needRun({"actionPlay", "actionNextFrame", "actionNextIteration", "actionRestart",
                  "actionRestartNewSeed"});
   QObject::connect(run, &SessionController::snapshotChanged, &bench.actions,

@@ -29,31 +29,22 @@ TransportBar::TransportBar(const Workbench& bench) {
   setMovable(false);
   setIconSize({20, 20});
   setContextMenuPolicy(Qt::PreventContextMenu);
-  for (const char* id : {"actionPlay",
-                         "actionPreviousFrame",
-                         "actionNextFrame",
-                         "actionNextIteration",
-                         "",
-                         "actionNow",
-                         "actionRerun",
-                         "",
-                         "actionRestart",
-                         "actionRestartNewSeed",
-                         "",
-                         "actionLearnColor",
-                         "actionShowMask",
-                         "",
-                         "actionUndo",
-                         "actionRedo",
-                         "",
-                         "actionOpen",
-                         "actionSave",
-                         "actionExportTrajectory",
-                         "",
-                         "actionPalette"}) {
-    *id == '\0' ? (void)addSeparator() : add(bench.action(id));
+  for (const ActionId id :
+       std::initializer_list<ActionId>{"actionPlay",      "actionPreviousFrame",
+                                       "actionNextFrame", "actionNextIteration",
+                                       nullptr,           "actionNow",
+                                       "actionRerun",     nullptr,
+                                       "actionRestart",   "actionRestartNewSeed",
+                                       nullptr,           "actionLearnColor",
+                                       "actionShowMask",  nullptr,
+                                       "actionUndo",      "actionRedo",
+                                       nullptr,           "actionOpen",
+                                       "actionSave",      "actionExportTrajectory",
+                                       nullptr,           "actionPalette"}) {
+    id.isSeparator() ? (void)addSeparator() : add(bench.action(id));
   }
-  for (const char* id : {"actionPlay", "actionNextFrame", "actionNextIteration"}) {
+  for (const ActionId id :
+       std::initializer_list<ActionId>{"actionPlay", "actionNextFrame", "actionNextIteration"}) {
     static_cast<QToolButton*>(widgetForAction(bench.action(id)))
         ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   }

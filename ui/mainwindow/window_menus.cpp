@@ -3,6 +3,7 @@
 
 #include "ui/actions/action_registry.h"
 #include "ui/actions/shortcut_editor.h"
+#include "ui/preferences/preferences.h"
 #include "ui/text/language.h"
 #include "ui/workbench/dock_manager.h"
 
@@ -12,7 +13,6 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
-#include <QSettings>
 
 #include <utility>
 
@@ -27,11 +27,11 @@ WindowMenus::WindowMenus(const Workbench& bench, Owners owners)
 }
 
 QMenu* WindowMenus::add(const QString& title, const char* name,
-                        std::initializer_list<const char*> ids) {
+                        std::initializer_list<ActionId> ids) {
   QMenu* menu = bench_.window.menuBar()->addMenu(title);
   menu->setObjectName(QLatin1String(name));
-  for (const char* id : ids) {
-    id == nullptr ? (void)menu->addSeparator() : menu->addAction(bench_.action(id));
+  for (const ActionId id : ids) {
+    id.isSeparator() ? (void)menu->addSeparator() : menu->addAction(bench_.action(id));
   }
   return menu;
 }
@@ -85,7 +85,8 @@ void WindowMenus::makeViewMenu() {
   });
   QMenu* colors = view->addMenu(tr("Colors"));
   colors->setObjectName(QStringLiteral("menuColors"));
-  for (const char* theme : {"actionThemeSystem", "actionThemeLight", "actionThemeDark"}) {
+  for (const ActionId theme : std::initializer_list<ActionId>{
+           "actionThemeSystem", "actionThemeLight", "actionThemeDark"}) {
     colors->addAction(bench_.action(theme));
   }
   QMenu* language = view->addMenu(tr("Language"));
@@ -95,7 +96,7 @@ void WindowMenus::makeViewMenu() {
 
 void WindowMenus::fillLanguageMenu(QMenu* menu) {
   auto* choice = new QActionGroup(menu);
-  const QString now = QSettings().value(QStringLiteral("language")).toString();
+  const QString now = Preferences().language();
   languages_.clear();
   const auto addChoice = [&](const QString& text, const QString& language) {
     QAction* entry = menu->addAction(text);

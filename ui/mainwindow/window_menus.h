@@ -29,7 +29,7 @@ public:
   void openShortcuts();
 
 private:
-  QMenu* add(const QString& title, const char* name, std::initializer_list<const char*> ids);
+  QMenu* add(const QString& title, const char* name, std::initializer_list<ActionId> ids);
   void makeProjectMenu();
   void makeViewMenu();
   void fillLanguageMenu(QMenu* menu);

@@ -6,6 +6,7 @@
 #include "ui/document/document.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/retranslation.h"
+#include "ui/widgets/file_choice.h"
 #include "ui/widgets/number_field.h"
 
 #include <QCheckBox>
@@ -137,8 +138,8 @@ void CameraPanel::connectFields() {
   connect(emptyRoomBrowse_, &QPushButton::clicked, this, &CameraPanel::chooseEmptyRoom);
   connect(emptyRoomTake_, &QPushButton::clicked, this, &CameraPanel::takeEmptyRoom);
   connect(load_, &QPushButton::clicked, this, [this] {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Choose a calibration"), {},
-                                                      tr("Calibrations (*.toml);;All files (*)"));
+    const QString file =
+        askForFile(this, tr("Choose a calibration"), tr("Calibrations (*.toml);;All files (*)"));
     if (!file.isEmpty()) {
       Q_EMIT calibrationWanted(file);
     }

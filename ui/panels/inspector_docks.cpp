@@ -3,6 +3,7 @@
 
 #include "core/setup/new_project.h"
 #include "ui/document/document.h"
+#include "ui/jobs/latest_job.h"
 #include "ui/panels/camera_panel.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/target_panel.h"
@@ -36,23 +37,31 @@ void sayWhatMethodNeeds(const Workbench& bench) {
   }
 }
 
-void loadCalibration(const Workbench& bench, const QString& file) {
-  auto made = withCalibration(bench.document.project(), file.toStdString());
-  if (made) {
-    const auto edited =
-        bench.document.edit(CameraPanel::tr("Load calibration"),
-                            [&](Project& project) { project.cameras = made->project.cameras; });
-    if (edited) {
-      bench.messages.showNotice(
-          made->matchedByOrder
-              ? CameraPanel::tr("The calibration names its cameras differently: they were "
-                                "taken in its order.")
-              : CameraPanel::tr("The cameras have the calibration of %1 now.").arg(file));
-      return;
-    }
-    made = tl::make_unexpected(edited.error());
+void takeCameras(const Workbench& bench, const MadeProject& made, const QString& file) {
+  const auto edited =
+      bench.document.edit(CameraPanel::tr("Load calibration"),
+                          [&](Project& project) { project.cameras = made.project.cameras; });
+  if (!edited) {
+    bench.messages.showError(errorSentence(edited.error()));
+    return;
   }
-  bench.messages.showError(errorSentence(made.error()));
+  bench.messages.showNotice(
+      made.matchedByOrder
+          ? CameraPanel::tr("The calibration names its cameras differently: they were "
+                            "taken in its order.")
+          : CameraPanel::tr("The cameras have the calibration of %1 now.").arg(file));
+}
+
+void loadCalibration(const Workbench& bench, LatestJob* job, const QString& file) {
+  job->start([bench, file, project = bench.document.state()](const BackgroundJob::Progress&) {
+    return [bench, file, project, made = withCalibration(*project, file.toStdString())] {
+      if (!made) {
+        bench.messages.showError(errorSentence(made.error()));
+      } else if (project->cameras == bench.document.project().cameras) { // not changed meanwhile
+        takeCameras(bench, *made, file);
+      }
+    };
+  });
 }
 
 } // namespace
@@ -95,8 +104,9 @@ CameraPanel* installCameras(const Workbench& bench) {
                     .content = panel,
                     .rank = 4});
   bench.connectImageView(panel);
+  auto* job = new LatestJob(LatestJob::Overtaken::Dropped, panel);
   QObject::connect(panel, &CameraPanel::calibrationWanted, panel,
-                   [bench](const QString& file) { loadCalibration(bench, file); });
+                   [bench, job](const QString& file) { loadCalibration(bench, job, file); });
   QObject::connect(panel, &CameraPanel::failed, &bench.messages, &MessageBar::showError);
   QObject::connect(panel, &CameraPanel::said, &bench.messages, &MessageBar::showNotice);
   QObject::connect(panel, &CameraPanel::asked, &bench.messages,

@@ -7,7 +7,7 @@
 #include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/people_painter.h"
 #include "ui/document/document.h"
-#include "ui/jobs/long_job.h"
+#include "ui/jobs/background_job.h"
 #include "ui/people/add_person_tool.h"
 #include "ui/people/people_panel.h"
 #include "ui/selection/selection.h"
@@ -31,7 +31,7 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
     : QObject(&bench.window), bench_(bench),
       panel_(new PeoplePanel(bench.selection, bench.action("actionPlacePerson"),
                              bench.action("actionRemovePerson"), &bench.window)),
-      placer_(new AddPersonTool(&birdsEye, this)), job_(new LongJob(this)),
+      placer_(new AddPersonTool(&birdsEye, this)), job_(new BackgroundJob(this)),
       others_(std::move(others)) {
   dock_ = bench_.docks.make({.name = QStringLiteral("peopleDock"),
                              .title = [] { return tr("People"); },

@@ -13,7 +13,7 @@ namespace dewpoint::ui {
 
 class BirdsEyeView;
 class CameraDocks;
-class LongJob;
+class BackgroundJob;
 class PeoplePanel;
 class AddPersonTool;
 class ViewDock;
@@ -43,7 +43,7 @@ private:
   Workbench bench_;
   PeoplePanel* panel_;
   AddPersonTool* placer_;
-  LongJob* job_; ///< writes tables
+  BackgroundJob* job_; ///< writes tables
   ViewDock* dock_;
   std::vector<ViewDock*> others_;
 };

@@ -5,17 +5,17 @@
 #include "ui/actions/action_registry.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/run_plots.h"
+#include "ui/preferences/preferences.h"
 #include "ui/text/retranslation.h"
+#include "ui/widgets/file_choice.h"
 
 #include <QAction>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QScrollArea>
-#include <QSettings>
 #include <QToolButton>
 
 #include <array>
@@ -25,21 +25,21 @@ namespace dewpoint::ui {
 namespace {
 
 /// Actions that show a plot, and its id.
-constexpr std::array<std::pair<const char*, const char*>, 6> kChoices{
-    {{"actionPlotSpread", "spread"},
-     {"actionPlotSampleSize", "sampleSize"},
-     {"actionPlotLikelihood", "likelihood"},
-     {"actionPlotExistence", "existence"},
-     {"actionPlotError", "error"},
-     {"actionPlotDuration", "duration"}}};
-
-constexpr const char* kShownSetting = "plots/shown";
-constexpr const char* kOverTimeSetting = "plots/overTime";
+struct Choice {
+  ActionId action;
+  const char* plot;
+};
+constexpr std::array<Choice, 6> kChoices{{{"actionPlotSpread", "spread"},
+                                          {"actionPlotSampleSize", "sampleSize"},
+                                          {"actionPlotLikelihood", "likelihood"},
+                                          {"actionPlotExistence", "existence"},
+                                          {"actionPlotError", "error"},
+                                          {"actionPlotDuration", "duration"}}};
 
 QStringList chosenPlots() {
-  const QStringList atFirst{QStringLiteral("spread"), QStringLiteral("sampleSize"),
-                            QStringLiteral("likelihood"), QStringLiteral("error")};
-  return QSettings().value(QLatin1String(kShownSetting), atFirst).toStringList();
+  return Preferences().shownPlots().value_or(
+      QStringList{QStringLiteral("spread"), QStringLiteral("sampleSize"),
+                  QStringLiteral("likelihood"), QStringLiteral("error")});
 }
 
 } // namespace
@@ -83,9 +83,9 @@ void PlotPanel::connectActions() {
   QAction* overTime = actions_.action("actionPlotOverTime");
   connect(overTime, &QAction::toggled, this, [this](bool time) {
     stack_->setAxis(time ? PlotAxis::Time : PlotAxis::Iterations);
-    QSettings().setValue(QLatin1String(kOverTimeSetting), time);
+    Preferences().setPlotsOverTime(time);
   });
-  overTime->setChecked(QSettings().value(QLatin1String(kOverTimeSetting), false).toBool());
+  overTime->setChecked(Preferences().plotsOverTime());
   connect(actions_.action("actionPlotAll"), &QAction::triggered, stack_, &PlotStack::showAll);
   connect(actions_.action("actionPlotCopy"), &QAction::triggered, this, &PlotPanel::copyCsv);
   connect(actions_.action("actionPlotSave"), &QAction::triggered, this, &PlotPanel::askSave);
@@ -99,11 +99,11 @@ void PlotPanel::connectActions() {
 
 void PlotPanel::fillMenu(QMenu* menu) const {
   for (const auto& choice : kChoices) {
-    menu->addAction(actions_.action(choice.first));
+    menu->addAction(actions_.action(choice.action));
   }
   menu->addSeparator();
-  for (const char* id :
-       {"actionPlotOverTime", "actionPlotAll", "actionPlotCopy", "actionPlotSave"}) {
+  for (const ActionId id : std::initializer_list<ActionId>{"actionPlotOverTime", "actionPlotAll",
+                                                           "actionPlotCopy", "actionPlotSave"}) {
     menu->addAction(actions_.action(id));
   }
 }
@@ -115,7 +115,7 @@ void PlotPanel::keepChoice() {
       chosen << QLatin1String(plot);
     }
   }
-  QSettings().setValue(QLatin1String(kShownSetting), chosen);
+  Preferences().setShownPlots(chosen);
   stack_->setShown(chosen);
 }
 
@@ -245,9 +245,8 @@ void PlotPanel::copyCsv() {
 }
 
 void PlotPanel::askSave() {
-  const QString file =
-      QFileDialog::getSaveFileName(this, tr("Save the plots"), QStringLiteral("plots.svg"),
-                                   tr("Drawings (*.svg);;Pictures (*.png)"));
+  const QString file = askForFileToSave(this, tr("Save the plots"), QStringLiteral("plots.svg"),
+                                        tr("Drawings (*.svg);;Pictures (*.png)"));
   if (!file.isEmpty()) {
     savePicture(file);
   }

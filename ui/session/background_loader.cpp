@@ -2,7 +2,7 @@
 #include "ui/session/background_loader.h"
 
 #include "core/session/run/background_images.h"
-#include "ui/jobs/long_job.h"
+#include "ui/jobs/background_job.h"
 #include "ui/text/error_sentence.h"
 
 #include <functional>
@@ -10,8 +10,9 @@
 
 namespace dewpoint::ui {
 
-BackgroundLoader::BackgroundLoader(QObject* parent) : QObject(parent), job_(new LongJob(this)) {
-  connect(job_, &LongJob::ended, this, [this](bool cancelled) {
+BackgroundLoader::BackgroundLoader(QObject* parent)
+    : QObject(parent), job_(new BackgroundJob(this)) {
+  connect(job_, &BackgroundJob::ended, this, [this](bool cancelled) {
     if (cancelled && wanted_) {
       start(); // it was changed again meanwhile
     }

@@ -17,7 +17,7 @@ struct Project;
 
 namespace dewpoint::ui {
 
-class LongJob;
+class BackgroundJob;
 
 /// Reads the pictures of a project's empty rooms beside the window; a run takes them and goes on.
 class BackgroundLoader : public QObject {
@@ -39,7 +39,7 @@ Q_SIGNALS:
 private:
   void start();
 
-  LongJob* job_;
+  BackgroundJob* job_;
   std::shared_ptr<const Project> wanted_; ///< what is to be read next
   int wish_ = 0;                          ///< counts up; an answer to an earlier one is not given
 };

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "ui/jobs/latest_job.h"
 
 #include <QObject>
 
 #include <functional>
 #include <memory>
-#include <thread>
 
 namespace dewpoint::session {
 class Session;
@@ -22,7 +22,8 @@ struct OpenRequest;
 /// Opens a project as the application wires it. Called in a thread.
 using ProjectOpener = std::function<Result<SessionInputs>(const SessionRequest&)>;
 
-/// Does what may take long, opening videos and joining threads, away from the window's thread.
+/// Does what may take long, opening videos and joining threads, away from the window's thread,
+/// which never waits for it.
 class ProjectLoader : public QObject {
   Q_OBJECT
 public:
@@ -37,8 +38,8 @@ public:
   bool isOpening() const { return opening_; }
   /// Whether what will be opened in the end is the document's own project with other inputs.
   bool isReopening() const;
-  /// Lets a session end in a thread of its own.
-  void retire(std::unique_ptr<Session> session);
+  /// Lets a session end in a thread of its own, however long its cameras take.
+  static void retire(std::unique_ptr<Session> session);
 
 Q_SIGNALS:
   void openingChanged(bool opening);
@@ -51,10 +52,8 @@ private:
 
   ProjectOpener opener_;
   bool opening_ = false;
-  std::unique_ptr<OpenRequest> now_;  ///< what is being opened
-  std::unique_ptr<OpenRequest> next_; ///< what takes its place
-  std::jthread worker_;
-  std::jthread retirement_;
+  std::unique_ptr<OpenRequest> wanted_; ///< what will be open in the end
+  LatestJob job_{LatestJob::Overtaken::Dropped};
 };
 
 } // namespace dewpoint::ui

@@ -3,6 +3,7 @@
 
 #include "core/session/session.h"
 #include "ui/session/live_frame_filler.h"
+#include "ui/session/project_loader.h"
 
 #include <QMetaObject>
 
@@ -18,7 +19,9 @@ SessionBridge::SessionBridge(SessionInputs inputs, QObject* parent)
   });
 }
 
-SessionBridge::~SessionBridge() = default;
+SessionBridge::~SessionBridge() {
+  ProjectLoader::retire(release()); // its threads may hang in a dead camera
+}
 
 TrackSnapshotPtr SessionBridge::asSeen(const TrackSnapshotPtr& snapshot) {
   return lateImages_->filled(snapshot);

@@ -145,7 +145,7 @@ void SessionController::endRun() {
   Q_EMIT snapshotChanged(nullptr);
   selection_.clear();
   if (over != nullptr) {
-    loader_->retire(over->release());
+    ProjectLoader::retire(over->release());
     delete over;
   }
 }

@@ -4,12 +4,12 @@
 #include "ui/text/error_sentence.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/decimal_field.h"
+#include "ui/widgets/file_choice.h"
 
 #include <QCollator>
 #include <QDir>
 #include <QDirIterator>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -257,14 +257,14 @@ void NewProjectPage::removeRow() {
 }
 
 void NewProjectPage::chooseVideos() {
-  const QStringList files = QFileDialog::getOpenFileNames(
-      this, tr("Choose one video per camera"), {},
+  const QStringList files = askForFiles(
+      this, tr("Choose one video per camera"),
       tr("Videos (*.mp4 *.mkv *.avi *.mov *.m4v *.mpg *.mpeg *.webm *.mjpeg);;All files (*)"));
   addFiles(files);
 }
 
 void NewProjectPage::chooseFolder() {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Choose a folder of images"));
+  const QString folder = askForFolder(this, tr("Choose a folder of images"));
   if (!folder.isEmpty()) {
     add(folder);
   }
@@ -290,8 +290,8 @@ void NewProjectPage::addConnectedCameras() {
 }
 
 void NewProjectPage::chooseCalibration() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Choose a calibration"), {},
-                                                    tr("Calibrations (*.toml);;All files (*)"));
+  const QString file =
+      askForFile(this, tr("Choose a calibration"), tr("Calibrations (*.toml);;All files (*)"));
   if (!file.isEmpty()) {
     setCalibration(file);
   }
@@ -337,10 +337,9 @@ NewProject NewProjectPage::wanted() const {
 
 void NewProjectPage::create() {
   create_->setEnabled(false);
-  worker_ = std::jthread([this, wanted = wanted()] {
+  making_.start([this, wanted = wanted()](const BackgroundJob::Progress&) {
     auto result = std::make_shared<Result<MadeProject>>(makeProject(wanted));
-    QMetaObject::invokeMethod(
-        this, [this, result] { finish(*result); }, Qt::QueuedConnection);
+    return [this, result] { finish(*result); };
   });
 }
 

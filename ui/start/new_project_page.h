@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/setup/new_project.h"
+#include "ui/jobs/latest_job.h"
 
 #include <QWidget>
 
 #include <functional>
-#include <thread>
 
 class QDoubleSpinBox;
 class QLabel;
@@ -73,7 +73,7 @@ private:
   QPushButton* create_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QString calibrationFile_;
-  std::jthread worker_; ///< reading the first image of a video may take long
+  LatestJob making_{LatestJob::Overtaken::Dropped}; ///< the first image of a video may take long
 };
 
 } // namespace dewpoint::ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/start_page.h"
 
-#include "ui/start/recent_projects.h"
+#include "ui/preferences/preferences.h"
 #include "ui/style/symbolic_icon.h"
 #include "ui/text/retranslation.h"
 
@@ -110,7 +110,7 @@ void StartPage::say() {
 
 void StartPage::refresh() {
   recent_->clear();
-  for (const QString& file : recentProjects()) {
+  for (const QString& file : Preferences().recentProjects()) {
     const QFileInfo info(file);
     auto* item = new QListWidgetItem(
         QStringLiteral("%1   –   %2").arg(info.completeBaseName(), info.absolutePath()), recent_);

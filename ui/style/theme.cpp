@@ -13,13 +13,9 @@
 
 namespace dewpoint::ui {
 
-namespace {
-
 bool isDarkPalette(const QPalette& palette) {
   return palette.color(QPalette::Window).lightness() < 128;
 }
-
-} // namespace
 
 namespace {
 
@@ -86,29 +82,18 @@ QPalette themePalette(bool dark) {
   return palette;
 }
 
-bool isDark(Theme theme) {
-  static const bool systemIsDark = isDarkPalette(QApplication::palette());
-  return theme == Theme::Dark || (theme == Theme::System && systemIsDark);
-}
-
-void applyTheme(Theme theme) {
-  const bool dark = isDark(theme);
+void applyTheme(bool dark) {
   if (dynamic_cast<DewpointStyle*>(QApplication::style()) == nullptr) {
     QApplication::setStyle(new DewpointStyle); // the application owns it
   }
   QApplication::setPalette(themePalette(dark));
 }
 
-Theme themeFromName(const QString& name) {
-  return name == QLatin1String("light")  ? Theme::Light
-         : name == QLatin1String("dark") ? Theme::Dark
-                                         : Theme::System;
-}
-
-QString themeName(Theme theme) {
-  return theme == Theme::Light  ? QStringLiteral("light")
-         : theme == Theme::Dark ? QStringLiteral("dark")
-                                : QStringLiteral("system");
+bool isThemeApplied() {
+  const QPalette now = QApplication::palette();
+  const QPalette ours = themePalette(isDarkPalette(now));
+  return now.color(QPalette::Window) == ours.color(QPalette::Window) &&
+         now.color(QPalette::Highlight) == ours.color(QPalette::Highlight);
 }
 
 QString holdText(HoldState state) {

@@ -11,8 +11,6 @@
 
 namespace dewpoint::ui {
 
-enum class Theme { System, Light, Dark };
-
 /// The states a view can be in: each has a word, a color and a shape (desk rules: never color
 /// alone).
 enum class HoldState {
@@ -32,13 +30,12 @@ enum class HoldState {
 
 /// The one palette of the window, in two tunings, on Qt's Fusion style.
 QPalette themePalette(bool dark);
-/// Whether the theme means dark; System follows the palette the application started with.
-bool isDark(Theme theme);
-/// Style, palette and tooltips of the whole application.
-void applyTheme(Theme theme);
-
-Theme themeFromName(const QString& name);
-QString themeName(Theme theme);
+/// Whether the colors of a palette are dark ones.
+bool isDarkPalette(const QPalette& palette);
+/// Style, palette and tooltips of the whole application: dark or light.
+void applyTheme(bool dark);
+/// The palette that applyTheme() set is the application's, and nobody has set another one since.
+bool isThemeApplied();
 
 /// Word and shape ("● held"), and the color that reads on the given palette.
 QString holdText(HoldState state);

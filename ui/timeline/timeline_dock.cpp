@@ -23,9 +23,10 @@ void showMenu(const Workbench& bench, const QPoint& place) {
   auto* menu = new QMenu(&bench.window);
   menu->setObjectName(QStringLiteral("menuTimeline"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  for (const char* id : {"actionRerun", "actionNow", "", "actionAddMark", "actionRemoveMark",
-                         "actionPreviousMark", "actionNextMark", "", "actionZoomToSpan"}) {
-    *id == '\0' ? (void)menu->addSeparator() : menu->addAction(bench.action(id));
+  for (const ActionId id : std::initializer_list<ActionId>{
+           "actionRerun", "actionNow", nullptr, "actionAddMark", "actionRemoveMark",
+           "actionPreviousMark", "actionNextMark", nullptr, "actionZoomToSpan"}) {
+    id.isSeparator() ? (void)menu->addSeparator() : menu->addAction(bench.action(id));
   }
   menu->popup(place);
 }

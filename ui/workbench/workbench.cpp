@@ -12,26 +12,26 @@
 
 namespace dewpoint::ui {
 
-QAction* Workbench::action(const char* id) const {
+QAction* Workbench::action(ActionId id) const {
   return actions.action(id);
 }
 
-void Workbench::onTriggered(const char* id, QObject* context, std::function<void()> run) const {
+void Workbench::onTriggered(ActionId id, QObject* context, std::function<void()> run) const {
   QObject::connect(action(id), &QAction::triggered, context, std::move(run));
 }
 
-void Workbench::onToggled(const char* id, QObject* context, std::function<void(bool)> run) const {
+void Workbench::onToggled(ActionId id, QObject* context, std::function<void(bool)> run) const {
   QObject::connect(action(id), &QAction::toggled, context, std::move(run));
 }
 
-void Workbench::needRun(std::initializer_list<const char*> ids) const {
+void Workbench::needRun(std::initializer_list<ActionId> ids) const {
   needRun(ids, [] { return true; });
 }
 
-void Workbench::needRun(std::initializer_list<const char*> ids,
+void Workbench::needRun(std::initializer_list<ActionId> ids,
                         const std::function<bool()>& suits) const {
   std::vector<QAction*> dependent;
-  for (const char* id : ids) {
+  for (const ActionId id : ids) {
     dependent.push_back(action(id));
   }
   const auto update = [dependent, suits, run = &session] {

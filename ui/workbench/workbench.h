@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/actions/action_id.h"
 #include "ui/session/session_controller.h"
 
 #include <functional>
@@ -29,15 +30,15 @@ struct Workbench {
   DockManager& docks;
   MessageBar& messages;
 
-  /// The action with this id; it must be declared.
-  QAction* action(const char* id) const;
-  void onTriggered(const char* id, QObject* context, std::function<void()> run) const;
-  void onToggled(const char* id, QObject* context, std::function<void(bool)> run) const;
+  /// The action with this id.
+  QAction* action(ActionId id) const;
+  void onTriggered(ActionId id, QObject* context, std::function<void()> run) const;
+  void onToggled(ActionId id, QObject* context, std::function<void(bool)> run) const;
   /// These actions can be used only while a project is open.
-  void needRun(std::initializer_list<const char*> ids) const;
+  void needRun(std::initializer_list<ActionId> ids) const;
   /// The same, and only while `suits` says so: asked again when a run begins or ends, and when the
   /// method changes.
-  void needRun(std::initializer_list<const char*> ids, const std::function<bool()>& suits) const;
+  void needRun(std::initializer_list<ActionId> ids, const std::function<bool()>& suits) const;
   /// Shows a dialog in front of the window.
   static void present(QWidget* dialog);
 

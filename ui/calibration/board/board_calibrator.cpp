@@ -4,11 +4,11 @@
 #include "core/base/text_file.h"
 #include "core/calibration/board/board_print.h"
 #include "ui/document/document.h"
-#include "ui/jobs/long_job.h"
+#include "ui/jobs/background_job.h"
+#include "ui/preferences/preferences.h"
 #include "ui/text/error_sentence.h"
 
 #include <QMetaObject>
-#include <QSettings>
 
 #include <algorithm>
 #include <utility>
@@ -17,12 +17,6 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr double kLookingShare = 0.85; ///< of the time that a recording takes
-const QString kBoard = QStringLiteral("calibration/board");
-const QString kModel = QStringLiteral("calibration/boardModel");
-const QString kLenses = QStringLiteral("calibration/boardLenses");
-const QString kPlaces = QStringLiteral("calibration/boardPlaces");
-const QString kLensAccuracy = QStringLiteral("calibration/boardLensAccuracy");
-const QString kPlaceAccuracy = QStringLiteral("calibration/boardPlaceAccuracy");
 
 /// Lenses of a live camera are found from all that was taken.
 BoardCalibrationRequest wishForLive(const BoardGuideRequest& wish, const BoardGuideState& state) {
@@ -36,16 +30,16 @@ BoardCalibrationRequest wishForLive(const BoardGuideRequest& wish, const BoardGu
 
 BoardCalibrator::BoardCalibrator(Document& document, Opener open, QObject* parent)
     : QObject(parent), document_(document), open_(std::move(open)),
-      looking_(std::make_shared<std::atomic<bool>>(false)), job_(new LongJob(this)),
-      writer_(new LongJob(this)), watch_([this] {
+      looking_(std::make_shared<std::atomic<bool>>(false)), job_(new BackgroundJob(this)),
+      writer_(new BackgroundJob(this)), watch_([this] {
         if (!pending_.exchange(true)) {
           QMetaObject::invokeMethod(this, &BoardCalibrator::drain, Qt::QueuedConnection);
         }
       }) {
   wish_.goal = {true, true};
   recall();
-  connect(job_, &LongJob::progressChanged, this, &BoardCalibrator::progressChanged);
-  connect(job_, &LongJob::ended, this, [this](bool cancelled) {
+  connect(job_, &BackgroundJob::progressChanged, this, &BoardCalibrator::progressChanged);
+  connect(job_, &BackgroundJob::ended, this, [this](bool cancelled) {
     if (cancelled && !std::exchange(forgotten_, false)) {
       failure_ = tr("Stopped: the former calibration is kept.");
     }
@@ -72,35 +66,35 @@ QString BoardCalibrator::nameOf(std::size_t camera) const {
 
 void BoardCalibrator::setWish(const BoardGuideRequest& wish) {
   wish_ = wish;
-  remember();
+  Preferences().setBoard(preferences());
   if (watching_) {
     start(); // what was taken is of another board, or for another lens
   }
   Q_EMIT wishChanged();
 }
 
-void BoardCalibrator::remember() const {
-  QSettings settings;
-  settings.setValue(kBoard, QString::fromStdString(boardText(wish_.board.board)));
-  settings.setValue(kModel, static_cast<int>(wish_.board.model));
-  settings.setValue(kLenses, wish_.goal.lenses);
-  settings.setValue(kPlaces, wish_.goal.places);
-  settings.setValue(kLensAccuracy, wish_.lenses.requestedProjectionPx);
-  settings.setValue(kPlaceAccuracy, wish_.requestedPlace);
+BoardPreferences BoardCalibrator::preferences() const {
+  return {QString::fromStdString(boardText(wish_.board.board)),
+          static_cast<int>(wish_.board.model),
+          wish_.goal.lenses,
+          wish_.goal.places,
+          wish_.lenses.requestedProjectionPx,
+          wish_.requestedPlace};
 }
 
 void BoardCalibrator::recall() {
-  const QSettings settings;
-  if (const auto board = parseBoard(settings.value(kBoard).toString().toStdString())) {
+  BoardPreferences atFirst = preferences();
+  atFirst.lenses = true;
+  atFirst.places = true;
+  const BoardPreferences kept = Preferences().board(atFirst);
+  if (const auto board = parseBoard(kept.board.toStdString())) {
     wish_.board.board = *board;
   }
-  wish_.board.model =
-      static_cast<IntrinsicsModel>(std::clamp(settings.value(kModel, 0).toInt(), 0, 2));
-  wish_.goal.lenses = settings.value(kLenses, true).toBool();
-  wish_.goal.places = settings.value(kPlaces, true).toBool() || !wish_.goal.lenses;
-  wish_.lenses.requestedProjectionPx =
-      settings.value(kLensAccuracy, wish_.lenses.requestedProjectionPx).toDouble();
-  wish_.requestedPlace = settings.value(kPlaceAccuracy, wish_.requestedPlace).toDouble();
+  wish_.board.model = static_cast<IntrinsicsModel>(std::clamp(kept.lensModel, 0, 2));
+  wish_.goal.lenses = kept.lenses;
+  wish_.goal.places = kept.places || !wish_.goal.lenses;
+  wish_.lenses.requestedProjectionPx = kept.lensAccuracy;
+  wish_.requestedPlace = kept.placeAccuracy;
 }
 
 void BoardCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
@@ -125,7 +119,7 @@ void BoardCalibrator::compute(Computation computation, bool applyIt) {
   outcome_.reset();
   failure_.clear();
   job_->start([this, computation = std::move(computation), looking = looking_,
-               applyIt](const LongJob::Progress& progress) -> std::function<void()> {
+               applyIt](const BackgroundJob::Progress& progress) -> std::function<void()> {
     auto result = std::make_shared<Result<BoardOutcome>>(
         computation([&](CalibrationStage stage, double part) {
           *looking = stage == CalibrationStage::BoardDetection;
@@ -246,7 +240,7 @@ void BoardCalibrator::apply() {
 }
 
 void BoardCalibrator::write(const std::function<Status()>& task, const QString& file) {
-  writer_->start([this, task, file](const LongJob::Progress&) -> std::function<void()> {
+  writer_->start([this, task, file](const BackgroundJob::Progress&) -> std::function<void()> {
     const Status done = task();
     const QString sentence = done ? QString() : errorSentence(done.error());
     return [this, sentence, file] {

@@ -14,7 +14,8 @@
 namespace dewpoint::ui {
 
 class Document;
-class LongJob;
+struct BoardPreferences;
+class BackgroundJob;
 
 /// Calibrating with a board: what the person decided, the look through a recording or the guidance
 /// before live cameras, and the result, which becomes one step of the document.
@@ -92,7 +93,7 @@ private:
   void write(const std::function<Status()>& task, const QString& file);
   void forget();
   void drain();
-  void remember() const;
+  BoardPreferences preferences() const;
   void recall();
 
   Document& document_;
@@ -106,8 +107,8 @@ private:
   QString failure_;
   bool forgotten_ = false; ///< what is computed is of another project
   std::shared_ptr<std::atomic<bool>> looking_;
-  LongJob* job_; ///< children: end with the desk
-  LongJob* writer_;
+  BackgroundJob* job_; ///< children: end with the desk
+  BackgroundJob* writer_;
   std::atomic<bool> pending_ = false;
   BoardWatch watch_; // last: its thread wakes the rest
 };

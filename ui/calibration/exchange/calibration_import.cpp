@@ -3,6 +3,7 @@
 
 #include "ui/document/document.h"
 #include "ui/text/error_sentence.h"
+#include "ui/widgets/file_choice.h"
 #include "ui/widgets/number_field.h"
 
 #include <QComboBox>
@@ -55,7 +56,7 @@ CalibrationImportDialog::CalibrationImportDialog(Document& document, QWidget* pa
     labels_.push_back(addRow(field));
   }
   connect(folder_, &QPushButton::clicked, this, [this] {
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Choose a folder"));
+    const QString folder = askForFolder(this, tr("Choose a folder"));
     if (!folder.isEmpty()) {
       setFile(folder);
     }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/exchange/exchange_dialog.h"
 
-#include "ui/jobs/long_job.h"
+#include "ui/jobs/background_job.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/number_field.h"
 
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -23,7 +24,8 @@ ExchangeDialog::ExchangeDialog(const QString& name, QWidget* parent)
     : QDialog(parent), fileLabel_(new QLabel(this)), choose_(new QPushButton(this)),
       accept_(new QPushButton(this)), file_(new QLineEdit(this)), form_(new QFormLayout),
       fileRow_(new QHBoxLayout), previewLabel_(new QLabel(this)),
-      preview_(new QPlainTextEdit(this)), close_(new QPushButton(this)), job_(new LongJob(this)) {
+      preview_(new QPlainTextEdit(this)), close_(new QPushButton(this)),
+      job_(new BackgroundJob(this)) {
   setObjectName(name);
   setModal(false);
   file_->setObjectName(name + QStringLiteral("File"));
@@ -45,18 +47,18 @@ ExchangeDialog::ExchangeDialog(const QString& name, QWidget* parent)
   form_->addRow(fileLabel_, fileRow_);
   fileLabel_->setBuddy(file_);
   previewLabel_->setBuddy(preview_);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addStretch(1);
-  buttons->addWidget(close_);
-  buttons->addWidget(accept_);
+  auto* buttons = new QDialogButtonBox(this);
+  buttons->addButton(accept_, QDialogButtonBox::AcceptRole);
+  buttons->addButton(close_, QDialogButtonBox::RejectRole);
+  connect(buttons, &QDialogButtonBox::accepted, this, [this] { accepted(); });
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 12, 12, 12);
   column->setSpacing(8);
   column->addLayout(form_);
   column->addWidget(previewLabel_);
   column->addWidget(preview_, 1);
-  column->addLayout(buttons);
+  column->addWidget(buttons);
 }
 
 void ExchangeDialog::begin() {
@@ -69,9 +71,7 @@ void ExchangeDialog::begin() {
     });
   }
   connect(choose_, &QPushButton::clicked, this, [this] { chooseFile(); });
-  connect(close_, &QPushButton::clicked, this, &QDialog::close);
-  connect(accept_, &QPushButton::clicked, this, [this] { accepted(); });
-  connect(job_, &LongJob::ended, this, [this] {
+  connect(job_, &BackgroundJob::ended, this, [this] {
     if (std::exchange(again_, false)) {
       start();
     }
@@ -148,7 +148,7 @@ void ExchangeDialog::start() {
 void ExchangeDialog::work(const Preview& task) {
   ready_ = false;
   accept_->setEnabled(false);
-  job_->start([task](const LongJob::Progress&) { return task(); });
+  job_->start([task](const BackgroundJob::Progress&) { return task(); });
 }
 
 void ExchangeDialog::showPreview(const QString& text, bool ready) {

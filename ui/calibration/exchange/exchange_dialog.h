@@ -17,7 +17,7 @@ class QPushButton;
 
 namespace dewpoint::ui {
 
-class LongJob;
+class BackgroundJob;
 
 /// What the dialogs that bring calibrations in and out have in common: a file, some questions, a
 /// preview that is made in a thread whenever an answer changes, and a button that does it. Not
@@ -68,7 +68,7 @@ private:
   QLabel* previewLabel_;
   QPlainTextEdit* preview_;
   QPushButton* close_;
-  LongJob* job_;
+  BackgroundJob* job_;
   bool ready_ = false;
   bool again_ = false; ///< an answer changed while a preview was made
 };

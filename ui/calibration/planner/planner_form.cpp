@@ -121,18 +121,18 @@ void PlannerForm::connectFields() {
 }
 
 void PlannerForm::connectSearch() {
-  LongJob& search = plan_.search();
+  BackgroundJob& search = plan_.search();
   connect(find_, &QPushButton::clicked, &plan_, &RigPlanner::findPlace);
-  connect(cancel_, &QPushButton::clicked, &search, &LongJob::cancel);
+  connect(cancel_, &QPushButton::clicked, &search, &BackgroundJob::cancel);
   const auto show = [this](bool running) {
     progress_->setValue(0);
     progress_->setVisible(running);
     cancel_->setVisible(running);
     find_->setEnabled(!running);
   };
-  connect(&search, &LongJob::started, this, [show] { show(true); });
-  connect(&search, &LongJob::ended, this, [show] { show(false); });
-  connect(&search, &LongJob::progressChanged, this,
+  connect(&search, &BackgroundJob::started, this, [show] { show(true); });
+  connect(&search, &BackgroundJob::ended, this, [show] { show(false); });
+  connect(&search, &BackgroundJob::progressChanged, this,
           [this](double part) { progress_->setValue(static_cast<int>(100.0 * part)); });
   connect(&plan_, &RigPlanner::said, this, [this](const QString& sentence) {
     said_->setText(sentence);

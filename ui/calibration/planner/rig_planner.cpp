@@ -28,11 +28,7 @@ Camera withLens(const Camera& camera, const PlannedLens& lens) {
 } // namespace
 
 RigPlanner::RigPlanner(Document& document, ManualCalibration& hand, QObject* parent)
-    : QObject(parent), document_(document), hand_(hand) {
-  connect(&maker_, &MapMaker::made, this, [this](const std::shared_ptr<const RigMap>& map) {
-    map_ = map;
-    Q_EMIT mapChanged();
-  });
+    : QObject(parent), document_(document), hand_(hand), mapper_(std::make_shared<RigMapper>()) {
   connect(&document_, &Document::replaced, this, [this] {
     search_.cancel();
     planned_.clear();
@@ -66,9 +62,21 @@ CameraRig RigPlanner::rig() const {
 }
 
 void RigPlanner::ask() {
-  if (mapShown_ && hand_.isActive()) {
-    maker_.ask({gridOver(volume_, kMapCells), pixelSigma_, rig()});
+  if (!mapShown_ || !hand_.isActive()) {
+    return;
   }
+  const MapOrder order{gridOver(volume_, kMapCells), pixelSigma_, rig()};
+  if (lastOrder_ == order) {
+    return;
+  }
+  lastOrder_ = order;
+  mapping_.start([this, order, mapper = mapper_](const BackgroundJob::Progress&) {
+    auto map = std::make_shared<const RigMap>(mapper->map(order.grid, order.pixelSigma, order.rig));
+    return [this, map] {
+      map_ = map;
+      Q_EMIT mapChanged();
+    };
+  });
 }
 
 void RigPlanner::setMapShown(bool shown) {
@@ -221,7 +229,7 @@ void RigPlanner::findPlace() {
   settings.wallDistance = wallDistance_;
   settings.pixelSigma = pixelSigma_;
   settings.goodSigma = look_.goodSigma;
-  search_.start([this, lens, settings, rig = rig()](const LongJob::Progress& progress) {
+  search_.start([this, lens, settings, rig = rig()](const BackgroundJob::Progress& progress) {
     auto found = placeCamera(rig, lens, settings,
                              [&](CalibrationStage, double part) { return progress(part); });
     if (found) { // on the cells of the map, so that the figures are the same

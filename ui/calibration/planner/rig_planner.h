@@ -3,8 +3,8 @@
 
 #include "core/calibration/planning/camera_placement.h"
 #include "core/calibration/planning/rig_map.h"
-#include "ui/calibration/planner/map_maker.h"
-#include "ui/jobs/long_job.h"
+#include "ui/jobs/background_job.h"
+#include "ui/jobs/latest_job.h"
 #include "ui/scene3d/map_look.h"
 
 #include <QObject>
@@ -72,7 +72,7 @@ public:
   void setWallDistance(double metres);
   /// Looks for the best place for one more camera, and adds it there.
   void findPlace();
-  LongJob& search() { return search_; }
+  BackgroundJob& search() { return search_; }
 
 Q_SIGNALS:
   /// Something that is set or planned changed.
@@ -92,8 +92,18 @@ private:
 
   Document& document_;
   ManualCalibration& hand_;
-  MapMaker maker_;
-  LongJob search_;
+  /// What a map is made of: an order like the one before it is left out.
+  struct MapOrder {
+    VolumeGrid grid;
+    double pixelSigma = 0.5;
+    CameraRig rig;
+
+    bool operator==(const MapOrder&) const = default;
+  };
+  std::optional<MapOrder> lastOrder_;
+  std::shared_ptr<RigMapper> mapper_; ///< used by one job after the other
+  LatestJob mapping_{LatestJob::Overtaken::Kept};
+  BackgroundJob search_;
   std::shared_ptr<const RigMap> map_;
   MapLook look_;
   bool mapShown_ = false;

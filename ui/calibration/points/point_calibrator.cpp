@@ -159,27 +159,22 @@ std::vector<ClickResidual> PointCalibrator::residuals() const {
 }
 
 void PointCalibrator::solve(bool alsoFocal) {
-  if (solving_) {
-    return;
-  }
-  solving_ = true;
-  Q_EMIT changed();
   PointSettings settings;
   settings.alsoFocal = alsoFocal;
-  worker_ = std::jthread([this, rig = rigOf(document_.project()), all = points(), settings] {
+  const bool begun = job_.start([this, rig = rigOf(document_.project()), all = points(),
+                                 settings](const BackgroundJob::Progress&) {
     auto solution = std::make_shared<const PointSolution>(solveFromPoints(rig, all, settings));
-    QMetaObject::invokeMethod(
-        this,
-        [this, solution, rig, all] {
-          solving_ = false;
-          if (all == points() && solution->rig.size() == document_.project().cameras.size()) {
-            adopt(*solution);
-          }
-          Q_EMIT changed();
-          Q_EMIT solved();
-        },
-        Qt::QueuedConnection);
+    return [this, solution, all] {
+      if (all == points() && solution->rig.size() == document_.project().cameras.size()) {
+        adopt(*solution);
+      }
+      Q_EMIT changed();
+      Q_EMIT solved();
+    };
   });
+  if (begun) {
+    Q_EMIT changed();
+  }
 }
 
 void PointCalibrator::adopt(const PointSolution& solution) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/calibration/manual/measured_points.h"
+#include "ui/jobs/background_job.h"
 
 #include <QObject>
 #include <QString>
@@ -9,7 +10,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace dewpoint::project {
@@ -49,7 +49,7 @@ public:
   /// Of every click, with the cameras as they are.
   std::vector<ClickResidual> residuals() const;
 
-  bool isSolving() const { return solving_; }
+  bool isSolving() const { return job_.isRunning(); }
   void solve(bool alsoFocal);
   /// What the last solution said, a sentence per line; empty before there was one.
   const QString& verdict() const { return verdict_; }
@@ -76,7 +76,6 @@ private:
   ManualCalibration& hand_;
   int chosen_ = -1;
   bool clicking_ = false;
-  bool solving_ = false;
   bool adopting_ = false; ///< the change that comes is the solution itself
   QString verdict_;
   std::optional<int> worst_;
@@ -85,7 +84,7 @@ private:
     ImageSymmetry symmetry;
   };
   std::optional<Proposal> proposal_;
-  std::jthread worker_;
+  BackgroundJob job_;
 };
 
 /// "camera 2 is rotated: turn its images clockwise by 90 degrees", "camera 2 is mirrored", or both.

@@ -5,7 +5,7 @@
 #include "core/setup/calibrated_project.h"
 #include "ui/calibration/manual_calibration.h"
 #include "ui/document/document.h"
-#include "ui/jobs/long_job.h"
+#include "ui/jobs/background_job.h"
 #include "ui/text/error_sentence.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ double partOf(const WandWork& work) {
 
 /// Everything that was collected, also what still waits to be looked at.
 std::vector<std::vector<MarkerObservation>> allViews(const WandCollector& collector,
-                                                     const LongJob::Progress& progress) {
+                                                     const BackgroundJob::Progress& progress) {
   while (collector.state().waiting > 0 && progress(-1.0)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
@@ -38,12 +38,12 @@ std::vector<std::vector<MarkerObservation>> allViews(const WandCollector& collec
 } // namespace
 
 WandCalibrator::WandCalibrator(Surroundings around, QObject* parent)
-    : QObject(parent), around_(std::move(around)), job_(new LongJob(this)) {
+    : QObject(parent), around_(std::move(around)), job_(new BackgroundJob(this)) {
   tick_.setInterval(kTickMs);
   connect(&tick_, &QTimer::timeout, this, &WandCalibrator::collectedChanged);
-  connect(job_, &LongJob::started, this, &WandCalibrator::changed);
-  connect(job_, &LongJob::progressChanged, this, &WandCalibrator::progressChanged);
-  connect(job_, &LongJob::ended, this, &WandCalibrator::changed);
+  connect(job_, &BackgroundJob::started, this, &WandCalibrator::changed);
+  connect(job_, &BackgroundJob::progressChanged, this, &WandCalibrator::progressChanged);
+  connect(job_, &BackgroundJob::ended, this, &WandCalibrator::changed);
   connect(&around_.document, &Document::replaced, this, &WandCalibrator::forget);
   connect(&around_.document, &Document::targetsChanged, this, &WandCalibrator::changed);
   connect(&around_.selection, &Selection::spanChanged, this, &WandCalibrator::changed);
@@ -186,7 +186,7 @@ void WandCalibrator::refine() {
   failure_.clear();
   applied_ = false;
   job_->start([this, collector, options, wanted = project(),
-               open = around_.open](const LongJob::Progress& progress) {
+               open = around_.open](const BackgroundJob::Progress& progress) {
     const auto callback = [&](const WandWork& work) { return progress(partOf(work)); };
     auto outcome = std::make_shared<Result<WandRefinement>>();
     if (collector) {
@@ -246,7 +246,7 @@ void WandCalibrator::saveReport(const QString& file) {
   if (!refinement_) {
     return;
   }
-  job_->start([this, file, refinement = refinement_](const LongJob::Progress&) {
+  job_->start([this, file, refinement = refinement_](const BackgroundJob::Progress&) {
     const auto written = writeTextFile(file.toStdString(), htmlText(*refinement));
     return [this, file, written] {
       written ? Q_EMIT saved(file) : Q_EMIT failed(errorSentence(written.error()));

@@ -15,7 +15,7 @@ namespace dewpoint::ui {
 
 class Document;
 class ManualCalibration;
-class LongJob;
+class BackgroundJob;
 
 /// Calibrating from a waved target: what is decided, what was collected live, and the refinement
 /// beside the window, whose result becomes one step of the document.
@@ -104,8 +104,8 @@ private:
   std::shared_ptr<const WandRefinement> refinement_;
   QString failure_;
   bool applied_ = false;
-  QTimer tick_;  ///< while collecting
-  LongJob* job_; ///< child: ends with the desk
+  QTimer tick_;        ///< while collecting
+  BackgroundJob* job_; ///< child: ends with the desk
 };
 
 } // namespace dewpoint::ui

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace dewpoint::ui {
+
+/// The names of all actions: object names of the QActions, and keys of the shortcuts in people's
+/// preferences, so they stay as they are.
+inline constexpr auto kActionNames = std::to_array<std::string_view>({
+    "actionNew",
+    "actionOpen",
+    "actionOpenDemo",
+    "actionSave",
+    "actionSaveAs",
+    "actionExportTrajectory",
+    "actionExportPeople",
+    "actionSavePicture",
+    "actionCloseProject",
+    "actionQuit",
+    "actionUndo",
+    "actionRedo",
+    "actionLearnColor",
+    "actionAddTarget",
+    "actionRemoveTarget",
+    "actionPlacePerson",
+    "actionRemovePerson",
+    "actionShortcuts",
+    "actionCalibrateByHand",
+    "actionCalibrateBoard",
+    "actionPrintBoard",
+    "actionCalibrateWand",
+    "actionImportCalibration",
+    "actionExportCalibration",
+    "actionPlanRig",
+    "actionShowMap",
+    "actionPlanCamera",
+    "actionResolveCamera",
+    "actionFindPlace",
+    "actionPlay",
+    "actionNextFrame",
+    "actionNextIteration",
+    "actionPreviousFrame",
+    "actionNow",
+    "actionRerun",
+    "actionAddMark",
+    "actionRemoveMark",
+    "actionPreviousMark",
+    "actionNextMark",
+    "actionZoomToSpan",
+    "actionRestart",
+    "actionRestartNewSeed",
+    "actionExperiments",
+    "actionShowMask",
+    "actionShowEvidence",
+    "actionShowVolumes",
+    "actionLookFromAbove",
+    "actionLookFromFront",
+    "actionLookFree",
+    "actionPalette",
+    "actionResetLayout",
+    "actionThemeSystem",
+    "actionThemeLight",
+    "actionThemeDark",
+    "actionPlotSpread",
+    "actionPlotSampleSize",
+    "actionPlotLikelihood",
+    "actionPlotExistence",
+    "actionPlotError",
+    "actionPlotDuration",
+    "actionPlotOverTime",
+    "actionPlotAll",
+    "actionPlotCopy",
+    "actionPlotSave",
+    "actionTrajectoryCopy",
+});
+
+/// Names an action. A name that is not in kActionNames does not compile.
+class ActionId {
+public:
+  // NOLINTNEXTLINE(google-explicit-constructor): a name stands for its id
+  consteval ActionId(const char* name) : index_(indexOf(name)) {}
+  /// In lists of actions, as in menus: a separator.
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  consteval ActionId(std::nullptr_t) : index_(kActionNames.size()) {}
+
+  constexpr bool isSeparator() const { return index_ == kActionNames.size(); }
+  /// Position in kActionNames; not for a separator.
+  constexpr std::size_t index() const { return index_; }
+  constexpr std::string_view name() const { return kActionNames[index_]; }
+
+private:
+  static consteval std::size_t indexOf(std::string_view name) {
+    for (std::size_t k = 0; k < kActionNames.size(); ++k) {
+      if (kActionNames[k] == name) {
+        return k;
+      }
+    }
+    throw "there is no action with this name"; // compiling ends here
+  }
+
+  std::size_t index_;
+};
+
+} // namespace dewpoint::ui

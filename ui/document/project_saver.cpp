@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/project_saver.h"
+
+#include "core/project/project.h"
+#include "ui/document/document.h"
+#include "ui/text/error_sentence.h"
+
+#include <utility>
+
+namespace dewpoint::ui {
+
+ProjectSaver::ProjectSaver(Document& document, QObject* parent, ProjectWriter write)
+    : QObject(parent), document_(document),
+      write_(write ? std::move(write) : ProjectWriter(&saveProject)) {
+  connect(&document_, &Document::replaced, this, [this] { ++projects_; });
+}
+
+void ProjectSaver::save(const std::filesystem::path& file) {
+  ++underWay_;
+  queue_.add([this, file, write = write_, state = document_.state(), project = projects_] {
+    const Status written = write(*state, file);
+    return std::function<void()>([this, file, state, project, written] {
+      --underWay_;
+      if (!written) {
+        Q_EMIT failed(errorSentence(written.error()));
+        return;
+      }
+      if (project == projects_) {
+        document_.setSaved(*state, file);
+      }
+      Q_EMIT saved(QString::fromStdString(file.string()));
+    });
+  });
+}
+
+} // namespace dewpoint::ui

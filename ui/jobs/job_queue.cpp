@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/jobs/job_queue.h"
+
+#include <utility>
+
+namespace dewpoint::ui {
+
+JobQueue::JobQueue(QObject* parent) : QObject(parent) {}
+
+void JobQueue::add(Work work) {
+  {
+    const std::scoped_lock lock(state_->mutex);
+    state_->waiting.push_back(std::move(work));
+    if (std::exchange(state_->running, true)) {
+      return;
+    }
+  }
+  runDetached([state = state_, mailbox = mailbox_.sender()] { drain(*state, mailbox); });
+}
+
+void JobQueue::drain(State& state, const JobMailbox::Sender& mailbox) {
+  while (true) {
+    Work work;
+    {
+      const std::scoped_lock lock(state.mutex);
+      if (state.waiting.empty()) {
+        state.running = false;
+        return;
+      }
+      work = std::move(state.waiting.front());
+      state.waiting.pop_front();
+    }
+    if (auto finish = work()) {
+      mailbox.post(std::move(finish));
+    }
+  }
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/preferences/preferences.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+#include <algorithm>
+
+namespace dewpoint::ui {
+
+namespace {
+
+// Keys stay as they are: people's preferences are read from what earlier versions wrote.
+constexpr QLatin1String kTheme("theme");
+constexpr QLatin1String kLanguage("language");
+constexpr QLatin1String kWindowGeometry("window/geometry");
+constexpr QLatin1String kRecentProjects("recentProjects");
+constexpr QLatin1String kLastFolder("lastFolder");
+constexpr QLatin1String kFilterThreads("filter/threads");
+constexpr QLatin1String kShortcuts("shortcuts/");
+constexpr QLatin1String kPlotsShown("plots/shown");
+constexpr QLatin1String kPlotsOverTime("plots/overTime");
+constexpr QLatin1String kBoard("calibration/board");
+constexpr QLatin1String kBoardModel("calibration/boardModel");
+constexpr QLatin1String kBoardLenses("calibration/boardLenses");
+constexpr QLatin1String kBoardPlaces("calibration/boardPlaces");
+constexpr QLatin1String kBoardLensAccuracy("calibration/boardLensAccuracy");
+constexpr QLatin1String kBoardPlaceAccuracy("calibration/boardPlaceAccuracy");
+
+constexpr int kRecentKept = 10;
+
+QVariant read(QAnyStringView key, const QVariant& otherwise = {}) {
+  return QSettings().value(key.toString(), otherwise);
+}
+
+void write(QAnyStringView key, const QVariant& value) {
+  QSettings().setValue(key.toString(), value);
+}
+
+} // namespace
+
+Theme Preferences::theme() const {
+  return themeFromName(read(kTheme).toString());
+}
+
+void Preferences::setTheme(Theme theme) {
+  write(kTheme, themeName(theme));
+}
+
+QString Preferences::language() const {
+  return read(kLanguage).toString();
+}
+
+void Preferences::setLanguage(const QString& language) {
+  write(kLanguage, language);
+}
+
+QByteArray Preferences::windowGeometry() const {
+  return read(kWindowGeometry).toByteArray();
+}
+
+void Preferences::setWindowGeometry(const QByteArray& geometry) {
+  write(kWindowGeometry, geometry);
+}
+
+QStringList Preferences::recentProjects() const {
+  QStringList files = read(kRecentProjects).toStringList();
+  files.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
+  return files;
+}
+
+void Preferences::addRecentProject(const QString& file) {
+  const QString path = QFileInfo(file).absoluteFilePath();
+  QStringList files = read(kRecentProjects).toStringList();
+  files.removeAll(path);
+  files.prepend(path);
+  write(kRecentProjects, QStringList(files.mid(0, kRecentKept)));
+}
+
+void Preferences::clearRecentProjects() {
+  QSettings().remove(kRecentProjects);
+}
+
+QString Preferences::lastFolder() const {
+  return read(kLastFolder).toString();
+}
+
+void Preferences::setLastFolderOf(const QString& chosen) {
+  const QFileInfo info(chosen);
+  write(kLastFolder, info.isDir() ? info.absoluteFilePath() : info.absolutePath());
+}
+
+int Preferences::filterThreads() const {
+  return std::max(0, read(kFilterThreads, 0).toInt());
+}
+
+void Preferences::setFilterThreads(int threads) {
+  write(kFilterThreads, std::max(0, threads));
+}
+
+std::optional<QKeySequence> Preferences::shortcut(const QString& action) const {
+  const QVariant chosen = read(kShortcuts + action);
+  return chosen.isValid()
+             ? std::optional(QKeySequence(chosen.toString(), QKeySequence::PortableText))
+             : std::nullopt;
+}
+
+void Preferences::setShortcut(const QString& action, const std::optional<QKeySequence>& shortcut) {
+  if (shortcut) {
+    write(kShortcuts + action, shortcut->toString(QKeySequence::PortableText));
+  } else {
+    QSettings().remove(kShortcuts + action);
+  }
+}
+
+std::optional<QStringList> Preferences::shownPlots() const {
+  const QVariant shown = read(kPlotsShown);
+  return shown.isValid() ? std::optional(shown.toStringList()) : std::nullopt;
+}
+
+void Preferences::setShownPlots(const QStringList& plots) {
+  write(kPlotsShown, plots);
+}
+
+bool Preferences::plotsOverTime() const {
+  return read(kPlotsOverTime, false).toBool();
+}
+
+void Preferences::setPlotsOverTime(bool time) {
+  write(kPlotsOverTime, time);
+}
+
+BoardPreferences Preferences::board(const BoardPreferences& otherwise) const {
+  BoardPreferences board;
+  board.board = read(kBoard, otherwise.board).toString();
+  board.lensModel = read(kBoardModel, otherwise.lensModel).toInt();
+  board.lenses = read(kBoardLenses, otherwise.lenses).toBool();
+  board.places = read(kBoardPlaces, otherwise.places).toBool();
+  board.lensAccuracy = read(kBoardLensAccuracy, otherwise.lensAccuracy).toDouble();
+  board.placeAccuracy = read(kBoardPlaceAccuracy, otherwise.placeAccuracy).toDouble();
+  return board;
+}
+
+void Preferences::setBoard(const BoardPreferences& board) {
+  write(kBoard, board.board);
+  write(kBoardModel, board.lensModel);
+  write(kBoardLenses, board.lenses);
+  write(kBoardPlaces, board.places);
+  write(kBoardLensAccuracy, board.lensAccuracy);
+  write(kBoardPlaceAccuracy, board.placeAccuracy);
+}
+
+Theme themeFromName(const QString& name) {
+  return name == QLatin1String("light")  ? Theme::Light
+         : name == QLatin1String("dark") ? Theme::Dark
+                                         : Theme::System;
+}
+
+QString themeName(Theme theme) {
+  return theme == Theme::Light  ? QStringLiteral("light")
+         : theme == Theme::Dark ? QStringLiteral("dark")
+                                : QStringLiteral("system");
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QObject>
+
+namespace dewpoint::ui {
+
+/// Whether the system's colors are light or dark ones, also when a person changes that while the
+/// program runs.
+class SystemColors : public QObject {
+  Q_OBJECT
+public:
+  explicit SystemColors(QObject* parent = nullptr);
+
+  bool isDark() const { return dark_; }
+
+Q_SIGNALS:
+  void changed(bool dark);
+  /// The colors of the application were replaced from outside: a theme must be applied again.
+  void replaced();
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+  void look();
+
+  bool dark_;
+  bool looking_ = false;
+};
+
+} // namespace dewpoint::ui
