@@ -77,7 +77,7 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
 /// The floors of the window, from below: a room includes rooms of lower floors only.
 int windowFloor(const std::string& room) {
   static const std::vector<Names> kFloors = {
-      {"text", "style", "jobs", "selection", "scene3d"},
+      {"text", "style", "jobs", "preferences", "selection", "scene3d"},
       {"widgets"},
       {"document", "session", "actions"},
       {"workbench"},

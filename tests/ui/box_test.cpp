@@ -94,7 +94,8 @@ void BoxTest::whatIsSavedIsOpenedAgainWithItsBox() {
   openVideo();
   clickAt(MovingPatch{}.box(0).center());
   QVERIFY(isTrackedTo(10));
-  QVERIFY(window_->document().save());
+  action("actionSave")->trigger();
+  QVERIFY(waitFor([this] { return !window_->document().isUnsaved(); }));
   const auto targets = window_->document().project().targets;
   window_->openProject(folder_.filePath("one.toml").toStdString());
   QVERIFY(waitFor([this] { return hasBox() && window_->shown()->frame == 0; }));

@@ -8,9 +8,10 @@
 #include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/image_pick_overlay.h"
 #include "ui/document/document.h"
+#include "ui/document/project_saver.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/preferences/preferences.h"
 #include "ui/selection/selection.h"
-#include "ui/start/recent_projects.h"
 #include "ui/view3d/birds_eye_view.h"
 #include "ui/widgets/hue_ring.h"
 #include "ui/widgets/range_bar.h"
@@ -140,11 +141,12 @@ void DeskTest::droppedFilesAreOpened() {
 
 void DeskTest::aSavedProjectIsRecent() {
   openDemo();
-  QVERIFY(recentProjects().isEmpty()); // the demo is no file
+  QVERIFY(Preferences().recentProjects().isEmpty()); // the demo is no file
   const auto project = resolveProject("demo");
   QVERIFY(saveProject(*project, file("mine.toml").toStdString()));
   window_->openProject(file("mine.toml").toStdString());
-  QVERIFY(waitFor([this] { return recentProjects() == QStringList{file("mine.toml")}; }));
+  QVERIFY(
+      waitFor([this] { return Preferences().recentProjects() == QStringList{file("mine.toml")}; }));
   QVERIFY(isOpen(2));
   action("actionCloseProject")->trigger();
   auto* recent = find<QListWidget>("startRecent");
@@ -217,6 +219,7 @@ void DeskTest::theLayoutBelongsToTheProject() {
   auto* birdsEye = find<QDockWidget>("birdsEyeDock");
   birdsEye->setFloating(true);
   action("actionSave")->trigger();
+  QVERIFY(waitFor([this] { return !window_->saver().isSaving(); }));
   QVERIFY(!window_->document().isUnsaved());
   window_ = std::make_unique<MainWindow>(&openProject);
   window_->show();

@@ -4,6 +4,7 @@
 #include "core/base/text_file.h"
 #include "core/project/project.h"
 #include "ui/document/document.h"
+#include "ui/document/project_saver.h"
 #include "ui/document/recovery.h"
 
 #include <QCoreApplication>
@@ -271,11 +272,10 @@ void DocumentTest::killedAtAnyMomentOnlyWhatCameAfterTheLastCopyIsLost() {
     child.kill();
     QVERIFY(child.waitForFinished());
 
-    Document document;
-    Recovery recovery(document, folder.path().toStdString());
+    const RecoveryFolder recovery(folder.path().toStdString(), &writeTextFile);
     const auto left = recovery.leftBehind();
     QCOMPARE(left.size(), std::size_t{1});
-    const auto project = recovery.recover(left.front());
+    const auto project = RecoveryFolder::read(left.front());
     QVERIFY2(project, project ? "" : sentence(project.error()).c_str()); // never a broken one
     QVERIFY(project->seed >= kept);
     qInfo("killed at edit %llu, recovered edit %llu", static_cast<unsigned long long>(last),
@@ -301,13 +301,18 @@ void DocumentTest::whatIsSavedOrGivenUpLeavesNothingBehind() {
   };
   QVERIFY(edit("a"));
   QVERIFY(QTest::qWaitFor([&] { return copies() == 1; }, 60000));
-  QVERIFY(recovery.leftBehind().empty()); // its own work is not left behind
-  QVERIFY(document.saveAs(place / "project.toml"));
-  QCOMPARE(copies(), 0);
+  std::optional<std::size_t> left;
+  recovery.look([&](const std::vector<RecoverableWork>& found) { left = found.size(); });
+  QVERIFY(QTest::qWaitFor([&] { return left.has_value(); }, 60000));
+  QCOMPARE(*left, std::size_t{0}); // its own work is not left behind
+  ProjectSaver saver(document);
+  saver.save(place / "project.toml");
+  QVERIFY(QTest::qWaitFor([&] { return !document.isUnsaved(); }, 60000));
+  QVERIFY(QTest::qWaitFor([&] { return copies() == 0; }, 60000));
   QVERIFY(edit("b"));
   QVERIFY(QTest::qWaitFor([&] { return copies() == 1; }, 60000));
   recovery.forget();
-  QCOMPARE(copies(), 0);
+  QVERIFY(QTest::qWaitFor([&] { return copies() == 0; }, 60000));
 }
 
 } // namespace dewpoint::tests

@@ -176,7 +176,7 @@ void ReachTest::aNoticeMovesNothingAndGoes() {
   QVERIFY(isOpen(2));
   action("actionSave")->trigger();
   auto* message = find<QLabel>("messageText");
-  QVERIFY(message->isVisible());
+  QVERIFY(waitFor([&] { return message->isVisible(); }));
   QVERIFY(message->text().contains(QStringLiteral("kept.toml")));
   QCOMPARE(find<QDockWidget>("birdsEyeDock")->geometry(), before);
   find<QDockWidget>("birdsEyeDock")->raise(); // what is raised does not cover it

@@ -4,6 +4,7 @@
 #include "core/base/text_file.h"
 #include "core/session/run/snapshot.h"
 #include "ui/document/document.h"
+#include "ui/document/project_saver.h"
 #include "ui/document/recovery.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/view3d/birds_eye_view.h"
@@ -130,7 +131,7 @@ void RecoveryTest::comesBackWithItsLayout() {
   }
   makeWindow();
   window_->useRecovery(place("left"));
-  QVERIFY(message().contains(QStringLiteral("half done")));
+  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("half done")); }));
   answer("messageAnswer0");
   QVERIFY(isOpen("half done"));
   QVERIFY(find<QDockWidget>("birdsEyeDock")->isFloating());
@@ -139,8 +140,9 @@ void RecoveryTest::comesBackWithItsLayout() {
   QVERIFY(window_->document().isUnsaved());
   // Saved at once, it is not offered again.
   find<QAction>("actionSave")->trigger();
-  QVERIFY(!window_->document().isUnsaved());
-  QVERIFY(QDir(QString::fromStdString(place("left").string())).entryList({"*.toml"}).isEmpty());
+  QVERIFY(waitFor([this] { return !window_->document().isUnsaved(); }));
+  const QDir left(QString::fromStdString(place("left").string()));
+  QVERIFY(waitFor([&] { return left.entryList({"*.toml"}).isEmpty(); }));
 }
 
 void RecoveryTest::behindAPageTheLayoutIsThatOfTheViews() {
@@ -150,6 +152,7 @@ void RecoveryTest::behindAPageTheLayoutIsThatOfTheViews() {
   find<QAction>("actionNew")->trigger();
   QVERIFY(find<QWidget>("newProjectPage")->isVisible());
   find<QAction>("actionSave")->trigger();
+  QVERIFY(waitFor([this] { return !window_->saver().isSaving(); }));
   makeWindow();
   window_->openProject(file);
   QVERIFY(isOpen("behind"));
@@ -159,11 +162,12 @@ void RecoveryTest::behindAPageTheLayoutIsThatOfTheViews() {
 void RecoveryTest::theQuestionComesBackAfterOtherMessages() {
   leaveBehind("0123", demoFile("half done"));
   window_->useRecovery(place("left"));
+  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("half done")); }));
   window_->openProject(demoFile("other"));
   QVERIFY(isOpen("other"));
   find<QAction>("actionSave")->trigger(); // says so
+  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("other.toml")); }));
   QVERIFY(!message().contains(QStringLiteral("half done")));
-  QVERIFY(message().contains(QStringLiteral("other.toml")));
   window_->findChild<MessageBar*>()->close();
   QVERIFY(message().contains(QStringLiteral("half done")));
   window_->findChild<MessageBar*>()->close(); // that is an answer: not now
@@ -192,7 +196,7 @@ void RecoveryTest::theLateQuestionTakesNoOtherWorkAway() {
   press(QMessageBox::Cancel);
   answer("messageAnswer0");
   QCOMPARE(window_->document().project().name, std::string("other"));
-  QVERIFY(message().contains(QStringLiteral("half done"))); // still on offer
+  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("half done")); })); // still
   press(QMessageBox::Discard);
   answer("messageAnswer0");
   QVERIFY(isOpen("half done"));
@@ -202,14 +206,19 @@ void RecoveryTest::thrownAwayItIsGoneButForASlip() {
   leaveBehind("0123", demoFile("one"));
   leaveBehind("4567", demoFile("two"));
   window_->useRecovery(place("left"));
+  const auto isAsked = [this] { return message().contains(QStringLiteral("did not end")); };
+  const auto isThrown = [this] { return message().contains(QStringLiteral("thrown away")); };
+  QVERIFY(waitFor(isAsked));
   answer("messageAnswer1");
-  QVERIFY(message().contains(QStringLiteral("thrown away")));
+  QVERIFY(waitFor(isThrown));
   closeMessage();
-  QVERIFY(message().contains(QStringLiteral("did not end"))); // there is one more
+  QVERIFY(waitFor(isAsked)); // there is one more
   answer("messageAnswer1");
+  QVERIFY(waitFor(isThrown));
   answer("messageAnswer0"); // no, that was a slip
-  QVERIFY(message().contains(QStringLiteral("did not end")));
+  QVERIFY(waitFor(isAsked));
   answer("messageAnswer1");
+  QVERIFY(waitFor(isThrown));
   closeMessage();
   QVERIFY(message().isEmpty());
   QVERIFY(QDir(QString::fromStdString(place("left").string())).entryList({"*.toml"}).isEmpty());
@@ -224,6 +233,7 @@ void RecoveryTest::whatCannotBeOpenedStays() {
                                 "rotation = [0, 0, 0]\ntranslation = [0, 0, 0]\n"));
   leaveBehind("0123", broken);
   window_->useRecovery(place("left"));
+  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("did not end")); }));
   answer("messageAnswer0");
   QVERIFY(waitFor([this] { return message().contains(QStringLiteral("gone.mkv")); }));
   // What is opened next is not taken for it: neither unsaved, nor is the copy thrown away for its.
@@ -257,6 +267,7 @@ void RecoveryTest::locksOfTheDeadGo() {
   leaveBehind("89ab", demoFile("half done"));
   QVERIFY(writeTextFile(left / "89ab.lock", lock));
   window_->useRecovery(left);
+  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("half done")); }));
   const QStringList all = QDir(QString::fromStdString(left.string())).entryList(QDir::Files);
   QVERIFY(all.contains(QStringLiteral("89ab.toml")));
   QCOMPARE(all.filter(QStringLiteral("0123")), QStringList());
@@ -264,7 +275,6 @@ void RecoveryTest::locksOfTheDeadGo() {
   QVERIFY(all.contains(QStringLiteral("cdef.aside")));
   QCOMPARE(all.filter(QStringLiteral("fedc")), QStringList());
   QCOMPARE(all.filter(QStringLiteral(".lock")).size(), 1); // this window's
-  QVERIFY(message().contains(QStringLiteral("half done")));
 }
 
 } // namespace dewpoint::tests

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A disk that does not answer and a stream that hangs: the window opens, edits and closes all the
+// same. A window that waits for one of its threads never gets to the end of these tests.
+#include "app/wiring/open_project.h"
+#include "core/base/text_file.h"
+#include "core/project/project.h"
+#include "core/session/run/snapshot.h"
+#include "core/session/session.h"
+#include "tests/ui/gate.h"
+#include "ui/document/document.h"
+#include "ui/document/project_saver.h"
+#include "ui/jobs/job_thread.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/view3d/birds_eye_view.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+
+namespace dewpoint::tests {
+
+using test::Gate;
+
+namespace {
+
+constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
+constexpr int kFramesBeforeItHangs = 5;
+
+/// A recording whose images stop coming, and whose reader does not return until the gate opens.
+class HangingSource : public FrameSetSource {
+public:
+  HangingSource(std::unique_ptr<FrameSetSource> images, std::shared_ptr<Gate> gate)
+      : images_(std::move(images)), gate_(std::move(gate)) {}
+
+  std::optional<std::int64_t> frameCount() const override { return images_->frameCount(); }
+  double framesPerSecond() const override { return images_->framesPerSecond(); }
+  Result<FrameSetPtr> next() override {
+    if (++read_ > kFramesBeforeItHangs) {
+      gate_->pass();
+    }
+    return images_->next();
+  }
+  Status seek(std::int64_t frame) override { return images_->seek(frame); }
+
+private:
+  std::unique_ptr<FrameSetSource> images_;
+  std::shared_ptr<Gate> gate_;
+  int read_ = 0;
+};
+
+} // namespace
+
+class SlowWorldTest : public QObject {
+  Q_OBJECT
+private Q_SLOTS:
+  void init();
+  void cleanup();
+  void opensEditsAndClosesAllTheSame();
+  void closesOnceItIsSaved();
+  void whatIsChangedWhileItIsSavedIsStillUnsaved();
+  void aDeadStreamDoesNotHoldUpTheNextProject();
+
+private:
+  bool waitFor(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatienceMs); }
+  std::filesystem::path place(const char* name) const {
+    return folder_->filePath(QLatin1String(name)).toStdString();
+  }
+  /// A project file of the demo, called so.
+  std::filesystem::path demoFile(const char* name) const;
+  bool isOpen(const std::string& name) {
+    return waitFor([&] { return window_->shown() && window_->document().project().name == name; });
+  }
+  void trigger(const char* action) { window_->findChild<QAction*>(action)->trigger(); }
+  /// Answers the next question about unsaved changes.
+  static void answer(QMessageBox::StandardButton button);
+  double particlesIn(const std::filesystem::path& file) const;
+
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::shared_ptr<Gate> disk_;
+  std::shared_ptr<Gate> stream_;
+  std::shared_ptr<std::atomic<bool>> opens_; ///< projects are opened at once
+  std::unique_ptr<MainWindow> window_;
+};
+
+void SlowWorldTest::init() {
+  QSettings().clear();
+  folder_ = std::make_unique<QTemporaryDir>();
+  disk_ = std::make_shared<Gate>();
+  stream_ = std::make_shared<Gate>();
+  opens_ = std::make_shared<std::atomic<bool>>(true);
+  const auto open = [stream = stream_, opens = opens_](const SessionRequest& request) {
+    if (!*opens) {
+      stream->pass(); // a camera that does not answer
+    }
+    return openProject(request).map([&](SessionInputs inputs) {
+      inputs.source = std::make_unique<HangingSource>(std::move(inputs.source), stream);
+      return inputs;
+    });
+  };
+  window_ = std::make_unique<MainWindow>(open);
+  window_->saver().setWriter([disk = disk_](const Project& project, const auto& file) {
+    disk->pass();
+    return saveProject(project, file);
+  });
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+}
+
+void SlowWorldTest::cleanup() {
+  disk_->open();
+  stream_->open();
+  window_.reset();
+  QVERIFY(waitFor([] { return waitForDetached(std::chrono::milliseconds(0)); }));
+}
+
+std::filesystem::path SlowWorldTest::demoFile(const char* name) const {
+  auto project = *resolveProject("demo");
+  project.name = name;
+  const auto file = place((std::string(name) + ".toml").c_str());
+  if (!saveProject(project, file)) {
+    qFatal("cannot write");
+  }
+  return file;
+}
+
+void SlowWorldTest::answer(QMessageBox::StandardButton button) {
+  auto* timer = new QTimer(qApp);
+  connect(timer, &QTimer::timeout, qApp, [timer, button] {
+    if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+      timer->deleteLater();
+      QTest::mouseClick(box->button(button), Qt::LeftButton);
+    }
+  });
+  timer->start(20);
+}
+
+double SlowWorldTest::particlesIn(const std::filesystem::path& file) const {
+  const auto project = loadProject(file);
+  return project ? project->parameters.at("particles") : -1.0;
+}
+
+void SlowWorldTest::opensEditsAndClosesAllTheSame() {
+  const auto one = demoFile("one");
+  window_->useRecovery(place("recovery"), [disk = disk_](const auto& file, const auto& text) {
+    disk->pass();
+    return writeTextFile(file, text);
+  });
+  window_->openProject(one);
+  QVERIFY(isOpen("one"));
+  QVERIFY(waitFor([this] { return stream_->waiting() == 1; })); // it plays, and hangs
+  QVERIFY(window_->document().setParameter("particles", 777));
+  QVERIFY(waitFor([this] { return disk_->waiting() == 1; })); // the copy of unsaved work
+  trigger("actionSave");
+  QVERIFY(waitFor([this] { return disk_->waiting() == 2; })); // and the file itself
+  QVERIFY(window_->saver().isSaving());
+  QVERIFY(window_->document().isUnsaved());
+  // Other projects take the place of the one that hangs, and hang as well.
+  window_->openProject(demoFile("two"));
+  QVERIFY(isOpen("two"));
+  QVERIFY(waitFor([this] { return stream_->waiting() == 2; }));
+  window_->openProject(demoFile("three"));
+  QVERIFY(isOpen("three"));
+  QVERIFY(window_->document().setParameter("particles", 555));
+  answer(QMessageBox::Discard);
+  QVERIFY(window_->close());
+  window_.reset();
+  // Until here, nothing has moved.
+  QVERIFY(disk_->waiting() >= 1);
+  QVERIFY(stream_->waiting() >= 2);
+  disk_->open();
+  QVERIFY(waitFor([&] { return particlesIn(one) == 777.0; })); // what was begun is written
+}
+
+void SlowWorldTest::closesOnceItIsSaved() {
+  const auto one = demoFile("one");
+  window_->openProject(one);
+  QVERIFY(isOpen("one"));
+  QVERIFY(window_->document().setParameter("particles", 777));
+  answer(QMessageBox::Save);
+  QVERIFY(!window_->close());
+  QVERIFY(waitFor([this] { return disk_->waiting() == 1; }));
+  QVERIFY(window_->isVisible());
+  disk_->open();
+  QVERIFY(waitFor([this] { return !window_->isVisible(); }));
+  QCOMPARE(particlesIn(one), 777.0);
+}
+
+void SlowWorldTest::whatIsChangedWhileItIsSavedIsStillUnsaved() {
+  const auto one = demoFile("one");
+  window_->openProject(one);
+  QVERIFY(isOpen("one"));
+  Document& document = window_->document();
+  QVERIFY(document.setParameter("particles", 777));
+  trigger("actionSave");
+  document.endMerging();
+  QVERIFY(document.setParameter("particles", 888));
+  disk_->open();
+  QVERIFY(waitFor([this] { return !window_->saver().isSaving(); }));
+  QCOMPARE(particlesIn(one), 777.0);
+  QVERIFY(document.isUnsaved());
+  trigger("actionUndo");
+  trigger("actionUndo"); // what was opened, which is not what is in the file now
+  QVERIFY(document.isUnsaved());
+  trigger("actionSave");
+  QVERIFY(waitFor([&] { return !document.isUnsaved(); }));
+}
+
+void SlowWorldTest::aDeadStreamDoesNotHoldUpTheNextProject() {
+  *opens_ = false;
+  window_->openProject(demoFile("one"));
+  QVERIFY(waitFor([this] { return stream_->waiting() == 1; }));
+  *opens_ = true;
+  window_->openProject(demoFile("two"));
+  QVERIFY(isOpen("two"));
+  stream_->open(); // the camera answers at last, and nobody wants it any more
+  QVERIFY(waitFor([this] { return stream_->waiting() == 0; }));
+  QTest::qWait(0);
+  QCOMPARE(window_->document().project().name, std::string("two"));
+}
+
+} // namespace dewpoint::tests
+
+int main(int argc, char** argv) {
+  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
+  QApplication::setApplicationName(QStringLiteral("slow-world"));
+  dewpoint::tests::SlowWorldTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "slow_world_test.moc"
