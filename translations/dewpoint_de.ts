@@ -5302,6 +5302,17 @@ bei %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::SessionController</name>
+    <message>
+        <source>Restart the run? What was tracked so far is lost.</source>
+        <translation>Den Lauf neu beginnen? Was bisher verfolgt wurde, geht verloren.</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Neu beginnen</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ShortcutEditor</name>
     <message>
         <source>Shortcuts</source>
@@ -5374,6 +5385,14 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>“%1” is now %2; “%3” has lost it.</source>
         <translation>„%1“ ist jetzt %2; „%3“ hat es verloren.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close; changed shortcuts are kept already</source>
+        <translation>Schließen; geänderte Kürzel sind schon gespeichert</translation>
     </message>
 </context>
 <context>

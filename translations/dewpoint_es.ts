@@ -5302,6 +5302,17 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::SessionController</name>
+    <message>
+        <source>Restart the run? What was tracked so far is lost.</source>
+        <translation>¿Reiniciar la ejecución? Se pierde lo seguido hasta ahora.</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Reiniciar</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ShortcutEditor</name>
     <message>
         <source>Shortcuts</source>
@@ -5374,6 +5385,14 @@ en %4, %5, %6 m</translation>
     <message>
         <source>“%1” is now %2; “%3” has lost it.</source>
         <translation>«%1» es ahora %2; «%3» lo ha perdido.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Close; changed shortcuts are kept already</source>
+        <translation>Cerrar; los atajos cambiados ya están guardados</translation>
     </message>
 </context>
 <context>

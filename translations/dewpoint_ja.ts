@@ -5300,6 +5300,17 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::SessionController</name>
+    <message>
+        <source>Restart the run? What was tracked so far is lost.</source>
+        <translation>実行を最初からやり直しますか？これまでの追跡結果は失われます。</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>最初から</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ShortcutEditor</name>
     <message>
         <source>Shortcuts</source>
@@ -5372,6 +5383,14 @@ at %4, %5, %6 m</source>
     <message>
         <source>“%1” is now %2; “%3” has lost it.</source>
         <translation>「%1」は %2 になり、「%3」からは外れました。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Close; changed shortcuts are kept already</source>
+        <translation>閉じる（変更したショートカットは保存済み）</translation>
     </message>
 </context>
 <context>

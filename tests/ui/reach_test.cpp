@@ -10,7 +10,6 @@
 #include "ui/document/document.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/selection/selection.h"
-#include "ui/start/recent_projects.h"
 #include "ui/view3d/birds_eye_view.h"
 #include "ui/widgets/hue_ring.h"
 #include "ui/widgets/message_bar.h"
