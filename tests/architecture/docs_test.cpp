@@ -64,7 +64,7 @@ TEST(Docs, ProgramsAreNamedWhereTheyLie) {
     for (const auto& file : filesIn(folder)) {
       for (const std::string& line : linesOf(file)) {
         for (std::sregex_iterator it(line.begin(), line.end(), program), end; it != end; ++it) {
-          EXPECT_EQ((*it)[1], "bin") << file.filename() << ": " << it->str();
+          EXPECT_EQ((*it)[1].str(), "bin") << file.filename() << ": " << it->str();
         }
       }
     }

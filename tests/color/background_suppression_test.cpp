@@ -61,7 +61,8 @@ TEST(FamiliarColor, LearningAndJudgingAgreeToTheBit) {
   const std::vector<cv::Mat> images{withBall(), cv::Mat(), withBall()};
   const auto sample = takeSample(images[0], click);
   ASSERT_TRUE(sample);
-  for (const std::vector<cv::Mat>& rooms : {std::vector<cv::Mat>{}, {room()}}) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::vector<cv::Mat> rooms = k == 0 ? std::vector<cv::Mat>() : std::vector{room()};
     const auto learned = learnColorWithBackground({*sample}, images, rooms);
     ASSERT_TRUE(learned);
     const ColorVerdict anew = judgeColorWithBackground(learned->range, {*sample}, images, rooms);
