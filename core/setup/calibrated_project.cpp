@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/calibrated_project.h"
 
+#include "core/calibration/manual/measured_points.h"
+
 #include <algorithm>
 
 namespace dewpoint::setup {
 
+void setCalibration(ProjectCamera& camera, const Camera& calibration) {
+  if (camera.camera != calibration) {
+    camera.markAdjusted();
+  }
+  camera.camera = calibration;
+}
+
 Project withCameras(Project project, const CameraRig& rig) {
   for (std::size_t c = 0; c < std::min(rig.size(), project.cameras.size()); ++c) {
-    ProjectCamera& camera = project.cameras[c];
-    if (camera.camera != rig[c]) {
-      camera.markAdjusted();
-    }
-    camera.camera = rig[c];
+    setCalibration(project.cameras[c], rig[c]);
   }
   return project;
 }
@@ -26,18 +31,32 @@ Project withTimeOffsets(Project project, const std::vector<double>& offsets) {
   return project;
 }
 
+Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symmetry) {
+  ProjectCamera& of = project.cameras[static_cast<std::size_t>(camera)];
+  const Intrinsics before = of.camera.intrinsics;
+  const ImageSymmetry source = combined({of.rotateDegrees, of.mirrored}, symmetry);
+  of.rotateDegrees = source.rotateDegrees;
+  of.mirrored = source.mirrored;
+  of.camera = transformed(symmetry, of.camera);
+  for (MeasuredPoint& point : project.points) {
+    if (const PointClick* click = clickIn(point, camera)) {
+      setClickIn(point, camera, transformed(symmetry, click->pixel, before.width, before.height));
+    }
+  }
+  return project;
+}
+
 Project withIntrinsics(Project project,
                        const std::vector<std::optional<IntrinsicsResult>>& results) {
   for (std::size_t k = 0; k < std::min(results.size(), project.cameras.size()); ++k) {
     if (!results[k]) {
       continue;
     }
-    ProjectCamera& of = project.cameras[k];
-    of.markAdjusted();
-    Camera& camera = of.camera;
+    Camera camera = project.cameras[k].camera;
     camera.intrinsics = results[k]->camera.intrinsics;
     camera.distortion = results[k]->camera.distortion;
     camera.lens = results[k]->camera.lens;
+    setCalibration(project.cameras[k], camera);
   }
   return project;
 }

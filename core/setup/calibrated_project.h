@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/calibration/board/intrinsics_from_board.h"
+#include "core/geometry/image_symmetry.h"
 #include "core/project/project.h"
 
 #include <optional>
@@ -9,12 +10,21 @@
 
 namespace dewpoint::setup {
 
+/// Gives a camera of a project another calibration. One of a simulated camera that differs from
+/// what its scene says is kept from then on (`adjusted`): the one place that decides it.
+void setCalibration(ProjectCamera& camera, const Camera& calibration);
+
 /// The project with these cameras' calibration, in the same order.
 Project withCameras(Project project, const CameraRig& rig);
 
 /// The project whose cameras are later by these seconds than it says so far, as found in its images
 /// (WandResult::offsets: those are negative for cameras that are late); simulated ones stay.
 Project withTimeOffsets(Project project, const std::vector<double>& offsets);
+
+/// The project whose camera `camera` delivers its pictures turned and mirrored so, after what is
+/// done to them already: how they are turned, its calibration and the clicks on measured points in
+/// it all change together.
+Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symmetry);
 
 /// The project with these lenses, in the order of its cameras, which keep theirs where there is
 /// none; poses stay.

@@ -31,24 +31,34 @@ template <class Number> bool readNumber(const std::string& text, Number& number)
   return problem == std::errc() && stop == end && !text.empty();
 }
 
+/// What is wrong with the numbers of columns and rows, or nothing.
+std::string wrongCounts(const BoardDescription& board) {
+  const int least = board.kind == BoardDescription::Kind::Chessboard ? 3 : 2;
+  if (std::min(board.columns, board.rows) < least ||
+      std::max(board.columns, board.rows) > kMostSquares) {
+    return fmt::format("{} to {} columns and rows are possible, found {}x{}", least, kMostSquares,
+                       board.columns, board.rows);
+  }
+  return {};
+}
+
 /// What is wrong with "9x6", or nothing.
-std::string readCounts(const std::string& text, int least, BoardDescription& board) {
+std::string readCounts(const std::string& text, BoardDescription& board) {
   const auto counts = partsOf(text, 'x');
   if (counts.size() != 2 || !readNumber(counts[0], board.columns) ||
       !readNumber(counts[1], board.rows)) {
     return fmt::format("COLUMNSxROWS is expected, as 9x6, found '{}'", text);
   }
-  if (std::min(board.columns, board.rows) < least ||
-      std::max(board.columns, board.rows) > kMostSquares) {
-    return fmt::format("{} to {} columns and rows are possible, found {}", least, kMostSquares,
-                       text);
-  }
   return {};
 }
 
-std::string readLength(const std::string& text, const char* what, double& length) {
-  if (!readNumber(text, length) || !std::isfinite(length) || length <= 0.0) {
-    return fmt::format("the {} size in metres is expected, as 0.025, found '{}'", what, text);
+std::string noLength(const char* what, const std::string& text) {
+  return fmt::format("the {} size in metres is expected, as 0.025, found '{}'", what, text);
+}
+
+std::string wrongLength(const char* what, double length) {
+  if (!std::isfinite(length) || length <= 0.0) {
+    return noLength(what, fmt::format("{}", length));
   }
   if (length > kLargestSquare) {
     return fmt::format("the {} size is in metres; {} m is meant in millimetres?", what, length);
@@ -56,15 +66,18 @@ std::string readLength(const std::string& text, const char* what, double& length
   return {};
 }
 
-std::string readMarkers(const std::vector<std::string>& parts, BoardDescription& board) {
-  if (auto wrong = readLength(parts[3], "marker", board.markerSize); !wrong.empty()) {
+std::string readLength(const std::string& text, const char* what, double& length) {
+  return readNumber(text, length) ? wrongLength(what, length) : noLength(what, text);
+}
+
+std::string wrongMarkers(const BoardDescription& board) {
+  if (auto wrong = wrongLength("marker", board.markerSize); !wrong.empty()) {
     return wrong;
   }
   if (board.markerSize >= board.squareSize) {
     return fmt::format("the marker ({} m) must be smaller than the square ({} m)", board.markerSize,
                        board.squareSize);
   }
-  board.dictionary = parts[4];
   const auto& known = markerDictionaries();
   if (std::ranges::find(known, board.dictionary) == known.end()) {
     return fmt::format("unknown dictionary '{}'; known are {}", board.dictionary,
@@ -78,6 +91,14 @@ std::string readMarkers(const std::vector<std::string>& parts, BoardDescription&
     return fmt::format("{} has too few markers: the board has {}", board.dictionary, markers);
   }
   return {};
+}
+
+std::string readMarkers(const std::vector<std::string>& parts, BoardDescription& board) {
+  if (auto wrong = readLength(parts[3], "marker", board.markerSize); !wrong.empty()) {
+    return wrong;
+  }
+  board.dictionary = parts[4];
+  return wrongMarkers(board);
 }
 
 std::string readFlags(const std::vector<std::string>& parts, std::size_t first,
@@ -94,6 +115,10 @@ std::string readFlags(const std::vector<std::string>& parts, std::size_t first,
   return {};
 }
 
+std::string wrongCorners(const BoardDescription& board) {
+  return board.cornerCount() < 4 ? "at least four inner corners are needed" : "";
+}
+
 std::string readBoard(const std::string& text, BoardDescription& board) {
   const auto parts = partsOf(text, ':');
   const bool chessboard = parts[0] == "chessboard";
@@ -108,14 +133,21 @@ std::string readBoard(const std::string& text, BoardDescription& board) {
                                   : "charuco:COLUMNSxROWS:SQUARE:MARKER:DICTIONARY[:legacy]",
                        text);
   }
-  auto wrong = readCounts(parts[1], chessboard ? 3 : 2, board);
+  auto wrong = readCounts(parts[1], board);
+  wrong = wrong.empty() ? wrongCounts(board) : wrong;
   wrong = wrong.empty() ? readLength(parts[2], "square", board.squareSize) : wrong;
   wrong = wrong.empty() && !chessboard ? readMarkers(parts, board) : wrong;
   wrong = wrong.empty() ? readFlags(parts, needed, board) : wrong;
-  if (wrong.empty() && board.cornerCount() < 4) {
-    return "at least four inner corners are needed";
-  }
-  return wrong;
+  return wrong.empty() ? wrongCorners(board) : wrong;
+}
+
+/// What parseBoard() would say of the text of a board.
+std::string whatIsWrong(const BoardDescription& board) {
+  auto wrong = wrongCounts(board);
+  wrong = wrong.empty() ? wrongLength("square", board.squareSize) : wrong;
+  wrong =
+      wrong.empty() && board.kind == BoardDescription::Kind::Charuco ? wrongMarkers(board) : wrong;
+  return wrong.empty() ? wrongCorners(board) : wrong;
 }
 
 } // namespace
@@ -151,6 +183,13 @@ Result<BoardDescription> parseBoard(const std::string& text, const std::string& 
     return failure(ErrorCode::BadValue, "", field, wrong);
   }
   return board;
+}
+
+Status checkBoard(const BoardDescription& board, const std::string& field) {
+  if (auto wrong = whatIsWrong(board); !wrong.empty()) {
+    return failure(ErrorCode::BadValue, "", field, wrong);
+  }
+  return {};
 }
 
 std::string boardText(const BoardDescription& board) {

@@ -52,6 +52,10 @@ struct BoardDescription {
 /// metres. BadValue names `field` and the part that is wrong.
 Result<BoardDescription> parseBoard(const std::string& text, const std::string& field = "--board");
 
+/// Whether a board that was put together otherwise is one that parseBoard() would give. BadValue
+/// names `field` and what is wrong, in the same words.
+Status checkBoard(const BoardDescription& board, const std::string& field = "--board");
+
 /// The text parseBoard() reads.
 std::string boardText(const BoardDescription& board);
 

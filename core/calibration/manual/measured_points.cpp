@@ -97,6 +97,15 @@ const PointClick* clickIn(const MeasuredPoint& point, int camera) {
   return found == point.clicks.end() ? nullptr : &*found;
 }
 
+void setClickIn(MeasuredPoint& point, int camera, const Eigen::Vector2d& pixel) {
+  const auto there = std::ranges::find(point.clicks, camera, &PointClick::camera);
+  if (there != point.clicks.end()) {
+    there->pixel = pixel;
+  } else {
+    point.clicks.push_back({camera, pixel});
+  }
+}
+
 std::vector<ClickResidual> clickResiduals(const CameraRig& rig,
                                           const std::vector<MeasuredPoint>& points) {
   std::vector<ClickResidual> residuals;

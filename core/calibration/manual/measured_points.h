@@ -32,6 +32,9 @@ struct MeasuredPoint {
 /// The click of a point in a camera; null when there is none.
 const PointClick* clickIn(const MeasuredPoint& point, int camera);
 
+/// Says where a camera sees the point: in place of what was said of that camera before.
+void setClickIn(MeasuredPoint& point, int camera, const Eigen::Vector2d& pixel);
+
 /// How far a click is from where its camera should see the point.
 struct ClickResidual {
   int point = 0;

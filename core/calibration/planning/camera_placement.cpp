@@ -3,7 +3,9 @@
 
 #include "core/calibration/planning/rig_map.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace dewpoint::calibration {
@@ -155,7 +157,30 @@ Status check(const Camera& lens, const PlacementSettings& settings) {
   return {};
 }
 
+double shareWithin(const CameraRig& rig, const PlacementSettings& settings) {
+  const VolumeGrid cells = gridOver(settings.volume, settings.reportedCells);
+  return summaryOf(RigMapper().map(cells, settings.pixelSigma, rig), settings.goodSigma).within;
+}
+
 } // namespace
+
+Camera inFarthestCorner(Camera camera, const CameraRig& rig, const Eigen::AlignedBox3d& volume) {
+  Eigen::Vector3d best = volume.max();
+  double farthest = -1.0;
+  for (int k = 4; k < 8; ++k) { // the upper corners
+    const Eigen::Vector3d corner = volume.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k));
+    double nearest = std::numeric_limits<double>::max();
+    for (const Camera& other : rig) {
+      nearest = std::min(nearest, (other.center() - corner).norm());
+    }
+    if (nearest > farthest) {
+      farthest = nearest;
+      best = corner;
+    }
+  }
+  camera.cameraFromWorld = lookAt(best, volume.center());
+  return camera;
+}
 
 Camera idealCamera(const std::string& name, int width, int height, double fieldOfView) {
   Camera camera;
@@ -190,6 +215,12 @@ Result<Placement> placeCamera(const CameraRig& rig, const Camera& lens,
   (void)search.worth(best);
   result.camera = search.cameraAt(best);
   result.withinAfter = search.within();
+  if (settings.reportedCells > 0) {
+    CameraRig with = rig;
+    with.push_back(result.camera);
+    result.withinBefore = shareWithin(rig, settings);
+    result.withinAfter = shareWithin(with, settings);
+  }
   return result;
 }
 

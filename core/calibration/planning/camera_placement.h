@@ -15,12 +15,20 @@ namespace dewpoint::calibration {
 /// horizontal, radians.
 Camera idealCamera(const std::string& name, int width, int height, double fieldOfView);
 
+/// The camera in that upper corner of the volume which is farthest from all cameras of the rig,
+/// looking at the volume's middle: where a planned camera begins. Of corners as far, the first one
+/// in Eigen's order.
+Camera inFarthestCorner(Camera camera, const CameraRig& rig, const Eigen::AlignedBox3d& volume);
+
 struct PlacementSettings {
   Eigen::AlignedBox3d volume;  ///< to measure in; world, metres
   double wallDistance = 0.0;   ///< walls and ceiling are this far outside of it, metres
   double pixelSigma = 0.5;     ///< of a sighting, pixels
   double goodSigma = 0.005;    ///< what is good enough, metres
-  std::size_t cellCount = 900; ///< that the volume is cut into
+  std::size_t cellCount = 900; ///< that the volume is cut into while a place is looked for
+  /// What is told of the place is measured on so many cells, those of a map that is shown, so that
+  /// the figures agree; 0: on those of the search.
+  std::size_t reportedCells = 0;
 };
 
 /// The place that was found.

@@ -44,6 +44,10 @@ VolumeGrid gridOver(const Eigen::AlignedBox3d& volume, std::size_t cellCount);
 /// towards the cameras.
 Eigen::AlignedBox3d roomOf(const CameraRig& rig, const ReferenceGrid& grid);
 
+/// Cells of a map that is shown, and that shares are told of: one of six cameras takes some
+/// milliseconds.
+inline constexpr std::size_t kMapCells = 8640;
+
 /// Makes maps of a rig that changes: what did not change since the last one is not computed again.
 class RigMapper {
 public:

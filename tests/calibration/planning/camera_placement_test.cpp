@@ -157,5 +157,35 @@ TEST(RigMap, TheRoomIsWhatTheGridCovers) {
   EXPECT_TRUE(roomOf(rig, grid).max().isApprox(Eigen::Vector3d(2, 1, 2)));
 }
 
+TEST(CameraPlacement, AFirstPlannedCameraHangsInTheFarthestUpperCorner) {
+  // Beside the camera at (-2, -2, 2) the corner across is farthest.
+  const Camera planned = inFarthestCorner(lens(), {at({-2, -2, 2})}, kRoom);
+  EXPECT_TRUE(planned.center().isApprox(Eigen::Vector3d(2, 2, 2)));
+  const Eigen::Vector3d towards = (kRoom.center() - planned.center()).normalized();
+  EXPECT_NEAR(planned.opticalAxis().dot(towards), 1.0, 1e-12);
+  // With two in opposite corners the others are left, 4 m from both.
+  const Camera third = inFarthestCorner(lens(), {at({-2, -2, 2}), at({2, 2, 2})}, kRoom);
+  EXPECT_NEAR(third.center().x() * third.center().y(), -4.0, 1e-9);
+  EXPECT_EQ(inFarthestCorner(lens(), {}, kRoom).center().z(), 2.0);
+}
+
+TEST(CameraPlacement, FiguresAreThoseOfTheMapThatIsShown) {
+  const CameraRig rig{at({-2, 0, 1.5})};
+  PlacementSettings onMap = settings();
+  onMap.reportedCells = 2000;
+  const auto found = placeCamera(rig, lens(), onMap);
+  const auto plain = placeCamera(rig, lens(), settings());
+  ASSERT_TRUE(found && plain);
+  EXPECT_EQ(found->camera, plain->camera); // what is told does not change what is found
+  CameraRig with = rig;
+  with.push_back(found->camera);
+  const auto shared = [&](const CameraRig& cameras) {
+    const RigMap map = RigMapper().map(gridOver(kRoom, 2000), onMap.pixelSigma, cameras);
+    return summaryOf(map, onMap.goodSigma).within;
+  };
+  EXPECT_EQ(found->withinBefore, shared(rig));
+  EXPECT_EQ(found->withinAfter, shared(with));
+}
+
 } // namespace
 } // namespace dewpoint::tests

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/manual/measured_points.h"
+#include "core/setup/calibrated_project.h"
+#include "tests/session/fake_recording.h"
+
+#include <gtest/gtest.h>
+
+namespace dewpoint::tests {
+namespace {
+
+/// The first camera is simulated, the second one a video.
+Project mixedProject() {
+  Project project = test::twoCameraProject();
+  project.cameras[1].source = SourceKind::Video;
+  return project;
+}
+
+Camera moved(Camera camera) {
+  camera.cameraFromWorld.translation().x() += 0.1;
+  return camera;
+}
+
+TEST(CalibratedProject, OnlyASimulatedCameraThatChangesCountsAsAdjusted) {
+  Project project = mixedProject();
+  setCalibration(project.cameras[0], Camera(project.cameras[0].camera));
+  EXPECT_FALSE(project.cameras[0].adjusted);
+  for (ProjectCamera& camera : project.cameras) {
+    setCalibration(camera, moved(camera.camera));
+  }
+  EXPECT_TRUE(project.cameras[0].adjusted);
+  EXPECT_FALSE(project.cameras[1].adjusted);
+  EXPECT_EQ(project.cameras[1].camera, moved(test::twoCameras()[1]));
+  setCalibration(project.cameras[0], test::twoCameras()[0]); // back where it was: still adjusted
+  EXPECT_TRUE(project.cameras[0].adjusted);
+}
+
+TEST(CalibratedProject, EveryWayToACalibrationKeepsThatRule) {
+  const Project project = mixedProject();
+  CameraRig rig{moved(project.cameras[0].camera), moved(project.cameras[1].camera)};
+  const Project placed = withCameras(project, rig);
+  std::vector<std::optional<IntrinsicsResult>> lenses(2);
+  for (auto& lens : lenses) {
+    lens.emplace().camera = project.cameras[0].camera;
+    lens->camera.intrinsics.focalX += 1.0;
+  }
+  const Project seen = withIntrinsics(project, lenses);
+  for (const Project& changed : {placed, seen}) {
+    EXPECT_TRUE(changed.cameras[0].adjusted);
+    EXPECT_FALSE(changed.cameras[1].adjusted);
+  }
+}
+
+TEST(CalibratedProject, ATurnedPictureTakesItsCalibrationAndClicksAlong) {
+  Project project = mixedProject();
+  const Camera before = project.cameras[1].camera; // 160 x 120
+  project.cameras[1].rotateDegrees = 90;
+  project.points.emplace_back().name = "corner";
+  setClickIn(project.points[0], 0, {10.0, 20.0});
+  setClickIn(project.points[0], 1, {30.0, 40.0});
+  const Project turned = withImageSymmetry(project, 1, {180, false});
+  EXPECT_EQ(turned.cameras[1].rotateDegrees, 270);
+  EXPECT_FALSE(turned.cameras[1].mirrored);
+  EXPECT_EQ(turned.cameras[0], project.cameras[0]);
+  EXPECT_EQ(clickIn(turned.points[0], 0)->pixel, Eigen::Vector2d(10.0, 20.0));
+  // Upside down, pixel centers at integers: 159 - 30 and 119 - 40.
+  EXPECT_EQ(clickIn(turned.points[0], 1)->pixel, Eigen::Vector2d(129.0, 79.0));
+  // A point of the world moves with its pixel.
+  const Eigen::Vector3d point(0.02, 0.03, 0.15);
+  const auto was = Projector(before).project(point);
+  const auto is = Projector(turned.cameras[1].camera).project(point);
+  ASSERT_TRUE(was && is);
+  EXPECT_NEAR((*was + *is - Eigen::Vector2d(159.0, 119.0)).norm(), 0.0, 1e-9);
+}
+
+TEST(CalibratedProject, AClickReplacesTheOneInTheSameCamera) {
+  MeasuredPoint point;
+  setClickIn(point, 2, {1.0, 2.0});
+  setClickIn(point, 0, {3.0, 4.0});
+  setClickIn(point, 2, {5.0, 6.0});
+  ASSERT_EQ(point.clicks.size(), 2U);
+  EXPECT_EQ(clickIn(point, 2)->pixel, Eigen::Vector2d(5.0, 6.0));
+  EXPECT_EQ(clickIn(point, 1), nullptr);
+}
+
+} // namespace
+} // namespace dewpoint::tests
