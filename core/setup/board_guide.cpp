@@ -29,6 +29,13 @@ BoardGuideState::Outline outlineOf(const BoardDetection& detection) {
 
 } // namespace
 
+BoardCalibrationRequest wishForTaken(const BoardGuideRequest& wish, const BoardGuideState& state) {
+  BoardCalibrationRequest all = wish.board;
+  all.views = std::max(all.views, wish.lenses.mostViews);
+  all.worldFrame = state.floorFrame;
+  return all;
+}
+
 BoardGuide::BoardGuide(Project project, const BoardGuideRequest& wish, int threads)
     : project_(std::move(project)), wish_(wish), detector_(wish.board.board), team_(threads) {
   state_.phase = wish.goal.lenses ? BoardGuideState::Phase::Lenses : BoardGuideState::Phase::Places;

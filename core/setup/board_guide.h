@@ -58,6 +58,10 @@ struct BoardGuideState {
 };
 using BoardGuideStatePtr = std::shared_ptr<const BoardGuideState>;
 
+/// What calibrateFromBoards() is to do with the views that were taken from live cameras: lenses are
+/// found from all of them, and the world is that of the floor that was shown.
+BoardCalibrationRequest wishForTaken(const BoardGuideRequest& wish, const BoardGuideState& state);
+
 /// Leads a person through calibrating live cameras with a board: looks for it in the images, says
 /// what to show next, takes what is held still, calibrates in between and ends by itself when the
 /// requested accuracy is reached. No clock and no thread of its own besides those that share the

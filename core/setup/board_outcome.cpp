@@ -73,6 +73,18 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoard
   return outcome;
 }
 
+Result<BoardOutcome> calibrateFromBoards(const Project& project, FrameSetSource& source,
+                                         const BoardCalibrationRequest& wish, const BoardGoal& goal,
+                                         const CalibrationProgress& progress) {
+  return lookForBoards(project, source, wish, progress).and_then([&](const SeenBoards& seen) {
+    return calibrateFromBoards(project, seen, wish, goal, progress);
+  });
+}
+
+bool isDoubtful(const BoardOutcome& outcome) {
+  return outcome.places && !outcome.places->faults.empty();
+}
+
 Project withOutcome(Project project, const BoardOutcome& outcome) {
   if (outcome.lenses) {
     project = withIntrinsics(std::move(project), outcome.lenses->cameras);

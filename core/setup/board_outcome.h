@@ -37,6 +37,16 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoard
                                          const BoardCalibrationRequest& wish, const BoardGoal& goal,
                                          const CalibrationProgress& progress = {});
 
+/// The same from a recording, in which the board is looked for first. Errors: those of
+/// lookForBoards() too.
+Result<BoardOutcome> calibrateFromBoards(const Project& project, FrameSetSource& source,
+                                         const BoardCalibrationRequest& wish, const BoardGoal& goal,
+                                         const CalibrationProgress& progress = {});
+
+/// Whether a person should decide about it before it is put into the project: a fault that has a
+/// name explains what was seen better.
+bool isDoubtful(const BoardOutcome& outcome);
+
 /// A project with the same cameras, calibrated as the outcome says.
 Project withOutcome(Project project, const BoardOutcome& outcome);
 

@@ -23,6 +23,10 @@ bool saysTooLittle(const WandRefinement& refinement) {
   return refinement.verdict && refinement.verdict->cameras95 > refinement.options.roughPlace;
 }
 
+bool isDoubtful(const WandRefinement& refinement) {
+  return !refinement.result.faults.empty() || saysTooLittle(refinement);
+}
+
 Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,
                                            const WandOptions& options,
                                            const WandWorkCallback& callback) {

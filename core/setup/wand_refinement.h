@@ -24,6 +24,10 @@ struct WandRefinement {
 /// former ones are better kept.
 bool saysTooLittle(const WandRefinement& refinement);
 
+/// Whether a person should decide about it before it is put into the project: a fault that has a
+/// name explains the views better, or it says too little.
+bool isDoubtful(const WandRefinement& refinement);
+
 /// calibrateFromRecording() and the verdict. Errors: those of the calibration.
 Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,
                                            const WandOptions& options,

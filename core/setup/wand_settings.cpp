@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/wand_settings.h"
+
+#include <algorithm>
+
+namespace dewpoint::setup {
+namespace {
+
+std::optional<double> momentOf(const std::vector<TouchedMoment>& moments, TouchRole role) {
+  const auto found = std::ranges::find(moments, role, &TouchedMoment::role);
+  return found != moments.end() ? std::optional(found->seconds) : std::nullopt;
+}
+
+} // namespace
+
+void addMoment(std::vector<TouchedMoment>& moments, const TouchedMoment& taken) {
+  std::erase_if(moments, [&](const TouchedMoment& moment) {
+    return moment == taken || (taken.role != TouchRole::Floor && moment.role == taken.role);
+  });
+  moments.push_back(taken);
+  std::ranges::stable_sort(moments, {}, &TouchedMoment::seconds);
+}
+
+std::vector<std::string> selectedTargets(const WandSettings& wish, const Project& project) {
+  const auto known = [&](const std::string& name) {
+    return std::ranges::find(project.targets, name, &Target::name) != project.targets.end();
+  };
+  std::vector<std::string> balls;
+  if (!project.targets.empty()) {
+    balls.push_back(known(wish.ball) ? wish.ball : project.targets.front().name);
+  }
+  if (wish.stick && project.targets.size() > 1) {
+    const auto another = std::ranges::find_if(
+        project.targets, [&](const Target& target) { return target.name != balls.front(); });
+    balls.push_back(known(wish.other) ? wish.other : another->name);
+  }
+  return balls;
+}
+
+WandObstacle obstacleOf(const WandSettings& wish, const std::vector<TouchedMoment>& moments,
+                        const Project& project) {
+  const auto taken = [&](TouchRole role) { return momentOf(moments, role).has_value(); };
+  const auto balls = selectedTargets(wish, project);
+  if (project.cameras.size() < 2) {
+    return WandObstacle::TooFewCameras;
+  }
+  if (balls.empty()) {
+    return WandObstacle::NoBall;
+  }
+  if (wish.stick && balls.size() < 2) {
+    return WandObstacle::NoSecondBall;
+  }
+  if (wish.stick && balls[0] == balls[1]) {
+    return WandObstacle::SameBallTwice;
+  }
+  if (!wish.stick && wish.size == WandSize::Distance &&
+      !(taken(TouchRole::DistanceFrom) && taken(TouchRole::DistanceTo))) {
+    return WandObstacle::DistanceNotTaken;
+  }
+  return taken(TouchRole::FallBegins) != taken(TouchRole::FallEnds) ? WandObstacle::HalfAFall
+                                                                    : WandObstacle::None;
+}
+
+WandOptions toOptions(const WandSettings& wish, const std::vector<TouchedMoment>& moments,
+                      const Project& project, const std::optional<FrameStretch>& selected) {
+  WandOptions options;
+  options.targets = selectedTargets(wish, project);
+  options.stickLength = wish.stick ? wish.length : 0.0;
+  options.fromDiameter = !wish.stick && wish.size == WandSize::Diameter;
+  if (!wish.stick && wish.size == WandSize::Distance) {
+    options.distance =
+        TouchedDistance{momentOf(moments, TouchRole::DistanceFrom).value_or(0.0),
+                        momentOf(moments, TouchRole::DistanceTo).value_or(0.0), wish.distance};
+  }
+  for (const TouchedMoment& moment : moments) {
+    if (moment.role == TouchRole::Floor) {
+      options.floorTimes.push_back(moment.seconds);
+    }
+  }
+  const auto begin = momentOf(moments, TouchRole::FallBegins);
+  const auto end = momentOf(moments, TouchRole::FallEnds);
+  if (begin && end) {
+    options.drop = std::array<double, 2>{*begin, *end};
+  }
+  options.findOffsets = wish.findOffsets;
+  options.findFocal = wish.findFocal;
+  options.findDistortion = wish.findDistortion;
+  options.roughPlace = wish.roughPlace;
+  options.roughTurn = wish.roughTurn;
+  if (wish.onlySpan && selected) {
+    options.firstFrame = selected->first;
+    options.endFrame = selected->last + 1;
+  }
+  return options;
+}
+
+} // namespace dewpoint::setup

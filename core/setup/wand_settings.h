@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/wand_views.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dewpoint::setup {
+
+/// What gives a calibration from a waved target its size.
+enum class WandSize { Cameras, Diameter, Distance };
+
+/// What a person decides about a calibration from a waved target: kept as it was typed, whether or
+/// not it makes sense yet.
+struct WandSettings {
+  bool stick = false;                ///< two balls; else one
+  std::string ball;                  ///< names of targets; empty: the first ones
+  std::string other;                 ///< the other end of the stick
+  double length = 0.5;               ///< of the stick, between the balls' middles; metres
+  WandSize size = WandSize::Cameras; ///< with one ball
+  double distance = 1.0;             ///< between the two places touched; metres
+  bool findOffsets = false;
+  bool findFocal = false;
+  bool findDistortion = false;
+  bool onlySpan = false;                        ///< look only through the frames that are selected
+  double roughPlace = WandOptions().roughPlace; ///< metres
+  double roughTurn = WandOptions().roughTurn;   ///< radians
+
+  bool operator==(const WandSettings&) const = default;
+};
+
+/// What the ball did at a moment.
+enum class TouchRole { Floor, DistanceFrom, DistanceTo, FallBegins, FallEnds };
+constexpr int kTouchRoles = 5;
+
+struct TouchedMoment {
+  std::int64_t frame = 0;
+  double seconds = 0.0;
+  TouchRole role = TouchRole::Floor;
+
+  bool operator==(const TouchedMoment&) const = default;
+};
+
+/// A moment is taken: the floor may be touched often, each of the others happens once, and what was
+/// said of it before is replaced. Ascending in time.
+void addMoment(std::vector<TouchedMoment>& moments, const TouchedMoment& taken);
+
+/// The names of the balls: as wished, or the project's first targets. A stick has two, as far as
+/// the project has as many targets.
+std::vector<std::string> selectedTargets(const WandSettings& wish, const Project& project);
+
+/// What keeps a wish from being fulfilled.
+enum class WandObstacle {
+  None,
+  TooFewCameras,    ///< a single camera measures no size
+  NoBall,           ///< the project has no target
+  NoSecondBall,     ///< a stick, and one target
+  SameBallTwice,    ///< both ends of the stick are the same target
+  DistanceNotTaken, ///< the size is to come from a distance whose ends were not both touched
+  HalfAFall         ///< only one end of a fall is known
+};
+/// The first one, in this order.
+WandObstacle obstacleOf(const WandSettings& wish, const std::vector<TouchedMoment>& moments,
+                        const Project& project);
+
+/// Frames from the first to the last, both included.
+struct FrameStretch {
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+};
+
+/// The options for a wish without an obstacle. `selected`: the frames for WandSettings::onlySpan.
+WandOptions toOptions(const WandSettings& wish, const std::vector<TouchedMoment>& moments,
+                      const Project& project, const std::optional<FrameStretch>& selected = {});
+
+} // namespace dewpoint::setup

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/wand_settings.h"
+#include "tests/session/fake_recording.h"
+
+#include <gtest/gtest.h>
+
+namespace dewpoint::tests {
+namespace {
+
+Project withBalls(int count) {
+  Project project = test::twoCameraProject();
+  const Target ball = project.targets.front();
+  project.targets.clear();
+  for (int k = 0; k < count; ++k) {
+    project.targets.push_back(ball);
+    project.targets.back().name = std::string(1, static_cast<char>('a' + k));
+  }
+  return project;
+}
+
+TouchedMoment at(double seconds, TouchRole role) {
+  return {static_cast<std::int64_t>(30.0 * seconds), seconds, role};
+}
+
+TEST(WandSettings, BallsAreThoseThatAreNamedOrTheFirstOnes) {
+  using Names = std::vector<std::string>;
+  WandSettings wish;
+  EXPECT_EQ(selectedTargets(wish, withBalls(0)), Names{});
+  EXPECT_EQ(selectedTargets(wish, withBalls(2)), Names{"a"});
+  wish.ball = "b";
+  EXPECT_EQ(selectedTargets(wish, withBalls(2)), Names{"b"});
+  wish.stick = true;
+  EXPECT_EQ(selectedTargets(wish, withBalls(3)), (Names{"b", "a"})); // another than the first end
+  wish.other = "c";
+  EXPECT_EQ(selectedTargets(wish, withBalls(3)), (Names{"b", "c"}));
+  EXPECT_EQ(selectedTargets(wish, withBalls(2)), (Names{"b", "a"})); // "c" was removed
+  EXPECT_EQ(selectedTargets(wish, withBalls(1)), Names{"a"});
+}
+
+TEST(WandSettings, TheFirstObstacleIsNamed) {
+  WandSettings wish;
+  Project oneCamera = withBalls(0);
+  oneCamera.cameras.pop_back();
+  EXPECT_EQ(obstacleOf(wish, {}, oneCamera), WandObstacle::TooFewCameras);
+  EXPECT_EQ(obstacleOf(wish, {}, withBalls(0)), WandObstacle::NoBall);
+  EXPECT_EQ(obstacleOf(wish, {}, withBalls(1)), WandObstacle::None);
+  wish.stick = true;
+  EXPECT_EQ(obstacleOf(wish, {}, withBalls(1)), WandObstacle::NoSecondBall);
+  EXPECT_EQ(obstacleOf(wish, {}, withBalls(2)), WandObstacle::None);
+  wish.ball = wish.other = "b";
+  EXPECT_EQ(obstacleOf(wish, {}, withBalls(2)), WandObstacle::SameBallTwice);
+}
+
+TEST(WandSettings, ADistanceAndAFallNeedBothMoments) {
+  WandSettings wish;
+  wish.size = WandSize::Distance;
+  std::vector<TouchedMoment> moments{at(1.0, TouchRole::DistanceFrom)};
+  EXPECT_EQ(obstacleOf(wish, moments, withBalls(1)), WandObstacle::DistanceNotTaken);
+  moments.push_back(at(2.0, TouchRole::DistanceTo));
+  EXPECT_EQ(obstacleOf(wish, moments, withBalls(1)), WandObstacle::None);
+  moments.push_back(at(3.0, TouchRole::FallEnds));
+  EXPECT_EQ(obstacleOf(wish, moments, withBalls(1)), WandObstacle::HalfAFall);
+  moments.push_back(at(2.5, TouchRole::FallBegins));
+  EXPECT_EQ(obstacleOf(wish, moments, withBalls(1)), WandObstacle::None);
+  wish.stick = true; // whose length is the size: no distance is asked for
+  EXPECT_EQ(obstacleOf(wish, {}, withBalls(2)), WandObstacle::None);
+}
+
+TEST(WandSettings, OptionsSayWhatWasDecided) {
+  WandSettings wish;
+  wish.size = WandSize::Distance;
+  wish.distance = 1.5;
+  wish.findOffsets = true;
+  wish.roughPlace = 0.3;
+  wish.onlySpan = true;
+  const std::vector<TouchedMoment> moments{
+      at(1.0, TouchRole::Floor), at(2.0, TouchRole::DistanceFrom), at(3.0, TouchRole::DistanceTo),
+      at(4.0, TouchRole::Floor), at(5.0, TouchRole::FallBegins),   at(5.5, TouchRole::FallEnds)};
+  const WandOptions options = toOptions(wish, moments, withBalls(1), FrameStretch{10, 99});
+  EXPECT_EQ(options.targets, std::vector<std::string>{"a"});
+  ASSERT_TRUE(options.distance);
+  EXPECT_EQ(options.distance->metres, 1.5);
+  EXPECT_EQ(options.floorTimes, (std::vector<double>{1.0, 4.0}));
+  ASSERT_TRUE(options.drop);
+  EXPECT_EQ((*options.drop)[1], 5.5);
+  EXPECT_TRUE(options.findOffsets);
+  EXPECT_FALSE(options.findFocal);
+  EXPECT_EQ(options.roughPlace, 0.3);
+  EXPECT_EQ(options.firstFrame, 10);
+  EXPECT_EQ(options.endFrame, 100); // one past the last
+}
+
+TEST(WandSettings, AStickLeavesOutWhatIsOfOneBall) {
+  WandSettings wish;
+  wish.stick = true;
+  wish.length = 0.7;
+  wish.size = WandSize::Diameter;
+  EXPECT_EQ(toOptions(wish, {}, withBalls(2)).stickLength, 0.7);
+  EXPECT_FALSE(toOptions(wish, {}, withBalls(2)).fromDiameter);
+  wish.stick = false;
+  EXPECT_EQ(toOptions(wish, {}, withBalls(2)).stickLength, 0.0);
+  EXPECT_TRUE(toOptions(wish, {}, withBalls(2)).fromDiameter);
+  EXPECT_FALSE(toOptions(wish, {}, withBalls(2), FrameStretch{3, 4}).endFrame); // not asked for
+}
+
+TEST(WandSettings, OnlyTheFloorIsTouchedOften) {
+  std::vector<TouchedMoment> moments;
+  addMoment(moments, at(5.0, TouchRole::Floor));
+  addMoment(moments, at(2.0, TouchRole::Floor));
+  addMoment(moments, at(2.0, TouchRole::Floor)); // the same again
+  addMoment(moments, at(3.0, TouchRole::FallBegins));
+  addMoment(moments, at(4.0, TouchRole::FallBegins)); // in place of the one before
+  ASSERT_EQ(moments.size(), 3U);
+  EXPECT_EQ(moments[0].seconds, 2.0);
+  EXPECT_EQ(moments[1], at(4.0, TouchRole::FallBegins));
+  EXPECT_EQ(moments[2].seconds, 5.0);
+}
+
+} // namespace
+} // namespace dewpoint::tests
