@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
 #include "core/session/run/background_images.h"
+#include "core/setup/footage.h"
 #include "core/setup/new_project.h"
 
 #include <CLI/CLI.hpp>
@@ -17,6 +18,8 @@ namespace {
 struct NewOptions {
   std::string file;
   std::vector<std::string> cameras;
+  std::string footage;
+  bool connected = false;
   std::string calibration;
   std::vector<std::string> emptyRooms;
   bool force = false;
@@ -53,13 +56,49 @@ Status addEmptyRooms(const std::vector<std::string>& texts, Project& project) {
   return loadEmptyRooms(project).map([](const auto&) {});
 }
 
+/// The cameras that were named, then those of a folder, then those that are connected.
+Result<std::vector<NewCamera>> camerasOf(const NewOptions& options) {
+  std::vector<NewCamera> cameras;
+  for (const std::string& text : options.cameras) {
+    cameras.push_back(cameraFrom(text));
+  }
+  std::vector<std::string> found;
+  if (!options.footage.empty()) {
+    found = footageIn(options.footage);
+    if (found.empty()) {
+      return failure(ErrorCode::FileMissing, options.footage, "--footage",
+                     "no video and no folder of images is in it");
+    }
+  }
+  if (options.connected) {
+    const auto devices = connectedCameras();
+    if (devices.empty()) {
+      return failure(ErrorCode::FileMissing, "", "--connected", "no camera is connected");
+    }
+    found.insert(found.end(), devices.begin(), devices.end());
+  }
+  for (const std::string& location : found) {
+    cameras.push_back({"", guessedSource(location), location});
+  }
+  if (cameras.empty()) {
+    return failure(ErrorCode::MissingKey, "", "--camera",
+                   "a camera is needed, or --footage or --connected");
+  }
+  return cameras;
+}
+
 int makeNew(NewOptions& options) {
   if (std::filesystem::exists(options.file) && !options.force) {
     return report(
         {ErrorCode::FileUnwritable, options.file, "", "it exists already; --force replaces it"});
   }
-  for (const std::string& text : options.cameras) {
-    NewCamera camera = cameraFrom(text);
+  auto cameras = camerasOf(options);
+  if (!cameras) {
+    const bool missing = cameras.error().code == ErrorCode::MissingKey;
+    const int code = report(cameras.error());
+    return missing ? static_cast<int>(kExitUsage) : code;
+  }
+  for (NewCamera& camera : *cameras) {
     const auto& others = options.project.cameras;
     if (!camera.name.empty() &&
         std::ranges::find(others, camera.name, &NewCamera::name) != others.end()) {
@@ -103,11 +142,14 @@ void addNewCommand(CLI::App& app, int& exitCode) {
   auto* command = app.add_subcommand("new", "Make a project of videos, image folders or cameras.");
   auto options = std::make_shared<NewOptions>();
   command->add_option("PROJECT", options->file, "Project file to write (TOML)")->required();
-  command
-      ->add_option(
-          "--camera", options->cameras,
-          "NAME=SOURCE, once per camera: a video, a folder of images, a device or a stream")
-      ->required();
+  command->add_option(
+      "--camera", options->cameras,
+      "NAME=SOURCE, once per camera: a video, a folder of images, a device or a stream");
+  command->add_option("--footage", options->footage,
+                      "A folder: each video and each folder of images in it is a camera, by their "
+                      "names (camera 2 before camera 10)");
+  command->add_flag("--connected", options->connected,
+                    "All cameras that are connected to this computer");
   command->add_option("--calibration", options->calibration,
                       "Calibration file; by the cameras' names, or else in its order");
   command->add_option("--empty-room", options->emptyRooms,

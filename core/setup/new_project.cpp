@@ -3,6 +3,7 @@
 
 #include "core/calibration/formats/calibration_file.h"
 #include "core/capture/recording.h"
+#include "core/geometry/camera_name.h"
 #include "core/tracking/boxes/box_tracker.h"
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ std::string nameOf(const NewCamera& camera, std::size_t index) {
     return camera.name;
   }
   if (!isRecording(camera.source)) {
-    return fmt::format("camera {}", index + 1);
+    return defaultCameraName(index);
   }
   const std::filesystem::path path(camera.location);
   const bool isFolder = camera.source == SourceKind::Images;

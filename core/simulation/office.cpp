@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/office.h"
 
+#include "core/geometry/camera_name.h"
 #include "core/simulation/people_painter.h"
 #include "core/simulation/sensor.h"
-
-#include <fmt/format.h>
 
 #include <array>
 #include <utility>
@@ -22,7 +21,7 @@ CameraRig officeRig() {
   CameraRig rig;
   for (const auto& corner : kCorners) {
     Camera camera;
-    camera.name = fmt::format("camera {}", rig.size() + 1);
+    camera.name = defaultCameraName(rig.size());
     camera.intrinsics = {320, 240, 230.0, 230.0, 159.5, 119.5};
     camera.cameraFromWorld = lookAt({corner[0], corner[1], 2.4}, {0.0, 0.0, 0.8});
     rig.push_back(camera);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/rigs.h"
 
+#include "core/geometry/camera_name.h"
 #include "core/simulation/scene.h"
-
-#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
@@ -21,7 +20,7 @@ struct Picture {
 Camera cameraAt(std::size_t index, const Picture& picture, const Eigen::Vector3d& position,
                 const Eigen::Vector3d& target) {
   Camera camera;
-  camera.name = fmt::format("camera {}", index + 1);
+  camera.name = defaultCameraName(index);
   camera.intrinsics = {picture.width,
                        picture.height,
                        picture.focal,

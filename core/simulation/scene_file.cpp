@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/table_reader.h"
+#include "core/geometry/camera_name.h"
 #include "core/simulation/scene.h"
 
 #include <Eigen/Geometry>
@@ -132,7 +133,7 @@ void readPose(TableReader& reader, Camera& camera) {
 Result<Camera> readCamera(const toml::table& table, const std::string& file, std::size_t index) {
   TableReader reader(table, file, fmt::format("camera {}.", index + 1));
   Camera camera;
-  camera.name = fmt::format("camera {}", index + 1);
+  camera.name = defaultCameraName(index);
   Intrinsics& lens = camera.intrinsics;
   reader.text("name", camera.name);
   for (const char* key : {"width", "height", "focal"}) {

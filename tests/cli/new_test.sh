@@ -23,6 +23,19 @@ expectSentence waved.toml --force
 expectExit 0 new waved.toml "${cameras[@]}" --force
 expectText err.txt "a guess"
 
+# A folder of recordings: cameras in the order of their names, numbers by value.
+mkdir -p shots
+cp made/camera-1.mkv "shots/cam 10.mkv"
+cp made/camera-1.mkv "shots/cam 2.mkv"
+expectExit 0 new shots.toml --footage shots
+[[ $(grep '^name = "cam' shots.toml | tr '\n' ' ') == 'name = "cam 2" name = "cam 10" ' ]] ||
+  fail "$(cat shots.toml)"
+mkdir -p none
+expectExit $kBadInput new none.toml --footage none
+expectSentence none --footage
+expectExit $kUsage new none.toml
+expectSentence --camera --footage
+
 # Its color is still to be learned.
 expectExit $kBadInput track waved.toml --out out
 expectSentence waved.toml target

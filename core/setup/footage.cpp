@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/footage.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <compare>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+namespace dewpoint::setup {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Endings of the types video/* and image/* of the desktops' shared database, and of raw streams
+// that it does not know.
+constexpr auto kVideoEndings = std::to_array<std::string_view>(
+    {"264",  "265",  "3g2",  "3gp",  "3gp2", "3gpp", "3gpp2", "asf", "avf",  "avi",  "bdm",
+     "bdmv", "clpi", "divx", "dv",   "f4v",  "fli",  "flc",   "flv", "fxm",  "h264", "h265",
+     "hevc", "ivf",  "lrv",  "m1u",  "m2t",  "m2ts", "m4u",   "m4v", "mjp2", "mj2",  "mjpeg",
+     "mjpg", "mk3d", "mkv",  "mng",  "moov", "mov",  "mp4",   "mpe", "mpeg", "mpg",  "mpl",
+     "mpls", "mts",  "mxf",  "mxu",  "nsv",  "ogm",  "ogv",   "qt",  "qtvr", "rv",   "rvx",
+     "ts",   "vdr",  "viv",  "vivo", "vob",  "webm", "wm",    "wmp", "wmv",  "y4m"});
+constexpr auto kImageEndings = std::to_array<std::string_view>(
+    {"avif", "bmp", "cr2", "cr3",  "crw", "dib", "dng",  "exr",  "gif",  "hdr", "heic",
+     "heif", "ico", "j2k", "jfif", "jp2", "jpe", "jpeg", "jpf",  "jpg",  "jpx", "jxl",
+     "nef",  "orf", "pam", "pbm",  "pcx", "pgm", "png",  "pnm",  "ppm",  "psd", "qoi",
+     "raf",  "ras", "rw2", "sgi",  "svg", "tga", "tif",  "tiff", "webp", "xbm", "xpm"});
+
+template <std::size_t Count>
+bool holds(const std::array<std::string_view, Count>& endings, const fs::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending.size() > 1 &&
+         std::ranges::find(endings, std::string_view(ending).substr(1)) != endings.end();
+}
+
+/// For files whose ending says nothing.
+bool beginsAsFootage(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::array<char, 16> bytes{};
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  const std::string_view head(bytes.data(), static_cast<std::size_t>(stream.gcount()));
+  const auto at = [&](std::size_t place, std::string_view magic) {
+    return head.size() >= place + magic.size() && head.substr(place, magic.size()) == magic;
+  };
+  using namespace std::string_view_literals;
+  return at(0, "\x1A\x45\xDF\xA3"sv)                                   // Matroska, WebM
+         || (at(0, "RIFF") && (at(8, "AVI ") || at(8, "WEBP")))        //
+         || at(4, "ftyp") || at(4, "moov") || at(4, "mdat")            // MP4, QuickTime
+         || at(0, "\x00\x00\x01\xBA"sv) || at(0, "\x00\x00\x01\xB3"sv) // MPEG
+         || at(0, "FLV\x01") || at(0, "YUV4MPEG2") || at(0, "DKIF")    //
+         || at(0, "\x30\x26\xB2\x75\x8E\x66\xCF\x11"sv)                // ASF, WMV
+         || at(0, "\x89PNG\r\n\x1A\n"sv) || at(0, "\xFF\xD8\xFF"sv)    // PNG, JPEG
+         || at(0, "GIF87a") || at(0, "GIF89a") || at(0, "II*\0"sv)     // GIF, TIFF
+         || at(0, "MM\0*"sv) || at(0, "\x76\x2F\x31\x01"sv);           // TIFF, OpenEXR
+}
+
+/// One character as it is sorted: what it is first, then its letter without case and accent.
+struct Sign {
+  int kind = 0; ///< 0 end, 1 anything else, 2 digit, 3 letter
+  int letter = 0;
+  auto operator<=>(const Sign&) const = default;
+};
+
+/// Base letters of U+00C0 to U+00FF; '*' is no letter.
+constexpr std::string_view kLatin =
+    "aaaaaaaceeeeiiiidnooooo*ouuuuytsaaaaaaaceeeeiiiidnooooo*ouuuuyty";
+
+Sign signAt(std::string_view text, std::size_t& place) {
+  if (place >= text.size()) {
+    return {};
+  }
+  const auto byte = static_cast<unsigned char>(text[place++]);
+  if (byte == 0xC3 && place < text.size()) {
+    const auto next = static_cast<unsigned char>(text[place]);
+    const char base = next >= 0x80 && next < 0xC0 ? kLatin[next - 0x80U] : '*';
+    if (base != '*') {
+      ++place;
+      return {3, base};
+    }
+  }
+  if (std::isalpha(byte) != 0) {
+    return {3, std::tolower(byte)};
+  }
+  return {std::isdigit(byte) != 0 ? 2 : byte >= 0x80 ? 3 : 1, byte};
+}
+
+/// The digits from `place` on, without leading zeros.
+std::string_view numberAt(std::string_view text, std::size_t& place) {
+  const auto isDigit = [&](std::size_t k) {
+    return k < text.size() && std::isdigit(static_cast<unsigned char>(text[k])) != 0;
+  };
+  while (isDigit(place + 1) && text[place] == '0') {
+    ++place;
+  }
+  const std::size_t first = place;
+  while (isDigit(place)) {
+    ++place;
+  }
+  return text.substr(first, place - first);
+}
+
+std::strong_ordering inOrder(std::string_view one, std::string_view other) {
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i < one.size() || j < other.size()) {
+    std::size_t nextI = i;
+    std::size_t nextJ = j;
+    const Sign left = signAt(one, nextI);
+    const Sign right = signAt(other, nextJ);
+    if (left.kind == 2 && right.kind == 2) {
+      const auto first = numberAt(one, i);
+      const auto second = numberAt(other, j);
+      const auto longer = first.size() <=> second.size();
+      if (const auto order = longer != 0 ? longer : first <=> second; order != 0) {
+        return order;
+      }
+      continue;
+    }
+    if (left != right) {
+      return left <=> right;
+    }
+    i = nextI;
+    j = nextJ;
+  }
+  return std::strong_ordering::equal;
+}
+
+bool isDevice(const std::string& location) {
+  return location.starts_with("/dev/");
+}
+
+/// A folder with an image in it.
+bool holdsImages(const fs::path& folder) {
+  std::error_code said;
+  for (const auto& entry : fs::directory_iterator(folder, said)) {
+    if (entry.is_regular_file(said) && holds(kImageEndings, entry.path())) {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+bool comesBefore(const std::string& name, const std::string& other) {
+  const auto order = inOrder(name, other);
+  return order != 0 ? order < 0 : name < other;
+}
+
+std::vector<std::string> inNaturalOrder(std::vector<std::string> files) {
+  std::ranges::stable_sort(files, [](const std::string& one, const std::string& other) {
+    return comesBefore(fs::path(one).filename().string(), fs::path(other).filename().string());
+  });
+  return files;
+}
+
+bool isFootage(const fs::path& file) {
+  return holds(kVideoEndings, file) || holds(kImageEndings, file) || beginsAsFootage(file);
+}
+
+bool showsImages(const std::string& location) {
+  std::error_code said;
+  if (fs::is_directory(location, said)) {
+    return holdsImages(location);
+  }
+  return !fs::exists(location, said) || isDevice(location) || isFootage(location);
+}
+
+std::vector<std::string> footageIn(const fs::path& folder) {
+  std::vector<std::string> found;
+  std::error_code said;
+  for (const auto& entry : fs::directory_iterator(folder, said)) {
+    const bool folderOfImages = entry.is_directory(said) && holdsImages(entry.path());
+    const bool video = entry.is_regular_file(said) && isFootage(entry.path()) &&
+                       !holds(kImageEndings, entry.path());
+    if (folderOfImages || video) {
+      found.push_back(entry.path().string());
+    }
+  }
+  return inNaturalOrder(std::move(found));
+}
+
+std::vector<std::string> connectedCameras() {
+  std::vector<std::string> devices;
+  std::error_code said;
+  for (const auto& entry : fs::directory_iterator("/dev", said)) {
+    if (entry.path().filename().string().starts_with("video") && entry.is_character_file(said)) {
+      devices.push_back(entry.path().string());
+    }
+  }
+  std::ranges::sort(devices);
+  return devices;
+}
+
+} // namespace dewpoint::setup
