@@ -28,6 +28,7 @@ int report(const Error& error);
 
 /// Each adds its subcommand; the chosen one stores what to return in `exitCode`.
 void addNewCommand(CLI::App& app, int& exitCode);
+void addPlanCommand(CLI::App& app, int& exitCode);
 void addTrackCommand(CLI::App& app, int& exitCode);
 void addTrackPositionsCommand(CLI::App& app, int& exitCode);
 void addEvaluateCommand(CLI::App& app, int& exitCode);

@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
   addLearnColorCommand(app, exitCode);
   addCalibrateCommand(app, exitCode);
   addCalibrationCommand(app, exitCode);
+  addPlanCommand(app, exitCode);
   addPrintBoardCommand(app, exitCode);
   try {
     app.parse(argc, argv);
