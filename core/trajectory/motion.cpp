@@ -2,6 +2,7 @@
 #include "core/trajectory/motion.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dewpoint::trajectory {
 namespace {
@@ -18,6 +19,10 @@ bool isUsable(const TrajectorySample& sample) {
 }
 
 } // namespace
+
+double sigmaOf(const TrajectorySample& sample, int axis) {
+  return std::sqrt(std::max(0.0, sample.covariance(axis, axis)));
+}
 
 std::optional<Eigen::Vector3d> velocityAt(std::span<const TrajectorySample> track,
                                           std::size_t index, std::size_t reach) {

@@ -35,6 +35,17 @@ struct TrajectoryGap {
 std::optional<Eigen::Vector3d> velocityAt(std::span<const TrajectorySample> track,
                                           std::size_t index, std::size_t reach = 2);
 
+/// Standard deviation of a sample's position along an axis (0 to 2), metres.
+double sigmaOf(const TrajectorySample& sample, int axis);
+
+/// Frames that live cameras may skip without anybody having stopped tracking.
+inline constexpr std::int64_t kMostSkipped = 8;
+/// Whether so much lies between two frames of a track that no line goes from one to the other: they
+/// were never tracked.
+inline bool isInterrupted(std::int64_t frame, std::int64_t next) {
+  return next - frame > kMostSkipped;
+}
+
 /// The samples of a run as they come in, with the speed at each and the gaps of each target.
 /// Bounded: beyond kMostRows the older half goes.
 class MotionLog {

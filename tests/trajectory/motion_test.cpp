@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/motion.h"
+#include "core/trajectory/motion_csv.h"
 
 #include <gtest/gtest.h>
 
@@ -150,6 +151,29 @@ TEST(MotionLog, isBounded) {
   // A new run begins at 0 and is all there is.
   log.replaceFrom(0, {sampleAt(0, Eigen::Vector3d::Zero()), sampleAt(1, Eigen::Vector3d::Zero())});
   EXPECT_EQ(log.rows().size(), 2U);
+}
+
+TEST(Motion, aTableIsReadAnywhere) {
+  MotionLog::Row row{sampleAt(3, {1.5, -0.25, 0.0}, true, "ball, red"), 1.25};
+  row.sample.time = 0.1;
+  row.sample.covariance = Eigen::Vector3d(4e-6, 1e-6, -1e-20).asDiagonal();
+  row.sample.cameras = 2;
+  row.sample.existence = 0.5;
+  MotionLog::Row unknown = row;
+  unknown.sample.target = "ball";
+  unknown.speed = std::numeric_limits<double>::quiet_NaN();
+  unknown.sample.valid = false;
+  EXPECT_EQ(motionCsv(std::array{row, unknown}),
+            "time_s,frame,target,x_m,y_m,z_m,sigma_x_m,sigma_y_m,sigma_z_m,speed_m_s,cameras,"
+            "existence,valid\n"
+            "0.1,3,\"ball, red\",1.5,-0.25,0,0.002,0.001,0,1.25,2,0.5,1\n"
+            "0.1,3,ball,1.5,-0.25,0,0.002,0.001,0,,2,0.5,0\n");
+}
+
+TEST(Motion, aLineEndsWhereMoreFramesAreMissingThanCamerasSkip) {
+  EXPECT_FALSE(isInterrupted(10, 11));
+  EXPECT_FALSE(isInterrupted(10, 18));
+  EXPECT_TRUE(isInterrupted(10, 19));
 }
 
 } // namespace
