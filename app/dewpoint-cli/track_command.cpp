@@ -106,6 +106,8 @@ void addTrackCommand(CLI::App& app, int& exitCode) {
   command->add_option("--frames", options->frames,
                       "Only frames A to B-1, as A:B (either may be empty)");
   command->add_option("--particles", options->particles, "Number of particles");
+  command->add_flag("--reasons", options->job.reasons,
+                    "Write reasons.csv, too: when and why targets were held or not");
   command->add_option("--set", options->settings, "Set a parameter of the method: key=value");
   command->callback([options, &exitCode] { exitCode = track(*options); });
 }

@@ -7,6 +7,7 @@
 #include "core/base/text_file.h"
 #include "core/session/run/camera_motion_observer.h"
 #include "core/session/run/camera_motion_watch.h"
+#include "core/session/run/reason_log.h"
 #include "core/session/run/run_report.h"
 #include "core/session/run/tracking_run.h"
 #include "core/trajectory/evaluation.h"
@@ -19,6 +20,7 @@
 #include <chrono>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 namespace dewpoint::app {
 namespace {
@@ -51,8 +53,18 @@ struct TrackOutput {
   std::optional<TrajectoryWriter> writer; ///< not with methods of family Boxes
   Trajectory kept;
   BoxTrack boxes;
+  std::optional<ReasonLog> reasons = std::nullopt;
+  std::optional<TrackedFrame> previous = std::nullopt; ///< while there are reasons to write
 
+  void takeReasons(const TrackingRun& run) {
+    TrackedFrame now = run.moment(0, previous ? &*previous : nullptr);
+    reasons->append(frameRecord(now, *run.frames()), run.targets());
+    previous = std::move(now);
+  }
   Status take(const TrackingRun& run) {
+    if (reasons) {
+      takeReasons(run);
+    }
     std::ranges::move(run.boxSamples(), std::back_inserter(boxes.samples));
     for (const auto& sample : run.samples()) {
       if (const auto written = writer->write(sample); !written) {
@@ -63,6 +75,11 @@ struct TrackOutput {
     return {};
   }
   Status finish(const std::filesystem::path& folder) {
+    if (reasons) {
+      if (const auto written = writeTextFile(folder / "reasons.csv", reasons->csv()); !written) {
+        return written;
+      }
+    }
     return writer ? writer->finish() : writeBoxTrack(boxes, folder);
   }
 };
@@ -171,6 +188,9 @@ int TrackJob::run(SessionInputs inputs) const {
       return report(writer.error());
     }
     output.writer.emplace(std::move(*writer));
+  }
+  if (reasons) {
+    output.reasons.emplace(rigOf(inputs.project));
   }
   heedInterruption();
 

@@ -14,6 +14,7 @@ namespace dewpoint::app {
 struct TrackJob {
   std::filesystem::path folder;
   int threads = 1;
+  bool reasons = false; ///< write reasons.csv, too
   FrameRange frames;
 
   /// The process's exit code.

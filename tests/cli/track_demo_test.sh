@@ -18,3 +18,8 @@ expectText out.txt '"rmse' '"unit"'
 expectExit 0 track demo --method barrera --out run --frames 0:5 --particles 50 --set motion_sigma=0.02
 [[ $(rowCount run/trajectory.csv) == 5 ]] || fail "the second run did not replace the first"
 expectText run/trajectory.csv 50 0.02
+
+# When and why the target was held, on request only.
+[[ ! -e run/reasons.csv ]] || fail "reasons.csv was not asked for"
+expectExit 0 track demo --out why --frames 0:30 --reasons
+expectText why/reasons.csv time_s,frame,target,state,reason ,held,

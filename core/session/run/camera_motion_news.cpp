@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run/camera_motion_news.h"
+
+namespace dewpoint::session {
+
+CameraMotionStage stageOf(const CameraMotionReport& report, double now) {
+  if (report.back) {
+    return CameraMotionStage::Back;
+  }
+  if (report.resolved) {
+    return CameraMotionStage::Solved;
+  }
+  return now - seconds(report.event.time) > kCameraMotionPatience ? CameraMotionStage::Unsolvable
+                                                                  : CameraMotionStage::Waiting;
+}
+
+CameraMotionNews::News CameraMotionNews::take(const std::vector<CameraMotionReport>& reports,
+                                              double now) {
+  News news;
+  if (reports.size() < count_) {
+    said_.clear();
+    news.withdrawn = true;
+  }
+  count_ = reports.size();
+  for (const CameraMotionReport& report : reports) {
+    const CameraMotionStage stage = stageOf(report, now);
+    const auto key = [&](CameraMotionStage one) {
+      return std::tuple(report.event.camera, report.event.frame, one);
+    };
+    const bool worse =
+        stage == CameraMotionStage::Waiting || stage == CameraMotionStage::Unsolvable;
+    if (!(worse && said_.contains(key(CameraMotionStage::Solved))) &&
+        said_.insert(key(stage)).second) {
+      news.items.push_back({report, stage});
+    }
+  }
+  return news;
+}
+
+void CameraMotionNews::clear() {
+  said_.clear();
+  count_ = 0;
+}
+
+} // namespace dewpoint::session
