@@ -90,7 +90,7 @@ int plan(PlanOptions& options) {
   sayRig(rig, options.placement);
   heedInterruption();
   const auto found = placeCamera(rig, newCamera(options, rig), options.placement,
-                                 [](const std::string&, double) { return !interruptionAsked(); });
+                                 [](CalibrationStage, double) { return !interruptionAsked(); });
   if (!found) {
     return found.error().code == ErrorCode::Cancelled ? static_cast<int>(kExitInterrupted)
                                                       : report(found.error());
