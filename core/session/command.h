@@ -78,6 +78,11 @@ struct ShowMasks {
 struct ShowShapes {
   bool wanted = false;
 };
+/// A calibration board is shown to live cameras from now on, or no more: meanwhile no camera is
+/// taken for moved (CameraMotionWatch::setResting()).
+struct ShowBoard {
+  bool shown = false;
+};
 /// Of methods for people, else nothing happens: somebody stands somewhere, or is not there. At an
 /// earlier moment, the run is tracked again from there with that.
 struct ChangePeople {
@@ -96,6 +101,6 @@ using Command =
                  command::Restart, command::Configure, command::SetMethod, command::SetTargets,
                  command::SetCameras, command::SetEmptyRooms, command::ShowMasks,
                  command::ShowFrame, command::BackToHead, command::Rerun, command::ShowMaps,
-                 command::ShowShapes, command::ChangePeople>;
+                 command::ShowShapes, command::ShowBoard, command::ChangePeople>;
 
 } // namespace dewpoint::session

@@ -65,6 +65,8 @@ public:
   void setCameras(const CameraRig& rig);
   void setEmptyRooms(const command::SetEmptyRooms& wish);
   void changePeople(const command::ChangePeople& wish);
+  /// While a board is shown to live cameras none of them is taken for moved.
+  void setBoardShown(bool shown) { bumps_.setResting(shown); }
 
   /// What is tracked from now on.
   const RunDefinition& definition() const { return *definition_; }

@@ -8,6 +8,7 @@
 #include "core/session/run/snapshot.h"
 #include "core/session/session_inputs.h"
 #include "core/trajectory/trajectory.h"
+#include "ui/calibration/board/board_installer.cpp"
 
 #include <filesystem>
 #include <functional>
@@ -100,6 +101,7 @@ public:
   void setMasksWanted(bool wanted) { send(command::ShowMasks{wanted}); }
   void setLikelihoodMapsWanted(bool wanted) { send(command::ShowMaps{wanted}); }
   void setShapesWanted(bool wanted) { send(command::ShowShapes{wanted}); }
+  void setBoardShown(bool shown) { send(command::ShowBoard{shown}); }
   void addPerson(const Eigen::Vector2d& place) {
     send(command::ChangePeople{place, std::nullopt, std::nullopt});
   }

@@ -156,6 +156,11 @@ TrackingLoop::Publish TrackingLoop::handle(const command::ShowShapes& wish) {
   return Publish::Now;
 }
 
+TrackingLoop::Publish TrackingLoop::handle(const command::ShowBoard& wish) {
+  driver_.setBoardShown(wish.shown);
+  return Publish::Now;
+}
+
 TrackingLoop::Publish TrackingLoop::handle(const command::ShowFrame& wish) {
   driver_.show(wish.frame);
   return Publish::Quickly;

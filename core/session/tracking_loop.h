@@ -50,6 +50,7 @@ private:
   Publish handle(const command::ShowMasks& wish);
   Publish handle(const command::ShowMaps& wish);
   Publish handle(const command::ShowShapes& wish);
+  Publish handle(const command::ShowBoard& wish);
   Publish handle(const command::ShowFrame& wish);
   Publish handle(const command::BackToHead& wish);
   Publish handle(const command::Rerun& wish);

@@ -28,6 +28,12 @@ void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
       run->play();
     }
   });
+  QObject::connect(board, &BoardCalibrator::boardShown, &bench.session,
+                   [run = &bench.session](bool shown) {
+                     if (run->isRunning()) {
+                       run->session()->setBoardShown(shown);
+                     }
+                   });
   MessageBar* messages = &bench.messages;
   QObject::connect(board, &BoardCalibrator::failed, messages, &MessageBar::showError);
   QObject::connect(board, &BoardCalibrator::saved, messages, [messages](const QString& file) {
