@@ -52,8 +52,8 @@ public:
   /// Remembers the folder of a file, or a folder.
   void setLastFolderOf(const QString& chosen);
 
-  /// How many threads the filter uses; 0: as many as the machine has cores. Results are the same
-  /// with any number.
+  /// How many threads the filter uses from the next run on; 0: as core/session chooses
+  /// (session::filterThreads). Results are the same with any number.
   int filterThreads() const;
   void setFilterThreads(int threads);
 

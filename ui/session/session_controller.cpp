@@ -5,6 +5,7 @@
 #include "core/session/run/tracking_run.h"
 #include "core/session/session.h"
 #include "ui/document/document.h"
+#include "ui/preferences/preferences.h"
 #include "ui/selection/selection.h"
 #include "ui/session/background_loader.h"
 #include "ui/session/logged_records.h"
@@ -113,6 +114,7 @@ void SessionController::start(const OpenRequest& request, SessionInputs inputs) 
   const bool wantsTarget =
       inputs.project.targets.empty() && methodFamily(inputs.project.method) != MethodFamily::People;
   const bool waits = request.unsaved || (wantsTarget && !inputs.source->isLive());
+  inputs.threads = Preferences().filterThreads();
   // Of the window, not of this: it goes after the views, which look at the session to the end.
   bridge_ = new SessionBridge(std::move(inputs), parent());
   connect(bridge_, &SessionBridge::snapshotChanged, this, &SessionController::publish);
