@@ -8,7 +8,6 @@
 #include "core/session/run/snapshot.h"
 #include "core/session/session_inputs.h"
 #include "core/trajectory/trajectory.h"
-#include "ui/calibration/board/board_installer.cpp"
 
 #include <filesystem>
 #include <functional>
