@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/board/board_installer.h"
 
+#include "core/session/session.h"
 #include "ui/calibration/board/board_calibration_page.h"
 #include "ui/calibration/board/board_calibrator.h"
 #include "ui/calibration/board/board_layer.h"
