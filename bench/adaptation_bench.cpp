@@ -7,7 +7,8 @@
 #include "core/color/hsi.h"
 #include "core/color/match_image.h"
 #include "core/simulation/scene_renderer.h"
-#include "core/tracking/multi_tracker.h"
+#include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/tracker.h"
 
 #include <fmt/format.h>
 
@@ -140,7 +141,7 @@ ColorRange clicked(const Scene& scene, const FrameSet& frames) {
 
 /// One method on one range, with its scores over a run.
 struct Follower {
-  std::unique_ptr<MultiTracker> tracker;
+  std::unique_ptr<Tracker> tracker;
   ColorRange range;
   PixelScore all;
   PixelScore end; ///< the last tenth of the ramp
@@ -151,7 +152,7 @@ struct Follower {
     ParameterValues values(methodParameters("dewpoint"));
     (void)values.set("color_adaptation", timeConstant);
     const Target target{"ball", scene.balls.front().radius, range};
-    tracker = makeMultiTracker("dewpoint", values, scene.cameras, {target}).value();
+    tracker = makeTracker("dewpoint", values, scene.cameras, {target}).value();
     tracker->restart(scene.seed);
   }
 
@@ -159,7 +160,7 @@ struct Follower {
             ThreadTeam& team) {
     tracker->beginFrame(frames);
     tracker->iterate(team);
-    const TargetEstimate& estimate = tracker->estimates().front();
+    const auto estimate = std::get<SphereEstimate>(tracker->estimate(0));
     const double time = frameTime(scene, frames->index);
     const Eigen::Vector3d off = estimate.mean - ballPosition(scene, 0, time);
     ++looks;

@@ -11,7 +11,7 @@
 #include "core/color/color_region.h"
 #include "core/experiment/baselines/box_follower.h"
 #include "core/experiment/scenarios/box_clips.h"
-#include "core/tracking/boxes/box_tracker.h"
+#include "core/tracking/boxes/box_filter.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>

@@ -5,6 +5,7 @@
 #include "app/wiring/open_project.h"
 #include "bench/ratios.h"
 #include "core/session/run/tracking_run.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <benchmark/benchmark.h>
 
@@ -66,7 +67,7 @@ void follow(benchmark::State& state, const std::string& method) {
   for ([[maybe_unused]] auto _ : state) {
     step();
   }
-  if (!run.estimates()[0].valid) {
+  if (!isHeld(run.estimate(0))) {
     state.SkipWithError("the ball was lost");
   }
 }

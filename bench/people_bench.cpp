@@ -4,8 +4,9 @@
 // QVGA, two people who walk past each other in the simulated office, one thread each.
 #include "bench/ratios.h"
 #include "core/experiment/scenarios/people_scenario.h"
-#include "core/tracking/people/people_tracker.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/people/people_volume.h"
+#include "core/tracking/tracker_capabilities.h"
 
 #include <benchmark/benchmark.h>
 #include <opencv2/core.hpp>
@@ -85,18 +86,20 @@ void mog2Alone(benchmark::State& state) {
 
 void wholeFrame(benchmark::State& state, const char* method, double background, bool volumes) {
   cv::setNumThreads(1);
-  ParameterValues parameters(peopleMethodParameters(method));
+  ParameterValues parameters(methodParameters(method));
   (void)parameters.set("background", background);
-  const auto tracker = std::move(*makePeopleTracker(method, parameters, recording().rig));
+  const auto tracker = std::move(*makeTracker(method, parameters, recording().rig, {}));
+  const auto* const finding = capability<PeopleFinding>(*tracker);
   ThreadTeam team(1);
   std::size_t people = 0;
   overFrames(
       state, [&] { tracker->restart(1); },
       [&](const FrameSetPtr& frames) {
-        tracker->step(frames, team);
-        people = tracker->people().size();
+        tracker->beginFrame(frames);
+        tracker->iterate(team);
+        people = finding->people().size();
         for (std::size_t k = 0; volumes && k < people; ++k) {
-          const auto hull = bodyHull(tracker->body(tracker->people()[k].identity));
+          const auto hull = bodyHull(finding->body(finding->people()[k].identity));
           benchmark::DoNotOptimize(hull.vertices.data());
         }
       });

@@ -7,6 +7,7 @@
 #include "core/capture/recording.h"
 #include "core/geometry/camera.h"
 #include "core/session/session.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // nothing there is marked for translation. script/translate runs it; see docs/translations.md.
 #include "core/base/error.h"
 #include "core/experiment/studies/study_experiments.h"
-#include "core/tracking/parameters.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <cstdio>
 #include <set>
@@ -43,7 +43,7 @@ void addErrors(Marked& marked) {
 }
 
 void addMethods(Marked& marked) {
-  for (const auto& method : dewpoint::tracking::projectMethodNames()) {
+  for (const auto& method : dewpoint::tracking::methodNames()) {
     marked.emplace("Method", dewpoint::tracking::methodSentence(method));
     for (const auto& declaration : dewpoint::tracking::methodParameters(method)) {
       marked.emplace("Parameter", declaration.label);

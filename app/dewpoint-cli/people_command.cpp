@@ -5,18 +5,20 @@
 #include "app/dewpoint-cli/parameter_settings.h"
 #include "app/dewpoint-cli/progress.h"
 #include "app/wiring/open_project.h"
-#include "core/session/run/frame_loop.h"
 #include "core/session/people/people_overlay.h"
 #include "core/session/people/people_writer.h"
+#include "core/session/run/frame_loop.h"
 #include "core/session/run/tracking_run.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/people/people_parameters.h"
-#include "core/tracking/people/people_targets.h"
+#include "core/tracking/tracker_capabilities.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <chrono>
 #include <memory>
 
@@ -37,9 +39,9 @@ struct PeopleOptions {
 };
 
 void listMethods() {
-  for (const std::string& method : peopleMethodNames()) {
-    fmt::print("{}: {}\n", method, peopleMethodSentence(method));
-    for (const ParameterDeclaration& one : peopleMethodParameters(method)) {
+  for (const std::string& method : methodNames(TargetsFrom::Images)) {
+    fmt::print("{}: {}\n", method, methodSentence(method));
+    for (const ParameterDeclaration& one : methodParameters(method)) {
       fmt::print("  {:<20} {:>9} {:<5} {} to {}. {}\n", one.key, one.defaultValue, one.unit,
                  one.minimum, one.maximum, one.sentence);
     }
@@ -48,8 +50,8 @@ void listMethods() {
 
 /// Chooses the method and its parameters: the project's, where they are for people.
 Status applyOptions(const PeopleOptions& options, Project& project) {
-  const bool isOfPeople = methodFamily(project.method) == MethodFamily::People;
-  const std::string usual = isOfPeople ? project.method : peopleMethodNames().front();
+  const bool isOfPeople = methodFamily(project.method).findsTargets();
+  const std::string usual = isOfPeople ? project.method : methodNames(TargetsFrom::Images).front();
   const std::string method = options.method.empty() ? usual : options.method;
   if (method != project.method) {
     project.method = method;
@@ -104,15 +106,16 @@ public:
     seconds_ += std::chrono::duration<double>(Clock::now() - taken_).count();
   }
   Status tracked(const TrackingRun& run) override {
-    const PeopleTracker& tracker = run.people()->tracker();
+    const auto* const finding = run.capability<PeopleFinding>();
+    assert(finding != nullptr); // as the methods that may be chosen are
     const FrameSet& set = *run.frames();
-    most_ = std::max(most_, static_cast<int>(tracker.people().size()));
-    if (const auto written = writer_.write(tracker, set.index, dewpoint::base::seconds(set.time));
+    most_ = std::max(most_, static_cast<int>(finding->people().size()));
+    if (const auto written = writer_.write(*finding, set.index, dewpoint::base::seconds(set.time));
         !written) {
       return written;
     }
     if (overlayEvery_ > 0 && frames_ % overlayEvery_ == 0) {
-      rows_.push_back(peopleOverlay(tracker, set, run.rig(), 400));
+      rows_.push_back(peopleOverlay(*finding, set, run.rig(), 400));
     }
     progress_.show(++frames_);
     return {};
@@ -216,7 +219,7 @@ void addPeopleCommand(CLI::App& app, int& exitCode) {
   command
       ->add_option("--method", options->method,
                    "Method (the project's, if it is for people, else people)")
-      ->check(CLI::IsMember(peopleMethodNames()));
+      ->check(CLI::IsMember(methodNames(TargetsFrom::Images)));
   command->add_option("--seed", options->seed, "Seed of the run (the project's unless given)");
   command->add_option("--threads", options->threads, "Threads; never changes the result")
       ->check(CLI::Range(1, 256))

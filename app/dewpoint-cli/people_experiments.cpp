@@ -4,6 +4,7 @@
 #include "app/dewpoint-cli/progress.h"
 #include "core/experiment/report/report_folder.h"
 #include "core/experiment/studies/study_experiments.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ Error ofSettings(Error error) {
 Result<PeopleStudySetup> setupOf(const StudyOptions& options) {
   PeopleStudySetup setup;
   setup.scenario = options.scenario;
-  setup.methods = options.methods.empty() ? peopleMethodNames() : options.methods;
+  setup.methods = options.methods.empty() ? methodNames(TargetsFrom::Images) : options.methods;
   for (const std::string& setting : options.settings) {
     const auto equals = setting.find('=');
     char* end = nullptr;
@@ -117,7 +118,7 @@ void addPeopleExperiments(CLI::App& group, int& exitCode) {
         ->capture_default_str();
     command->add_option("--method", options->methods, "Method; all unless given")
         ->delimiter(',')
-        ->check(CLI::IsMember(peopleMethodNames()));
+        ->check(CLI::IsMember(methodNames(TargetsFrom::Images)));
     command->add_option("--set", options->settings,
                         "Set a parameter, of the methods that have it: key=value");
     command->add_option("--out", options->folder,

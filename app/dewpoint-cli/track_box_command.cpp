@@ -11,6 +11,9 @@
 #include "core/capture/recording.h"
 #include "core/session/run/box_track_file.h"
 #include "core/setup/new_project.h"
+#include "core/tracking/boxes/box_filter.h"
+#include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/tracker_capabilities.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -29,7 +32,7 @@ struct TrackBoxOptions {
   std::string source;
   std::vector<std::string> boxes;
   std::vector<std::string> clicks;
-  std::string method = boxMethodNames().front();
+  std::string method = methodNames(TargetsFrom::Box).front();
   std::vector<std::string> settings;
   std::string frames;
   std::uint64_t seed = 1;
@@ -103,25 +106,26 @@ public:
   Status run(const BoxRequest& request, FrameSetSource& source);
   const BoxTrack& track() const { return track_; }
   double millisecondsPerFrame() const {
-    return 1e3 * seconds_ * double(trackers_.size()) /
-           std::max<double>(1.0, double(track_.samples.size()));
+    const double boxes = tracker_ ? double(tracker_->trackCount()) : 0.0;
+    return 1e3 * seconds_ * boxes / std::max<double>(1.0, double(track_.samples.size()));
   }
 
 private:
-  Status begin(const BoxRequest& request, const Frame& first);
-  Status take(const BoxRequest& request, const FrameSet& frames);
+  Status begin(const BoxRequest& request, const FrameSetPtr& frames);
+  Status take(const BoxRequest& request, const FrameSetPtr& frames);
   Status draw(const Frame& frame, std::span<const BoxSample> samples);
 
   const TrackBoxOptions& options_;
   ThreadTeam team_;
-  std::vector<std::unique_ptr<BoxTracker>> trackers_;
+  std::unique_ptr<Tracker> tracker_; ///< null before the first frame
   BoxTrack track_;
   std::optional<FrameWriter> drawing_;
   double rate_ = 30.0;
   double seconds_ = 0.0;
 };
 
-Status BoxRun::begin(const BoxRequest& request, const Frame& first) {
+Status BoxRun::begin(const BoxRequest& request, const FrameSetPtr& frames) {
+  const Frame& first = *frames->frames.front();
   track_.header = {{"version", DEWPOINT_VERSION},
                    {"source", options_.source},
                    {"method", options_.method},
@@ -129,6 +133,15 @@ Status BoxRun::begin(const BoxRequest& request, const Frame& first) {
   for (const auto& declaration : request.parameters.declarations()) {
     track_.header.emplace_back(declaration.key,
                                fmt::format("{}", request.parameters.at(declaration.key)));
+  }
+  auto tracker = makeTracker(options_.method, request.parameters, CameraRig(1),
+                             std::vector<Target>(request.places.size()));
+  if (!tracker) {
+    return tl::make_unexpected(tracker.error());
+  }
+  auto* const following = capability<BoxFollowing>(**tracker);
+  if (following == nullptr) {
+    return failure(ErrorCode::BadValue, "", "--method", options_.method + " follows no boxes");
   }
   for (std::size_t i = 0; i < request.places.size(); ++i) {
     const ColorSample& place = request.places[i];
@@ -138,20 +151,17 @@ Status BoxRun::begin(const BoxRequest& request, const Frame& first) {
     if (!box) {
       return tl::make_unexpected(box.error());
     }
-    auto tracker = makeBoxTracker(options_.method, request.parameters);
-    if (!tracker) {
-      return tl::make_unexpected(tracker.error());
-    }
     const auto seed = derivedSeed(options_.seed, static_cast<std::uint32_t>(i));
-    if (const auto started = (*tracker)->start(first.image, *box, seed); !started) {
+    const auto started = following->follow(i, first.image, {0, frames->index, *box}, seed);
+    if (!started) {
       return started;
     }
-    trackers_.push_back(std::move(*tracker));
     BoxEstimate given;
     given.box = *box;
     given.similarity = 1.0;
     track_.samples.push_back({seconds(first.captureTime), first.index, int(i) + 1, given});
   }
+  tracker_ = std::move(*tracker);
   return {};
 }
 
@@ -176,18 +186,20 @@ Status BoxRun::draw(const Frame& frame, std::span<const BoxSample> samples) {
   return drawing_->write(picture);
 }
 
-Status BoxRun::take(const BoxRequest& request, const FrameSet& frames) {
-  const Frame& frame = *frames.frames.front();
+Status BoxRun::take(const BoxRequest& request, const FrameSetPtr& frames) {
+  const Frame& frame = *frames->frames.front();
   const std::size_t already = track_.samples.size();
-  if (trackers_.empty()) {
-    if (auto begun = begin(request, frame); !begun) {
+  if (!tracker_) {
+    if (auto begun = begin(request, frames); !begun) {
       return begun;
     }
   } else {
     const auto start = std::chrono::steady_clock::now();
-    for (std::size_t i = 0; i < trackers_.size(); ++i) {
+    tracker_->beginFrame(frames);
+    tracker_->iterate(team_);
+    for (std::size_t i = 0; i < tracker_->trackCount(); ++i) {
       track_.samples.push_back({seconds(frame.captureTime), frame.index, int(i) + 1,
-                                trackers_[i]->step(frame.image, team_)});
+                                std::get<BoxEstimate>(tracker_->estimate(i))});
     }
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
@@ -210,7 +222,7 @@ Status BoxRun::run(const BoxRequest& request, FrameSetSource& source) {
     } else if (!*frames) {
       break;
     } else {
-      status = take(request, **frames);
+      status = take(request, *frames);
     }
     progress.show(k + 1 - request.frames.first);
   }
@@ -218,7 +230,7 @@ Status BoxRun::run(const BoxRequest& request, FrameSetSource& source) {
   if (status && drawing_) {
     status = drawing_->finish();
   }
-  if (status && trackers_.empty() && !interruptionAsked()) {
+  if (status && !tracker_ && !interruptionAsked()) {
     return failure(ErrorCode::BadValue, options_.source, "--frames",
                    fmt::format("there are {} frames", total));
   }
@@ -273,7 +285,7 @@ void addTrackBoxCommand(CLI::App& app, int& exitCode) {
                       "X,Y on a target in the first frame: the box is found; may be repeated");
   command->add_option("--out", options->folder, "Folder to write")->required();
   command->add_option("--method", options->method, "Tracking method")
-      ->check(CLI::IsMember(boxMethodNames()))
+      ->check(CLI::IsMember(methodNames(TargetsFrom::Box)))
       ->capture_default_str();
   command->add_option("--set", options->settings, "Set a parameter of the method: key=value");
   command->add_option("--seed", options->seed, "Seed of the run")->capture_default_str();

@@ -4,6 +4,7 @@
 #include "app/dewpoint-cli/parameter_settings.h"
 #include "app/dewpoint-cli/track_job.h"
 #include "app/wiring/open_project.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -27,9 +28,12 @@ struct TrackOptions {
 
 /// Of all methods those that follow targets.
 std::vector<std::string> trackableMethods() {
-  std::vector<std::string> names = projectMethodNames();
-  std::erase_if(names,
-                [](const std::string& name) { return methodFamily(name) == MethodFamily::People; });
+  std::vector<std::string> names;
+  for (const Method& method : methods()) {
+    if (!method.family.findsTargets()) {
+      names.emplace_back(method.name);
+    }
+  }
   return names;
 }
 
@@ -64,14 +68,14 @@ int track(TrackOptions options) {
     report(applied.error());
     return kExitUsage;
   }
-  const bool boxes = methodFamily(project->method) == MethodFamily::Boxes;
+  const bool boxes = methodFamily(project->method).targets == TargetsFrom::Box;
   const auto hasBox = [](const Target& target) { return target.box.has_value(); };
   if (boxes && std::ranges::none_of(project->targets, hasBox)) {
     return report(
         {ErrorCode::MissingKey, options.project, "target",
          fmt::format("method {} needs at least one [[target]] with a box", project->method)});
   }
-  if (methodFamily(project->method) == MethodFamily::People) {
+  if (methodFamily(project->method).findsTargets()) {
     return report({ErrorCode::BadValue, options.project, "method",
                    project->method + " is for people, whom dewpoint-cli people tracks"});
   }

@@ -50,7 +50,7 @@ void sayBumps(const CameraMotionWatch& bumps, std::size_t& said, RunFigures& fig
 
 /// Where the results of a run go: a file that grows with it, or boxes that are written at its end.
 struct TrackOutput {
-  std::optional<TrajectoryWriter> writer; ///< not with methods of family Boxes
+  std::optional<TrajectoryWriter> writer; ///< not with boxes, which are in no space
   Trajectory kept;
   BoxTrack boxes;
   std::optional<ReasonLog> reasons = std::nullopt;
@@ -182,7 +182,7 @@ int TrackJob::run(SessionInputs inputs) const {
   }
   const TrajectoryHeader header = trajectoryHeader(inputs.project);
   TrackOutput output{std::nullopt, {header, {}}, {boxTrackHeader(inputs.project), {}}};
-  if (run->family() != MethodFamily::Boxes) {
+  if (run->family().inSpace) {
     auto writer = TrajectoryWriter::create(folder / "trajectory.csv", header);
     if (!writer) {
       return report(writer.error());

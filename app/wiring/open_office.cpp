@@ -4,7 +4,7 @@
 #include "core/capture/recording.h"
 #include "core/simulation/office_day.h"
 #include "core/simulation/view_cache.h"
-#include "core/tracking/people/people_tracker.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <memory>
 #include <utility>
@@ -16,7 +16,7 @@ Project projectOfOffice() {
   Project project;
   project.name = kOfficeScene;
   project.scene = kOfficeScene;
-  project.method = peopleMethodNames().front();
+  project.method = methodNames(TargetsFrom::Images).front();
   project.parameters = ParameterValues(methodParameters(project.method));
   project.framesPerSecond = scene.framesPerSecond;
   for (const Camera& camera : scene.cameras) {

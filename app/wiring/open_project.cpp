@@ -9,6 +9,7 @@
 #include "core/setup/new_project.h"
 #include "core/simulation/office_day.h"
 #include "core/simulation/scene_renderer.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "core/trajectory/trajectory_reader.h"
 
 #include <algorithm>

@@ -68,7 +68,7 @@ void ReprojectionResiduals::restart() {
 }
 
 void ReprojectionResiduals::add(const FrameSet& frames, const std::vector<Target>& targets,
-                                const std::vector<TargetEstimate>& estimates) {
+                                const std::vector<SphereEstimate>& estimates) {
   for (std::size_t k = 0; k < std::min(targets.size(), estimates.size()); ++k) {
     if (estimates[k].valid && estimates[k].radius > 0.0) {
       addTarget(frames, targets[k], estimates[k]);
@@ -77,7 +77,7 @@ void ReprojectionResiduals::add(const FrameSet& frames, const std::vector<Target
 }
 
 void ReprojectionResiduals::addTarget(const FrameSet& frames, const Target& target,
-                                      const TargetEstimate& estimate) {
+                                      const SphereEstimate& estimate) {
   const std::size_t count = std::min(projectors_.size(), frames.frames.size());
   std::vector<std::optional<Eigen::Vector2d>> centers(count);
   std::vector<std::optional<Ray>> rays(count);

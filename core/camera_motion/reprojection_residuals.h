@@ -5,7 +5,8 @@
 #include "core/geometry/camera.h"
 #include "core/geometry/ray.h"
 #include "core/geometry/sphere_image.h"
-#include "core/tracking/tracker.h"
+#include "core/tracking/target.h"
+#include "core/tracking/track_estimate.h"
 
 #include <deque>
 #include <optional>
@@ -40,7 +41,7 @@ public:
   /// a place needs three cameras, or two where only a pair is there: then each is judged by the
   /// estimate as it is.
   void add(const FrameSet& frames, const std::vector<Target>& targets,
-           const std::vector<TargetEstimate>& estimates);
+           const std::vector<SphereEstimate>& estimates);
   const std::deque<ReprojectionResidual>& of(std::size_t camera) const {
     return sightings_[camera];
   }
@@ -53,7 +54,7 @@ public:
   void restart();
 
 private:
-  void addTarget(const FrameSet& frames, const Target& target, const TargetEstimate& estimate);
+  void addTarget(const FrameSet& frames, const Target& target, const SphereEstimate& estimate);
 
   std::vector<SphereProjector> projectors_;
   std::vector<Unprojector> unprojectors_;

@@ -12,7 +12,7 @@ struct ProjectChanges {
   bool seed = false;
   bool parameters = false;  ///< values under the same method
   bool targets = false;     ///< their number, order, names, colors or radii
-  bool boxes = false;       ///< of them, those that are followed by methods of family Boxes
+  bool boxes = false;       ///< of them, those that are followed by methods that follow boxes
   bool calibration = false; ///< of cameras that are otherwise the same
   bool marks = false;
   bool grid = false;       ///< the reference grid

@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 #include "core/project/project_format.h"
 #include "core/project/project_room.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <fmt/format.h>
 
@@ -83,10 +84,9 @@ Status checkTargets(const Project& project) {
   return {};
 }
 
-/// Of a camera whose images will say what size they are: methods of family Boxes need no more.
+/// Of a camera whose images will say what size they are: methods that follow boxes need no more.
 bool isBare(const Project& project, const Intrinsics& intrinsics) {
-  return methodFamily(project.method) == MethodFamily::Boxes && intrinsics.width == 0 &&
-         intrinsics.height == 0;
+  return !methodFamily(project.method).inSpace && intrinsics.width == 0 && intrinsics.height == 0;
 }
 
 Status checkCameras(const Project& project) {

@@ -7,7 +7,8 @@
 #include "core/project/project_format.h"
 #include "core/project/project_migration.h"
 #include "core/project/project_room.h"
-#include "core/tracking/people/people_tracker.h"
+#include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/people_state.h"
 
 #include <charconv>
 #include <cstdlib>
@@ -264,7 +265,7 @@ void readHead(TableReader& reader, const path& folder, Project& project) {
   }
   reader.text("name", project.name);
   reader.text("method", project.method);
-  const auto methods = projectMethodNames();
+  const auto methods = methodNames();
   if (std::ranges::find(methods, project.method) == methods.end()) {
     reader.fail(ErrorCode::BadValue, "method",
                 fmt::format("known methods: {}", fmt::join(methods, ", ")));
@@ -308,9 +309,9 @@ void readParts(TableReader& reader, const std::string& file, Project& project) {
     reader.adopt(error);
   }
   for (const toml::table* table : reader.tables("camera")) {
-    project.cameras.push_back(readCamera(
-        *table, file, folder, project.cameras.size(), !project.scene.empty() && !hasSource(*table),
-        calibrated, methodFamily(project.method) == MethodFamily::Boxes, error));
+    project.cameras.push_back(readCamera(*table, file, folder, project.cameras.size(),
+                                         !project.scene.empty() && !hasSource(*table), calibrated,
+                                         !methodFamily(project.method).inSpace, error));
     reader.adopt(error);
   }
 }

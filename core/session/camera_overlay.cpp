@@ -42,14 +42,14 @@ std::optional<ImageEllipse> projectedEllipse(const Projector& projector,
 }
 
 /// Centers of pixels lie at whole numbers, as in all of an overlay but its box.
-void addBox(const BoxBelief& belief, CameraOverlay& overlay) {
-  const float largest = belief.weights.size() > 0 ? belief.weights.maxCoeff() : 0.0F;
-  for (Eigen::Index i = 0; i < belief.centers.rows(); ++i) {
-    overlay.particles.emplace_back(belief.centers(i, 0) - 0.5F, belief.centers(i, 1) - 0.5F);
-    overlay.weights.push_back(largest > 0.0F ? belief.weights(i) / largest : 0.0F);
+void addBox(const BoxEstimate& estimate, const BoxParticles& particles, CameraOverlay& overlay) {
+  const float largest = particles.weights.size() > 0 ? particles.weights.maxCoeff() : 0.0F;
+  for (Eigen::Index i = 0; i < particles.centers.rows(); ++i) {
+    overlay.particles.emplace_back(particles.centers(i, 0) - 0.5F, particles.centers(i, 1) - 0.5F);
+    overlay.weights.push_back(largest > 0.0F ? particles.weights(i) / largest : 0.0F);
   }
-  overlay.box = belief.estimate.box;
-  overlay.boxHidden = !belief.estimate.visible || belief.estimate.similarity <= 0.0;
+  overlay.box = estimate.box;
+  overlay.boxHidden = !isHeld(estimate);
 }
 
 } // namespace
@@ -60,9 +60,9 @@ CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
   if (!snapshot.rig || camera < 0 || camera >= static_cast<int>(snapshot.rig->size())) {
     return overlay;
   }
-  if (target.box) {
-    if (target.box->camera == camera) {
-      addBox(*target.box, overlay);
+  if (const BoxEstimate* const box = target.box()) {
+    if (box->camera == camera) {
+      addBox(*box, target.boxParticles, overlay);
     }
     return overlay;
   }
@@ -76,9 +76,10 @@ CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
                                               : 0.0F);
     }
   }
-  if (target.estimate.particleCount > 0) {
-    overlay.estimate = projector.project(target.estimate.mean);
-    overlay.ellipse = projectedEllipse(projector, target.estimate.mean, target.estimate.covariance);
+  const auto position = positionOf(target.estimate);
+  if (position && particleCountOf(target.estimate) > 0) {
+    overlay.estimate = projector.project(position->mean);
+    overlay.ellipse = projectedEllipse(projector, position->mean, position->covariance);
   }
   if (target.truth) {
     overlay.truth = projector.project(*target.truth);

@@ -25,7 +25,7 @@ struct CameraOverlay {
   std::optional<Eigen::Vector2d> estimate;
   std::optional<ImageEllipse> ellipse; ///< 95 % of the projected Gaussian (chi² 5.991, 2 d.o.f.)
   std::optional<Eigen::Vector2d> truth;
-  std::optional<ImageBox> box; ///< of methods of family Boxes, then without estimate and ellipse
+  std::optional<ImageBox> box; ///< of methods that follow boxes, then without estimate and ellipse
   bool boxHidden = false;      ///< it is where the target is thought to be
 };
 

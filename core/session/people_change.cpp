@@ -2,7 +2,6 @@
 #include "core/session/people_change.h"
 
 #include "core/tracking/people/people_parameters.h"
-#include "core/tracking/people/people_targets.h"
 #include "core/tracking/people/person_at_pixel.h"
 
 #include <fmt/format.h>
@@ -21,9 +20,10 @@ PeopleChange peopleChange(const TrackingRun& run, const command::ChangePeople& w
                         fmt::format("{:.2f}, {:.2f} m lies outside the watched floor",
                                     wish.place->x(), wish.place->y())});
   }
-  if (wish.seen) {
-    change.newPerson = personAtPixel(run.people()->tracker(), run.rig(), parameters,
-                                     wish.seen->camera, wish.seen->pixel);
+  const auto* const finding = run.capability<PeopleFinding>();
+  if (wish.seen && finding != nullptr) {
+    change.newPerson =
+        personAtPixel(*finding, run.rig(), parameters, wish.seen->camera, wish.seen->pixel);
     const auto camera = static_cast<std::size_t>(wish.seen->camera);
     if (!change.newPerson && camera < run.rig().size()) {
       refusals.push_back({ErrorCode::Undetermined, "", run.rig()[camera].name,

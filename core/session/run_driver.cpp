@@ -3,6 +3,7 @@
 
 #include "core/session/box_counterparts.h"
 #include "core/session/people_change.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <algorithm>
 #include <array>
@@ -173,12 +174,12 @@ bool RunDriver::restart(std::optional<std::uint64_t> seed) {
 }
 
 std::int64_t RunDriver::beginOf(const command::SetMethod& method, std::int64_t from) const {
-  const MethodFamily family = methodFamily(method.method);
+  const auto family = methodFamily(method.method);
   // Another family follows other things; and people need the background learned at the beginning.
-  if (family != run_->family() || family == MethodFamily::People) {
+  if (family != run_->family() || family.findsTargets()) {
     return travel_->nearest(0).value_or(from);
   }
-  if (family == MethodFamily::Boxes) {
+  if (family.targets == TargetsFrom::Box) {
     for (const Target& target : run_->targets()) { // they begin at their boxes
       from = target.box ? std::min(from, travel_->nearest(target.box->frame).value_or(from)) : from;
     }
@@ -263,7 +264,7 @@ void RunDriver::setMethod(const command::SetMethod& wish) {
 void RunDriver::setTargets(const std::vector<Target>& targets) {
   RunDefinition wanted = *definition_;
   wanted.targets = targets;
-  if (run_->family() == MethodFamily::Boxes) {
+  if (run_->capability<BoxFollowing>() != nullptr) {
     changeBoxes(std::move(wanted));
     return;
   }
@@ -323,7 +324,7 @@ void RunDriver::setEmptyRooms(const command::SetEmptyRooms& wish) {
 }
 
 void RunDriver::changePeople(const command::ChangePeople& wish) {
-  if (run_->people() == nullptr || !run_->frames()) {
+  if (run_->capability<PersonPlacing>() == nullptr || !run_->frames()) {
     return;
   }
   if (const auto viewed = playback_.viewed()) {

@@ -74,7 +74,7 @@ public:
     bool restarted = false; ///< all that is known comes again
   };
   SamplesPiece samplesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// The boxes so far, with methods of family Boxes.
+  /// The boxes so far, where boxes are followed.
   BoxTrack boxTrack() const;
   /// As samplesSince(), of the boxes.
   struct BoxesPiece {

@@ -4,6 +4,7 @@
 #include "core/base/statistics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace dewpoint::session {
@@ -53,33 +54,34 @@ Status RunRecorder::tracked(const TrackingRun& /*run*/) {
 
 std::vector<IterationRecord> RunRecorder::records(const TrackingRun& run) const {
   std::vector<IterationRecord> records;
-  for (std::size_t k = 0; k < run.estimates().size(); ++k) {
-    const auto& estimate = run.estimates()[k];
-    if (estimate.gone) {
+  const std::vector<TrackEstimate> estimates = run.estimates();
+  for (std::size_t k = 0; k < estimates.size(); ++k) {
+    const TrackEstimate& estimate = estimates[k];
+    if (isAbsent(estimate)) {
       continue;
     }
     IterationRecord record;
     record.iteration = run.iterations();
     record.frame = run.frames()->index;
     record.target = static_cast<int>(k);
-    record.spread = estimate.spread();
-    record.effectiveSampleSize = estimate.effectiveSampleSize;
+    record.effectiveSampleSize = effectiveSampleSizeOf(estimate);
     record.time = seconds(run.frames()->time);
     record.microseconds = iterationTimes_.back();
-    record.spreadPerAxis = estimate.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-    record.particleCount = estimate.particleCount;
-    record.existence = estimate.existence;
-    record.held = estimate.valid;
-    record.cameras = estimate.cameras;
-    const bool isPerson = run.people() != nullptr; // which of the true ones it is, nobody knows
-    if (const auto belief = run.box(k, 0)) {
-      record.similarity = belief->estimate.similarity;
-      record.spread = belief->estimate.spread;
-      record.particleCount = belief->estimate.particleCount;
-    } else if (const auto truth = truth_.at(run.targets()[k].name, record.frame);
-               truth && !isPerson) {
-      record.error = (estimate.mean - *truth).norm();
+    record.particleCount = particleCountOf(estimate);
+    record.existence = existenceOf(estimate);
+    record.held = isHeld(estimate);
+    record.cameras = cameraEvidenceOf(estimate);
+    if (const auto position = positionOf(estimate)) {
+      record.spread = std::sqrt(position->covariance.trace());
+      record.spreadPerAxis = position->covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
     }
+    if (const auto* const box = std::get_if<BoxEstimate>(&estimate)) {
+      record.similarity = box->similarity;
+      record.spread = box->spread;
+    } else if (const auto* const sphere = std::get_if<SphereEstimate>(&estimate)) {
+      const auto truth = truth_.at(run.targets()[k].name, record.frame);
+      record.error = truth ? (sphere->mean - *truth).norm() : record.error;
+    } // of a person nobody knows which of the true ones it is
     records.push_back(std::move(record));
   }
   return records;
@@ -101,7 +103,7 @@ void RunRecorder::record(const TrackingRun& run, const TrackedFrame& moment) {
   log_.append(run.samples());
   log_.append(run.boxSamples());
   log_.append(frameRecord(moment, *run.frames()));
-  if (run.people() != nullptr && !moment.targets.empty()) {
+  if (run.family().findsTargets() && !moment.targets.empty()) {
     log_.append(peopleFrame(moment));
   }
 }

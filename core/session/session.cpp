@@ -3,6 +3,7 @@
 
 #include "core/base/text_file.h"
 #include "core/session/tracking_loop.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "core/trajectory/trajectory_writer.h"
 
 #include <thread>
@@ -68,17 +69,16 @@ Status Session::saveRun(const std::filesystem::path& folder) const {
   for (const Error& notice : last->notices) {
     figures.notices.push_back(sentence(notice));
   }
-  const MethodFamily family = methodFamily(project.method);
-  if (family == MethodFamily::People) {
+  const auto family = methodFamily(project.method);
+  if (family.findsTargets()) {
     const auto saved = savePeople(peopleRecord(), folder, [](double) { return true; });
     if (!saved) {
       return tl::make_unexpected(saved.error());
     }
     return writeTextFile(folder / "run.json", runReport(project, figures));
   }
-  const Status saved = family == MethodFamily::Boxes
-                           ? writeBoxTrack(boxTrack(), folder)
-                           : writeTrajectory(trajectory(), folder / "trajectory.csv");
+  const Status saved = !family.inSpace ? writeBoxTrack(boxTrack(), folder)
+                                       : writeTrajectory(trajectory(), folder / "trajectory.csv");
   if (!saved) {
     return saved;
   }

@@ -53,7 +53,7 @@ public:
     bool restarted = false;
   };
   SamplesPiece samplesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// As samplesSince(), of the boxes that methods of family Boxes follow.
+  /// As samplesSince(), of the boxes that methods that follow boxes follow.
   struct BoxesPiece {
     std::size_t first = 0;
     std::vector<BoxSample> samples;
@@ -67,7 +67,7 @@ public:
   /// Writes it as CSV; how many samples it held.
   Result<std::size_t> saveTrajectory(const std::filesystem::path& file) const;
   /// Writes trajectory.csv and run.json into a folder, which is made when it does not exist; with
-  /// methods of family Boxes boxes.csv and boxes_mot.txt in place of the trajectory; of
+  /// methods that follow boxes boxes.csv and boxes_mot.txt in place of the trajectory; of
   /// methods for people volumes.csv, hulls.csv and ground.csv too (PeopleWriter).
   Status saveRun(const std::filesystem::path& folder) const;
   /// All that is known of the people of the run; nothing for other methods.

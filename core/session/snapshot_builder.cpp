@@ -3,7 +3,7 @@
 
 #include "core/color/match_image.h"
 #include "core/session/box_counterparts.h"
-#include "core/tracking/people/people_targets.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -25,8 +25,7 @@ TargetSnapshot snapshotOf(const TrackedTarget& moment, const Target& target) {
   shown.proposals = moment.proposals;
   shown.reasons = moment.reasons;
   shown.status = moment.status;
-  shown.box = moment.box;
-  shown.person = moment.person;
+  shown.boxParticles = moment.boxParticles;
   return shown;
 }
 
@@ -34,7 +33,7 @@ TargetSnapshot snapshotOf(const TrackedTarget& moment, const Target& target) {
 TargetSnapshot absent(const Target& target) {
   TargetSnapshot shown;
   shown.target = target;
-  shown.estimate.gone = true;
+  shown.estimate = AbsentEstimate{};
   shown.status = TargetStatus::Gone;
   return shown;
 }
@@ -42,7 +41,7 @@ TargetSnapshot absent(const Target& target) {
 /// Targets of the run that are not in the moment shown. Nothing is believed of them then, but they
 /// are known; people are not there yet.
 void addOthers(const TrackingRun& run, TrackSnapshot& snapshot) {
-  const bool ofPeople = run.people() != nullptr;
+  const bool ofPeople = run.family().findsTargets();
   if (snapshot.tracked && !ofPeople) {
     return;
   }
@@ -56,7 +55,7 @@ void addOthers(const TrackingRun& run, TrackSnapshot& snapshot) {
   }
 }
 
-/// With methods of family Boxes a moment shows the targets that there are now, in their order.
+/// Where boxes are followed a moment shows the targets that there are now, in their order.
 void showPresentBoxes(const TrackingRun& run, TrackSnapshot& snapshot) {
   std::vector<TargetSnapshot> then = std::exchange(snapshot.targets, {});
   const auto nameOf = [](const TargetSnapshot& shown) { return shown.target.name; };
@@ -74,7 +73,7 @@ void showPresentBoxes(const TrackingRun& run, TrackSnapshot& snapshot) {
 
 void addShapes(TrackSnapshot& snapshot) {
   for (TargetSnapshot& target : snapshot.targets) {
-    if (target.person && target.particles.rows() > 0) {
+    if (target.person() != nullptr && target.particles.rows() > 0) {
       target.shape = std::make_shared<const PersonShape>(
           personShape(BodyCloud{target.particles, target.weights}));
     }
@@ -90,7 +89,7 @@ std::vector<cv::Mat> colorMasks(const TrackSnapshot& snapshot) {
     cv::Mat mask;
     for (std::size_t k = 0; k < std::min(snapshot.targets.size(), kMostInMask); ++k) {
       const auto& target = snapshot.targets[k];
-      const auto& followed = target.estimate.colors; // empty: the range is as it was learned
+      const auto& followed = colorsOf(target.estimate); // empty: the range is as it was learned
       const ColorRange& range = camera < followed.size() ? followed[camera] : target.target.color;
       if (frame) {
         const cv::Mat matched = matchImage(frame->image, ColorClassifier(range));
@@ -110,8 +109,9 @@ std::vector<cv::Mat> colorMasks(const TrackSnapshot& snapshot) {
 /// (CV_8UC1, 0 or 255); empty where there is none.
 std::vector<cv::Mat> motionMasks(const TrackingRun& run) {
   std::vector<cv::Mat> masks;
-  for (std::size_t camera = 0; camera < run.rig().size(); ++camera) {
-    cv::Mat mask = run.people()->tracker().foreground(camera);
+  const auto* const finding = run.capability<PeopleFinding>();
+  for (std::size_t camera = 0; finding != nullptr && camera < run.rig().size(); ++camera) {
+    cv::Mat mask = finding->foreground(camera);
     const Intrinsics& size = run.rig()[camera].intrinsics;
     if (!mask.empty() && mask.size() != cv::Size(size.width, size.height)) {
       cv::Mat larger;
@@ -137,25 +137,25 @@ void SnapshotBuilder::show(const TrackedFrame& moment, const TrackingRun& run,
     }
   }
   addOthers(run, snapshot);
-  if (run.family() == MethodFamily::Boxes) {
+  if (run.capability<BoxFollowing>() != nullptr) {
     showPresentBoxes(run, snapshot);
   }
 }
 
 void SnapshotBuilder::addImages(TrackSnapshot& snapshot) const {
-  if (wishes_.shapes && snapshot.ofPeople()) {
+  if (wishes_.shapes && snapshot.family.findsTargets()) {
     addShapes(snapshot);
   }
   if (!snapshot.frames) {
     return;
   }
   for (TargetSnapshot& target : snapshot.targets) {
-    if (!snapshot.ofPeople()) { // which of the true people it is, nobody knows
+    if (!snapshot.family.findsTargets()) { // which of the true people it is, nobody knows
       target.truth = truth_.at(target.target.name, snapshot.frame);
     }
   }
   // A target without a color has no mask.
-  if (wishes_.masks && !snapshot.preview && snapshot.family == MethodFamily::Targets) {
+  if (wishes_.masks && !snapshot.preview && snapshot.family.targets == TargetsFrom::Color) {
     snapshot.masks = colorMasks(snapshot);
   }
 }
@@ -173,7 +173,7 @@ void SnapshotBuilder::showHead(const TrackingRun& run, const History* history, b
   }
   addImages(snapshot);
   if (wantsMaps(snapshot) &&
-      (snapshot.ofPeople() ? snapshot.frames != nullptr : snapshot.tracked)) {
+      (snapshot.family.findsTargets() ? snapshot.frames != nullptr : snapshot.tracked)) {
     addMaps(run, snapshot);
   }
 }
@@ -198,12 +198,12 @@ bool SnapshotBuilder::lacksMaps(const TrackSnapshot& snapshot) const {
 }
 
 void SnapshotBuilder::addMaps(const TrackingRun& run, TrackSnapshot& snapshot) const {
-  if (run.people() != nullptr) {
+  if (run.family().findsTargets()) {
     snapshot.masks = motionMasks(run);
-    return;
   }
-  for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
-    snapshot.targets[k].maps = run.likelihoodMaps(k, kMapReach);
+  const auto* const mapping = run.capability<LikelihoodMapping>();
+  for (std::size_t k = 0; mapping != nullptr && k < snapshot.targets.size(); ++k) {
+    snapshot.targets[k].maps = mapping->likelihoodMaps(k, kMapReach);
   }
 }
 

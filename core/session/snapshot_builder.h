@@ -47,7 +47,7 @@ private:
   /// What every frame shows of its images.
   void addImages(TrackSnapshot& snapshot) const;
   bool wantsMaps(const TrackSnapshot& snapshot) const {
-    return snapshot.ofPeople() ? wishes_.masks : wishes_.maps;
+    return snapshot.family.findsTargets() ? wishes_.masks : wishes_.maps;
   }
 
   TruthTable truth_;

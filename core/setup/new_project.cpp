@@ -4,7 +4,7 @@
 #include "core/calibration/formats/calibration_file.h"
 #include "core/capture/recording.h"
 #include "core/geometry/camera_name.h"
-#include "core/tracking/boxes/box_tracker.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <fmt/format.h>
 
@@ -165,7 +165,7 @@ Result<MadeProject> makeProject(const NewProject& wanted) {
   MadeProject made;
   Project& project = made.project;
   if (wanted.cameras.size() == 1 && !wanted.calibration) {
-    project.method = boxMethodNames().front(); // nothing else is of use
+    project.method = methodNames(TargetsFrom::Box).front(); // nothing else is of use
   }
   project.parameters = ParameterValues(methodParameters(project.method));
   project.framesPerSecond = wanted.framesPerSecond;

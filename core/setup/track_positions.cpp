@@ -117,7 +117,7 @@ Result<Trajectory> trackPositions(const Trajectory& measured, const ParameterVal
     }
     tracker->beginFrame(counts[sample.target]++,
                         usable ? std::optional(sample.position) : std::nullopt);
-    TargetEstimate estimate;
+    SphereEstimate estimate;
     for (int k = 0; k < tracker->iterationsPerFrame(); ++k) {
       estimate = tracker->iterate(team);
     }

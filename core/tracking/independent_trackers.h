@@ -1,33 +1,149 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tracking/multi_tracker.h"
+#include "core/base/random.h"
+#include "core/tracking/tracker_capabilities.h"
+
+#include <algorithm>
+#include <concepts>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace dewpoint::tracking {
 
-/// One tracker per target, none knowing of the others. Target k starts from derivedSeed(seed, k).
-class IndependentTrackers final : public MultiTracker {
-public:
-  explicit IndependentTrackers(std::vector<std::unique_ptr<Tracker>> trackers);
+/// A filter for one target that knows nothing of any other. Copies go on with the same bits.
+template <class F>
+concept TargetFilter = std::copy_constructible<F> &&
+    std::constructible_from<F, ParameterValues, CameraRig, Target> &&
+    requires(F filter, const F& finished, const ParameterValues& parameters, const Target& target,
+             const CameraRig& rig, std::uint64_t seed, FrameSetPtr frames, ThreadTeam& team,
+             Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) {
+  filter.configure(parameters);
+  filter.setTarget(target);
+  filter.setCameras(rig);
+  filter.restart(seed);
+  filter.beginFrame(frames);
+  { filter.iterate(team) } -> std::same_as<SphereEstimate>;
+  { finished.iterationsPerFrame() } -> std::same_as<int>;
+  finished.particles(0, positions, weights);
+  { finished.explain() } -> std::same_as<std::vector<CameraReport>>;
+  { finished.memoryBytes() } -> std::same_as<std::size_t>;
+};
 
-  void configure(const ParameterValues& parameters) override;
-  void setTargets(const std::vector<Target>& targets) override;
-  void setCameras(const CameraRig& rig) override;
-  void restart(std::uint64_t seed) override;
-  int iterationsPerFrame() const override;
-  void beginFrame(FrameSetPtr frames) override;
-  void iterate(ThreadTeam& team) override;
-  const std::vector<TargetEstimate>& estimates() const override { return estimates_; }
-  void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
-                 Eigen::ArrayXd& weights) const override;
-  std::unique_ptr<MultiTracker> clone() const override;
-  std::size_t memoryBytes() const override;
-  std::vector<CameraReport> explain(std::size_t target) const override;
-  std::vector<LikelihoodMap> likelihoodMaps(std::size_t target, int reach) const override;
+/// A filter that can say how likely its target is at every pixel.
+template <class F>
+concept MappingFilter = TargetFilter<F> && requires(const F& finished) {
+  { finished.likelihoodMaps(0) } -> std::same_as<std::vector<LikelihoodMap>>;
+};
+
+/// One filter per target, none knowing of the others. Target k starts from derivedSeed(seed, k).
+template <TargetFilter F>
+class IndependentTrackers : public Tracker,
+                            public TargetFollowing,
+                            public CameraCalibrated,
+                            public ParticleCloud,
+                            public CameraExplaining,
+                            public Copying {
+public:
+  IndependentTrackers(const ParameterValues& parameters, const CameraRig& rig,
+                      const std::vector<Target>& targets)
+      : estimates_(targets.size()) {
+    filters_.reserve(targets.size());
+    for (const Target& target : targets) {
+      filters_.emplace_back(parameters, rig, target);
+    }
+  }
+
+  void configure(const ParameterValues& parameters) override {
+    for (F& filter : filters_) {
+      filter.configure(parameters);
+    }
+  }
+  void setTargets(const std::vector<Target>& targets) override {
+    const std::size_t count = std::min(targets.size(), filters_.size());
+    for (std::size_t k = 0; k < count; ++k) {
+      filters_[k].setTarget(targets[k]);
+    }
+  }
+  bool takesAnyNumber() const override { return false; }
+  void setCameras(const CameraRig& rig) override {
+    for (F& filter : filters_) {
+      filter.setCameras(rig);
+    }
+  }
+  void restart(std::uint64_t seed) override {
+    for (std::size_t k = 0; k < filters_.size(); ++k) {
+      filters_[k].restart(derivedSeed(seed, static_cast<std::uint32_t>(k)));
+    }
+    estimates_.assign(filters_.size(), SphereEstimate{});
+  }
+  int iterationsPerFrame() const override {
+    return filters_.empty() ? 0 : filters_.front().iterationsPerFrame();
+  }
+  void beginFrame(FrameSetPtr frames) override {
+    for (F& filter : filters_) {
+      filter.beginFrame(frames);
+    }
+  }
+  void iterate(ThreadTeam& team) override {
+    for (std::size_t k = 0; k < filters_.size(); ++k) {
+      estimates_[k] = filters_[k].iterate(team);
+    }
+  }
+  std::size_t trackCount() const override { return estimates_.size(); }
+  TrackEstimate estimate(std::size_t track) const override { return estimates_.at(track); }
+  void particles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
+                 Eigen::ArrayXd& weights) const override {
+    filters_.at(track).particles(limit, positions, weights);
+  }
+  std::vector<CameraReport> explain(std::size_t track) const override {
+    return filters_.at(track).explain();
+  }
+  bool canBeCopied() const override { return true; }
+  std::unique_ptr<Tracker> clone() const override {
+    return std::make_unique<IndependentTrackers>(*this);
+  }
+  std::size_t memoryBytes() const override {
+    std::size_t bytes = 0;
+    for (const F& filter : filters_) {
+      bytes += filter.memoryBytes();
+    }
+    return bytes;
+  }
+
+protected:
+  const F& filter(std::size_t track) const { return filters_.at(track); }
 
 private:
-  std::vector<std::unique_ptr<Tracker>> trackers_;
-  std::vector<TargetEstimate> estimates_;
+  std::vector<F> filters_;
+  std::vector<SphereEstimate> estimates_;
 };
+
+/// The same of filters that have likelihood maps.
+template <MappingFilter F>
+class IndependentMappers final : public IndependentTrackers<F>, public LikelihoodMapping {
+public:
+  using IndependentTrackers<F>::IndependentTrackers;
+
+  std::vector<LikelihoodMap> likelihoodMaps(std::size_t track, int reach) const override {
+    return this->filter(track).likelihoodMaps(reach);
+  }
+  std::unique_ptr<Tracker> clone() const override {
+    return std::make_unique<IndependentMappers>(*this);
+  }
+};
+
+/// A method made of one filter per target, as a row of the catalog needs it.
+template <TargetFilter F>
+std::unique_ptr<Tracker> makeIndependent(const ParameterValues& parameters, const CameraRig& rig,
+                                         const std::vector<Target>& targets) {
+  if constexpr (MappingFilter<F>) {
+    return std::make_unique<IndependentMappers<F>>(parameters, rig, targets);
+  } else {
+    return std::make_unique<IndependentTrackers<F>>(parameters, rig, targets);
+  }
+}
 
 } // namespace dewpoint::tracking

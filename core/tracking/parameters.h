@@ -48,29 +48,4 @@ private:
   std::map<std::string, double, std::less<>> values_;
 };
 
-/// What a method follows, and so what it needs to know and what can be shown of it.
-enum class MethodFamily {
-  Targets, ///< colored targets in 3D, by calibrated cameras
-  Boxes,   ///< a box in the images of one camera, per target; no calibration
-  People,  ///< people who come and go in 3D, by calibrated cameras; no targets are named
-};
-
-/// Names of the methods that track colored targets in 3D, the default first: "dewpoint", "barrera",
-/// "dynamics".
-std::vector<std::string> methodNames();
-/// Names of all methods a project may choose: methodNames(), boxMethodNames(),
-/// peopleMethodNames().
-std::vector<std::string> projectMethodNames();
-/// Targets for an unknown method.
-MethodFamily methodFamily(std::string_view method);
-/// One sentence on what a method of any family is for; empty for an unknown one.
-std::string_view methodSentence(std::string_view method);
-/// Declarations of one method's parameters; empty for an unknown method. Lives for ever.
-std::span<const ParameterDeclaration> methodParameters(std::string_view method);
-/// The defaults of a method, but with the values under the same keys that were changed from their
-/// defaults in `previous`, as far as they are allowed.
-ParameterValues carriedOver(const ParameterValues& previous, std::string_view method);
-/// MissingKey when the method has a parameter that `parameters` do not declare.
-Status checkParameters(std::string_view method, const ParameterValues& parameters);
-
 } // namespace dewpoint::tracking

@@ -14,11 +14,11 @@ namespace dewpoint::tracking {
 /// What is tracked.
 struct Target {
   std::string name;
-  double radius = 0.0; ///< metres; 0 when unknown
+  double radius = 0.0; ///< meters; 0 when unknown
   ColorRange color;
   /// What the color was learned from, if it was; the trackers go by `color` alone.
   std::vector<ColorSample> samples{};
-  /// What the methods of family Boxes follow, in place of a color.
+  /// What the methods that follow boxes go by, in place of a color.
   std::optional<TargetBox> box{};
 
   bool operator==(const Target&) const = default;

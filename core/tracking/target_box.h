@@ -7,7 +7,7 @@
 
 namespace dewpoint::tracking {
 
-/// Where the methods of family Boxes learn what a target looks like, and begin to follow it.
+/// Where the methods that follow boxes learn what a target looks like, and begin to follow it.
 struct TargetBox {
   int camera = 0; ///< in the order of the project
   std::int64_t frame = 0;

@@ -2,6 +2,7 @@
 // Runs of the suite in which method dewpoint once failed. Seeds for tuning.
 #include "core/experiment/baselines/baseline_methods.h"
 #include "core/experiment/scenarios/scenario.h"
+#include "tests/tracking/sphere_of.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ std::vector<double> errorsOf(const std::string& scenario, std::uint64_t seed, st
   for (std::int64_t frame = 0; frame < frames; ++frame) {
     (*tracker)->beginFrame(run->frames(frame));
     (*tracker)->iterate(team);
-    const TargetEstimate& estimate = (*tracker)->estimates().front();
+    const SphereEstimate& estimate = sphereOf(**tracker);
     for (const TrajectorySample& truth : run->truth.samples) {
       if (truth.frame == frame && truth.target == run->targets.front().name) {
         errors.push_back(estimate.valid ? (estimate.mean - truth.position).norm() : 1.0);

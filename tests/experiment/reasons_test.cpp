@@ -2,6 +2,7 @@
 // What method dewpoint says of why a target is not held, in scenarios of the suite.
 #include "core/experiment/scenarios/scenario.h"
 #include "core/session/run/tracking_run.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <gtest/gtest.h>
 

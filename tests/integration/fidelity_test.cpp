@@ -6,6 +6,7 @@
 #include "app/wiring/open_project.h"
 #include "core/experiment/studies/convergence_study.h"
 #include "core/session/run/tracking_run.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <gtest/gtest.h>
 
@@ -91,7 +92,7 @@ TEST(Fidelity, OnItsWayTheCloudIsLongestAlongCamera1sAxis) {
     for (int k = 0; k < 40; ++k) {
       run.beginFrame(inputs.source->next().value());
       run.iterate();
-      const auto& estimate = run.estimates()[0];
+      const auto estimate = std::get<SphereEstimate>(run.estimate(0));
       // Between start and ball (at y = 0.5), past the first steps, in which the cloud is still
       // round.
       if (estimate.mean.y() > 0.25 && estimate.mean.y() < 0.45) {
@@ -101,7 +102,7 @@ TEST(Fidelity, OnItsWayTheCloudIsLongestAlongCamera1sAxis) {
       }
     }
     EXPECT_GE(onTheWay, 2); // it slides, it does not jump
-    EXPECT_NEAR(run.estimates()[0].mean.y(), 0.5, 0.03);
+    EXPECT_NEAR(std::get<SphereEstimate>(run.estimate(0)).mean.y(), 0.5, 0.03);
   }
 }
 

@@ -40,7 +40,7 @@ TEST(Hand2Desk, FollowsTheArmInBothViewsAndNeverDivesBelowTheDesk) {
     for (int k = 0; k < run->iterationsPerFrame(); ++k) {
       run->iterate();
     }
-    const auto& estimate = run->estimates().front();
+    const auto estimate = std::get<SphereEstimate>(run->estimate(0));
     EXPECT_GT(estimate.mean.z(), kDeskZ) << "frame " << frames;
     seenByBoth += estimate.camerasSeeing == 2 ? 1 : 0;
     ++frames;

@@ -35,8 +35,9 @@ TEST(Live, TwoLoopbackStreamsAreTrackedToTheBall) {
   for (int wait = 0; wait < 600 && error > 0.03; ++wait) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     const auto snapshot = session.newest();
-    if (!snapshot->targets.empty() && snapshot->targets.front().estimate.valid) {
-      error = (snapshot->targets.front().estimate.mean - truth).norm();
+    if (!snapshot->targets.empty() &&
+        std::get<SphereEstimate>(snapshot->targets.front().estimate).valid) {
+      error = (std::get<SphereEstimate>(snapshot->targets.front().estimate).mean - truth).norm();
     }
   }
   EXPECT_LT(error, 0.03);

@@ -3,7 +3,8 @@
 #include "core/session/people/people_writer.h"
 #include "core/session/run/tracking_run.h"
 #include "core/session/session.h"
-#include "core/tracking/people/people_targets.h"
+#include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/tracker_capabilities.h"
 #include "tests/integration/office_recording.h"
 #include "tests/session/fake_recording.h"
 
@@ -47,14 +48,15 @@ void playThrough(Session& session) {
 
 /// What the tracker says without any session: as the command line drives it.
 Trajectory trackedAlone(const Project& project, std::int64_t frames = kFrames) {
-  auto tracker = makePeopleTracker(project.method, project.parameters, officeRig()).value();
+  auto tracker = makeTracker(project.method, project.parameters, officeRig(), {}).value();
   tracker->restart(project.seed);
   OfficeRecording source(frames);
   ThreadTeam team(1);
   Trajectory trajectory;
   for (auto set = source.next(); *set; set = source.next()) {
-    tracker->step(*set, team);
-    for (const PersonEstimate& person : tracker->people()) {
+    tracker->beginFrame(*set);
+    tracker->iterate(team);
+    for (const PersonEstimate& person : capability<PeopleFinding>(*tracker)->people()) {
       trajectory.samples.push_back(sampleOf(person, (*set)->index, seconds((*set)->time)));
     }
   }
@@ -63,7 +65,7 @@ Trajectory trackedAlone(const Project& project, std::int64_t frames = kFrames) {
 
 int present(const TrackSnapshot& snapshot) {
   return static_cast<int>(std::ranges::count_if(
-      snapshot.targets, [](const auto& target) { return target.person.has_value(); }));
+      snapshot.targets, [](const auto& target) { return target.person() != nullptr; }));
 }
 
 TEST(PeopleSession, TracksAsTheCommandLineDoes) {
@@ -71,13 +73,13 @@ TEST(PeopleSession, TracksAsTheCommandLineDoes) {
   session.setShapesWanted(true);
   playThrough(session);
   const TrackSnapshotPtr last = session.newest();
-  EXPECT_TRUE(last->ofPeople());
+  EXPECT_TRUE(last->family.findsTargets());
   ASSERT_EQ(last->targets.size(), 2U); // both are inside by frame 90
   EXPECT_EQ(last->targets[0].target.name, "person 1");
   EXPECT_EQ(last->targets[1].target.name, "person 2");
   for (const TargetSnapshot& target : last->targets) {
     EXPECT_EQ(target.status, TargetStatus::Held);
-    ASSERT_TRUE(target.person);
+    ASSERT_NE(target.person(), nullptr);
     EXPECT_GT(target.particles.rows(), 100);
     ASSERT_TRUE(target.shape);
     // A body has some 0.07 m³; its hull, legs and all, not more than a box of 0.8 x 0.8 x 1.8 m.
@@ -136,7 +138,7 @@ TEST(PeopleSession, ShowsThePeopleOfThen) {
   const auto sample = std::ranges::find_if(
       all.samples, [](const auto& one) { return one.frame == 70 && one.target == "person 1"; });
   ASSERT_NE(sample, all.samples.end());
-  EXPECT_EQ(then->targets[0].estimate.mean, sample->position);
+  EXPECT_EQ(positionOf(then->targets[0].estimate)->mean, sample->position);
   EXPECT_TRUE(then->targets[0].shape);
   ASSERT_EQ(then->masks.size(), 4U);
   EXPECT_EQ(then->masks[0].size(), cv::Size(320, 240));
@@ -150,7 +152,8 @@ TEST(PeopleSession, ShowsThePeopleOfThen) {
 }
 
 TEST(PeopleSession, TracksAgainWithTheSameBits) {
-  for (const std::string& method : peopleMethodNames()) { // two of them cannot be copied
+  for (const std::string& method :
+       methodNames(TargetsFrom::Images)) { // two of them cannot be copied
     Session session(office(officeProject(method)));
     playThrough(session);
     const Trajectory first = session.trajectory();
@@ -169,11 +172,11 @@ TEST(PeopleSession, TakesOtherMethodsAndBack) {
   playThrough(session);
   const Trajectory first = session.trajectory();
   session.setMethod("barrera", ParameterValues(methodParameters("barrera")));
-  ASSERT_TRUE(eventually([&] { return !session.newest()->ofPeople(); }));
+  ASSERT_TRUE(eventually([&] { return !session.newest()->family.findsTargets(); }));
   EXPECT_TRUE(session.newest()->targets.empty()); // the project has none
   const Project again = officeProject();
   session.setMethod(again.method, again.parameters);
-  ASSERT_TRUE(eventually([&] { return session.newest()->ofPeople(); }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->family.findsTargets(); }));
   playThrough(session);
   EXPECT_TRUE(test::sameBits(first, session.trajectory()));
 }
@@ -203,7 +206,7 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   ASSERT_TRUE(pixel);
   session.addPersonSeen(0, *pixel);
   ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 2; }));
-  const Eigen::Vector3d placed = session.newest()->targets.at(1).estimate.mean;
+  const Eigen::Vector3d placed = positionOf(session.newest()->targets.at(1).estimate)->mean;
   EXPECT_LT((placed - renderer.middle(1, now)).head<2>().norm(), 0.3); // of 0.1 m steps
   session.addPersonSeen(0, {0.0, 0.0}); // a corner of the ceiling: nobody is there, which is said
   ASSERT_TRUE(eventually([&] { return session.newest()->notices.size() == 1; }));
@@ -227,7 +230,8 @@ TEST(PeopleSession, AnotherMethodWhileLookingBackLearnsTheRoomFromTheBeginning) 
     session.setMethodFrom(65, project.method, project.parameters);
     return eventually([&] {
       const auto snapshot = session.newest();
-      return snapshot->ofPeople() == people && !snapshot->rerun && snapshot->frame == 65 &&
+      return snapshot->family.findsTargets() == people && !snapshot->rerun &&
+             snapshot->frame == 65 &&
              snapshot->past; // the moment that was looked at is shown again
     });
   };
@@ -246,11 +250,11 @@ TEST(PeopleSession, KnowsHowTallPeopleAre) {
   const OfficeRenderer renderer(officeDay(), views);
   int compared = 0;
   for (const TargetSnapshot& target : session.newest()->targets) {
-    for (std::size_t k = 0; target.person && k < renderer.scene().people.size(); ++k) {
+    for (std::size_t k = 0; target.person() != nullptr && k < renderer.scene().people.size(); ++k) {
       const Eigen::Vector3d truth = renderer.middle(k, officeDay().timeOf(kFrames - 1));
-      if ((truth - target.person->position).head<2>().norm() < 0.2) {
+      if ((truth - target.person()->position).head<2>().norm() < 0.2) {
         // Seen by four cameras of 320x240 from 5 m: a pixel is 0.02 m.
-        EXPECT_NEAR(target.person->height, renderer.scene().people[k].height, 0.08) << k;
+        EXPECT_NEAR(target.person()->height, renderer.scene().people[k].height, 0.08) << k;
         ++compared;
       }
     }
@@ -270,21 +274,21 @@ TEST(PeopleSession, SavesVolumesHullsAndDensities) {
   }
 }
 
-TEST(PeopleTargets, LeaveGapsAndForgetNobody) {
+TEST(PeopleTracks, LeaveGapsAndForgetNobody) {
   const Project project = officeProject();
-  auto tracker = makeMultiTracker("people", project.parameters, officeRig(), {}).value();
-  ASSERT_NE(tracker->people(), nullptr);
+  auto tracker = makeTracker("people", project.parameters, officeRig(), {}).value();
   tracker->restart(1);
-  PeopleTargets& people = *tracker->people();
-  EXPECT_EQ(people.addPerson({0.0, 0.0, 0.86}), 1);
-  EXPECT_EQ(people.addPerson({1.0, 0.0, 0.86}), 2);
-  people.removePerson(1);
-  ASSERT_EQ(tracker->estimates().size(), 2U);
-  EXPECT_TRUE(tracker->estimates()[0].gone);
-  EXPECT_FALSE(tracker->estimates()[1].gone);
-  EXPECT_EQ(people.targets()[0].name, "person 1");
-  EXPECT_EQ(people.person(0), nullptr);
-  EXPECT_EQ(people.addPerson({1.0, 1.0, 0.86}), 3); // never given twice
+  auto* const placing = capability<PersonPlacing>(*tracker);
+  const auto* const finding = capability<PeopleFinding>(*tracker);
+  ASSERT_TRUE(placing != nullptr && finding != nullptr);
+  EXPECT_EQ(placing->addPerson({0.0, 0.0, 0.86}), 1);
+  EXPECT_EQ(placing->addPerson({1.0, 0.0, 0.86}), 2);
+  placing->removePerson(1);
+  ASSERT_EQ(tracker->trackCount(), 2U);
+  EXPECT_TRUE(isAbsent(tracker->estimate(0)));
+  EXPECT_FALSE(isAbsent(tracker->estimate(1)));
+  EXPECT_EQ(finding->everybody()[0].name, "person 1");
+  EXPECT_EQ(placing->addPerson({1.0, 1.0, 0.86}), 3); // never given twice
 }
 
 TEST(PeopleNames, AreReadAsTheyAreWritten) {

@@ -53,11 +53,12 @@ std::shared_ptr<TrackSnapshot> ballSnapshot(const Eigen::Vector3d& ball = kBall)
     shown.particles.row(i) = (ball + offset).transpose().array();
     shown.weights[i] = std::exp(-offset.squaredNorm() / 0.01);
   }
-  shown.estimate.mean = ball;
-  shown.estimate.best = ball;
-  shown.estimate.covariance = Eigen::Vector3d(0.0064, 0.0064, 0.0025).asDiagonal();
-  shown.estimate.particleCount = kCount;
-  shown.estimate.valid = true;
+  std::get<SphereEstimate>(shown.estimate).mean = ball;
+  std::get<SphereEstimate>(shown.estimate).best = ball;
+  std::get<SphereEstimate>(shown.estimate).covariance =
+      Eigen::Vector3d(0.0064, 0.0064, 0.0025).asDiagonal();
+  std::get<SphereEstimate>(shown.estimate).particleCount = kCount;
+  std::get<SphereEstimate>(shown.estimate).valid = true;
   for (int i = 0; i < 40; ++i) {
     const double back = 0.03 * (39 - i);
     shown.tail.emplace_back(ball.x() - back, ball.y() + 0.4 * std::sin(1.5 * back),
@@ -256,8 +257,8 @@ private Q_SLOTS:
     target.weights[5] = kNaN;
     target.tail[2].x() = kNaN;
     TargetSnapshot lost = target;
-    lost.estimate.mean.setConstant(kNaN);
-    lost.estimate.covariance.setConstant(kNaN);
+    std::get<SphereEstimate>(lost.estimate).mean.setConstant(kNaN);
+    std::get<SphereEstimate>(lost.estimate).covariance.setConstant(kNaN);
     lost.truth = Eigen::Vector3d(kNaN, 0.0, 0.0);
     lost.particles.setConstant(kNaN);
     lost.weights.resize(0);

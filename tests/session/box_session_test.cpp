@@ -2,6 +2,7 @@
 // Methods that follow boxes in a session: one camera, no calibration.
 #include "core/base/text_file.h"
 #include "core/session/camera_overlay.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "tests/session/patch_recording.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +63,7 @@ TEST_P(BoxSessionTest, FollowsAndLeavesNothingInSpace) {
   EXPECT_TRUE(isOnPatch(track.samples[29]));
   EXPECT_TRUE(session.trajectory().samples.empty());
   const auto shown = session.newest();
-  EXPECT_EQ(shown->family, MethodFamily::Boxes);
+  EXPECT_EQ(shown->family.targets, TargetsFrom::Box);
   EXPECT_TRUE(shown->targets[0].tail.empty());
   EXPECT_TRUE(shown->notices.empty());
   const CameraOverlay overlay = cameraOverlay(*shown, 0, shown->targets[0]);
@@ -79,13 +80,13 @@ TEST_P(BoxSessionTest, ABoxSetWhilePausedStartsAtTheFrameShown) {
   session.setTargets({boxTarget("patch", patchBox(10))});
   ASSERT_TRUE(eventually([&] {
     const auto shown = session.newest();
-    return !shown->targets.empty() && shown->targets[0].box.has_value();
+    return !shown->targets.empty() && shown->targets[0].box() != nullptr;
   }));
   const auto shown = session.newest();
   EXPECT_EQ(shown->frame, 10);
   EXPECT_TRUE(shown->tracked);
   EXPECT_EQ(shown->targets[0].status, TargetStatus::Held);
-  EXPECT_EQ(shown->targets[0].box->estimate.box, MovingPatch{}.box(10));
+  EXPECT_EQ(shown->targets[0].box()->box, MovingPatch{}.box(10));
   session.play();
   ASSERT_TRUE(reaches(session, PlayState::Ended));
   const auto samples = session.boxTrack().samples;
@@ -154,7 +155,7 @@ TEST_P(BoxSessionTest, WhatIsTakenAwayLeavesNothingInThePast) {
   EXPECT_EQ(shown->frame, 8);
   EXPECT_EQ(shown->targets[0].target.name, "two");
   EXPECT_EQ(shown->targets[0].status, TargetStatus::Held);
-  EXPECT_TRUE(shown->targets[0].box);
+  EXPECT_NE(shown->targets[0].box(), nullptr);
   ASSERT_EQ(records()[8].targets.size(), 1U);
   EXPECT_EQ(records()[3].targets[0].status, TargetStatus::Held);
   EXPECT_EQ(ofTarget(session.boxTrack(), 1).size(), 13U); // of "two", frames 0 to 12
@@ -165,7 +166,7 @@ TEST_P(BoxSessionTest, ABoxOfTheFirstFrameIsThereBeforeAnyStep) {
   Session session(patchInputs(GetParam(), {boxTarget("patch", patchBox(0))}));
   const auto hasBox = [&] {
     const auto shown = session.newest();
-    return shown->frame == 0 && shown->targets.size() == 1 && shown->targets[0].box &&
+    return shown->frame == 0 && shown->targets.size() == 1 && shown->targets[0].box() != nullptr &&
            shown->targets[0].status == TargetStatus::Held;
   };
   ASSERT_TRUE(eventually(hasBox)); // opened
@@ -175,9 +176,9 @@ TEST_P(BoxSessionTest, ABoxOfTheFirstFrameIsThereBeforeAnyStep) {
   EXPECT_FALSE(session.newest()->tracked);
   stepTo(session, 5);
   session.setMethod("dewpoint", ParameterValues(methodParameters("dewpoint")));
-  ASSERT_TRUE(eventually([&] { return session.newest()->family == MethodFamily::Targets; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->family.inSpace; }));
   session.setMethod(GetParam(), ParameterValues(methodParameters(GetParam())));
-  ASSERT_TRUE(eventually([&] { return session.newest()->family == MethodFamily::Boxes; }));
+  ASSERT_TRUE(eventually([&] { return !session.newest()->family.inSpace; }));
   ASSERT_TRUE(eventually(hasBox));
 }
 
@@ -189,9 +190,9 @@ TEST_P(BoxSessionTest, TrackedAgainFromAnyMomentTheBitsAreTheSame) {
   const BoxEstimate at20 = before.at(17).estimate;
   session.showFrame(20);
   ASSERT_TRUE(eventually([&] { return session.newest()->frame == 20; }));
-  ASSERT_TRUE(session.newest()->targets[0].box);
-  EXPECT_EQ(session.newest()->targets[0].box->estimate.box, at20.box);
-  EXPECT_EQ(session.newest()->targets[0].box->centers.rows(), 300);
+  ASSERT_NE(session.newest()->targets[0].box(), nullptr);
+  EXPECT_EQ(session.newest()->targets[0].box()->box, at20.box);
+  EXPECT_EQ(session.newest()->targets[0].boxParticles.centers.rows(), 300);
   std::uint64_t generation = 0;
   std::size_t position = 0;
   session.boxesSince(generation, position);
@@ -246,8 +247,8 @@ TEST(BoxSession, AHiddenTargetIsHeldAndSaysSo) {
   Session session(patchInputs("histogram", {boxTarget("patch", patchBox(0))}));
   stepTo(session, 31);
   const TargetSnapshot hidden = session.newest()->targets[0];
-  ASSERT_TRUE(hidden.box);
-  EXPECT_FALSE(hidden.box->estimate.visible);
+  ASSERT_NE(hidden.box(), nullptr);
+  EXPECT_FALSE(hidden.box()->visible);
   EXPECT_EQ(hidden.status, TargetStatus::Searching);
   ASSERT_EQ(hidden.reasons.size(), 1U);
   EXPECT_EQ(hidden.reasons[0].trouble, CameraStatus::Hidden);

@@ -57,11 +57,11 @@ TEST(CameraOverlay, IsEmptyWithoutRigCameraOrEstimate) {
 TEST(CameraOverlay, EllipseIsThatOfASampledGaussian) {
   const auto snapshot = snapshotWithRig();
   TargetSnapshot target;
-  target.estimate.particleCount = 1;
-  target.estimate.mean = {0.03, 0.02, 0.08};
+  std::get<SphereEstimate>(target.estimate).particleCount = 1;
+  std::get<SphereEstimate>(target.estimate).mean = {0.03, 0.02, 0.08};
   Eigen::Matrix3d root; // standard deviations of up to 1 cm, at 0.6 m: nearly linear
   root << 0.010, 0.0, 0.0, 0.004, 0.006, 0.0, -0.003, 0.002, 0.003;
-  target.estimate.covariance = root * root.transpose();
+  std::get<SphereEstimate>(target.estimate).covariance = root * root.transpose();
   target.truth = Eigen::Vector3d(0.01, 0.0, 0.1);
   for (int camera = 0; camera < 2; ++camera) {
     const Projector projector((*snapshot.rig)[static_cast<std::size_t>(camera)]);
@@ -71,8 +71,8 @@ TEST(CameraOverlay, EllipseIsThatOfASampledGaussian) {
     const RandomStream stream(1, 0, 0, RandomPurpose::Simulation);
     for (std::uint32_t i = 0; i < kSamples; ++i) {
       const auto normal = stream.normal4(i);
-      const Eigen::Vector3d point =
-          target.estimate.mean + root * Eigen::Vector3d(normal[0], normal[1], normal[2]);
+      const Eigen::Vector3d point = std::get<SphereEstimate>(target.estimate).mean +
+                                    root * Eigen::Vector3d(normal[0], normal[1], normal[2]);
       const Eigen::Vector2d pixel = projector.project(point).value();
       sum += pixel;
       squares += pixel * pixel.transpose();
@@ -90,8 +90,10 @@ TEST(CameraOverlay, EllipseIsThatOfASampledGaussian) {
     EXPECT_NEAR(overlay.ellipse->semiMinor, minor, 0.02 * minor);
     const Eigen::Vector2d along(std::cos(overlay.ellipse->angle), std::sin(overlay.ellipse->angle));
     EXPECT_GT(std::abs(along.dot(solver.eigenvectors().col(1))), std::cos(0.05));
-    EXPECT_TRUE(overlay.ellipse->center.isApprox(*projector.project(target.estimate.mean)));
-    EXPECT_TRUE(overlay.estimate->isApprox(*projector.project(target.estimate.mean)));
+    EXPECT_TRUE(overlay.ellipse->center.isApprox(
+        *projector.project(std::get<SphereEstimate>(target.estimate).mean)));
+    EXPECT_TRUE(overlay.estimate->isApprox(
+        *projector.project(std::get<SphereEstimate>(target.estimate).mean)));
     EXPECT_TRUE(overlay.truth->isApprox(*projector.project(*target.truth)));
   }
 }
@@ -99,9 +101,10 @@ TEST(CameraOverlay, EllipseIsThatOfASampledGaussian) {
 TEST(CameraOverlay, RoundCloudOnTheAxisIsACircle) {
   const auto snapshot = snapshotWithRig();
   TargetSnapshot target;
-  target.estimate.particleCount = 1;
-  target.estimate.mean = test::kBall; // on both optical axes, 0.6 m away, focal length 150 px
-  target.estimate.covariance = 1e-4 * Eigen::Matrix3d::Identity();
+  std::get<SphereEstimate>(target.estimate).particleCount = 1;
+  std::get<SphereEstimate>(target.estimate).mean =
+      test::kBall; // on both optical axes, 0.6 m away, focal length 150 px
+  std::get<SphereEstimate>(target.estimate).covariance = 1e-4 * Eigen::Matrix3d::Identity();
   const auto overlay = cameraOverlay(snapshot, 0, target);
   ASSERT_TRUE(overlay.ellipse);
   const double radius = std::sqrt(5.991) * 0.01 * 150.0 / 0.6;
@@ -112,13 +115,13 @@ TEST(CameraOverlay, RoundCloudOnTheAxisIsACircle) {
 TEST(CameraOverlay, NoEllipseWithoutAFiniteCovarianceOrBehindTheCamera) {
   const auto snapshot = snapshotWithRig();
   TargetSnapshot target;
-  target.estimate.particleCount = 1;
-  target.estimate.mean = test::kBall;
-  target.estimate.covariance(0, 0) = std::nan("");
+  std::get<SphereEstimate>(target.estimate).particleCount = 1;
+  std::get<SphereEstimate>(target.estimate).mean = test::kBall;
+  std::get<SphereEstimate>(target.estimate).covariance(0, 0) = std::nan("");
   EXPECT_FALSE(cameraOverlay(snapshot, 0, target).ellipse);
   EXPECT_TRUE(cameraOverlay(snapshot, 0, target).estimate);
-  target.estimate.covariance.setIdentity();
-  target.estimate.mean = {0.0, -0.9, 0.1};
+  std::get<SphereEstimate>(target.estimate).covariance.setIdentity();
+  std::get<SphereEstimate>(target.estimate).mean = {0.0, -0.9, 0.1};
   EXPECT_FALSE(cameraOverlay(snapshot, 0, target).ellipse);
   EXPECT_FALSE(cameraOverlay(snapshot, 0, target).estimate);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/run/tracking_run.h"
 #include "core/session/session.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "tests/session/fake_recording.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +45,7 @@ TEST_P(Cameras, AnotherCalibrationActsAtTheNextStepAndKeepsTheBelief) {
   step(session, 4);
   const auto before = session.newest();
   const bool holds = GetParam() == "dewpoint"; // the other one wanders long before it holds
-  ASSERT_TRUE(!holds || before->targets[0].estimate.valid);
+  ASSERT_TRUE(!holds || std::get<SphereEstimate>(before->targets[0].estimate).valid);
   const CameraRig rig = shifted(rigOf(project), 0.01);
   session.setCameras(rig);
   ASSERT_TRUE(eventually([&] { return *session.newest()->rig == rig; }));
@@ -56,10 +57,11 @@ TEST_P(Cameras, AnotherCalibrationActsAtTheNextStepAndKeepsTheBelief) {
   if (!holds) {
     return;
   }
-  EXPECT_TRUE(after->targets[0].estimate.valid);
+  EXPECT_TRUE(std::get<SphereEstimate>(after->targets[0].estimate).valid);
   // The world moved by 1 cm with the cameras, and so did the target in it.
-  EXPECT_NEAR(after->targets[0].estimate.mean.x() - before->targets[0].estimate.mean.x(), 0.01,
-              0.008);
+  EXPECT_NEAR(std::get<SphereEstimate>(after->targets[0].estimate).mean.x() -
+                  std::get<SphereEstimate>(before->targets[0].estimate).mean.x(),
+              0.01, 0.008);
 }
 
 TEST_P(Cameras, GoingBackBeforeTheChangeTracksTheSameAgain) {

@@ -3,6 +3,7 @@
 
 #include "core/capture/frame_source.h"
 #include "core/session/session.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <opencv2/imgproc.hpp>
 

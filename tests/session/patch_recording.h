@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/session/session.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "tests/session/fake_recording.h"
 #include "tests/tracking/moving_patch.h"
 

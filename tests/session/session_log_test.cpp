@@ -74,7 +74,8 @@ TEST(Session, SamplesAreReadInPiecesAndTheLastFrameComesAgain) {
   ASSERT_EQ(piece.samples.size(), 1U);
   EXPECT_NE(piece.samples[0].position, before);
   // Existence is the one of the estimate.
-  EXPECT_EQ(piece.samples[0].existence, session.newest()->targets[0].estimate.existence);
+  EXPECT_EQ(piece.samples[0].existence,
+            std::get<SphereEstimate>(session.newest()->targets[0].estimate).existence);
   session.restart();
   session.stepFrame();
   ASSERT_TRUE(eventually([&] { return session.trajectory().samples.size() == 1; }));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/session.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "tests/session/fake_recording.h"
 
 #include <gtest/gtest.h>
@@ -174,11 +175,11 @@ TEST(Session, ParametersActOnTheNextStep) {
   Session session(inputs());
   session.stepFrame();
   ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 1; }));
-  EXPECT_EQ(session.newest()->targets[0].estimate.particleCount, 100);
+  EXPECT_EQ(std::get<SphereEstimate>(session.newest()->targets[0].estimate).particleCount, 100);
   session.setParameters(projectWith("particles", 350).parameters);
   session.stepFrame();
   ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 2; }));
-  EXPECT_EQ(session.newest()->targets[0].estimate.particleCount, 350);
+  EXPECT_EQ(std::get<SphereEstimate>(session.newest()->targets[0].estimate).particleCount, 350);
   EXPECT_EQ(session.newest()->targets[0].particles.rows(), 350);
   EXPECT_EQ(session.newest()->targets[0].weights.size(), 350);
 }
@@ -190,7 +191,7 @@ TEST(Session, TargetsActOnTheNextStep) {
   session.setTargets(targets);
   session.stepFrame();
   ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 1; }));
-  EXPECT_EQ(session.newest()->targets[0].estimate.camerasSeeing, 0);
+  EXPECT_EQ(std::get<SphereEstimate>(session.newest()->targets[0].estimate).camerasSeeing, 0);
   EXPECT_EQ(session.newest()->targets[0].target.color, targets[0].color);
 }
 
@@ -321,8 +322,9 @@ TEST(Session, TruthGivesErrors) {
   std::size_t position = 0;
   const auto piece = session.logSince(generation, position);
   ASSERT_EQ(piece.records.size(), 1U);
-  EXPECT_EQ(piece.records[0].error,
-            (snapshot->targets[0].estimate.mean - snapshot->targets[0].truth.value()).norm());
+  EXPECT_EQ(piece.records[0].error, (std::get<SphereEstimate>(snapshot->targets[0].estimate).mean -
+                                     snapshot->targets[0].truth.value())
+                                        .norm());
   session.stepFrame(); // frame 1 has no truth
   ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 2; }));
   EXPECT_FALSE(session.newest()->targets[0].truth.has_value());

@@ -69,7 +69,7 @@ TEST(SnapshotBuilder, AFrameLooksTheSameNowAndLater) {
   EXPECT_EQ(cv::norm(then->masks[0], later->masks[0], cv::NORM_INF), 0.0);
   const TargetSnapshot& a = then->targets.at(0);
   const TargetSnapshot& b = later->targets.at(0);
-  EXPECT_EQ(a.estimate.mean, b.estimate.mean);
+  EXPECT_EQ(positionOf(a.estimate)->mean, positionOf(b.estimate)->mean);
   ASSERT_EQ(a.tail.size(), b.tail.size());
   EXPECT_EQ(a.tail.back(), b.tail.back());
   EXPECT_EQ(a.status, b.status);

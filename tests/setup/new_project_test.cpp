@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/calibration_file.h"
 #include "core/setup/new_project.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
@@ -91,7 +92,7 @@ TEST_F(NewProjectTest, OneCameraWithoutACalibrationFollowsBoxes) {
   one.cameras.resize(1);
   const auto made = makeProject(one);
   ASSERT_TRUE(made);
-  EXPECT_EQ(methodFamily(made->project.method), MethodFamily::Boxes);
+  EXPECT_EQ(methodFamily(made->project.method).targets, TargetsFrom::Box);
   EXPECT_EQ(made->project.name, "left"); // one recording says nothing of its folder
   EXPECT_TRUE(checkParameters(made->project.method, made->project.parameters));
   EXPECT_EQ(makeProject(two())->project.method, "dewpoint");

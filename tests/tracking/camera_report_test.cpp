@@ -98,9 +98,9 @@ TEST_F(CameraReportTest, OutOfView) {
 
 TEST(BarreraReports, SayWhereTheColorIs) {
   const CameraRig rig = drawn::rigAround(2);
-  auto tracker = makeMultiTracker(
-      "barrera", drawn::parametersOf("barrera", {{"start_x", 0.5}, {"start_y", 0.5}}), rig,
-      {drawn::redBall()});
+  auto tracker =
+      makeTracker("barrera", drawn::parametersOf("barrera", {{"start_x", 0.5}, {"start_y", 0.5}}),
+                  rig, {drawn::redBall()});
   ASSERT_TRUE(tracker);
   (*tracker)->restart(1);
   ThreadTeam team;
@@ -112,16 +112,16 @@ TEST(BarreraReports, SayWhereTheColorIs) {
   (*tracker)->beginFrame(drawn::framesOf(rig, {far}, 10));
   (*tracker)->iterate(team);
   for (std::size_t k = 0; k < 2; ++k) {
-    const CameraReport report = (*tracker)->explain(0)[k];
+    const CameraReport report = capability<CameraExplaining>(**tracker)->explain(0)[k];
     EXPECT_EQ(report.trouble, CameraStatus::Elsewhere);
     const Projector projector(rig[k]);
-    const auto middle = projector.project((*tracker)->estimates()[0].mean).value();
+    const auto middle = projector.project(sphereOf(**tracker).mean).value();
     const auto ball = SphereProjector(rig[k]).project(far.center, far.radius).value();
     EXPECT_NEAR(report.pixels, (middle - ball.center).norm() - ball.radius, 1.5);
   }
   (*tracker)->beginFrame(drawn::framesOf(rig, {}, 11));
   (*tracker)->iterate(team);
-  EXPECT_EQ((*tracker)->explain(0)[1].trouble, CameraStatus::NoColor);
+  EXPECT_EQ(capability<CameraExplaining>(**tracker)->explain(0)[1].trouble, CameraStatus::NoColor);
 }
 
 TEST(ReasonSentence, NamesCamerasAndRounds) {

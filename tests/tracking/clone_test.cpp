@@ -34,8 +34,8 @@ class Clone : public ::testing::TestWithParam<Case> {
 protected:
   Clone() : rig_(drawn::rigAround(2)) {}
 
-  std::unique_ptr<MultiTracker> fresh() {
-    auto tracker = makeMultiTracker(
+  std::unique_ptr<Tracker> fresh() {
+    auto tracker = makeTracker(
         GetParam().method,
         drawn::parametersOf(GetParam().method.c_str(), {{"start_x", 0.6}, {"start_y", 0.5}}), rig_,
         {drawn::redBall()});
@@ -43,18 +43,18 @@ protected:
     (*tracker)->restart(3);
     return std::move(*tracker);
   }
-  void track(MultiTracker& tracker, int frame) {
+  void track(Tracker& tracker, int frame) {
     tracker.beginFrame(drawn::framesOf(rig_, ballsAt(frame, GetParam().lookAlike), frame));
     tracker.iterate(team_);
   }
-  static void expectSameBits(const MultiTracker& a, const MultiTracker& b, int frame) {
-    ASSERT_EQ(a.estimates()[0].mean, b.estimates()[0].mean) << frame;
-    ASSERT_EQ(a.estimates()[0].covariance, b.estimates()[0].covariance) << frame;
-    ASSERT_EQ(a.estimates()[0].existence, b.estimates()[0].existence) << frame;
+  static void expectSameBits(const Tracker& a, const Tracker& b, int frame) {
+    ASSERT_EQ(sphereOf(a).mean, sphereOf(b).mean) << frame;
+    ASSERT_EQ(sphereOf(a).covariance, sphereOf(b).covariance) << frame;
+    ASSERT_EQ(sphereOf(a).existence, sphereOf(b).existence) << frame;
     Eigen::ArrayXXd positions[2];
     Eigen::ArrayXd weights[2];
-    a.particles(0, 1000, positions[0], weights[0]);
-    b.particles(0, 1000, positions[1], weights[1]);
+    capability<ParticleCloud>(a)->particles(0, 1000, positions[0], weights[0]);
+    capability<ParticleCloud>(b)->particles(0, 1000, positions[1], weights[1]);
     ASSERT_TRUE((positions[0] == positions[1]).all()) << frame;
     ASSERT_TRUE((weights[0] == weights[1]).all()) << frame;
   }
@@ -65,11 +65,11 @@ protected:
 
 TEST_P(Clone, GoesOnWithTheSameBits) {
   const auto straight = fresh();
-  const auto copied = fresh();                       // being copied changes nothing
-  std::vector<std::unique_ptr<MultiTracker>> copies; // right before frames 10, 20, ... 60
+  const auto copied = fresh();                  // being copied changes nothing
+  std::vector<std::unique_ptr<Tracker>> copies; // right before frames 10, 20, ... 60
   for (int frame = 0; frame < 70; ++frame) {
     if (frame % 10 == 0 && frame > 0) {
-      copies.push_back(copied->clone());
+      copies.push_back(capability<Copying>(*copied)->clone());
       ASSERT_NE(copies.back(), nullptr);
       copies.back()->beginFrame(nullptr); // lets go of the images
     }
@@ -89,9 +89,9 @@ TEST_P(Clone, GoesOnWithTheSameBits) {
       }
     }
   }
-  const auto again = copied->clone();
+  const auto again = capability<Copying>(*copied)->clone();
   expectSameBits(*straight, *again, 70);
-  EXPECT_GT(again->memoryBytes(), 0U);
+  EXPECT_GT(capability<Copying>(*again)->memoryBytes(), 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Clone,

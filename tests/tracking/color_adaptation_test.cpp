@@ -37,9 +37,9 @@ std::shared_ptr<FrameSet> framesAt(const CameraRig& rig, int frame, bool hidden 
 const Changes kOn{{"start_x", 0.6}, {"start_y", 0.5}, {"color_adaptation", 1.0}};
 const Changes kOff{{"start_x", 0.6}, {"start_y", 0.5}};
 
-std::unique_ptr<MultiTracker> made(const CameraRig& rig, Changes changes) {
-  auto tracker = makeMultiTracker("dewpoint", drawn::parametersOf("dewpoint", changes), rig,
-                                  {drawn::redBall()});
+std::unique_ptr<Tracker> made(const CameraRig& rig, Changes changes) {
+  auto tracker =
+      makeTracker("dewpoint", drawn::parametersOf("dewpoint", changes), rig, {drawn::redBall()});
   (*tracker)->restart(4);
   return std::move(*tracker);
 }
@@ -51,9 +51,9 @@ TEST(ColorAdaptation, FollowsTheLightInEachCamera) {
   for (int frame = 0; frame < kFrames; ++frame) {
     tracker->beginFrame(framesAt(rig, frame));
     tracker->iterate(team);
-    ASSERT_TRUE(tracker->estimates()[0].valid) << frame;
+    ASSERT_TRUE(sphereOf(*tracker).valid) << frame;
   }
-  const auto& colors = tracker->estimates()[0].colors;
+  const auto& colors = sphereOf(*tracker).colors;
   ASSERT_EQ(colors.size(), 2U);
   for (const ColorRange& color : colors) {
     // A third of the light, and a lag of a second of the 250 / 30 s: 3^(30 / 250) = 1.14 more at
@@ -71,12 +71,12 @@ TEST(ColorAdaptation, OffNothingIsFollowed) {
   switchedOff->configure(off);
   ThreadTeam team;
   for (int frame = 0; frame < 120; ++frame) {
-    for (MultiTracker* one : {tracker.get(), switchedOff.get()}) {
+    for (Tracker* one : {tracker.get(), switchedOff.get()}) {
       one->beginFrame(framesAt(rig, frame));
       one->iterate(team);
-      ASSERT_TRUE(one->estimates()[0].colors.empty()) << frame;
+      ASSERT_TRUE(sphereOf(*one).colors.empty()) << frame;
     }
-    ASSERT_EQ(tracker->estimates()[0].mean, switchedOff->estimates()[0].mean) << frame;
+    ASSERT_EQ(sphereOf(*tracker).mean, sphereOf(*switchedOff).mean) << frame;
   }
 }
 
@@ -91,12 +91,12 @@ TEST(ColorAdaptation, AHiddenTargetsColorIsKept) {
     tracker->iterate(team);
     // What the look at frame 119 changed shows at 120.
     if (frame == 120) {
-      before = tracker->estimates()[0].colors;
+      before = sphereOf(*tracker).colors;
     } else if (hidden) {
-      ASSERT_EQ(tracker->estimates()[0].colors, before) << frame;
+      ASSERT_EQ(sphereOf(*tracker).colors, before) << frame;
     }
   }
-  EXPECT_NE(tracker->estimates()[0].colors, before) << "it is back";
+  EXPECT_NE(sphereOf(*tracker).colors, before) << "it is back";
 }
 
 TEST(ColorAdaptation, CopiesAndThreadsGiveTheSameBits) {
@@ -107,21 +107,21 @@ TEST(ColorAdaptation, CopiesAndThreadsGiveTheSameBits) {
   ThreadTeam three(3);
   for (int frame = 0; frame < 160; ++frame) {
     if (frame % 20 == 7) {
-      copied = copied->clone();
+      copied = capability<Copying>(*copied)->clone();
     }
     straight->beginFrame(framesAt(rig, frame));
     copied->beginFrame(framesAt(rig, frame));
     straight->iterate(one);
     copied->iterate(three);
-    ASSERT_EQ(straight->estimates()[0].mean, copied->estimates()[0].mean) << frame;
-    ASSERT_EQ(straight->estimates()[0].colors, copied->estimates()[0].colors) << frame;
+    ASSERT_EQ(sphereOf(*straight).mean, sphereOf(*copied).mean) << frame;
+    ASSERT_EQ(sphereOf(*straight).colors, sphereOf(*copied).colors) << frame;
   }
-  EXPECT_FALSE(straight->estimates()[0].colors.empty());
+  EXPECT_FALSE(sphereOf(*straight).colors.empty());
   // A restart is a new beginning.
   straight->restart(4);
   straight->beginFrame(framesAt(rig, 0));
   straight->iterate(one);
-  EXPECT_TRUE(straight->estimates()[0].colors.empty());
+  EXPECT_TRUE(sphereOf(*straight).colors.empty());
 }
 
 } // namespace

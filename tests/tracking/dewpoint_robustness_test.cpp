@@ -19,7 +19,7 @@ Eigen::Vector3d moving(int frame) {
   return drawn::kMiddle + Eigen::Vector3d(-0.15 + 0.006 * frame, 0.05, 0.02);
 }
 
-bool isFinite(const TargetEstimate& e) {
+bool isFinite(const SphereEstimate& e) {
   return e.mean.allFinite() && e.best.allFinite() && e.covariance.allFinite() &&
          std::isfinite(e.existence) && std::isfinite(e.effectiveSampleSize) && e.existence >= 0.0 &&
          e.existence <= 1.0;
@@ -89,7 +89,7 @@ TEST(DewpointRobustness, FollowsTheTargetThroughFadingLight) {
       drawn::addNoise(dimmed->image, 2.0, static_cast<std::uint32_t>(frame), 99 + camera);
       set->frames[camera] = dimmed;
     }
-    const TargetEstimate& estimate = run.showSet(set);
+    const SphereEstimate& estimate = run.showSet(set);
     EXPECT_TRUE(estimate.valid) << frame;
     EXPECT_LT((estimate.mean - place).norm(), 3e-3) << frame; // a twelfth of the radius
   }
@@ -111,7 +111,7 @@ TEST(DewpointRobustness, WithoutSightATargetIsDeclaredWhileItCanBeRight) {
       covered->image = cv::Mat::zeros(covered->image.size(), CV_8UC3);
       set->frames[camera] = covered;
     }
-    const TargetEstimate& estimate = run.showSet(set);
+    const SphereEstimate& estimate = run.showSet(set);
     const double error = (estimate.mean - place).norm();
     if (!black) {
       EXPECT_TRUE(estimate.valid) << frame;
@@ -176,7 +176,7 @@ TEST(DewpointRobustness, NoTargetsAndNoCameras) {
   none.tracker().beginFrame(drawn::framesOf(none.rig(), {}, 0));
   ThreadTeam team;
   none.tracker().iterate(team);
-  EXPECT_TRUE(none.tracker().estimates().empty());
+  EXPECT_EQ(none.tracker().trackCount(), 0U);
   DrawnRun blind(CameraRig{}, {redBall()});
   for (int frame = 0; frame < 5; ++frame) {
     EXPECT_FALSE(blind.show({}).valid);
@@ -196,7 +196,7 @@ std::vector<double> bitsOf(int threads, std::uint64_t seed) {
     }
     run.show(balls);
     for (std::size_t target = 0; target < 2; ++target) {
-      const TargetEstimate& e = run.estimate(target);
+      const SphereEstimate& e = run.estimate(target);
       all.insert(all.end(), e.mean.data(), e.mean.data() + 3);
       all.insert(all.end(), e.best.data(), e.best.data() + 3);
       all.insert(all.end(), e.covariance.data(), e.covariance.data() + 9);
@@ -349,9 +349,9 @@ TEST(DewpointRobustness, RepeatedIterationsDoNotShrinkTheCovariance) {
   for (int frame = 0; frame < 10; ++frame) {
     run.show({Ball{moving(frame)}});
   }
-  const TargetEstimate once = run.estimate();
+  const SphereEstimate once = run.estimate();
   for (int iteration = 0; iteration < 30; ++iteration) {
-    const TargetEstimate& again = run.again();
+    const SphereEstimate& again = run.again();
     EXPECT_NEAR(again.covariance.trace(), once.covariance.trace(), 0.05 * once.covariance.trace());
     EXPECT_LT((again.mean - once.mean).norm(), 1e-3);
     EXPECT_NEAR(again.existence, once.existence, 0.01);

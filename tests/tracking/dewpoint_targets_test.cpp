@@ -16,7 +16,7 @@ using drawn::rigAround;
 
 using Paths = std::function<std::vector<Ball>(int frame)>;
 
-double distanceTo(const TargetEstimate& estimate, const Ball& ball) {
+double distanceTo(const SphereEstimate& estimate, const Ball& ball) {
   return (estimate.mean - ball.center).norm();
 }
 
@@ -66,7 +66,7 @@ TEST(DewpointTargets, NeverTwoOnOneBall) {
     run.show({Ball{drawn::kMiddle}});
     if (frame >= 3) {
       EXPECT_NE(run.estimate(0).valid, run.estimate(1).valid) << frame;
-      const TargetEstimate& seen = run.estimate(run.estimate(0).valid ? 0 : 1);
+      const SphereEstimate& seen = run.estimate(run.estimate(0).valid ? 0 : 1);
       EXPECT_LT((seen.mean - drawn::kMiddle).norm(), 3e-3) << frame;
     }
   }

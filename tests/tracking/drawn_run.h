@@ -2,8 +2,11 @@
 #pragma once
 
 #include "core/base/thread_team.h"
-#include "core/tracking/multi_tracker.h"
+#include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/dewpoint/dewpoint_tracker.h"
+#include "core/tracking/tracker_capabilities.h"
 #include "tests/observation/drawn_spheres.h"
+#include "tests/tracking/sphere_of.h"
 
 #include <gtest/gtest.h>
 
@@ -60,18 +63,15 @@ public:
   DrawnRun(CameraRig rig, const std::vector<Target>& targets, Changes changes = {},
            std::uint64_t seed = 1, int threads = 1)
       : rig_(std::move(rig)), team_(threads) {
-    auto tracker = makeMultiTracker("dewpoint", parametersOf("dewpoint", changes), rig_, targets);
-    EXPECT_TRUE(tracker);
-    tracker_ = std::move(*tracker);
+    tracker_ = std::make_unique<DewpointTracker>(parametersOf("dewpoint", changes), rig_, targets);
     tracker_->restart(seed);
   }
 
   /// The next frame, with as many iterations as the parameters say.
-  const TargetEstimate& show(const std::vector<Ball>& balls,
-                             const std::vector<std::size_t>& blind = {}) {
+  SphereEstimate show(const std::vector<Ball>& balls, const std::vector<std::size_t>& blind = {}) {
     return showSet(framesOf(rig_, balls, index_, blind));
   }
-  const TargetEstimate& showSet(FrameSetPtr frames) {
+  SphereEstimate showSet(FrameSetPtr frames) {
     index_ = frames ? frames->index + 1 : index_;
     tracker_->beginFrame(std::move(frames));
     for (int k = 0; k < tracker_->iterationsPerFrame(); ++k) {
@@ -80,22 +80,20 @@ public:
     return estimate();
   }
   /// One more iteration on the same frame.
-  const TargetEstimate& again() {
+  SphereEstimate again() {
     tracker_->iterate(team_);
     return estimate();
   }
 
-  const TargetEstimate& estimate(std::size_t target = 0) const {
-    return tracker_->estimates().at(target);
-  }
-  MultiTracker& tracker() { return *tracker_; }
+  SphereEstimate estimate(std::size_t target = 0) const { return sphereOf(*tracker_, target); }
+  DewpointTracker& tracker() { return *tracker_; }
   const CameraRig& rig() const { return rig_; }
   std::int64_t index() const { return index_; }
 
 private:
   CameraRig rig_;
   ThreadTeam team_;
-  std::unique_ptr<MultiTracker> tracker_;
+  std::unique_ptr<DewpointTracker> tracker_;
   std::int64_t index_ = 0;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/parameters.h"
 #include "core/tracking/tracker.h"
 
@@ -27,7 +28,7 @@ TEST(Parameters, DefaultsAreThePapers) {
 }
 
 TEST(Parameters, EveryDeclarationIsSound) {
-  for (const auto& name : projectMethodNames()) {
+  for (const auto& name : methodNames()) {
     ASSERT_FALSE(methodParameters(name).empty()) << name;
     EXPECT_FALSE(methodSentence(name).empty()) << name;
     for (const auto& declaration : methodParameters(name)) {
@@ -45,10 +46,15 @@ TEST(Parameters, EveryDeclarationIsSound) {
 }
 
 TEST(Parameters, EveryMethodBelongsToAFamily) {
-  EXPECT_EQ(methodFamily("dewpoint"), MethodFamily::Targets);
-  EXPECT_EQ(methodFamily("sugandi"), MethodFamily::Boxes);
-  EXPECT_EQ(methodFamily("mohedano-ms"), MethodFamily::People);
-  EXPECT_EQ(projectMethodNames().front(), methodNames().front());
+  EXPECT_EQ(methodFamily("dewpoint").targets, TargetsFrom::Color);
+  EXPECT_EQ(methodFamily("sugandi").targets, TargetsFrom::Box);
+  EXPECT_EQ(methodFamily("mohedano-ms").targets, TargetsFrom::Images);
+  for (const Method& method : methods()) {
+    EXPECT_EQ(method.family.inSpace, method.family.targets != TargetsFrom::Box) << method.name;
+    EXPECT_EQ(methodFamily(method.name), method.family);
+    EXPECT_EQ(findMethod(method.name), &method);
+  }
+  EXPECT_EQ(findMethod("nothing"), nullptr);
   EXPECT_TRUE(methodSentence("nothing").empty());
 }
 

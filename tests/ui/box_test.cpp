@@ -53,7 +53,7 @@ void BoxTest::oneVideoWithoutACalibrationIsFollowedAfterAClick() {
   QVERIFY(isTrackedTo(kFrames - 1)); // the first click starts tracking
   QVERIFY(hasBox());
   const ImageBox truth = MovingPatch{}.box(kFrames - 1);
-  const ImageBox found = first()->box->estimate.box;
+  const ImageBox found = first()->box()->box;
   QVERIFY((found.center() - truth.center()).norm() < 12.0); // of a patch of 30 px
   QCOMPARE(window_->document().undoStack()->undoText(), QStringLiteral("Box of target 1"));
   // It is drawn in the color of the first target.
@@ -109,7 +109,7 @@ void BoxTest::lookingBackShowsTheBoxAsItWas() {
   window_->selection().wantMoment(0);
   QVERIFY(waitFor([this] { return window_->shown()->frame == 0 && window_->shown()->past; }));
   QVERIFY(hasBox());
-  QCOMPARE(first()->box->estimate.box, window_->document().project().targets[0].box->box);
+  QCOMPARE(first()->box()->box, window_->document().project().targets[0].box->box);
 }
 
 void BoxTest::boxesAreExported() {
@@ -146,10 +146,10 @@ void BoxTest::theMethodIsChosenInTheParameters() {
   QCOMPARE(window_->document().project().method, std::string("histogram"));
   QCOMPARE(message(),
            QStringLiteral("Click the thing or drag a box around it in any camera view."));
-  QVERIFY(waitFor([this] { return window_->shown()->family == MethodFamily::Boxes; }));
+  QVERIFY(waitFor([this] { return !window_->shown()->family.inSpace; }));
   QVERIFY(find<QDockWidget>("birdsEyeDock")->isHidden());
   action("actionUndo")->trigger();
-  QVERIFY(waitFor([this] { return window_->shown()->family == MethodFamily::Targets; }));
+  QVERIFY(waitFor([this] { return window_->shown()->family.inSpace; }));
   QVERIFY(!find<QDockWidget>("birdsEyeDock")->isHidden());
 }
 

@@ -303,10 +303,11 @@ void DeskTest::oneClickLearnsAColorAndTracksIt() {
   QVERIFY(action("actionShowMask")->isChecked()); // all cameras show what was learned
   QVERIFY(waitFor([this] {
     const auto& targets = window_->shown()->targets;
-    return !targets.empty() && targets[0].estimate.valid && window_->shown()->frame > 2;
+    return !targets.empty() && std::get<SphereEstimate>(targets[0].estimate).valid &&
+           window_->shown()->frame > 2;
   }));
   // 35 mm: the ball's radius; the path of eight frames is shorter.
-  const Eigen::Vector3d mean = window_->shown()->targets[0].estimate.mean;
+  const Eigen::Vector3d mean = std::get<SphereEstimate>(window_->shown()->targets[0].estimate).mean;
   QVERIFY((mean - Eigen::Vector3d(0.5, 0.5, 0.15)).norm() < 0.035);
   QVERIFY(find<QLabel>("colorVerdict")->text().contains(QStringLiteral("of 100")));
   QCOMPARE(find<QListWidget>("colorSamples")->count(), 1);

@@ -3,6 +3,7 @@
 #include "core/base/random.h"
 #include "core/base/text_file.h"
 #include "core/project/project.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
 #include "ui/document/project_saver.h"
 #include "ui/document/recovery.h"

@@ -80,7 +80,7 @@ private:
     return waitFor([this] {
       const auto shown = window_->shown();
       return shown && shown->frame >= 3 && !shown->targets.empty() &&
-             shown->targets[0].estimate.valid;
+             std::get<SphereEstimate>(shown->targets[0].estimate).valid;
     });
   }
   /// Clicks these files in the next file dialog, and its "Open".

@@ -106,9 +106,9 @@ void LiveWindowTest::tracksTwoStreamsToTheBall() {
   const Eigen::Vector3d truth = ballPosition(scene_, 0, 0.0);
   const auto error = [&] {
     const auto& targets = window.shown()->targets;
-    return targets.empty() || !targets.front().estimate.valid
+    return targets.empty() || !std::get<SphereEstimate>(targets.front().estimate).valid
                ? 1.0
-               : (targets.front().estimate.mean - truth).norm();
+               : (std::get<SphereEstimate>(targets.front().estimate).mean - truth).norm();
   };
   QVERIFY(QTest::qWaitFor([&] { return window.shown() && error() < kErrorBound; }, kPatienceMs));
   QVERIFY(!window.shown()->frameCount.has_value()); // it is live

@@ -135,14 +135,15 @@ std::optional<Eigen::Vector3d> MainWindowTest::meanAfterFrames(const char* resta
       return std::nullopt;
     }
   }
-  return shown().targets.front().estimate.mean;
+  return std::get<SphereEstimate>(shown().targets.front().estimate).mean;
 }
 
 void MainWindowTest::playsTheDemoAndHolds() {
   open(true);
   // The demo's ball is found within 60 iterations (Barrera's own count per still frame).
-  QVERIFY(
-      waitFor([this] { return shown().frame >= 20 && shown().targets.front().estimate.valid; }));
+  QVERIFY(waitFor([this] {
+    return shown().frame >= 20 && std::get<SphereEstimate>(shown().targets.front().estimate).valid;
+  }));
   QCOMPARE(shown().rig->size(), std::size_t{2}); // the demo: Barrera's two cameras
   QVERIFY(label("cameraDock0TitleState").contains(QStringLiteral("held")));
   QVERIFY(find<PlotPanel>("plotPanel")->shownIterations() > 0);
@@ -206,8 +207,10 @@ void MainWindowTest::sliderActsAndUndoReturns() {
   QVERIFY(after > before);
   QCOMPARE(find<QDoubleSpinBox>("box_particles")->value(), after);
   click("actionNextFrameButton");
-  QVERIFY(waitFor(
-      [&] { return shown().targets.front().estimate.particleCount == static_cast<int>(after); }));
+  QVERIFY(waitFor([&] {
+    return std::get<SphereEstimate>(shown().targets.front().estimate).particleCount ==
+           static_cast<int>(after);
+  }));
   click("actionUndoButton");
   QCOMPARE(window_->document().project().parameters.at(key), before);
   QCOMPARE(find<QDoubleSpinBox>("box_particles")->value(), before);
@@ -235,7 +238,7 @@ void MainWindowTest::statusBarSaysWhatTheSnapshotSays() {
   open(true);
   QVERIFY(waitFor([this] { return shown().frame >= 3; }));
   QVERIFY(pauseNow());
-  const TargetEstimate& estimate = shown().targets.front().estimate;
+  const auto estimate = std::get<SphereEstimate>(shown().targets.front().estimate);
   QVERIFY(shown().frameCount.has_value());
   QCOMPARE(label("statusFrame"),
            QStringLiteral("frame %1 / %2").arg(shown().frame + 1).arg(*shown().frameCount));

@@ -82,7 +82,7 @@ private:
   int there() const {
     int count = 0;
     for (const TargetSnapshot& target : window_->shown()->targets) {
-      count += target.person ? 1 : 0;
+      count += target.person() != nullptr ? 1 : 0;
     }
     return count;
   }
@@ -130,10 +130,10 @@ void PeopleTest::theMethodIsChosenAndUndone() {
   };
   choose("mohedano-ms");
   QCOMPARE(window_->document().project().method, std::string("mohedano-ms"));
-  QVERIFY(waitFor([&] { return window_->shown()->ofPeople(); }));
+  QVERIFY(waitFor([&] { return window_->shown()->family.findsTargets(); }));
   QApplication::processEvents();
   choose("dewpoint");
-  QVERIFY(waitFor([&] { return !window_->shown()->ofPeople(); }));
+  QVERIFY(waitFor([&] { return !window_->shown()->family.findsTargets(); }));
   QVERIFY(find<QDockWidget>("targetDock")->isVisibleTo(window_.get()));
   QVERIFY(!find<QDockWidget>("peopleDock")->isVisibleTo(window_.get()));
   QVERIFY(!action("actionPlacePerson")->isEnabled());
@@ -141,7 +141,7 @@ void PeopleTest::theMethodIsChosenAndUndone() {
   QCOMPARE(window_->document().project().method, std::string("mohedano-ms"));
   action("actionUndo")->trigger();
   QCOMPARE(window_->document().project().method, std::string("people"));
-  QVERIFY(waitFor([&] { return window_->shown()->ofPeople(); }));
+  QVERIFY(waitFor([&] { return window_->shown()->family.findsTargets(); }));
   QVERIFY(find<QDockWidget>("peopleDock")->isVisibleTo(window_.get()));
   QVERIFY(action("actionPlacePerson")->isEnabled());
 }
@@ -216,11 +216,11 @@ void PeopleTest::theSameBitsAgainAndThePeopleOfThen() {
 void PeopleTest::peopleAreTakenAwayAndPlacedByKeys() {
   playTo(kBothThere);
   QVERIFY(waitFor([&] { return there() == 2; }));
-  const Eigen::Vector3d place = window_->shown()->targets.at(0).estimate.mean;
+  const Eigen::Vector3d place = positionOf(window_->shown()->targets.at(0).estimate)->mean;
   find<QTableWidget>("peopleTable")->setCurrentCell(0, 0);
   action("actionRemovePerson")->trigger();
   QVERIFY(waitFor([&] { return there() == 1; }));
-  QVERIFY(!window_->shown()->targets.at(0).person);
+  QVERIFY(window_->shown()->targets.at(0).person() == nullptr);
 
   action("actionPlacePerson")->setChecked(true);
   auto* layer = find<QWidget>("cameraView0Person");
@@ -235,7 +235,7 @@ void PeopleTest::peopleAreTakenAwayAndPlacedByKeys() {
   QVERIFY(waitFor([&] { return there() == 2; }));
   QVERIFY(!action("actionPlacePerson")->isChecked());
   QVERIFY(!layer->isVisible());
-  const Eigen::Vector3d found = window_->shown()->targets.back().estimate.mean;
+  const Eigen::Vector3d found = positionOf(window_->shown()->targets.back().estimate)->mean;
   QVERIFY((found - place).head<2>().norm() < 0.4);
 
   action("actionPlacePerson")->setChecked(true); // and away again by Esc

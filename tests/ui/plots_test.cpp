@@ -312,7 +312,7 @@ void PlotsTest::csvIsWhatIsShown() {
   }
   // The last line is the estimate that the window shows.
   const QStringList last = lines.last().split(QLatin1Char(','));
-  const TargetEstimate& estimate = window_->shown()->targets.front().estimate;
+  const auto estimate = std::get<SphereEstimate>(window_->shown()->targets.front().estimate);
   QCOMPARE(last[0].toLongLong(), window_->shown()->iterations);
   QCOMPARE(last[1].toLongLong(), window_->shown()->frame);
   // Kept as float: 24 bits.

@@ -143,16 +143,17 @@ void TimelineTest::playGoesOnFromTheMomentShown() {
 }
 
 void TimelineTest::trackingAgainReplacesWhatFollows() {
-  const Eigen::Vector3d last = shown().targets.front().estimate.mean;
+  const Eigen::Vector3d last = std::get<SphereEstimate>(shown().targets.front().estimate).mean;
   QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(20));
   QVERIFY(showsFrame(20));
-  const Eigen::Vector3d then = shown().targets.front().estimate.mean;
+  const Eigen::Vector3d then = std::get<SphereEstimate>(shown().targets.front().estimate).mean;
   QVERIFY(window_->document().setParameter("acceleration_sigma", 1.5));
   trigger("actionRerun");
   QVERIFY(
       waitFor([this] { return !shown().past && !shown().rerun && shown().frame == kTracked - 1; }));
   QVERIFY(shown().state == PlayState::Paused);
-  QVERIFY(shown().targets.front().estimate.mean != last); // other parameters
+  QVERIFY(std::get<SphereEstimate>(shown().targets.front().estimate).mean !=
+          last); // other parameters
   QCOMPARE(timeline_->model().records.size(), std::size_t{kTracked});
   // The same parameters again, from the same place: the same as before.
   window_->document().undoStack()->undo();
@@ -161,10 +162,10 @@ void TimelineTest::trackingAgainReplacesWhatFollows() {
   trigger("actionRerun");
   QVERIFY(
       waitFor([this] { return !shown().past && !shown().rerun && shown().frame == kTracked - 1; }));
-  QVERIFY(shown().targets.front().estimate.mean == last);
+  QVERIFY(std::get<SphereEstimate>(shown().targets.front().estimate).mean == last);
   QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(20));
   QVERIFY(showsFrame(20));
-  QVERIFY(shown().targets.front().estimate.mean == then);
+  QVERIFY(std::get<SphereEstimate>(shown().targets.front().estimate).mean == then);
 }
 
 void TimelineTest::marksAreStepsOfTheDocument() {

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/session/session.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
@@ -30,9 +31,9 @@ CameraDocks::CameraDocks(const Workbench& bench) : QObject(&bench.window), bench
 }
 
 void CameraDocks::connectActions() {
-  // Methods of family Boxes know no color to mask and no place to map.
+  // Methods that follow boxes know no color to mask and no place to map.
   bench_.needRun({"actionShowMask", "actionShowEvidence"}, [document = &bench_.document] {
-    return methodFamily(document->project().method) != MethodFamily::Boxes;
+    return methodFamily(document->project().method).targets != TargetsFrom::Box;
   });
   bench_.onToggled("actionShowMask", this, [this](bool shown) {
     if (Session* session = bench_.session.session()) {
@@ -98,8 +99,9 @@ void CameraDocks::explain() {
   const TargetSnapshot* target = targetToExplain(*snapshot, bench_.selection.target());
   for (std::size_t k = 0; k < docks_.size(); ++k) {
     // That a box is hidden is its state already.
-    const bool known = target != nullptr && k < target->reasons.size() &&
-                       (!target->box || target->reasons[k].trouble != CameraStatus::Hidden);
+    const bool known =
+        target != nullptr && k < target->reasons.size() &&
+        (target->box() == nullptr || target->reasons[k].trouble != CameraStatus::Hidden);
     const QString bump = bumpText(bumpOf(*snapshot, static_cast<int>(k)));
     docks_[k]->title().setReason(!bump.isEmpty() ? bump
                                  : known         ? troubleText(target->reasons[k])

@@ -115,8 +115,8 @@ const QImage& CameraView::scaledImage(const QSize& devicePixels) {
   if (mask.size() == image.size() && !mask.empty()) {
     // What moves belongs to nobody yet: it has a color that is no identity's.
     image = tinted(image, mask,
-                   snapshot_->ofPeople() ? cv::Mat(image.size(), image.type(), kMoving)
-                                         : colorsOfTargets(mask));
+                   snapshot_->family.findsTargets() ? cv::Mat(image.size(), image.type(), kMoving)
+                                                    : colorsOfTargets(mask));
   }
   const bool smaller = devicePixels.width() < image.cols;
   cv::Mat fitted;
@@ -158,11 +158,11 @@ void CameraView::paintEvent(QPaintEvent*) {
   placement_ = {corner, shown.width() / image.width()};
   imageSize_ = image;
   const QRectF picture(corner, shown);
-  if (snapshot_->ofPeople()) {
+  if (snapshot_->family.findsTargets()) {
     paintPeople(painter, *snapshot_, camera_, placement_, picture, chosenTarget_);
     paintPeopleTrouble(painter, *snapshot_, camera_, picture);
   }
-  for (std::size_t i = 0; !snapshot_->ofPeople() && i < snapshot_->targets.size(); ++i) {
+  for (std::size_t i = 0; !snapshot_->family.findsTargets() && i < snapshot_->targets.size(); ++i) {
     if (evidenceShown_) {
       const auto& maps = snapshot_->targets[i].maps;
       const auto own = static_cast<std::size_t>(camera_);

@@ -54,7 +54,8 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
   painter.setRenderHint(QPainter::Antialiasing);
   for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
     const TargetSnapshot& target = snapshot.targets[k];
-    if (!target.person) {
+    const PersonEstimate* person = target.person();
+    if (person == nullptr) {
       continue;
     }
     const bool isChosen = static_cast<int>(k) == chosen;
@@ -64,7 +65,7 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
       paintOverlay(painter, overlay, placement, color);
       if (overlay.estimate) {
         const QPointF middle(overlay.estimate->x() + 0.5, overlay.estimate->y() + 0.5);
-        paintBadge(painter, target.person->identity,
+        paintBadge(painter, person->identity,
                    placement.corner + middle * placement.scale - QPointF(0.0, 14.0), room,
                    isChosen);
       }
@@ -76,7 +77,7 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
     }
     paintHull(painter, outline, color, target.status == TargetStatus::Held, isChosen);
     const auto top = std::ranges::min_element(outline, {}, &QPointF::y);
-    paintBadge(painter, target.person->identity, *top - QPointF(0.0, 3.0), room, isChosen);
+    paintBadge(painter, person->identity, *top - QPointF(0.0, 3.0), room, isChosen);
   }
   painter.restore();
 }
@@ -92,11 +93,12 @@ int personSeenAt(const TrackSnapshot& snapshot, int camera, const QPointF& pixel
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
     const TargetSnapshot& target = snapshot.targets[k];
-    if (!target.person || !target.shape) {
+    const PersonEstimate* person = target.person();
+    if (person == nullptr || !target.shape) {
       continue;
     }
     const QPolygonF outline = outlineOf(projector, target.shape->hull, ImagePlacement{});
-    const double distance = (target.person->position - seeing.center()).norm();
+    const double distance = (person->position - seeing.center()).norm();
     if (distance < nearest && outline.containsPoint(pixel + QPointF(0.5, 0.5), Qt::OddEvenFill)) {
       nearest = distance;
       found = static_cast<int>(k);

@@ -2,6 +2,7 @@
 #include "ui/color/color_dock.h"
 
 #include "core/project/project.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/actions/action_registry.h"
 #include "ui/cameraview/camera_docks.h"
 #include "ui/cameraview/camera_view.h"
@@ -59,7 +60,7 @@ void ColorDock::connectActions() {
 }
 
 bool ColorDock::followsBoxes() const {
-  return methodFamily(bench_.document.project().method) == MethodFamily::Boxes;
+  return methodFamily(bench_.document.project().method).targets == TargetsFrom::Box;
 }
 
 void ColorDock::nameLearning() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The panel while the method follows boxes: they are pointed at in place of a color.
 #include "core/project/project.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/color/color_panel.h"
 #include "ui/color/color_picker.h"
 #include "ui/document/document.h"
@@ -14,11 +15,11 @@
 namespace dewpoint::ui {
 
 bool ColorPanel::takesBoxes() const {
-  return methodFamily(document_.project().method) == MethodFamily::Boxes;
+  return methodFamily(document_.project().method).targets == TargetsFrom::Box;
 }
 
 bool ColorPanel::mustPoint() const {
-  if (methodFamily(document_.project().method) == MethodFamily::People) {
+  if (methodFamily(document_.project().method).findsTargets()) {
     return false; // they are found by themselves
   }
   const auto& targets = document_.project().targets;

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/session/session.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
 #include "ui/export/box_export_dialog.h"
 #include "ui/export/export_dialog.h"
@@ -74,7 +75,7 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
 
 void installExport(const Workbench& bench, const Timeline& timeline) {
   bench.onTriggered("actionExportTrajectory", &bench.window, [bench, &timeline] {
-    if (methodFamily(bench.document.project().method) == MethodFamily::Boxes) {
+    if (methodFamily(bench.document.project().method).targets == TargetsFrom::Box) {
       exportBoxes(bench);
     } else {
       exportTrajectory(bench, timeline.model());

@@ -2,6 +2,7 @@
 #include "ui/mainwindow/status_bar_panel.h"
 
 #include "core/session/run/snapshot.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/text/people_text.h"
 #include "ui/text/reason_text.h"
 #include "ui/text/retranslation.h"
@@ -13,6 +14,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace dewpoint::ui {
@@ -177,29 +179,32 @@ void StatusBarPanel::refresh() {
                               : tr("%1 ms").arg(number(microseconds / 1000.0, 1))));
   time_->setToolTip(timeHint(snapshot.latency));
   const TargetSnapshot* target = targetToExplain(snapshot, target_);
-  if (target != nullptr && target->box) {
-    showBox(target->box->estimate);
-  } else if (target != nullptr && target->estimate.particleCount > 0) {
-    const TargetEstimate& estimate = target->estimate;
+  const BoxEstimate* box = target != nullptr ? target->box() : nullptr;
+  const auto position = target != nullptr ? positionOf(target->estimate) : std::nullopt;
+  const int particles = target != nullptr ? particleCountOf(target->estimate) : 0;
+  if (box != nullptr) {
+    showBox(*box);
+  } else if (position && particles > 0) {
     sampleSize_->setToolTip(sampleHint(snapshot.budget));
     sampleSize_->setText(
-        tr("ESS %1 / %2").arg(number(estimate.effectiveSampleSize, 0)).arg(estimate.particleCount));
-    spread_->setText(tr("spread %1").arg(length(estimate.spread())));
+        tr("ESS %1 / %2").arg(number(effectiveSampleSizeOf(target->estimate), 0)).arg(particles));
+    spread_->setText(tr("spread %1").arg(length(std::sqrt(position->covariance.trace()))));
     position_->setText(tr("x %1  y %2  z %3 m")
-                           .arg(number(estimate.mean.x(), 3), number(estimate.mean.y(), 3),
-                                number(estimate.mean.z(), 3)));
+                           .arg(number(position->mean.x(), 3), number(position->mean.y(), 3),
+                                number(position->mean.z(), 3)));
   } else { // not those of another moment
     for (QLabel* label : {sampleSize_, spread_, position_}) {
       label->clear();
     }
   }
   const bool several = snapshot.targets.size() > 1;
-  state_ = target != nullptr && several && snapshot.tracked ? holdState(*target, snapshot.family)
-                                                            : holdState(snapshot);
+  state_ = target != nullptr && several && snapshot.tracked
+               ? holdState(*target, snapshot.family.targets)
+               : holdState(snapshot);
   name_ = several ? QString::fromStdString(target->target.name) : QString();
   const bool mustSay = target != nullptr && target->status != TargetStatus::Held;
   stateText_.clear();
-  if (snapshot.ofPeople() && target_ < 0) { // nobody in particular
+  if (snapshot.family.findsTargets() && target_ < 0) { // nobody in particular
     state_ = holdState(snapshot);
     name_.clear();
     const QString there = number(peopleThere(snapshot), 0);
@@ -208,9 +213,9 @@ void StatusBarPanel::refresh() {
                                                   : QString();
   }
   QString reason = mustSay ? reasonText(target->reasons, cameraNames(snapshot)) : QString();
-  if (mustSay && target->box) {
+  if (mustSay && box != nullptr) {
     reason = tr("held where it is thought to be");
-  } else if (mustSay && snapshot.family == MethodFamily::Boxes && !target->target.box) {
+  } else if (mustSay && snapshot.family.targets == TargetsFrom::Box && !target->target.box) {
     reason = tr("click it or drag a box around it");
   }
   reason_->setFullText(reason);

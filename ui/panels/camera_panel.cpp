@@ -294,14 +294,15 @@ QString CameraPanel::targetSeenBy(int camera) const {
   const Camera& its = (*snapshot_->rig)[index];
   const Projector projector(its);
   for (const TargetSnapshot& target : snapshot_->targets) {
-    if (target.box) {
-      if (target.box->camera == camera && target.status == TargetStatus::Held) {
+    if (const BoxEstimate* box = target.box()) {
+      if (box->camera == camera && target.status == TargetStatus::Held) {
         return QString::fromStdString(target.target.name);
       }
       continue;
     }
-    const auto pixel = target.status == TargetStatus::Held ? projector.project(target.estimate.mean)
-                                                           : std::optional<Eigen::Vector2d>();
+    const auto position =
+        target.status == TargetStatus::Held ? positionOf(target.estimate) : std::nullopt;
+    const auto pixel = position ? projector.project(position->mean) : std::nullopt;
     if (pixel && QRectF(0.0, 0.0, its.intrinsics.width, its.intrinsics.height)
                      .contains(pixel->x(), pixel->y())) {
       return QString::fromStdString(target.target.name);

@@ -2,6 +2,7 @@
 #include "ui/panels/parameter_panel.h"
 
 #include "core/project/project.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/text/retranslation.h"
@@ -63,7 +64,7 @@ void ParameterPanel::addMethodChoice() {
   label->setBuddy(choice);
   choice->setToolTip(
       tr("How the targets are tracked. Another method begins anew; the rest stays."));
-  for (const std::string& name : projectMethodNames()) {
+  for (const std::string& name : methodNames()) {
     // A name as in files and on the command line, in no language.
     choice->addItem(QString::fromStdString(name), QString::fromStdString(name));
   }

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/session/run/snapshot.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
 #include "ui/style/theme.h"
 #include "ui/text/reason_text.h"
@@ -108,7 +109,7 @@ void TargetPanel::refresh() {
     }
     list_->setCurrentRow(std::min(std::max(0, before), list_->count() - 1));
   }
-  const bool boxes = methodFamily(document_.project().method) == MethodFamily::Boxes;
+  const bool boxes = methodFamily(document_.project().method).targets == TargetsFrom::Box;
   radiusLabel_->setVisible(!boxes);
   radius_->setVisible(!boxes);
   box_->setVisible(boxes);
@@ -136,16 +137,17 @@ void TargetPanel::showChosen() {
 
 void TargetPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   const auto index = static_cast<std::size_t>(std::max(0, chosen()));
-  if (!snapshot || snapshot->family != MethodFamily::Boxes || index >= snapshot->targets.size()) {
+  if (!snapshot || snapshot->family.targets != TargetsFrom::Box ||
+      index >= snapshot->targets.size()) {
     box_->clear();
     return;
   }
   const TargetSnapshot& target = snapshot->targets[index];
-  if (!target.box) {
+  if (target.box() == nullptr) {
     box_->setText(tr("No box at this moment."));
     return;
   }
-  const BoxEstimate& estimate = target.box->estimate;
+  const BoxEstimate& estimate = *target.box();
   const auto number = [](double value, int decimals) {
     return QLocale().toString(value, 'f', decimals);
   };
@@ -153,8 +155,8 @@ void TargetPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   box_->setText(
       tr("%1, in %2\nCenter %3, %4 px, size %5 × %6 px\nSimilarity %7\nEffective sample size %8 of "
          "%9")
-          .arg(holdText(holdState(target, snapshot->family)),
-               cameraNames(*snapshot).value(target.box->camera), number(center.x(), 1),
+          .arg(holdText(holdState(target, snapshot->family.targets)),
+               cameraNames(*snapshot).value(target.box()->camera), number(center.x(), 1),
                number(center.y(), 1), number(estimate.box.width, 1), number(estimate.box.height, 1),
                number(estimate.similarity, 2), number(estimate.effectiveSampleSize, 0),
                QString::number(estimate.particleCount)) +

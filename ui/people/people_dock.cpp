@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/session/session.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/cameraview/camera_docks.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/people_painter.h"
@@ -52,7 +53,7 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
 }
 
 bool PeopleDock::isOfPeople() const {
-  return methodFamily(bench_.document.project().method) == MethodFamily::People;
+  return methodFamily(bench_.document.project().method).findsTargets();
 }
 
 void PeopleDock::connectPlacer(const CameraDocks& cameras) {

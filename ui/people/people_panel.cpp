@@ -164,7 +164,7 @@ void PeoplePanel::showLearning() {
 
 void PeoplePanel::refresh() {
   sinceRefresh_.start();
-  if (!snapshot_ || !snapshot_->ofPeople()) {
+  if (!snapshot_ || !snapshot_->family.findsTargets()) {
     learning_->hide();
     summary_->setText(tr("People appear here once a method for people runs."));
     table_->setRowCount(0);
@@ -174,11 +174,11 @@ void PeoplePanel::refresh() {
   const QScopedValueRollback quiet(following_, true);
   int row = 0;
   for (const TargetSnapshot& target : snapshot_->targets) {
-    if (target.person) {
+    if (const PersonEstimate* person = target.person()) {
       if (row == table_->rowCount()) {
         table_->insertRow(row);
       }
-      showRow(row++, target);
+      showRow(row++, target, *person);
     }
   }
   table_->setRowCount(row);
@@ -202,8 +202,7 @@ void PeoplePanel::put(int row, int column, const QString& text, const QString& h
   }
 }
 
-void PeoplePanel::showRow(int row, const TargetSnapshot& target) {
-  const PersonEstimate& person = *target.person;
+void PeoplePanel::showRow(int row, const TargetSnapshot& target, const PersonEstimate& person) {
   put(row, kPerson, QString::number(person.identity), holdText(holdState(target.status)));
   QTableWidgetItem* first = table_->item(row, kPerson);
   if (first->data(Qt::UserRole).toInt() != person.identity) {

@@ -34,7 +34,7 @@ private:
   void say();
   void refresh();
   void showLearning();
-  void showRow(int row, const TargetSnapshot& target);
+  void showRow(int row, const TargetSnapshot& target, const PersonEstimate& person);
   void put(int row, int column, const QString& text, const QString& hint = {});
   void follow(int target);
   void makeTable();

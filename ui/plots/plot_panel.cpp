@@ -2,6 +2,7 @@
 #include "ui/plots/plot_panel.h"
 
 #include "core/session/run/snapshot.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/actions/action_registry.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/run_plots.h"
@@ -207,7 +208,7 @@ void PlotPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
     const QString name = QString::fromStdString((*snapshot->rig)[camera].name);
     cameras << (name.isEmpty() ? tr("Camera %1").arg(camera + 1) : name);
   }
-  const bool boxes = snapshot->family == MethodFamily::Boxes;
+  const bool boxes = snapshot->family.targets == TargetsFrom::Box;
   if (cameras != cameras_ || !camerasKnown_ || boxes != boxes_) {
     camerasKnown_ = true;
     boxes_ = boxes;

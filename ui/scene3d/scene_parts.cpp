@@ -138,8 +138,9 @@ void Scene3d::Parts::include(const TrackSnapshot& snapshot) {
     }
   };
   for (const TargetSnapshot& target : snapshot.targets) {
-    if (target.estimate.particleCount > 0) {
-      extend(target.estimate.mean);
+    const auto position = positionOf(target.estimate);
+    if (position && particleCountOf(target.estimate) > 0) {
+      extend(position->mean);
     }
     if (target.truth) {
       extend(*target.truth);

@@ -173,11 +173,12 @@ void TargetActors::colorParticles() {
 }
 
 void TargetActors::showEstimate(const TargetSnapshot& target) {
-  const TargetEstimate& estimate = target.estimate;
-  const bool known =
-      estimate.mean.allFinite() && estimate.particleCount > 0 && target.shape == nullptr;
+  const auto position = positionOf(target.estimate);
+  const bool known = position && position->mean.allFinite() &&
+                     particleCountOf(target.estimate) > 0 && target.shape == nullptr;
+  const bool held = isHeld(target.estimate);
   sphere_->SetVisibility(known);
-  halo_->SetVisibility(known && estimate.valid);
+  halo_->SetVisibility(known && held);
   cloudReach_ = 0.0;
   plumb_->SetVisibility(known);
   ellipsoid_->VisibilityOff();
@@ -185,22 +186,22 @@ void TargetActors::showEstimate(const TargetSnapshot& target) {
   if (!known) {
     return;
   }
-  mean_ = estimate.mean;
+  mean_ = position->mean;
   radius_ = std::isfinite(target.target.radius) ? std::max(0.0, target.target.radius) : 0.0;
   // Not held: a ghost only.
-  sphere_->GetProperty()->SetOpacity(estimate.valid ? 1.0 : 0.35);
+  sphere_->GetProperty()->SetOpacity(held ? 1.0 : 0.35);
   Strokes plumb;
   plumb.line(mean_, {mean_.x(), mean_.y(), 0.0});
   plumb.writeTo(plumbData_);
-  showEllipsoid(estimate);
+  showEllipsoid(position->covariance);
 }
 
-void TargetActors::showEllipsoid(const TargetEstimate& estimate) {
-  if (!estimate.covariance.allFinite()) {
+void TargetActors::showEllipsoid(const Eigen::Matrix3d& covariance) {
+  if (!covariance.allFinite()) {
     return;
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
-      0.5 * (estimate.covariance + estimate.covariance.transpose()));
+      0.5 * (covariance + covariance.transpose()));
   if (solver.info() != Eigen::Success || solver.eigenvalues().maxCoeff() <= 0.0) {
     return;
   }

@@ -34,7 +34,7 @@ public:
 private:
   void showParticles(const TargetSnapshot& target);
   void showEstimate(const TargetSnapshot& target);
-  void showEllipsoid(const TargetEstimate& estimate);
+  void showEllipsoid(const Eigen::Matrix3d& covariance);
   void showTail(const TargetSnapshot& target);
   void showTruth(const TargetSnapshot& target);
   void colorParticles();

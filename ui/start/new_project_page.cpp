@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/new_project_page.h"
 
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/decimal_field.h"
@@ -350,7 +351,7 @@ void NewProjectPage::finish(const Result<MadeProject>& result) {
     return;
   }
   QString note;
-  if (!result->calibrated && methodFamily(result->project.method) != MethodFamily::Boxes) {
+  if (!result->calibrated && methodFamily(result->project.method).inSpace) {
     note = tr("Without a calibration the camera positions are a guess: images can be tracked, but "
               "positions in space mean nothing yet.");
   } else if (result->matchedByOrder) {

@@ -48,7 +48,7 @@ QString peopleTrouble(const TrackSnapshot& snapshot, int camera) {
 
 int peopleThere(const TrackSnapshot& snapshot) {
   return static_cast<int>(std::ranges::count_if(
-      snapshot.targets, [](const TargetSnapshot& target) { return target.person.has_value(); }));
+      snapshot.targets, [](const TargetSnapshot& target) { return target.person() != nullptr; }));
 }
 
 } // namespace dewpoint::ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/reason_text.h"
 
+#include "core/tracking/catalog/method_catalog.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -23,11 +25,11 @@ HoldState holdState(TargetStatus status) {
                                         : HoldState::Searching;
 }
 
-HoldState holdState(const TargetSnapshot& target, MethodFamily family) {
-  if (family != MethodFamily::Boxes) {
+HoldState holdState(const TargetSnapshot& target, TargetsFrom targets) {
+  if (targets != TargetsFrom::Box) {
     return holdState(target.status);
   }
-  if (!target.box) {
+  if (target.box() == nullptr) {
     return HoldState::NoBox;
   }
   return target.status == TargetStatus::Searching ? HoldState::Hidden : holdState(target.status);
@@ -55,19 +57,19 @@ template <class Counts> HoldState worstState(const TrackSnapshot& snapshot, cons
   if (!snapshot.frames) {
     return HoldState::NoImages;
   }
-  if (snapshot.targets.empty() && !snapshot.ofPeople()) {
+  if (snapshot.targets.empty() && !snapshot.family.findsTargets()) {
     return HoldState::NoTarget;
   }
   if (snapshot.past && !snapshot.tracked) {
     return HoldState::NotTracked;
   }
-  if (snapshot.ofPeople()) {
+  if (snapshot.family.findsTargets()) {
     return stateOfPeople(snapshot);
   }
   for (const HoldState state :
        {HoldState::Lost, HoldState::Searching, HoldState::Hidden, HoldState::Held}) {
     if (std::ranges::any_of(snapshot.targets, [&](const TargetSnapshot& target) {
-          return counts(target) && holdState(target, snapshot.family) == state;
+          return counts(target) && holdState(target, snapshot.family.targets) == state;
         })) {
       return state;
     }
@@ -82,12 +84,13 @@ HoldState holdState(const TrackSnapshot& snapshot) {
 }
 
 HoldState holdState(const TrackSnapshot& snapshot, int camera) {
-  if (snapshot.family != MethodFamily::Boxes) {
+  if (snapshot.family.targets != TargetsFrom::Box) {
     return holdState(snapshot);
   }
   return worstState(snapshot, [camera](const TargetSnapshot& target) {
-    return target.box ? target.box->camera == camera
-                      : target.target.box && target.target.box->camera == camera;
+    const BoxEstimate* box = target.box();
+    return box != nullptr ? box->camera == camera
+                          : target.target.box && target.target.box()->camera == camera;
   });
 }
 

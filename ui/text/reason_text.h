@@ -11,11 +11,11 @@ namespace dewpoint::ui {
 
 /// The state a view shows for a target's status.
 HoldState holdState(TargetStatus status);
-/// The same, and for methods of family Boxes whether it is hidden or has no box yet.
-HoldState holdState(const TargetSnapshot& target, MethodFamily family);
+/// The same, and where boxes are followed whether it is hidden or has no box yet.
+HoldState holdState(const TargetSnapshot& target, TargetsFrom targets);
 /// The worst of all targets: lost, searching, held; nothing to say without targets or images.
 HoldState holdState(const TrackSnapshot& snapshot);
-/// The same of one camera: methods of family Boxes follow a target in the camera of its box only.
+/// The same of one camera: a box is followed in the camera of the box only.
 HoldState holdState(const TrackSnapshot& snapshot, int camera);
 /// Why one camera does not confirm a target, in a few words ("hidden"); empty when it does.
 QString troubleText(const CameraReport& report);

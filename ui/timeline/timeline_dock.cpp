@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/session/session.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
 #include "ui/session/logged_records.h"
@@ -47,7 +48,7 @@ void connectActions(const Workbench& bench, Timeline* timeline) {
 
 /// Whoever changes something while looking back is told what that changes.
 void explainChange(const Workbench& bench, const ProjectChanges& changes) {
-  const bool boxes = methodFamily(bench.document.project().method) == MethodFamily::Boxes;
+  const bool boxes = methodFamily(bench.document.project().method).targets == TargetsFrom::Box;
   const bool again = changes.boxes && boxes; // that is tracked again by itself
   if (bench.selection.isPast() && (changes.parameters || changes.targets) && !again) {
     bench.messages.showNotice(

@@ -2,6 +2,7 @@
 #include "ui/trajectory/trajectory_panel.h"
 
 #include "core/session/run/snapshot.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/actions/action_registry.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/text/retranslation.h"
@@ -272,7 +273,7 @@ void TrajectoryPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   if (!snapshot) {
     return; // what follows the run empties the table
   }
-  pages_->setCurrentIndex(snapshot->family == MethodFamily::Boxes ? 1 : 0);
+  pages_->setCurrentIndex(snapshot->family.targets == TargetsFrom::Box ? 1 : 0);
   names_.clear();
   for (const TargetSnapshot& target : snapshot->targets) {
     names_.push_back(target.target.name);

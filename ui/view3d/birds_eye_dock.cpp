@@ -2,6 +2,7 @@
 #include "ui/view3d/birds_eye_dock.h"
 
 #include "core/project/project.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
 #include "ui/view3d/birds_eye_view.h"
@@ -15,7 +16,7 @@ namespace dewpoint::ui {
 namespace {
 
 void showForMethod(const Workbench& bench, ViewDock* dock) {
-  const bool boxes = methodFamily(bench.document.project().method) == MethodFamily::Boxes;
+  const bool boxes = methodFamily(bench.document.project().method).targets == TargetsFrom::Box;
   if (!bench.session.isRunning() || dock->isHidden() == boxes) {
     return;
   }

@@ -61,11 +61,10 @@ void BirdsEyeView::markPeople() {
   people_.clear();
   for (std::size_t k = 0; snapshot_ && k < snapshot_->targets.size(); ++k) {
     const TargetSnapshot& target = snapshot_->targets[k];
-    if (target.person) {
+    if (const PersonEstimate* person = target.person()) {
       // Above the head, so that the curves on the floor stay in sight.
-      const double half = target.person->height > 0.0 ? 0.5 * target.person->height : kUsualHalf;
-      people_.push_back(
-          {target.person->identity, target.person->position + half * Eigen::Vector3d::UnitZ()});
+      const double half = person->height > 0.0 ? 0.5 * person->height : kUsualHalf;
+      people_.push_back({person->identity, person->position + half * Eigen::Vector3d::UnitZ()});
     }
   }
 }

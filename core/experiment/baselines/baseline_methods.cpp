@@ -4,6 +4,7 @@
 #include "core/experiment/baselines/baseline_camshift.h"
 #include "core/experiment/baselines/baseline_tracker.h"
 #include "core/experiment/baselines/smoothed_method.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <algorithm>
 #include <array>
@@ -54,7 +55,7 @@ Result<ParameterValues> parametersFor(const std::string& method, const ScenarioR
 } // namespace
 
 std::vector<std::string> suiteMethods() {
-  std::vector<std::string> names = methodNames(); // the default, dewpoint, first
+  std::vector<std::string> names = methodNames(TargetsFrom::Color); // the default first
   names.insert(names.begin() + 1, kSmoothedMethod);
   for (const Baseline& baseline : baselines()) {
     names.emplace_back(baseline.name);
@@ -62,19 +63,20 @@ std::vector<std::string> suiteMethods() {
   return names;
 }
 
-Result<std::unique_ptr<MultiTracker>> makeSuiteTracker(const std::string& method,
-                                                       const ScenarioRun& run) {
+Result<std::unique_ptr<Tracker>> makeSuiteTracker(const std::string& method,
+                                                  const ScenarioRun& run) {
   for (const Baseline& baseline : baselines()) {
     if (method == baseline.name) {
       return std::make_unique<BaselineTracker>(baseline.setup, run.rig, run.targets);
     }
   }
-  const std::string tracked = method == kSmoothedMethod ? methodNames().front() : method;
+  const std::string tracked =
+      method == kSmoothedMethod ? std::string(methods().front().name) : method;
   const auto parameters = parametersFor(tracked, run);
   if (!parameters) {
     return tl::make_unexpected(parameters.error());
   }
-  return makeMultiTracker(tracked, *parameters, run.rig, run.targets);
+  return makeTracker(tracked, *parameters, run.rig, run.targets);
 }
 
 } // namespace dewpoint::experiment

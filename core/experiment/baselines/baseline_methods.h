@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/experiment/scenarios/scenario.h"
-#include "core/tracking/multi_tracker.h"
+#include "core/tracking/tracker.h"
 
 #include <memory>
 #include <string>
@@ -16,7 +16,7 @@ std::vector<std::string> suiteMethods();
 
 /// A tracker of one of suiteMethods() that knows what a method may know of the run (for the
 /// smoothed one that which it is made from); NotFound for another name.
-Result<std::unique_ptr<MultiTracker>> makeSuiteTracker(const std::string& method,
-                                                       const ScenarioRun& run);
+Result<std::unique_ptr<Tracker>> makeSuiteTracker(const std::string& method,
+                                                  const ScenarioRun& run);
 
 } // namespace dewpoint::experiment

@@ -72,7 +72,7 @@ void BaselineTracker::restart(std::uint64_t) {
   for (std::size_t k = 0; k < targets_.size(); ++k) {
     tracked_.push_back({setup_.finder(), KalmanPoint(), std::nullopt});
   }
-  estimates_.assign(targets_.size(), TargetEstimate{});
+  estimates_.assign(targets_.size(), SphereEstimate{});
   time_.reset();
 }
 
@@ -179,7 +179,7 @@ void BaselineTracker::findMany(const std::vector<std::size_t>& members,
 
 void BaselineTracker::conclude(std::size_t target, const std::optional<TriangulatedPoint>& place) {
   Tracked& tracked = tracked_[target];
-  TargetEstimate estimate;
+  SphereEstimate estimate;
   estimate.camerasSeeing = place ? static_cast<int>(place->bearings.size()) : 0;
   if (place && setup_.kalman) {
     tracked.filter.update(place->position, place->covariance);

@@ -4,7 +4,7 @@
 #include "core/color/color_classifier.h"
 #include "core/experiment/baselines/baseline_blobs.h"
 #include "core/experiment/baselines/baseline_kalman.h"
-#include "core/tracking/multi_tracker.h"
+#include "core/tracking/tracker_capabilities.h"
 
 #include <memory>
 #include <optional>
@@ -47,18 +47,23 @@ struct BaselineSetup {
 /// Targets of one color: the places that blobs of two or more cameras agree on are given to the
 /// targets so that the sum of the distances to where they were last is least. Deterministic: seed
 /// and parameters mean nothing to it.
-class BaselineTracker final : public MultiTracker {
+class BaselineTracker final : public Tracker,
+                              public TargetFollowing,
+                              public CameraCalibrated,
+                              public ParticleCloud {
 public:
   BaselineTracker(const BaselineSetup& setup, const CameraRig& rig, std::vector<Target> targets);
 
   void configure(const ParameterValues&) override {}
   void setTargets(const std::vector<Target>& targets) override;
+  bool takesAnyNumber() const override { return false; }
   void setCameras(const CameraRig& rig) override;
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override { return 1; }
   void beginFrame(FrameSetPtr frames) override { frames_ = std::move(frames); }
   void iterate(ThreadTeam& team) override;
-  const std::vector<TargetEstimate>& estimates() const override { return estimates_; }
+  std::size_t trackCount() const override { return estimates_.size(); }
+  TrackEstimate estimate(std::size_t track) const override { return estimates_.at(track); }
   void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
                  Eigen::ArrayXd& weights) const override;
 
@@ -87,7 +92,7 @@ private:
   std::vector<Tracked> tracked_;
   FrameSetPtr frames_;
   std::optional<TimeStamp> time_;
-  std::vector<TargetEstimate> estimates_;
+  std::vector<SphereEstimate> estimates_;
 };
 
 } // namespace dewpoint::experiment

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/baselines/box_follower.h"
 
-#include "core/tracking/boxes/box_tracker.h"
+#include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/tracker_capabilities.h"
 
 #include <opencv2/imgproc.hpp>
 #include <opencv2/tracking.hpp>
 #include <opencv2/video/tracking.hpp>
 
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -24,23 +26,32 @@ ImageBox boxOf(const cv::Rect& box) {
 
 class OwnFollower final : public BoxFollower {
 public:
-  OwnFollower(std::unique_ptr<BoxTracker> tracker, std::uint64_t seed)
+  /// The tracker has one target, and a method that follows boxes (asserted).
+  OwnFollower(std::unique_ptr<Tracker> tracker, std::uint64_t seed)
       : tracker_(std::move(tracker)), seed_(seed) {}
 
   Status start(const cv::Mat& bgr, const ImageBox& box) override {
-    return tracker_->start(bgr, box, seed_);
+    frame_ = 0;
+    auto* const following = capability<BoxFollowing>(*tracker_);
+    assert(following != nullptr);
+    return following->follow(0, bgr, {0, frame_, box}, seed_);
   }
   std::optional<ImageBox> step(const cv::Mat& bgr) override {
-    const BoxEstimate estimate = tracker_->step(bgr, team_);
+    ++frame_;
+    FrameSet frames{frame_, {}, {std::make_shared<const Frame>(Frame{frame_, {}, bgr})}};
+    tracker_->beginFrame(std::make_shared<const FrameSet>(std::move(frames)));
+    tracker_->iterate(team_);
+    const auto estimate = std::get<BoxEstimate>(tracker_->estimate(0));
     claim_ = {estimate.similarity, estimate.visible};
     return estimate.box;
   }
   std::optional<BoxClaim> claim() const override { return claim_; }
 
 private:
-  std::unique_ptr<BoxTracker> tracker_;
+  std::unique_ptr<Tracker> tracker_;
   BoxClaim claim_;
   std::uint64_t seed_;
+  std::int64_t frame_ = 0;
   ThreadTeam team_;
 };
 
@@ -137,7 +148,7 @@ Result<std::unique_ptr<BoxFollower>> makeBoxFollower(const std::string& method, 
   if (const auto set = parameters.set("particles", particles); !set) {
     return tl::make_unexpected(set.error());
   }
-  auto tracker = makeBoxTracker(method, parameters);
+  auto tracker = makeTracker(method, parameters, CameraRig(1), std::vector<Target>(1));
   if (!tracker) {
     return tl::make_unexpected(tracker.error());
   }

@@ -31,7 +31,7 @@ public:
   virtual std::optional<BoxClaim> claim() const { return std::nullopt; }
 };
 
-/// One of our methods, see makeBoxTracker(); one thread.
+/// One of our methods that follow boxes, by name; one thread.
 Result<std::unique_ptr<BoxFollower>> makeBoxFollower(const std::string& method, int particles,
                                                      std::uint64_t seed);
 

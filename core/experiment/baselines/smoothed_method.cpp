@@ -5,12 +5,12 @@
 
 namespace dewpoint::experiment {
 
-std::vector<std::vector<TargetEstimate>>
-smoothedEstimates(const std::vector<std::vector<TargetEstimate>>& live, double framesPerSecond) {
+std::vector<std::vector<SphereEstimate>>
+smoothedEstimates(const std::vector<std::vector<SphereEstimate>>& live, double framesPerSecond) {
   Trajectory trajectory;
   for (std::size_t frame = 0; frame < live.size(); ++frame) {
     for (std::size_t target = 0; target < live[frame].size(); ++target) {
-      const TargetEstimate& estimate = live[frame][target];
+      const SphereEstimate& estimate = live[frame][target];
       TrajectorySample& sample = trajectory.samples.emplace_back();
       sample.time = static_cast<double>(frame) / framesPerSecond;
       sample.frame = static_cast<std::int64_t>(frame);
@@ -27,7 +27,7 @@ smoothedEstimates(const std::vector<std::vector<TargetEstimate>>& live, double f
   auto result = live;
   std::size_t next = 0;
   for (auto& estimates : result) {
-    for (TargetEstimate& estimate : estimates) {
+    for (SphereEstimate& estimate : estimates) {
       const TrajectorySample& sample = after.samples[next++];
       estimate.mean = sample.position;
       estimate.covariance = sample.covariance;

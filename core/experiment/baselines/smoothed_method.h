@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tracking/tracker.h"
+#include "core/tracking/track_estimate.h"
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ namespace dewpoint::experiment {
 inline constexpr const char* kSmoothedMethod = "dewpoint-smoothed";
 
 /// The estimates of a whole run, by frame and target, as they are known after it (smoother.h).
-std::vector<std::vector<TargetEstimate>>
-smoothedEstimates(const std::vector<std::vector<TargetEstimate>>& live, double framesPerSecond);
+std::vector<std::vector<SphereEstimate>>
+smoothedEstimates(const std::vector<std::vector<SphereEstimate>>& live, double framesPerSecond);
 
 } // namespace dewpoint::experiment

@@ -31,7 +31,7 @@ ConvergenceCase typicalExecution() {
 
 struct Instant {
   Eigen::ArrayXXd particles;
-  TargetEstimate estimate;
+  SphereEstimate estimate;
   std::vector<cv::Mat> images;
 };
 
@@ -39,8 +39,8 @@ Result<std::map<int, Instant>> instantsOf(const ConvergenceCase& setup, std::uin
   std::map<int, Instant> instants;
   const auto watched =
       watchConvergence(setup, seed,
-                       [&](int iteration, const Tracker& tracker, const TargetEstimate& estimate,
-                           const FrameSet& seen) {
+                       [&](int iteration, const BarreraTracker& tracker,
+                           const SphereEstimate& estimate, const FrameSet& seen) {
                          if (std::ranges::find(kInstants, iteration) == kInstants.end()) {
                            return;
                          }
@@ -90,12 +90,12 @@ cv::Mat beside(const std::vector<cv::Mat>& images) {
   return all;
 }
 
-double depthSpread(const TargetEstimate& estimate, const Eigen::Vector3d& axis) {
+double depthSpread(const SphereEstimate& estimate, const Eigen::Vector3d& axis) {
   return std::sqrt(axis.dot(estimate.covariance * axis));
 }
 
 /// Standard deviation across the axis, per direction.
-double sideSpread(const TargetEstimate& estimate, const Eigen::Vector3d& axis) {
+double sideSpread(const SphereEstimate& estimate, const Eigen::Vector3d& axis) {
   const double along = axis.dot(estimate.covariance * axis);
   return std::sqrt(0.5 * (estimate.covariance.trace() - along));
 }

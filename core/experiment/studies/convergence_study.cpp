@@ -4,7 +4,8 @@
 #include "core/base/statistics.h"
 #include "core/base/thread_team.h"
 #include "core/simulation/scene_renderer.h"
-#include "core/tracking/tracker.h"
+#include "core/tracking/barrera/barrera_parameters.h"
+#include "core/tracking/barrera/barrera_tracker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,7 @@ Target targetOf(const SceneBall& ball) {
 }
 
 ParameterValues parametersOf(const ConvergenceCase& setup) {
-  ParameterValues parameters(methodParameters("barrera"));
+  ParameterValues parameters(barreraParameters());
   const char* const axes[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
     // Within the declared range by construction of the cases.
@@ -57,7 +58,7 @@ ParameterValues parametersOf(const ConvergenceCase& setup) {
 }
 
 /// One iteration per frame.
-void watchRun(Tracker& tracker, const std::vector<FrameSetPtr>& frames, std::uint64_t seed,
+void watchRun(BarreraTracker& tracker, const std::vector<FrameSetPtr>& frames, std::uint64_t seed,
               int iterations, const ConvergenceWatch& watch) {
   ThreadTeam team(1);
   tracker.restart(seed);
@@ -66,17 +67,18 @@ void watchRun(Tracker& tracker, const std::vector<FrameSetPtr>& frames, std::uin
     frame.index = k; // the random numbers go by frame number
     const auto shown = std::make_shared<const FrameSet>(std::move(frame));
     tracker.beginFrame(shown);
-    const TargetEstimate estimate = tracker.iterate(team);
+    const SphereEstimate estimate = tracker.iterate(team);
     watch(k + 1, tracker, estimate, *shown);
   }
 }
 
 /// The cloud's mean after each iteration.
-std::vector<Eigen::Vector3d> meansOfRun(Tracker& tracker, const std::vector<FrameSetPtr>& frames,
-                                        std::uint64_t seed, int iterations) {
+std::vector<Eigen::Vector3d> meansOfRun(BarreraTracker& tracker,
+                                        const std::vector<FrameSetPtr>& frames, std::uint64_t seed,
+                                        int iterations) {
   std::vector<Eigen::Vector3d> means;
   watchRun(tracker, frames, seed, iterations,
-           [&](int, const Tracker&, const TargetEstimate& estimate, const FrameSet&) {
+           [&](int, const BarreraTracker&, const SphereEstimate& estimate, const FrameSet&) {
              means.push_back(estimate.mean);
            });
   return means;
@@ -96,16 +98,15 @@ std::optional<int> iterationsToConverge(const std::vector<Eigen::Vector3d>& mean
 
 /// A still scene, its frames and the tracker that is to find its ball.
 struct Trial {
-  std::unique_ptr<Tracker> tracker;
+  std::unique_ptr<BarreraTracker> tracker;
   std::vector<FrameSetPtr> frames;
   Eigen::Vector3d axis; ///< optical axis of the first camera, world
 };
 
-Result<Trial> prepare(const Scene& scene, const ConvergenceCase& setup) {
-  return makeTracker("barrera", parametersOf(setup), scene.cameras, targetOf(scene.balls.front()))
-      .map([&](std::unique_ptr<Tracker> tracker) {
-        return Trial{std::move(tracker), renderFrames(scene), scene.cameras.front().opticalAxis()};
-      });
+Trial prepare(const Scene& scene, const ConvergenceCase& setup) {
+  return {std::make_unique<BarreraTracker>(parametersOf(setup), scene.cameras,
+                                           targetOf(scene.balls.front())),
+          renderFrames(scene), scene.cameras.front().opticalAxis()};
 }
 
 /// Runs with seeds 1, 2, ... and what they add up to.
@@ -173,16 +174,14 @@ std::vector<ConvergenceCase> barreraConvergenceCases(int runs) {
 }
 
 Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup) {
-  return prepare(stillScene(setup.ball), setup).map([&](const Trial& trial) {
-    return resultOf(setup, trial);
-  });
+  return resultOf(setup, prepare(stillScene(setup.ball), setup));
 }
 
 Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
                         const ConvergenceWatch& watch) {
-  return prepare(stillScene(setup.ball), setup).map([&](const Trial& trial) {
-    watchRun(*trial.tracker, trial.frames, seed, setup.iterations, watch);
-  });
+  const Trial trial = prepare(stillScene(setup.ball), setup);
+  watchRun(*trial.tracker, trial.frames, seed, setup.iterations, watch);
+  return {};
 }
 
 Result<std::vector<double>> driftCurve(int runs, int iterations) {
@@ -190,9 +189,7 @@ Result<std::vector<double>> driftCurve(int runs, int iterations) {
   scene.cameras.resize(1);
   ConvergenceCase setup;
   setup.start = scene.balls.front().position;
-  return prepare(scene, setup).map([&](const Trial& trial) {
-    return driftOf(setup.start, trial, runs, iterations);
-  });
+  return driftOf(setup.start, prepare(scene, setup), runs, iterations);
 }
 
 Result<double> measureDrift(int runs, int iterations) {

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/capture/frame.h"
 #include "core/simulation/scene.h"
-#include "core/tracking/tracker.h"
+#include "core/tracking/barrera/barrera_tracker.h"
 
 #include <Eigen/Core>
 
@@ -42,8 +43,8 @@ Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup);
 
 /// One run of a case, iteration by iteration (from 1): the tracker after it, what it believes, and
 /// the images it saw.
-using ConvergenceWatch = std::function<void(int iteration, const Tracker& tracker,
-                                            const TargetEstimate& estimate, const FrameSet& seen)>;
+using ConvergenceWatch = std::function<void(int iteration, const BarreraTracker& tracker,
+                                            const SphereEstimate& estimate, const FrameSet& seen)>;
 Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
                         const ConvergenceWatch& watch);
 

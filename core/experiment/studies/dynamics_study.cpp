@@ -38,7 +38,7 @@ DynamicsRun follow(const DynamicsSetup& setup, const Path& truth, std::uint64_t 
   DynamicsRun run;
   for (int k = 0; k < setup.iterations; ++k) {
     tracker.beginFrame(k, truth(k));
-    const TargetEstimate estimate = tracker.iterate(team);
+    const SphereEstimate estimate = tracker.iterate(team);
     run.errors.push_back((estimate.mean - truth(k)).norm());
     run.beliefSpreads.push_back(estimate.spread());
     Eigen::ArrayXXd cloud;

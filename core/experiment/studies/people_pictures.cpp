@@ -128,12 +128,12 @@ std::vector<PeopleInstant> tellingMoments(const PeopleScenario& scenario) {
           momentAt(scenario.after, "after")};
 }
 
-cv::Mat peoplePicture(const PeopleTracker& tracker, const FrameSet& frames, const CameraRig& rig,
+cv::Mat peoplePicture(const PeopleFinding& people, const FrameSet& frames, const CameraRig& rig,
                       std::span<const TrackPoint> truth) {
-  const cv::Mat views = folded(peopleOverlay(tracker, frames, rig, kViewWidth), kViewWidth);
+  const cv::Mat views = folded(peopleOverlay(people, frames, rig, kViewWidth), kViewWidth);
   cv::Mat floor = emptyFloor(rig);
-  for (const PersonEstimate& person : tracker.people()) {
-    drawPerson(person, personShape(tracker.body(person.identity)), floor);
+  for (const PersonEstimate& person : people.people()) {
+    drawPerson(person, personShape(people.body(person.identity)), floor);
   }
   for (const TrackPoint& person : truth) {
     cv::drawMarker(floor, onFloor(person.position.head<2>()), {255, 255, 255},

@@ -4,7 +4,7 @@
 #include "core/capture/frame.h"
 #include "core/experiment/metrics/track_frame.h"
 #include "core/experiment/scenarios/people_scenario.h"
-#include "core/tracking/people/people_tracker.h"
+#include "core/tracking/tracker_capabilities.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -29,7 +29,7 @@ std::vector<PeopleInstant> tellingMoments(const PeopleScenario& scenario);
 /// volumes, two beside each other, and the floor from above with the level curves of each person's
 /// density and its identity; white crosses and rings: where people (`truth`) and cameras are.
 /// CV_8UC3.
-cv::Mat peoplePicture(const PeopleTracker& tracker, const FrameSet& frames, const CameraRig& rig,
+cv::Mat peoplePicture(const PeopleFinding& people, const FrameSet& frames, const CameraRig& rig,
                       std::span<const TrackPoint> truth);
 
 } // namespace dewpoint::experiment

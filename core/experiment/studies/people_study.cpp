@@ -7,8 +7,9 @@
 #include "core/filter/assignment.h"
 #include "core/session/run/frame_loop.h"
 #include "core/session/run/tracking_run.h"
-#include "core/tracking/people/people_targets.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/people/people_volume.h"
+#include "core/tracking/tracker_capabilities.h"
 
 #include <opencv2/core.hpp>
 
@@ -89,7 +90,7 @@ private:
 /// One method at work on a scene.
 class EvaluatedTracker {
 public:
-  /// The run is of a method for people.
+  /// The run is of a method that finds people.
   EvaluatedTracker(std::string method, TrackingRun run)
       : method_(std::move(method)), run_(std::move(run)) {}
 
@@ -101,7 +102,7 @@ public:
     if (!tracked) {
       return tracked;
     }
-    if (!tracker().people().empty()) {
+    if (!found().people().empty()) {
       seconds_ += static_cast<double>(end - begin) / CLOCKS_PER_SEC;
       ++steps_;
     }
@@ -109,7 +110,7 @@ public:
     for (const PeopleInstant& moment : moments) {
       if (moment.frame == instant.frames->index) {
         pictures_.push_back(
-            {moment.words, peoplePicture(tracker(), *instant.frames, renderer.scene().cameras,
+            {moment.words, peoplePicture(found(), *instant.frames, renderer.scene().cameras,
                                          frames_.back().truth)});
       }
     }
@@ -147,7 +148,7 @@ public:
   }
 
 private:
-  const PeopleTracker& tracker() const { return run_.people()->tracker(); }
+  const PeopleFinding& found() const { return *run_.capability<PeopleFinding>(); }
 
   void record(const OfficeRenderer& renderer, const OfficeInstant& instant) {
     constexpr std::int64_t kVolumeEvery = 15; // frames: a volume costs more than a step
@@ -161,10 +162,10 @@ private:
         frame.truth.push_back({static_cast<int>(k), place});
       }
     }
-    for (const PersonEstimate& person : tracker().people()) {
+    for (const PersonEstimate& person : found().people()) {
       frame.estimates.push_back({person.identity, {person.position.x(), person.position.y(), 0.0}});
       if (frame.frame % kVolumeEvery == 0) {
-        volume_ += bodyHull(tracker().body(person.identity)).volume();
+        volume_ += bodyHull(found().body(person.identity)).volume();
         ++volumes_;
       }
     }
@@ -204,7 +205,7 @@ private:
 };
 
 bool declares(const std::string& method, const std::string& key) {
-  const auto declared = peopleMethodParameters(method);
+  const auto declared = methodParameters(method);
   return std::ranges::find(declared, key, &ParameterDeclaration::key) != declared.end();
 }
 
@@ -212,7 +213,7 @@ Result<std::vector<EvaluatedTracker>> contestants(const PeopleStudySetup& setup,
                                                   const CameraRig& rig) {
   std::vector<EvaluatedTracker> all;
   for (const std::string& method : setup.methods) {
-    ParameterValues parameters(peopleMethodParameters(method));
+    ParameterValues parameters(methodParameters(method));
     for (const auto& [key, value] : setup.parameters) {
       if (!declares(method, key)) {
         continue; // of another method
@@ -245,7 +246,7 @@ Status checkPeopleParameters(const PeopleStudySetup& setup) {
         continue;
       }
       known = true;
-      if (const auto set = ParameterValues(peopleMethodParameters(method)).set(key, value); !set) {
+      if (const auto set = ParameterValues(methodParameters(method)).set(key, value); !set) {
         return set;
       }
     }

@@ -5,7 +5,7 @@
 #include "core/experiment/scenarios/people_scenario.h"
 #include "core/experiment/studies/people_pictures.h"
 #include "core/simulation/view_cache.h"
-#include "core/tracking/people/people_tracker.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <cstdint>
 #include <functional>
@@ -47,7 +47,7 @@ inline constexpr double kPeopleGate = 0.5;
 struct PeopleStudySetup {
   std::string scenario;
   PeopleClothes clothes = PeopleClothes::Different;
-  std::vector<std::string> methods; ///< names of peopleMethodNames()
+  std::vector<std::string> methods; ///< of methods that find people
   std::uint64_t seed = 1;
   /// Values that differ from the defaults, for the methods that have such a parameter.
   std::vector<std::pair<std::string, double>> parameters;

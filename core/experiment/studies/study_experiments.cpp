@@ -3,6 +3,7 @@
 
 #include "core/experiment/report/report_folder.h"
 #include "core/experiment/studies/sugandi_study.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <algorithm>
 #include <array>
@@ -62,7 +63,7 @@ Status studyScenario(const char* scenario, const ExperimentOptions& options) {
   }
   PeopleStudySetup setup;
   setup.scenario = scenario;
-  setup.methods = peopleMethodNames();
+  setup.methods = methodNames(TargetsFrom::Images);
   bool goOn = true;
   const auto trials =
       studyManyPeople(setup, clothesOf(options.clothes), std::max(1, options.runs),

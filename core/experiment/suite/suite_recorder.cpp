@@ -22,7 +22,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kMillimetres = 1000.0;
 constexpr std::int64_t kStepFrames = 5; // frames before and after a camera's loss that are averaged
 
-bool isDeclared(const TargetEstimate& estimate) {
+bool isDeclared(const SphereEstimate& estimate) {
   return estimate.mean.allFinite() && (estimate.valid || estimate.existence > 0.5);
 }
 
@@ -176,7 +176,7 @@ SuiteRecorder::SuiteRecorder(const ScenarioRun& run, std::string method)
   }
 }
 
-void SuiteRecorder::add(const std::vector<TargetEstimate>& estimates) {
+void SuiteRecorder::add(const std::vector<SphereEstimate>& estimates) {
   estimates_.push_back(estimates);
   estimates_.back().resize(run_.targets.size());
 }
@@ -272,7 +272,7 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
     lost.total += inPart.total;
     auto& trace = result.trace.errorsMm.emplace_back();
     for (std::size_t k = 0; k < frames.size(); ++k) {
-      const TargetEstimate& estimate = estimates_[k][estimateOf[target]];
+      const SphereEstimate& estimate = estimates_[k][estimateOf[target]];
       const auto error = errorOf(frames[k]);
       trace.push_back(error ? kMillimetres * error->norm()
                             : std::numeric_limits<double>::quiet_NaN());

@@ -3,7 +3,7 @@
 
 #include "core/experiment/metrics/event_metrics.h"
 #include "core/experiment/suite/suite_row.h"
-#include "core/tracking/tracker.h"
+#include "core/tracking/track_estimate.h"
 
 #include <string>
 #include <vector>
@@ -28,7 +28,7 @@ public:
   SuiteRecorder(const ScenarioRun& run, std::string method);
 
   /// The next frame, from 0 on.
-  void add(const std::vector<TargetEstimate>& estimates);
+  void add(const std::vector<SphereEstimate>& estimates);
   SuiteResult result(double usPerFrame) const;
 
 private:
@@ -42,7 +42,7 @@ private:
   std::string method_;
   /// truth_[frame][target]: where it is, nothing while it is not there.
   std::vector<std::vector<std::optional<Eigen::Vector3d>>> truth_;
-  std::vector<std::vector<TargetEstimate>> estimates_; ///< [frame][target]
+  std::vector<std::vector<SphereEstimate>> estimates_; ///< [frame][target]
 };
 
 } // namespace dewpoint::experiment

@@ -33,7 +33,7 @@ struct EvaluatedTracker {
   TrackingRun run;
   SuiteRecorder recorder;
   bool smoothed = false; ///< all estimates are collected first
-  std::vector<std::vector<TargetEstimate>> estimates;
+  std::vector<std::vector<SphereEstimate>> estimates;
   double seconds = 0.0;
 };
 
@@ -67,10 +67,11 @@ Status advance(EvaluatedTracker& contestant, const FrameSetPtr& frames) {
   const double begin = threadSeconds();
   const Status tracked = trackOneFrame(contestant.run, frames, {});
   contestant.seconds += threadSeconds() - begin;
+  auto estimates = spheresOf(contestant.run.estimates());
   if (contestant.smoothed) {
-    contestant.estimates.push_back(contestant.run.estimates());
+    contestant.estimates.push_back(std::move(estimates));
   } else {
-    contestant.recorder.add(contestant.run.estimates());
+    contestant.recorder.add(estimates);
   }
   return tracked;
 }

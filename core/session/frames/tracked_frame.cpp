@@ -11,14 +11,12 @@ std::size_t TrackedFrame::bytes() const {
   for (const TrackedTarget& target : targets) {
     sum +=
         sizeof(float) * static_cast<std::size_t>(target.particles.size() + target.weights.size());
-    if (target.box) {
-      sum += sizeof(float) *
-             static_cast<std::size_t>(target.box->centers.size() + target.box->weights.size());
-    }
+    sum += sizeof(float) * static_cast<std::size_t>(target.boxParticles.centers.size() +
+                                                    target.boxParticles.weights.size());
     sum += target.proposals.capacity() * sizeof(ProposedPosition);
     sum += target.reasons.capacity() * sizeof(CameraReport);
-    sum += target.estimate.cameras.capacity() * sizeof(CameraEvidence);
-    sum += target.estimate.colors.capacity() * sizeof(ColorRange);
+    sum += cameraEvidenceOf(target.estimate).capacity() * sizeof(CameraEvidence);
+    sum += colorsOf(target.estimate).capacity() * sizeof(ColorRange);
   }
   return sum;
 }
@@ -40,7 +38,7 @@ FrameRecord frameRecord(const TrackedFrame& moment, const FrameSet& frames) {
   }
   for (const TrackedTarget& target : moment.targets) {
     const bool held = target.status == TargetStatus::Held || target.status == TargetStatus::Gone;
-    record.targets.push_back({target.status, static_cast<float>(target.estimate.existence),
+    record.targets.push_back({target.status, static_cast<float>(existenceOf(target.estimate)),
                               held ? std::vector<CameraReport>() : target.reasons});
   }
   return record;

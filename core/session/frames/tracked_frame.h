@@ -2,11 +2,7 @@
 #pragma once
 
 #include "core/capture/frame.h"
-#include "core/tracking/boxes/box_tracker.h"
-#include "core/tracking/camera_report.h"
-#include "core/tracking/insight.h"
-#include "core/tracking/people/people_tracker.h"
-#include "core/tracking/tracker.h"
+#include "core/tracking/tracker_capabilities.h"
 
 #include <Eigen/Core>
 
@@ -14,7 +10,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace dewpoint::session {
@@ -31,14 +26,13 @@ inline constexpr double kLostAfter = 1.0;
 
 /// One target as it was believed at one frame.
 struct TrackedTarget {
-  TargetEstimate estimate;
+  TrackEstimate estimate;
   Eigen::ArrayXXf particles; ///< rows x y z, metres
   Eigen::ArrayXf weights;    ///< one per row, linear
   std::vector<ProposedPosition> proposals;
   std::vector<CameraReport> reasons; ///< per camera, why it does not confirm the target
   TargetStatus status = TargetStatus::Searching;
-  std::optional<BoxBelief> box;         ///< with methods of family Boxes, from the target's box on
-  std::optional<PersonEstimate> person; ///< of the methods for people, while the person is there
+  BoxParticles boxParticles;                                  ///< of a BoxEstimate
   double lastHeld = -std::numeric_limits<double>::infinity(); ///< seconds; this frame's if held now
 };
 

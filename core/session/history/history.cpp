@@ -13,7 +13,7 @@ constexpr std::int64_t kFirstSpacing = 15; ///< frames between copies, as long a
 
 bool hasParticles(const TrackedFrame& moment) {
   return std::ranges::any_of(moment.targets, [](const auto& target) {
-    return target.particles.size() > 0 || (target.box && target.box->centers.size() > 0);
+    return target.particles.size() > 0 || target.boxParticles.centers.size() > 0;
   });
 }
 
@@ -26,9 +26,10 @@ bool isOfCameras(const DefinitionChange& change) {
 
 } // namespace
 
-Eigen::Vector3d tailPlace(const TargetEstimate& estimate) {
-  return estimate.valid ? estimate.mean
-                        : Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+Eigen::Vector3d tailPlace(const TrackEstimate& estimate) {
+  const auto position = isHeld(estimate) ? positionOf(estimate) : std::nullopt;
+  return position ? position->mean
+                  : Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
 HistoryLimits HistoryLimits::of(std::size_t total, bool live) {
@@ -134,10 +135,8 @@ void History::forgetParticles(TrackedFrame& moment) {
     target.particles.resize(0, 3);
     target.weights.resize(0);
     target.proposals = {};
-    if (target.box) {
-      target.box->centers.resize(0, 2);
-      target.box->weights.resize(0);
-    }
+    target.boxParticles.centers.resize(0, 2);
+    target.boxParticles.weights.resize(0);
   }
   momentBytes_ += moment.bytes();
 }
@@ -206,9 +205,7 @@ std::vector<Eigen::Vector3d> History::tail(std::size_t target, std::int64_t fram
   std::vector<Eigen::Vector3d> tail;
   for (auto moment = lowerBound(frame + 1); moment != first && tail.size() < kTailLength;) {
     --moment;
-    const bool isKnown = target < moment->targets.size() && !moment->targets[target].box &&
-                         !moment->targets[target].estimate.gone;
-    if (!isKnown) {
+    if (target >= moment->targets.size() || !positionOf(moment->targets[target].estimate)) {
       break;
     }
     tail.push_back(tailPlace(moment->targets[target].estimate));

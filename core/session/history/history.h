@@ -25,7 +25,7 @@ struct HistoryLimits {
 };
 
 /// What a tail shows of an estimate: its mean, or nothing finite where it was only guessed.
-Eigen::Vector3d tailPlace(const TargetEstimate& estimate);
+Eigen::Vector3d tailPlace(const TrackEstimate& estimate);
 
 /// What was believed at every frame tracked so far, and copies of the method from which any of them
 /// can be reached again. When the memory is used up, every second moment of the older half gives up

@@ -11,8 +11,8 @@ PeopleFramePtr peopleFrame(const TrackedFrame& moment) {
   frame->frame = moment.frame;
   frame->time = moment.time;
   for (const TrackedTarget& target : moment.targets) {
-    if (target.person) {
-      frame->people.push_back({*target.person, target.particles, target.weights});
+    if (const auto* person = std::get_if<PersonEstimate>(&target.estimate)) {
+      frame->people.push_back({*person, target.particles, target.weights});
     }
   }
   return frame;

@@ -3,7 +3,8 @@
 
 #include "core/base/error.h"
 #include "core/session/frames/tracked_frame.h"
-#include "core/tracking/people/people_tracker.h"
+#include "core/tracking/people_state.h"
+#include "core/tracking/track_estimate.h"
 #include "core/trajectory/trajectory.h"
 
 #include <cstdint>

@@ -36,11 +36,11 @@ cv::Scalar identityColor(int identity) {
   return kColors.at(static_cast<std::size_t>(((identity - 1) % count + count) % count));
 }
 
-cv::Mat peopleOverlay(const PeopleTracker& tracker, const FrameSet& frames, const CameraRig& rig,
+cv::Mat peopleOverlay(const PeopleFinding& people, const FrameSet& frames, const CameraRig& rig,
                       int width) {
   std::vector<ConvexHull> hulls;
-  for (const PersonEstimate& person : tracker.people()) {
-    hulls.push_back(bodyHull(tracker.body(person.identity)));
+  for (const PersonEstimate& person : people.people()) {
+    hulls.push_back(bodyHull(people.body(person.identity)));
   }
   int height = 1;
   std::vector<cv::Mat> views;
@@ -54,7 +54,7 @@ cv::Mat peopleOverlay(const PeopleTracker& tracker, const FrameSet& frames, cons
     }
     const Projector projector(rig[k]);
     for (std::size_t person = 0; person < hulls.size(); ++person) {
-      const int identity = tracker.people()[person].identity;
+      const int identity = people.people()[person].identity;
       const auto outline = scaled(projectedHull(projector, hulls[person]), factor);
       if (outline.size() > 2) {
         cv::polylines(view, outline, true, identityColor(identity), 2, cv::LINE_AA);

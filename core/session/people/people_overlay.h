@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/capture/frame.h"
 #include "core/geometry/camera.h"
-#include "core/tracking/people/people_tracker.h"
+#include "core/tracking/tracker_capabilities.h"
 
 #include <opencv2/core.hpp>
 
@@ -18,7 +18,7 @@ cv::Scalar identityColor(int identity);
 
 /// The images of all cameras side by side, each `width` pixels wide, with the outline of every
 /// person's 95 % volume and its identity (CV_8UC3). Missing images are black.
-cv::Mat peopleOverlay(const PeopleTracker& tracker, const FrameSet& frames, const CameraRig& rig,
+cv::Mat peopleOverlay(const PeopleFinding& people, const FrameSet& frames, const CameraRig& rig,
                       int width);
 
 /// Writes pictures of one width, one below the other, as one picture file; FileUnwritable.

@@ -131,9 +131,9 @@ Status PeopleWriter::writePerson(const PersonEstimate& person, const BodyCloud& 
   return ground_.put(groundRows(person, groundDensity(body), frame));
 }
 
-Status PeopleWriter::write(const PeopleTracker& tracker, std::int64_t frame, double time) {
-  for (const PersonEstimate& person : tracker.people()) {
-    const auto written = writePerson(person, tracker.body(person.identity), frame, time);
+Status PeopleWriter::write(const PeopleFinding& people, std::int64_t frame, double time) {
+  for (const PersonEstimate& person : people.people()) {
+    const auto written = writePerson(person, people.body(person.identity), frame, time);
     if (!written) {
       return written;
     }

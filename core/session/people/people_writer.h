@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/tracking/people/people_tracker.h"
+#include "core/tracking/tracker_capabilities.h"
 #include "core/trajectory/trajectory_writer.h"
 
 #include <cstdint>
@@ -30,7 +30,7 @@ public:
   static Result<PeopleWriter> create(const std::filesystem::path& folder,
                                      const TrajectoryHeader& header);
 
-  Status write(const PeopleTracker& tracker, std::int64_t frame, double time);
+  Status write(const PeopleFinding& people, std::int64_t frame, double time);
   /// One person at one frame.
   Status writePerson(const PersonEstimate& person, const BodyCloud& body, std::int64_t frame,
                      double time);

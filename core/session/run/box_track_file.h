@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/tracking/boxes/box_tracker.h"
+#include "core/tracking/track_estimate.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -6,7 +6,7 @@
 
 namespace dewpoint::session {
 
-/// Lets a CameraMotionWatch see what a run tracks; nothing with methods of family Boxes, whose
+/// Lets a CameraMotionWatch see what a run tracks; nothing where boxes are followed, whose
 /// camera may move.
 class CameraMotionObserver final : public FrameObserver {
 public:
@@ -14,10 +14,8 @@ public:
   explicit CameraMotionObserver(CameraMotionWatch& watch) : watch_(watch) {}
 
   Status tracked(const TrackingRun& run) override {
-    if (run.family() == MethodFamily::Targets) {
-      watch_.watch(*run.frames(), run.targets(), run.estimates());
-    } else if (run.family() == MethodFamily::People) { // no targets of a known size
-      watch_.watch(*run.frames(), {}, {});
+    if (run.family().inSpace) {
+      watch_.watch(*run.frames(), run.targets(), spheresOf(run.estimates()));
     }
     return {};
   }

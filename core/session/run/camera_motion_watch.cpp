@@ -84,7 +84,7 @@ void CameraMotionWatch::setResting(bool resting) {
 }
 
 void CameraMotionWatch::watch(const FrameSet& frames, const std::vector<Target>& targets,
-                              const std::vector<TargetEstimate>& estimates) {
+                              const std::vector<SphereEstimate>& estimates) {
   const double time = seconds(frames.time);
   if (time <= lastTime_ || resting_) {
     return; // a frame of the past that is tracked again

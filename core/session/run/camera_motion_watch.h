@@ -32,7 +32,7 @@ public:
 
   /// After the iterations of a frame.
   void watch(const FrameSet& frames, const std::vector<Target>& targets,
-             const std::vector<TargetEstimate>& estimates);
+             const std::vector<SphereEstimate>& estimates);
   /// While a calibration board is shown to live cameras nothing is watched: a board that fills an
   /// image and is waved looks just like a scene before which the camera turns, and so does one that
   /// was there when the reference was taken. Afterwards, as soon as the board has been put down,

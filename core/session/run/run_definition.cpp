@@ -2,6 +2,7 @@
 #include "core/session/run/run_definition.h"
 
 #include "core/project/project_rig.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -20,8 +21,8 @@ bool isSameImage(const cv::Mat& a, const cv::Mat& b) {
 }
 
 /// What is said of a target that is another one.
-std::string definitionOf(const Target& target, MethodFamily family) {
-  if (family == MethodFamily::Boxes) {
+std::string definitionOf(const Target& target, TargetsFrom origin) {
+  if (origin == TargetsFrom::Box) {
     return target.box ? "another box" : "no box";
   }
   const ColorRange& color = target.color;
@@ -85,7 +86,7 @@ std::string differences(const RunDefinition& before, const RunDefinition& after)
   }
   for (std::size_t k = 0; k < std::min(before.targets.size(), after.targets.size()); ++k) {
     if (!(before.targets[k] == after.targets[k])) {
-      add(after.targets[k].name, definitionOf(after.targets[k], after.family()));
+      add(after.targets[k].name, definitionOf(after.targets[k], after.family().targets));
     }
   }
   for (std::size_t k = 0; k < std::min(before.rig->size(), after.rig->size()); ++k) {

@@ -3,6 +3,7 @@
 
 #include "core/geometry/camera.h"
 #include "core/project/project.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/parameters.h"
 #include "core/tracking/target.h"
 

@@ -7,6 +7,7 @@
 #include "core/session/frames/tracked_frame.h"
 #include "core/session/people/person_shape.h"
 #include "core/session/run/camera_motion_watch.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <Eigen/Core>
 
@@ -20,19 +21,22 @@ namespace dewpoint::session {
 /// One target of a snapshot.
 struct TargetSnapshot {
   Target target;
-  TargetEstimate estimate;
+  TrackEstimate estimate;
   Eigen::ArrayXXd particles;         ///< up to 10,000 rows x y z, metres
   Eigen::ArrayXd weights;            ///< one per row, linear
   std::vector<Eigen::Vector3d> tail; ///< last frames' places, oldest first; NaN where not held
   std::optional<Eigen::Vector3d> truth;
   TargetStatus status = TargetStatus::Searching;
-  std::optional<BoxBelief> box; ///< with methods of family Boxes, from the target's box on
+  BoxParticles boxParticles; ///< of a BoxEstimate
   /// Per camera, why it does not confirm the target (reasonSentence); may be empty.
   std::vector<CameraReport> reasons;
-  std::vector<ProposedPosition> proposals; ///< places considered in this frame; may be empty
-  std::vector<LikelihoodMap> maps;         ///< per camera; empty unless wanted
-  std::optional<PersonEstimate> person;    ///< of the methods for people, while the person is there
-  std::shared_ptr<const PersonShape> shape; ///< of that person; null unless wanted
+  std::vector<ProposedPosition> proposals;  ///< places considered in this frame; may be empty
+  std::vector<LikelihoodMap> maps;          ///< per camera; empty unless wanted
+  std::shared_ptr<const PersonShape> shape; ///< of a person; null unless wanted
+
+  /// What is believed of it as a box or as a person; null when it is something else, or absent.
+  const BoxEstimate* box() const { return std::get_if<BoxEstimate>(&estimate); }
+  const PersonEstimate* person() const { return std::get_if<PersonEstimate>(&estimate); }
 };
 
 enum class PlayState { Paused, Playing, Ended };
@@ -70,7 +74,7 @@ struct BudgetFigures {
 /// Everything a view may show of one moment. Immutable once published.
 struct TrackSnapshot {
   std::shared_ptr<const CameraRig> rig;
-  MethodFamily family = MethodFamily::Targets;
+  MethodFamily family;
   FrameSetPtr frames;              ///< null before the first frame
   std::vector<cv::Mat> emptyRooms; ///< per camera without targets; empty when that is not known
   /// Per camera CV_8UC1, 255 - k: color of target k; with methods for people 255: it moves. Empty
@@ -98,9 +102,6 @@ struct TrackSnapshot {
   std::vector<Error> notices;
   /// Cameras that were bumped since the run began; each has its notice too: the last ones there.
   std::vector<CameraMotionReport> bumps;
-
-  /// Whether the targets are persons, whom the method itself finds.
-  bool ofPeople() const { return family == MethodFamily::People; }
 };
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
@@ -118,7 +119,7 @@ struct IterationRecord {
   Eigen::Vector3d spreadPerAxis = Eigen::Vector3d::Zero(); ///< standard deviations x y z, metres
   int particleCount = 0;
   double existence = 0.0; ///< probability, all cameras together
-  bool held = false;      ///< TargetEstimate::valid
+  bool held = false;      ///< see isHeld()
   /// Likelihood, existence and visible share per camera, in the order of the rig; empty when the
   /// method cannot tell.
   std::vector<CameraEvidence> cameras = {};

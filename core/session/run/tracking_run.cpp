@@ -2,7 +2,7 @@
 #include "core/session/run/tracking_run.h"
 
 #include "core/session/people/people_writer.h"
-#include "core/tracking/people/people_targets.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +28,8 @@ TrajectoryHeader trajectoryHeader(const Project& project) {
     header.cameras.push_back(
         {camera.camera.name, camera.camera.center(), camera.camera.opticalAxis()});
   }
-  header.hasSeen = project.method == methodNames().front(); // no other method tells
+  const Method* const method = findMethod(project.method);
+  header.hasSeen = method != nullptr && method->writesMeasurements;
   return header;
 }
 
@@ -51,8 +52,8 @@ std::vector<std::pair<std::string, std::string>> boxTrackHeader(const Project& p
 }
 
 Result<TrackingRun> TrackingRun::create(RunDefinitionPtr definition, int threadCount) {
-  auto tracker = makeMultiTracker(definition->method, definition->parameters, *definition->rig,
-                                  definition->targets);
+  auto tracker = makeTracker(definition->method, definition->parameters, *definition->rig,
+                             definition->targets);
   if (!tracker) {
     return tl::make_unexpected(tracker.error());
   }
@@ -66,11 +67,13 @@ Result<TrackingRun> TrackingRun::create(const Project& project, int threadCount,
       threadCount);
 }
 
-TrackingRun TrackingRun::of(std::unique_ptr<MultiTracker> tracker, RunDefinitionPtr definition,
+TrackingRun TrackingRun::of(std::unique_ptr<Tracker> tracker, RunDefinitionPtr definition,
                             int threadCount) {
   TrackingRun run;
   run.tracker_ = std::move(tracker);
-  run.tracker_->setEmptyRooms(definition->emptyRooms);
+  if (auto* const background = tracking::capability<BackgroundImages>(*run.tracker_)) {
+    background->setEmptyRooms(definition->emptyRooms);
+  }
   run.family_ = definition->family();
   run.definition_ = std::move(definition);
   run.team_ = std::make_unique<ThreadTeam>(threadCount);
@@ -86,8 +89,10 @@ void TrackingRun::restart(std::uint64_t seed) {
 }
 
 bool TrackingRun::takes(const RunDefinition& definition) const {
+  const auto* const following = capability<TargetFollowing>();
+  const bool takesAnyNumber = following == nullptr || following->takesAnyNumber();
   return definition.method == definition_->method && haveSameImages(*definition.rig, rig()) &&
-         (definition.targets.size() == definition_->targets.size() || tracker_->takesAnyNumber());
+         (definition.targets.size() == definition_->targets.size() || takesAnyNumber);
 }
 
 void TrackingRun::apply(const RunDefinitionPtr& definition) {
@@ -96,14 +101,17 @@ void TrackingRun::apply(const RunDefinitionPtr& definition) {
   if (!(definition->parameters == before->parameters)) {
     tracker_->configure(definition->parameters);
   }
-  if (definition->targets != before->targets) {
-    tracker_->setTargets(definition->targets);
+  auto* const following = tracking::capability<TargetFollowing>(*tracker_);
+  if (following != nullptr && definition->targets != before->targets) {
+    following->setTargets(definition->targets);
   }
-  if (definition->rig != before->rig && *definition->rig != *before->rig) {
-    tracker_->setCameras(*definition->rig);
+  auto* const calibrated = tracking::capability<CameraCalibrated>(*tracker_);
+  if (calibrated != nullptr && definition->rig != before->rig && *definition->rig != *before->rig) {
+    calibrated->setCameras(*definition->rig);
   }
-  if (!areSameRooms(definition->emptyRooms, before->emptyRooms)) {
-    tracker_->setEmptyRooms(definition->emptyRooms);
+  auto* const background = tracking::capability<BackgroundImages>(*tracker_);
+  if (background != nullptr && !areSameRooms(definition->emptyRooms, before->emptyRooms)) {
+    background->setEmptyRooms(definition->emptyRooms);
   }
 }
 
@@ -112,36 +120,39 @@ void TrackingRun::apply(const RunChange& change) {
     apply(other->after);
     return;
   }
-  PeopleTargets* const people = tracker_->people();
+  auto* const placing = tracking::capability<PersonPlacing>(*tracker_);
   const auto& of = std::get<PeopleChange>(change);
-  if (of.newPerson && people != nullptr) {
-    people->addPerson(*of.newPerson);
+  if (of.newPerson && placing != nullptr) {
+    placing->addPerson(*of.newPerson);
   }
-  if (of.personGone && people != nullptr) {
-    people->removePerson(*of.personGone);
+  if (of.personGone && placing != nullptr) {
+    placing->removePerson(*of.personGone);
   }
-}
-
-const PeopleTargets* TrackingRun::people() const {
-  return std::as_const(*tracker_).people();
 }
 
 const std::vector<Target>& TrackingRun::targets() const {
-  return people() != nullptr ? people()->targets() : definition_->targets;
+  const auto* const finding = capability<PeopleFinding>();
+  return finding != nullptr ? finding->everybody() : definition_->targets;
+}
+
+bool TrackingRun::canBeCopied() const {
+  const auto* const copying = capability<Copying>();
+  return copying != nullptr && copying->canBeCopied();
 }
 
 TrackingRun::State TrackingRun::save() const {
   State state{nullptr, definition_, iterations_, 0};
-  if (std::unique_ptr<MultiTracker> copy = tracker_->clone()) {
+  const auto* const copying = capability<Copying>();
+  if (std::unique_ptr<Tracker> copy = copying != nullptr ? copying->clone() : nullptr) {
     copy->beginFrame(nullptr); // the images of the last frame are not needed to go on
-    state.bytes = copy->memoryBytes();
+    state.bytes = tracking::capability<Copying>(*copy)->memoryBytes();
     state.tracker = std::move(copy);
   }
   return state;
 }
 
 void TrackingRun::restore(const State& state) {
-  tracker_ = state.tracker->clone();
+  tracker_ = tracking::capability<Copying>(*state.tracker)->clone();
   definition_ = state.definition;
   frames_ = nullptr;
   iterations_ = state.iterations;
@@ -168,27 +179,23 @@ double TrackingRun::iterate() {
 }
 
 std::size_t TrackingRun::trackedCount() const {
-  return people() != nullptr ? people()->tracker().people().size() : targets().size();
+  const auto* const finding = capability<PeopleFinding>();
+  return finding != nullptr ? finding->people().size() : targets().size();
 }
 
 std::vector<TrajectorySample> TrackingRun::samples() const {
   std::vector<TrajectorySample> samples;
-  if (family_ == MethodFamily::Boxes) {
-    return samples; // nothing is known in space
-  }
-  if (people() != nullptr && frames_) {
-    for (const PersonEstimate& person : people()->tracker().people()) {
-      samples.push_back(sampleOf(person, frames_->index, seconds(frames_->time)));
-    }
-    return samples;
-  }
-  for (std::size_t k = 0; frames_ && k < targets().size(); ++k) {
-    const auto& estimate = estimates()[k];
-    samples.push_back({seconds(frames_->time), frames_->index, targets()[k].name, estimate.mean,
-                       estimate.covariance, estimate.effectiveSampleSize, estimate.camerasSeeing,
-                       estimate.valid, std::nullopt, estimate.existence});
-    if (estimate.seen) {
-      samples.back().seen = PositionMeasurement{estimate.seen->mean, estimate.seen->covariance};
+  for (std::size_t k = 0; frames_ && k < tracker_->trackCount(); ++k) {
+    const TrackEstimate estimate = tracker_->estimate(k);
+    if (const auto* const sphere = std::get_if<SphereEstimate>(&estimate)) {
+      samples.push_back({seconds(frames_->time), frames_->index, targets()[k].name, sphere->mean,
+                         sphere->covariance, sphere->effectiveSampleSize, sphere->camerasSeeing,
+                         sphere->valid, std::nullopt, sphere->existence});
+      if (sphere->seen) {
+        samples.back().seen = PositionMeasurement{sphere->seen->mean, sphere->seen->covariance};
+      }
+    } else if (const auto* const person = std::get_if<PersonEstimate>(&estimate)) {
+      samples.push_back(sampleOf(*person, frames_->index, seconds(frames_->time)));
     }
   }
   return samples;
@@ -196,18 +203,22 @@ std::vector<TrajectorySample> TrackingRun::samples() const {
 
 std::vector<BoxSample> TrackingRun::boxSamples() const {
   std::vector<BoxSample> samples;
-  for (std::size_t k = 0; frames_ && k < targets().size(); ++k) {
-    if (const auto belief = box(k, 0)) {
-      samples.push_back(
-          {seconds(frames_->time), frames_->index, static_cast<int>(k) + 1, belief->estimate});
+  for (std::size_t k = 0; frames_ && k < tracker_->trackCount(); ++k) {
+    const TrackEstimate estimate = tracker_->estimate(k);
+    if (const auto* const box = std::get_if<BoxEstimate>(&estimate)) {
+      samples.push_back({seconds(frames_->time), frames_->index, static_cast<int>(k) + 1, *box});
     }
   }
   return samples;
 }
 
-std::optional<PersonEstimate> TrackingRun::personAt(std::size_t target) const {
-  const PersonEstimate* person = people() != nullptr ? people()->person(target) : nullptr;
-  return person != nullptr ? std::optional(*person) : std::nullopt;
+void TrackingRun::particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
+                            Eigen::ArrayXd& weights) const {
+  positions.resize(0, 3);
+  weights.resize(0);
+  if (const auto* const cloud = capability<ParticleCloud>()) {
+    cloud->particles(target, limit, positions, weights);
+  }
 }
 
 TrackedFrame TrackingRun::commonMoment(const TrackedFrame* before, int boxParticleLimit) const {
@@ -220,15 +231,17 @@ TrackedFrame TrackingRun::commonMoment(const TrackedFrame* before, int boxPartic
   const bool same = before != nullptr && before->definitions && tracked == *before->definitions;
   moment.definitions =
       same ? before->definitions : std::make_shared<const std::vector<Target>>(tracked);
-  if (people() != nullptr) {
-    moment.peopleCameras = people()->tracker().cameraStates();
+  if (const auto* const finding = capability<PeopleFinding>()) {
+    moment.peopleCameras = finding->cameraStates();
   }
+  const auto* const boxes = capability<BoxFollowing>();
   moment.targets.resize(tracked.size());
   for (std::size_t k = 0; k < tracked.size(); ++k) {
     TrackedTarget& target = moment.targets[k];
-    target.estimate = estimates()[k];
-    target.box = box(k, boxParticleLimit);
-    target.person = personAt(k);
+    target.estimate = tracker_->estimate(k);
+    if (boxes != nullptr) {
+      target.boxParticles = boxes->boxParticles(k, boxParticleLimit);
+    }
   }
   return moment;
 }
@@ -242,10 +255,10 @@ TrackedFrame TrackingRun::present(const TrackedFrame* recorded, int boxParticleL
       target.reasons = recorded->targets[k].reasons;
       target.proposals = recorded->targets[k].proposals;
     } else { // a box is known as it is given, all else only when the frame was tracked
-      const bool isHeld = target.box && target.estimate.valid;
-      target.status = target.estimate.gone ? TargetStatus::Gone
-                      : isHeld             ? TargetStatus::Held
-                                           : TargetStatus::Searching;
+      const bool isBox = std::holds_alternative<BoxEstimate>(target.estimate);
+      target.status = isAbsent(target.estimate)          ? TargetStatus::Gone
+                      : isBox && isHeld(target.estimate) ? TargetStatus::Held
+                                                         : TargetStatus::Searching;
     }
   }
   return moment;
@@ -253,6 +266,8 @@ TrackedFrame TrackingRun::present(const TrackedFrame* recorded, int boxParticleL
 
 TrackedFrame TrackingRun::moment(int particleLimit, const TrackedFrame* previous) const {
   TrackedFrame moment = commonMoment(previous, particleLimit);
+  const auto* const proposing = capability<PositionProposing>();
+  const auto* const explaining = capability<CameraExplaining>();
   for (std::size_t k = 0; k < moment.targets.size(); ++k) {
     TrackedTarget& target = moment.targets[k];
     Eigen::ArrayXXd positions;
@@ -260,15 +275,19 @@ TrackedFrame TrackingRun::moment(int particleLimit, const TrackedFrame* previous
     particles(k, particleLimit, positions, weights);
     target.particles = positions.cast<float>();
     target.weights = weights.cast<float>();
-    target.proposals = tracker_->proposals(k);
-    target.reasons = tracker_->explain(k);
+    if (proposing != nullptr) {
+      target.proposals = proposing->proposals(k);
+    }
+    if (explaining != nullptr) {
+      target.reasons = explaining->explain(k);
+    }
     if (previous != nullptr && k < previous->targets.size()) {
       target.lastHeld = previous->targets[k].lastHeld;
     }
-    target.lastHeld = target.estimate.valid ? moment.time : target.lastHeld;
-    target.status = target.estimate.gone
-                        ? TargetStatus::Gone
-                        : statusOf(target.estimate.valid, moment.time, target.lastHeld);
+    const bool held = isHeld(target.estimate);
+    target.lastHeld = held ? moment.time : target.lastHeld;
+    target.status = isAbsent(target.estimate) ? TargetStatus::Gone
+                                              : statusOf(held, moment.time, target.lastHeld);
   }
   return moment;
 }

@@ -5,7 +5,8 @@
 #include "core/session/frames/tracked_frame.h"
 #include "core/session/run/box_track_file.h"
 #include "core/session/run/run_definition.h"
-#include "core/tracking/multi_tracker.h"
+#include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/tracker_capabilities.h"
 #include "core/trajectory/trajectory.h"
 
 #include <opencv2/core/mat.hpp>
@@ -28,8 +29,8 @@ std::vector<std::pair<std::string, std::string>> boxTrackHeader(const Project& p
 
 /// Somebody is there whom a method for people has not found by itself, or nobody is.
 struct PeopleChange {
-  std::optional<Eigen::Vector3d> newPerson; ///< PeopleTracker::addPerson
-  std::optional<int> personGone;            ///< PeopleTracker::removePerson
+  std::optional<Eigen::Vector3d> newPerson; ///< PersonPlacing::addPerson
+  std::optional<int> personGone;            ///< PersonPlacing::removePerson
 };
 
 /// A run goes by `after` in place of `before`.
@@ -52,7 +53,7 @@ public:
   static Result<TrackingRun> create(const Project& project, int threadCount,
                                     std::vector<cv::Mat> emptyRooms = {});
   /// A run of a tracker that need not be a method of the catalog.
-  static TrackingRun of(std::unique_ptr<MultiTracker> tracker, RunDefinitionPtr definition,
+  static TrackingRun of(std::unique_ptr<Tracker> tracker, RunDefinitionPtr definition,
                         int threadCount);
 
   /// What the run goes by now; never null.
@@ -70,7 +71,7 @@ public:
 
   /// All that the run is between two frames, to go on from with the same bits.
   struct State {
-    std::shared_ptr<const MultiTracker> tracker; ///< null when the method cannot be copied
+    std::shared_ptr<const Tracker> tracker; ///< null when the method cannot be copied
     RunDefinitionPtr definition;
     std::int64_t iterations = 0;
     std::size_t bytes = 0;
@@ -79,7 +80,7 @@ public:
   /// `state` has a tracker.
   void restore(const State& state);
   /// Whether save() has a tracker to restore.
-  bool canBeCopied() const { return tracker_->canBeCopied(); }
+  bool canBeCopied() const;
   /// Goes on counting iterations from here.
   void countFrom(std::int64_t iterations) { iterations_ = iterations; }
   int threadCount() const { return team_->threadCount(); }
@@ -93,33 +94,26 @@ public:
   std::int64_t iterations() const { return iterations_; }
   /// Those that are tracked: the project's, or the persons who have been there.
   const std::vector<Target>& targets() const;
-  /// Null unless the method is for people.
-  const PeopleTargets* people() const;
+  /// What the method can do besides tracking, see capability(); null when it cannot.
+  template <class Capability> const Capability* capability() const {
+    return tracking::capability<Capability>(std::as_const(*tracker_));
+  }
   const CameraRig& rig() const { return *definition_->rig; }
-  const std::vector<TargetEstimate>& estimates() const { return tracker_->estimates(); }
+  TrackEstimate estimate(std::size_t track) const { return tracker_->estimate(track); }
+  std::vector<TrackEstimate> estimates() const { return estimatesOf(*tracker_); }
   const FrameSetPtr& frames() const { return frames_; }
   /// The estimates as trajectory samples of the current frame; of people, those who are there.
   std::vector<TrajectorySample> samples() const;
-  /// The boxes of the current frame, with methods of family Boxes.
+  /// The boxes of the current frame, of methods that follow boxes.
   std::vector<BoxSample> boxSamples() const;
-  /// What is believed of a target's box; nothing before there is one.
-  std::optional<BoxBelief> box(std::size_t target, int particleLimit) const {
-    return tracker_->box(target, particleLimit);
-  }
   /// Up to `limit` particles of a target; rows x y z, metres, and their weights, linear.
   void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
-                 Eigen::ArrayXd& weights) const {
-    tracker_->particles(target, limit, positions, weights);
-  }
+                 Eigen::ArrayXd& weights) const;
   /// What is believed now, without particles in space; `recorded` is the moment that was kept of
   /// this frame, null when it was not tracked: how the targets are doing, and why, is from there.
   TrackedFrame present(const TrackedFrame* recorded, int boxParticleLimit) const;
   /// What is kept of the current frame; `previous` is the moment before it, null at the beginning.
   TrackedFrame moment(int particleLimit, const TrackedFrame* previous) const;
-  /// Around the estimate of a target, one per camera; may be empty.
-  std::vector<LikelihoodMap> likelihoodMaps(std::size_t target, int reach) const {
-    return tracker_->likelihoodMaps(target, reach);
-  }
   /// Iterations on the current frame.
   int frameIterations() const { return frameIterations_; }
   /// Targets that are tracked now; of people, those who are there.
@@ -128,11 +122,10 @@ public:
 private:
   /// What both kinds of moments hold.
   TrackedFrame commonMoment(const TrackedFrame* before, int boxParticleLimit) const;
-  std::optional<PersonEstimate> personAt(std::size_t target) const;
 
   RunDefinitionPtr definition_;
-  MethodFamily family_ = MethodFamily::Targets;
-  std::unique_ptr<MultiTracker> tracker_;
+  MethodFamily family_;
+  std::unique_ptr<Tracker> tracker_;
   FrameSetPtr frames_;
   std::unique_ptr<ThreadTeam> team_;
   std::int64_t iterations_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What method barrera tells of itself: copies, reasons and likelihood maps.
+// What method barrera tells of itself: memory, reasons and likelihood maps.
 #include "core/color/match_image.h"
 #include "core/tracking/barrera/barrera_tracker.h"
 
@@ -8,10 +8,6 @@
 #include <cmath>
 
 namespace dewpoint::tracking {
-
-std::unique_ptr<Tracker> BarreraTracker::clone() const {
-  return std::make_unique<BarreraTracker>(*this);
-}
 
 std::size_t BarreraTracker::memoryBytes() const {
   // With many particles also the counts over the whole images.

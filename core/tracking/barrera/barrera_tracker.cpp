@@ -34,10 +34,10 @@ void BarreraTracker::showImages() {
   }
 }
 
-TargetEstimate BarreraTracker::iterate(ThreadTeam& team) {
+SphereEstimate BarreraTracker::iterate(ThreadTeam& team) {
   const auto particleCount = static_cast<Eigen::Index>(parameters_.at("particles"));
   observation_.prepare(particleCount * iterationsPerFrame());
-  TargetEstimate result = step(observation_, team);
+  SphereEstimate result = step(observation_, team);
   result.cameras = evidence(result.mean);
   result.camerasSeeing = static_cast<int>(std::ranges::count_if(
       result.cameras, [](const CameraEvidence& camera) { return camera.visible > 0.0; }));

@@ -3,23 +3,30 @@
 
 #include "core/observation/sphere/color_window.h"
 #include "core/tracking/barrera/random_walk_tracker.h"
+#include "core/tracking/camera_report.h"
+#include "core/tracking/insight.h"
+#include "core/tracking/target.h"
+
+#include <vector>
 
 namespace dewpoint::tracking {
 
 /// The 3D color particle filter of Barrera, Cañas and Matellán (2005): isotropic random walk, color
-/// window in every camera, multinomial resampling at every iteration.
+/// window in every camera, multinomial resampling at every iteration. A TargetFilter.
 class BarreraTracker final : public RandomWalkTracker {
 public:
   BarreraTracker(const ParameterValues& parameters, const CameraRig& rig, const Target& target);
 
-  void setTarget(const Target& target) override;
-  void setCameras(const CameraRig& rig) override;
-  void beginFrame(FrameSetPtr frames) override;
-  TargetEstimate iterate(ThreadTeam& team) override;
-  std::unique_ptr<Tracker> clone() const override;
-  std::size_t memoryBytes() const override;
-  std::vector<CameraReport> explain() const override;
-  std::vector<LikelihoodMap> likelihoodMaps(int reach) const override;
+  void setTarget(const Target& target);
+  /// Another calibration of the same cameras, from the next iteration on; beliefs stay.
+  void setCameras(const CameraRig& rig);
+  void beginFrame(FrameSetPtr frames);
+  SphereEstimate iterate(ThreadTeam& team);
+  std::size_t memoryBytes() const;
+  /// What each camera has to say on the target being held or not.
+  std::vector<CameraReport> explain() const;
+  /// Around the estimate, up to `reach` pixels in each direction; one per camera.
+  std::vector<LikelihoodMap> likelihoodMaps(int reach) const;
 
 private:
   void showImages();

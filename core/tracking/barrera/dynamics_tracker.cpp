@@ -49,9 +49,9 @@ void DynamicsTracker::measure() {
   measured_ = nearestPoint(rays);
 }
 
-TargetEstimate DynamicsTracker::iterate(ThreadTeam& team) {
+SphereEstimate DynamicsTracker::iterate(ThreadTeam& team) {
   const double sigma = parameters_.at("observation_sigma");
-  TargetEstimate result = step(PositionLikelihood{measured_, sigma}, team);
+  SphereEstimate result = step(PositionLikelihood{measured_, sigma}, team);
   result.cameras.resize(unprojectors_.size());
   for (std::size_t camera = 0; camera < seen_.size(); ++camera) {
     result.cameras[camera].looked = !imageOf(camera).empty();
@@ -68,10 +68,6 @@ TargetEstimate DynamicsTracker::iterate(ThreadTeam& team) {
   return result;
 }
 
-std::unique_ptr<Tracker> DynamicsTracker::clone() const {
-  return std::make_unique<DynamicsTracker>(*this);
-}
-
 std::vector<CameraReport> DynamicsTracker::explain() const {
   std::vector<CameraReport> reports(unprojectors_.size());
   for (std::size_t camera = 0; camera < reports.size(); ++camera) {
@@ -82,10 +78,6 @@ std::vector<CameraReport> DynamicsTracker::explain() const {
                                               : CameraStatus::NoColor;
   }
   return reports;
-}
-
-std::vector<LikelihoodMap> DynamicsTracker::likelihoodMaps(int /*reach*/) const {
-  return std::vector<LikelihoodMap>(unprojectors_.size());
 }
 
 } // namespace dewpoint::tracking

@@ -1,39 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/thread_team.h"
+#include "core/capture/frame.h"
 #include "core/filter/isotropic_motion.h"
 #include "core/filter/multinomial_resampling.h"
 #include "core/filter/particle_filter.h"
-#include "core/tracking/tracker.h"
+#include "core/tracking/parameters.h"
+#include "core/tracking/track_estimate.h"
 
 namespace dewpoint::tracking {
 
 /// What the particle filters of Barrera et al. have in common: an isotropic random walk,
 /// multinomial resampling at every iteration, a start volume. What is observed is left to the
 /// method.
-class RandomWalkTracker : public Tracker {
+class RandomWalkTracker {
 public:
   /// Particle count, motion and iterations act at the next iteration; the start at the next
   /// restart.
-  void configure(const ParameterValues& parameters) override;
-  void restart(std::uint64_t seed) override;
-  int iterationsPerFrame() const override;
-  void beginFrame(FrameSetPtr frames) override;
-  void particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const override;
-  std::size_t memoryBytes() const override;
+  void configure(const ParameterValues& parameters);
+  /// Forgets everything and starts anew.
+  void restart(std::uint64_t seed);
+  int iterationsPerFrame() const;
+  void beginFrame(FrameSetPtr frames);
+  /// At most `limit` particles, evenly picked: rows x y z (meters), with linear weights that sum to
+  /// 1 over all particles.
+  void particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const;
+  /// About how many bytes a copy takes.
+  std::size_t memoryBytes() const;
 
 protected:
   /// `parameters` must declare particles, motion_sigma, iterations_per_frame and the start volume.
   explicit RandomWalkTracker(const ParameterValues& parameters);
 
   /// One iteration; of the result the cameras and what follows from them are still missing.
-  template <ObservationModel O> TargetEstimate step(const O& observation, ThreadTeam& team);
+  template <ObservationModel O> SphereEstimate step(const O& observation, ThreadTeam& team);
   /// The image a camera shows; empty when there is none.
   cv::Mat imageOf(std::size_t camera) const;
 
   ParameterValues parameters_;
   FrameSetPtr frames_;
-  TargetEstimate estimate_;
+  SphereEstimate estimate_;
 
 private:
   Eigen::ArrayXXd drawStart() const;
@@ -44,7 +51,7 @@ private:
 };
 
 template <ObservationModel O>
-TargetEstimate RandomWalkTracker::step(const O& observation, ThreadTeam& team) {
+SphereEstimate RandomWalkTracker::step(const O& observation, ThreadTeam& team) {
   const auto particleCount = static_cast<Eigen::Index>(parameters_.at("particles"));
   const MotionProposal<IsotropicMotion> proposal{{parameters_.at("motion_sigma")}};
   const MultinomialResampling resampling;
@@ -56,7 +63,7 @@ TargetEstimate RandomWalkTracker::step(const O& observation, ThreadTeam& team) {
   ++key_.iteration;
   started_ = true;
 
-  TargetEstimate result;
+  SphereEstimate result;
   result.mean = state.mean;
   result.best = filter_.states().row(state.bestIndex).transpose();
   result.covariance = state.covariance;

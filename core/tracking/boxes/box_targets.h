@@ -1,68 +1,215 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tracking/boxes/box_tracker.h"
-#include "core/tracking/multi_tracker.h"
+#include "core/base/random.h"
+#include "core/tracking/boxes/box_filter.h"
+#include "core/tracking/tracker_capabilities.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace dewpoint::tracking {
 
-/// The methods of family Boxes in a run of several cameras and targets: one BoxTracker per target,
-/// on the images of the camera of its box. A target is followed from the frame of its box on: from
-/// when a run passes it, or at once where the box is of the frame the run stands at. One step per
-/// image. Nothing is known in 3D: of the estimates only `valid` (seen, neither hidden nor out of
-/// the image), `existence` (the similarity), the effective sample size and `gone` (before the frame
-/// of its box) are set, and there are no particles in space.
-class BoxTargets final : public MultiTracker {
+/// A method that follows boxes, in a run of several cameras and targets: one filter per target, on
+/// the images of the camera of its box. A target is followed from the frame of its box on: from
+/// when a run passes it, or at once where the box is of the frame the run stands at; before it is
+/// absent. One step per image.
+template <BoxFilter F>
+class BoxTargets final : public Tracker,
+                         public TargetFollowing,
+                         public BoxFollowing,
+                         public CameraExplaining,
+                         public Copying {
 public:
-  /// `method` of boxMethodNames() with its parameters (asserted).
-  BoxTargets(std::string method, const ParameterValues& parameters,
-             const std::vector<Target>& targets);
-  BoxTargets(const BoxTargets& other);
-  BoxTargets& operator=(const BoxTargets&) = delete;
-  ~BoxTargets() override = default;
+  /// `parameters` are those of the filter (asserted).
+  BoxTargets(const ParameterValues& parameters, const std::vector<Target>& targets)
+      : parameters_(parameters) {
+    BoxTargets::setTargets(targets);
+  }
 
   void configure(const ParameterValues& parameters) override;
   /// Another number of targets, too: those of a name that was there before go on. A target with
   /// another box than before forgets the old one.
   void setTargets(const std::vector<Target>& targets) override;
   bool takesAnyNumber() const override { return true; }
-  void setCameras(const CameraRig& /*rig*/) override {}
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override { return 1; }
   /// A target whose box is of this frame has it at once, before any iteration.
   void beginFrame(FrameSetPtr frames) override;
   void iterate(ThreadTeam& team) override;
-  const std::vector<TargetEstimate>& estimates() const override { return estimates_; }
-  void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
-                 Eigen::ArrayXd& weights) const override;
-  std::optional<BoxBelief> box(std::size_t target, int particleLimit) const override;
-  std::vector<CameraReport> explain(std::size_t target) const override;
-  std::unique_ptr<MultiTracker> clone() const override;
+  std::size_t trackCount() const override { return followed_.size(); }
+  TrackEstimate estimate(std::size_t track) const override;
+  Status follow(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
+                std::uint64_t seed) override;
+  BoxParticles boxParticles(std::size_t target, int limit) const override;
+  std::vector<CameraReport> explain(std::size_t track) const override;
+  bool canBeCopied() const override { return true; }
+  std::unique_ptr<Tracker> clone() const override { return std::make_unique<BoxTargets>(*this); }
   std::size_t memoryBytes() const override;
 
 private:
   struct Followed {
     std::string name;
     std::optional<TargetBox> box;
-    std::unique_ptr<BoxTracker> tracker; ///< null before the frame of the box
+    std::optional<F> filter; ///< nothing before the frame of the box
     std::int64_t startedAt = -1;
     BoxEstimate estimate;
   };
 
+  /// Null when the camera of the box delivered nothing.
   const cv::Mat* imageOf(const TargetBox& box) const;
+  /// Begins to follow a target whose box is of the frame that the run stands at.
   void start(std::size_t target);
-  void step(Followed& followed, ThreadTeam& team) const;
-  void showEstimate(std::size_t target);
-  void showEstimates();
+  void step(Followed& one, ThreadTeam& team) const;
 
-  std::string method_;
   ParameterValues parameters_;
   std::uint64_t seed_ = 0;
   std::vector<Followed> followed_;
-  std::vector<TargetEstimate> estimates_;
   FrameSetPtr frames_;
 };
+
+template <BoxFilter F> void BoxTargets<F>::configure(const ParameterValues& parameters) {
+  parameters_ = parameters;
+  for (Followed& one : followed_) {
+    if (one.filter) {
+      one.filter->configure(parameters_);
+    }
+  }
+}
+
+template <BoxFilter F> void BoxTargets<F>::setTargets(const std::vector<Target>& targets) {
+  std::vector<Followed> before = std::exchange(followed_, {});
+  const bool sameNumber = before.size() == targets.size(); // then one may have got another name
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const auto old = sameNumber ? before.begin() + static_cast<std::ptrdiff_t>(k)
+                                : std::ranges::find(before, targets[k].name, &Followed::name);
+    if (old != before.end() && old->box == targets[k].box) {
+      followed_.push_back(std::move(*old));
+      followed_.back().name = targets[k].name;
+    } else {
+      followed_.push_back({targets[k].name, targets[k].box, std::nullopt, -1, {}});
+    }
+  }
+  for (std::size_t k = 0; k < followed_.size(); ++k) {
+    start(k);
+  }
+}
+
+template <BoxFilter F> void BoxTargets<F>::beginFrame(FrameSetPtr frames) {
+  frames_ = std::move(frames);
+  for (std::size_t k = 0; k < followed_.size(); ++k) {
+    start(k);
+  }
+}
+
+template <BoxFilter F> void BoxTargets<F>::restart(std::uint64_t seed) {
+  seed_ = seed;
+  frames_ = nullptr;
+  for (Followed& one : followed_) {
+    one.filter.reset();
+    one.startedAt = -1;
+    one.estimate = {};
+  }
+}
+
+template <BoxFilter F> const cv::Mat* BoxTargets<F>::imageOf(const TargetBox& box) const {
+  const auto camera = static_cast<std::size_t>(box.camera);
+  const bool there = frames_ && box.camera >= 0 && camera < frames_->frames.size() &&
+                     frames_->frames[camera] && !frames_->frames[camera]->image.empty();
+  return there ? &frames_->frames[camera]->image : nullptr;
+}
+
+template <BoxFilter F> void BoxTargets<F>::start(std::size_t target) {
+  const Followed& one = followed_[target];
+  if (!frames_ || !one.box || one.box->frame != frames_->index || one.startedAt == frames_->index) {
+    return;
+  }
+  if (const cv::Mat* image = imageOf(*one.box)) {
+    // A box beyond the image: there is nothing to follow.
+    (void)follow(target, *image, *one.box, derivedSeed(seed_, static_cast<std::uint32_t>(target)));
+  }
+}
+
+template <BoxFilter F>
+Status BoxTargets<F>::follow(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
+                             std::uint64_t seed) {
+  Followed& one = followed_.at(target);
+  F filter(parameters_);
+  if (const Status started = filter.start(bgr, box.box, seed); !started) {
+    return started;
+  }
+  one.box = box;
+  one.filter.emplace(std::move(filter));
+  one.startedAt = box.frame;
+  one.estimate = BoxEstimate{};
+  one.estimate.box = box.box;
+  one.estimate.camera = box.camera;
+  one.estimate.similarity = 1.0;
+  one.estimate.particleCount = static_cast<int>(parameters_.at("particles"));
+  one.estimate.effectiveSampleSize = one.estimate.particleCount;
+  return {};
+}
+
+template <BoxFilter F> void BoxTargets<F>::step(Followed& one, ThreadTeam& team) const {
+  if (!one.filter || one.startedAt == frames_->index) {
+    return; // the box as it was given is what is known of its own image
+  }
+  if (const cv::Mat* image = imageOf(*one.box)) {
+    one.estimate = one.filter->step(*image, team);
+    one.estimate.camera = one.box->camera;
+  } else {
+    one.estimate.visible = false; // the camera delivered nothing
+  }
+}
+
+template <BoxFilter F> void BoxTargets<F>::iterate(ThreadTeam& team) {
+  for (std::size_t k = 0; frames_ && k < followed_.size(); ++k) {
+    step(followed_[k], team);
+  }
+}
+
+template <BoxFilter F> TrackEstimate BoxTargets<F>::estimate(std::size_t track) const {
+  const Followed& one = followed_.at(track);
+  return one.filter ? TrackEstimate(one.estimate) : TrackEstimate(AbsentEstimate{});
+}
+
+template <BoxFilter F>
+BoxParticles BoxTargets<F>::boxParticles(std::size_t target, int limit) const {
+  const Followed& one = followed_.at(target);
+  if (!one.filter) {
+    return {};
+  }
+  Eigen::ArrayXXd centers;
+  Eigen::ArrayXd weights;
+  one.filter->particles(limit, centers, weights);
+  return {centers.cast<float>(), weights.cast<float>()};
+}
+
+template <BoxFilter F> std::vector<CameraReport> BoxTargets<F>::explain(std::size_t track) const {
+  const Followed& one = followed_.at(track);
+  std::vector<CameraReport> reports;
+  if (one.filter && frames_) {
+    reports.resize(frames_->frames.size()); // the other cameras do not look for it
+    reports.at(static_cast<std::size_t>(one.box->camera)).trouble =
+        imageOf(*one.box) == nullptr ? CameraStatus::NoImage
+        : isHeld(one.estimate)       ? CameraStatus::None
+        : one.estimate.visible       ? CameraStatus::OutOfView
+                                     : CameraStatus::Hidden;
+  }
+  return reports;
+}
+
+template <BoxFilter F> std::size_t BoxTargets<F>::memoryBytes() const {
+  std::size_t bytes = sizeof(BoxTargets);
+  for (const Followed& one : followed_) {
+    bytes += sizeof(Followed) + (one.filter ? one.filter->memoryBytes() : 0);
+  }
+  return bytes;
+}
 
 } // namespace dewpoint::tracking

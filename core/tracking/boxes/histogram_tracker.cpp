@@ -294,10 +294,6 @@ void HistogramTracker::particles(int limit, Eigen::ArrayXXd& centers,
   centers /= shrink_;
 }
 
-std::unique_ptr<BoxTracker> HistogramTracker::clone() const {
-  return std::make_unique<HistogramTracker>(*this);
-}
-
 std::size_t HistogramTracker::memoryBytes() const {
   const auto numbers =
       static_cast<std::size_t>(states_.size() + weighted_.size() + weights_.size());

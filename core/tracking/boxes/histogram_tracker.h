@@ -5,7 +5,7 @@
 #include "core/filter/particle_set.h"
 #include "core/observation/boxes/target_colors.h"
 #include "core/observation/boxes/target_map.h"
-#include "core/tracking/boxes/box_tracker.h"
+#include "core/tracking/boxes/box_filter.h"
 
 #include <vector>
 
@@ -17,17 +17,16 @@ namespace dewpoint::tracking {
 /// histograms of six parts of the box are weighed against those of its surroundings; some particles
 /// are tried where else the colors are; histograms follow slow changes; a hidden target is held and
 /// found again. See docs/method-sugandi.md.
-class HistogramTracker final : public BoxTracker {
+class HistogramTracker final {
 public:
   /// Of the method's parameters (asserted).
   explicit HistogramTracker(const ParameterValues& parameters);
 
-  void configure(const ParameterValues& parameters) override;
-  Status start(const cv::Mat& bgr, const ImageBox& box, std::uint64_t seed) override;
-  BoxEstimate step(const cv::Mat& bgr, ThreadTeam& team) override;
-  void particles(int limit, Eigen::ArrayXXd& centers, Eigen::ArrayXd& weights) const override;
-  std::unique_ptr<BoxTracker> clone() const override;
-  std::size_t memoryBytes() const override;
+  void configure(const ParameterValues& parameters);
+  Status start(const cv::Mat& bgr, const ImageBox& box, std::uint64_t seed);
+  BoxEstimate step(const cv::Mat& bgr, ThreadTeam& team);
+  void particles(int limit, Eigen::ArrayXXd& centers, Eigen::ArrayXd& weights) const;
+  std::size_t memoryBytes() const;
 
 private:
   struct Moved;

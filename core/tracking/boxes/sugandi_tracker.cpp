@@ -137,10 +137,6 @@ void SugandiTracker::particles(int limit, Eigen::ArrayXXd& centers, Eigen::Array
   pickEvenly(weighted_, weights_, limit, 2, centers, weights);
 }
 
-std::unique_ptr<BoxTracker> SugandiTracker::clone() const {
-  return std::make_unique<SugandiTracker>(*this);
-}
-
 std::size_t SugandiTracker::memoryBytes() const {
   const auto numbers =
       static_cast<std::size_t>(states_.size() + weighted_.size() + weights_.size());

@@ -3,7 +3,7 @@
 
 #include "core/filter/particle_set.h"
 #include "core/observation/boxes/histogram_similarity.h"
-#include "core/tracking/boxes/box_tracker.h"
+#include "core/tracking/boxes/box_filter.h"
 
 #include <optional>
 
@@ -12,17 +12,16 @@ namespace dewpoint::tracking {
 /// Method `sugandi`: the particle filter on color histograms of Sugandi, Kim, Tan and Ishikawa
 /// (2009), exactly as published. The state is (x_k, y_k, x_k-1, y_k-1), pixels; the box keeps its
 /// size, and the reference histogram that of the first image.
-class SugandiTracker final : public BoxTracker {
+class SugandiTracker final {
 public:
   /// Of the method's parameters (asserted).
   explicit SugandiTracker(const ParameterValues& parameters);
 
-  void configure(const ParameterValues& parameters) override;
-  Status start(const cv::Mat& bgr, const ImageBox& box, std::uint64_t seed) override;
-  BoxEstimate step(const cv::Mat& bgr, ThreadTeam& team) override;
-  void particles(int limit, Eigen::ArrayXXd& centers, Eigen::ArrayXd& weights) const override;
-  std::unique_ptr<BoxTracker> clone() const override;
-  std::size_t memoryBytes() const override;
+  void configure(const ParameterValues& parameters);
+  Status start(const cv::Mat& bgr, const ImageBox& box, std::uint64_t seed);
+  BoxEstimate step(const cv::Mat& bgr, ThreadTeam& team);
+  void particles(int limit, Eigen::ArrayXXd& centers, Eigen::ArrayXd& weights) const;
+  std::size_t memoryBytes() const;
 
 private:
   void propagate(ThreadTeam& team);

@@ -4,7 +4,8 @@
 #include "core/tracking/dewpoint/candidate_search.h"
 #include "core/tracking/dewpoint/hypothesis.h"
 #include "core/tracking/start_parameters.h"
-#include "core/tracking/tracker.h"
+#include "core/tracking/target.h"
+#include "core/tracking/track_estimate.h"
 
 #include <Eigen/Core>
 
@@ -81,7 +82,7 @@ public:
   std::size_t memoryBytes() const;
   /// The best hypothesis if it is likelier than not.
   const TrackHypothesis* confident() const;
-  TargetEstimate estimate(SphereObservation& observation) const;
+  SphereEstimate estimate(SphereObservation& observation) const;
   void particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const;
 
 private:

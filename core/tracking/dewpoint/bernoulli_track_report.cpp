@@ -49,8 +49,8 @@ bool isUseful(const TrackHypothesis& hypothesis) {
 
 } // namespace
 
-TargetEstimate BernoulliTrack::estimate(SphereObservation& observation) const {
-  TargetEstimate result;
+SphereEstimate BernoulliTrack::estimate(SphereObservation& observation) const {
+  SphereEstimate result;
   const TrackHypothesis* likeliest = best();
   const bool searching = likeliest == nullptr || likeliest->states.rows() == 0;
   const StateEstimate moments =

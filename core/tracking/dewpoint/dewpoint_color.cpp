@@ -23,7 +23,7 @@ bool liesWithin(const SphereImage& outline, const cv::Size& size) {
 } // namespace
 
 bool DewpointTracker::isSurelyThere(std::size_t target) const {
-  const TargetEstimate& estimate = estimates_[target];
+  const SphereEstimate& estimate = estimates_[target];
   const TrackHypothesis* best = tracked_[target].belief.best();
   return best != nullptr && best->wellSeen() && estimate.valid && !estimate.degenerate &&
          estimate.existence >= kSureExistence &&

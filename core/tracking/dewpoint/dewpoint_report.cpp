@@ -51,7 +51,7 @@ double gapBetween(const SphereImage& a, const SphereImage& b) {
 } // namespace
 
 DewpointTracker::DewpointTracker(const DewpointTracker& other)
-    : parameters_(other.parameters_), rig_(other.rig_), targetCount_(other.targetCount_),
+    : Tracker(), parameters_(other.parameters_), rig_(other.rig_), targetCount_(other.targetCount_),
       frameCount_(other.frameCount_), nextLookAlike_(other.nextLookAlike_),
       streams_(other.streams_), backgrounds_(other.backgrounds_), search_(other.search_),
       frames_(other.frames_), lastTime_(other.lastTime_), key_(other.key_),
@@ -63,8 +63,8 @@ DewpointTracker::DewpointTracker(const DewpointTracker& other)
   }
 }
 
-std::unique_ptr<MultiTracker> DewpointTracker::clone() const {
-  return std::unique_ptr<MultiTracker>(new DewpointTracker(*this));
+std::unique_ptr<Tracker> DewpointTracker::clone() const {
+  return std::unique_ptr<Tracker>(new DewpointTracker(*this));
 }
 
 std::size_t DewpointTracker::memoryBytes() const {
@@ -114,7 +114,7 @@ CameraReport DewpointTracker::explain(std::size_t target, std::size_t camera,
   if (!frame || labels.empty()) {
     return {CameraStatus::NoImage, 0.0};
   }
-  const TargetEstimate& estimate = estimates_[target];
+  const SphereEstimate& estimate = estimates_[target];
   const bool seen =
       camera < estimate.cameras.size() && estimate.cameras[camera].visible >= kSeenShare;
   if (!seen && isDark(frame->image)) {
@@ -187,7 +187,7 @@ std::vector<ProposedPosition> DewpointTracker::proposals(std::size_t target) con
 
 std::vector<LikelihoodMap> DewpointTracker::likelihoodMaps(std::size_t target, int reach) const {
   std::vector<LikelihoodMap> maps(rig_.size());
-  const TargetEstimate& estimate = estimates_.at(target);
+  const SphereEstimate& estimate = estimates_.at(target);
   const double radius =
       estimate.radius > 0.0 ? estimate.radius : tracked_[target].belief.target().radius;
   DewpointTracker copy(*this); // making labels must not change what this one does next

@@ -120,7 +120,7 @@ void DewpointTracker::restart(std::uint64_t seed) {
     tracked_[k].belief.configure(settings());
     tracked_[k].belief.restart(startVolume(parameters_), keyOf(k).seed);
   }
-  estimates_.assign(targetCount_, TargetEstimate{});
+  estimates_.assign(targetCount_, SphereEstimate{});
 }
 
 int DewpointTracker::iterationsPerFrame() const {

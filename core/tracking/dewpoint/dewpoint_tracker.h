@@ -6,7 +6,7 @@
 #include "core/tracking/dewpoint/bernoulli_track.h"
 #include "core/tracking/dewpoint/sliced_search.h"
 #include "core/tracking/dewpoint/time_budget.h"
-#include "core/tracking/multi_tracker.h"
+#include "core/tracking/tracker_capabilities.h"
 
 #include <memory>
 #include <optional>
@@ -17,25 +17,36 @@ namespace dewpoint::tracking {
 /// The project's own method: every target is a sphere of one color, known by its outline in all
 /// cameras (docs/method-dewpoint.md). Targets of one color are told apart by where they were, and
 /// none may be where another is.
-class DewpointTracker final : public MultiTracker {
+class DewpointTracker final : public Tracker,
+                              public TargetFollowing,
+                              public CameraCalibrated,
+                              public BackgroundImages,
+                              public ParticleCloud,
+                              public CameraExplaining,
+                              public PositionProposing,
+                              public LikelihoodMapping,
+                              public Copying {
 public:
-  /// `parameters` are methodParameters("dewpoint").
+  /// `parameters` are dewpointParameters().
   DewpointTracker(const ParameterValues& parameters, const CameraRig& rig,
                   const std::vector<Target>& targets);
 
   /// The start acts at the next restart, everything else at the next iteration.
   void configure(const ParameterValues& parameters) override;
   void setTargets(const std::vector<Target>& targets) override;
+  bool takesAnyNumber() const override { return false; }
   void setCameras(const CameraRig& rig) override;
   void setEmptyRooms(const std::vector<cv::Mat>& rooms) override;
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override;
   void beginFrame(FrameSetPtr frames) override;
   void iterate(ThreadTeam& team) override;
-  const std::vector<TargetEstimate>& estimates() const override { return estimates_; }
+  std::size_t trackCount() const override { return estimates_.size(); }
+  TrackEstimate estimate(std::size_t track) const override { return estimates_.at(track); }
   void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
                  Eigen::ArrayXd& weights) const override;
-  std::unique_ptr<MultiTracker> clone() const override;
+  bool canBeCopied() const override { return true; }
+  std::unique_ptr<Tracker> clone() const override;
   std::size_t memoryBytes() const override;
   std::vector<CameraReport> explain(std::size_t target) const override;
   std::vector<ProposedPosition> proposals(std::size_t target) const override;
@@ -120,7 +131,7 @@ private:
   FrameSetPtr frames_;
   std::optional<TimeStamp> lastTime_;
   RandomKey key_;
-  std::vector<TargetEstimate> estimates_;
+  std::vector<SphereEstimate> estimates_;
   TimeBudget budget_;
   std::unique_ptr<SlicedSearch> lookAround_;
   std::size_t lookAroundFor_ = 0;   ///< the target it looks for the likes of

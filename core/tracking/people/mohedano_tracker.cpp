@@ -85,7 +85,7 @@ void MohedanoTracker::gone(std::size_t index) {
   beliefs_.erase(beliefs_.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
-std::unique_ptr<PeopleTracker> MohedanoTracker::clone() const {
+std::unique_ptr<Tracker> MohedanoTracker::clone() const {
   if (!cameras().canBeCopied()) {
     return nullptr;
   }

@@ -19,7 +19,7 @@ public:
 
   void configure(const ParameterValues& parameters) override;
   BodyCloud body(int identity) const override;
-  std::unique_ptr<PeopleTracker> clone() const override;
+  std::unique_ptr<Tracker> clone() const override;
 
 private:
   struct Belief {

@@ -6,7 +6,7 @@
 #include "core/geometry/camera.h"
 #include "core/observation/background/foreground_model.h"
 #include "core/tracking/people/people_parameters.h"
-#include "core/tracking/people/people_tracker.h"
+#include "core/tracking/people_state.h"
 
 #include <opencv2/core/mat.hpp>
 

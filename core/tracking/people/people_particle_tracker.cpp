@@ -125,7 +125,7 @@ void PeopleParticleTracker::forgetAll() {
   meetings_.clear();
 }
 
-std::unique_ptr<PeopleTracker> PeopleParticleTracker::clone() const {
+std::unique_ptr<Tracker> PeopleParticleTracker::clone() const {
   return cameras().canBeCopied() ? std::make_unique<PeopleParticleTracker>(*this) : nullptr;
 }
 

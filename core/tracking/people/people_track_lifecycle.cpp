@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/people/people_track_lifecycle.h"
 
+#include "core/filter/evenly_picked.h"
+
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dewpoint::tracking {
 namespace {
@@ -69,11 +72,58 @@ void PeopleTrackLifecycle::restart(std::uint64_t seed) {
   unseen_.clear();
   cameras_.restart();
   births_.restart();
+  everybody_.clear();
+  bodies_.clear();
+  frames_ = nullptr;
+  stepped_ = false;
   prepare();
 }
 
+void PeopleTrackLifecycle::beginFrame(FrameSetPtr frames) {
+  frames_ = std::move(frames);
+  stepped_ = false;
+}
+
+void PeopleTrackLifecycle::iterate(ThreadTeam& team) {
+  if (frames_ && !std::exchange(stepped_, true)) {
+    step(*frames_, team);
+    nameEverybody();
+  }
+}
+
+void PeopleTrackLifecycle::nameEverybody() {
+  bodies_.clear();
+  for (const PersonEstimate& person : people_) {
+    while (static_cast<int>(everybody_.size()) < person.identity) {
+      Target& target = everybody_.emplace_back();
+      target.name = personName(static_cast<int>(everybody_.size()));
+    }
+  }
+}
+
+TrackEstimate PeopleTrackLifecycle::estimate(std::size_t track) const {
+  const std::size_t index = indexOf(static_cast<int>(track) + 1);
+  return index < people_.size() ? TrackEstimate(people_[index]) : TrackEstimate(AbsentEstimate{});
+}
+
+void PeopleTrackLifecycle::particles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
+                                     Eigen::ArrayXd& weights) const {
+  positions.resize(0, 3);
+  weights.resize(0);
+  const int identity = static_cast<int>(track) + 1;
+  if (indexOf(identity) == people_.size()) {
+    return;
+  }
+  auto known = bodies_.find(identity);
+  if (known == bodies_.end()) {
+    known = bodies_.emplace(identity, body(identity)).first;
+  }
+  pickEvenly(known->second.points, known->second.weights, limit, 3, positions, weights);
+}
+
 std::size_t PeopleTrackLifecycle::memoryBytes() const {
-  return cameras_.memoryBytes() + births_.memoryBytes() + people_.size() * beliefBytes();
+  return cameras_.memoryBytes() + births_.memoryBytes() + people_.size() * beliefBytes() +
+         everybody_.capacity() * (sizeof(Target) + sizeof(TrackEstimate));
 }
 
 RandomKey PeopleTrackLifecycle::keyOf(int identity) const {
@@ -81,10 +131,21 @@ RandomKey PeopleTrackLifecycle::keyOf(int identity) const {
           static_cast<std::uint32_t>(std::max<std::int64_t>(0, cameras_.frame())), 0};
 }
 
-int PeopleTrackLifecycle::addPerson(const Eigen::Vector3d& middle) {
+int PeopleTrackLifecycle::addPerson(const Eigen::Vector3d& center) {
+  const int identity = enter(center);
+  nameEverybody();
+  return identity;
+}
+
+void PeopleTrackLifecycle::removePerson(int identity) {
+  leave(identity);
+  nameEverybody();
+}
+
+int PeopleTrackLifecycle::enter(const Eigen::Vector3d& center) {
   PersonEstimate& person = people_.emplace_back();
   person.identity = nextIdentity_++;
-  person.position = middle;
+  person.position = center;
   unseen_.push_back(0.0);
   const PersonEstimate copy = person; // born() may look at people_
   born(copy, keyOf(copy.identity));
@@ -96,7 +157,7 @@ std::size_t PeopleTrackLifecycle::indexOf(int identity) const {
                                   people_.begin());
 }
 
-void PeopleTrackLifecycle::removePerson(int identity) {
+void PeopleTrackLifecycle::leave(int identity) {
   const std::size_t index = indexOf(identity);
   if (index < people_.size()) {
     gone(index);
@@ -208,7 +269,7 @@ void PeopleTrackLifecycle::judgeSight() {
 void PeopleTrackLifecycle::dismiss() {
   for (std::size_t k = people_.size(); k-- > 0;) {
     if (!settings_.area.contains(placeOf(people_[k])) || people_[k].existence <= 0.0) {
-      removePerson(people_[k].identity);
+      leave(people_[k].identity);
     }
   }
 }
@@ -223,13 +284,13 @@ void PeopleTrackLifecycle::giveBirth() {
   inside.half.array() -= kBirthMargin;
   for (const auto& place : births_.look(cameras_, explained, taken, settings_.birthTime)) {
     if (inside.contains(place)) {
-      addPerson({place.x(), place.y(), settings_.area.floor + 0.5 * usualHeight_});
+      enter({place.x(), place.y(), settings_.area.floor + 0.5 * usualHeight_});
     }
   }
 }
 
-void PeopleTrackLifecycle::step(const FrameSetPtr& frames, ThreadTeam& team) {
-  cameras_.begin(*frames, silhouettesOfAll(kExplainedWider), team);
+void PeopleTrackLifecycle::step(const FrameSet& frames, ThreadTeam& team) {
+  cameras_.begin(frames, silhouettesOfAll(kExplainedWider), team);
   const bool looking = std::ranges::any_of(cameras_.states(), &PeopleCameraState::usable);
   if (!looking) {
     return; // learning, or no images: what is believed stays as it is

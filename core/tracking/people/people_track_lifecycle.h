@@ -4,15 +4,24 @@
 #include "core/filter/particle_filter.h"
 #include "core/tracking/people/people_cameras.h"
 #include "core/tracking/people/people_track_initiation.h"
-#include "core/tracking/people/people_tracker.h"
+#include "core/tracking/tracker_capabilities.h"
 
+#include <map>
 #include <vector>
 
 namespace dewpoint::tracking {
 
 /// What all methods for people share: masks, births, who is seen by whom, exits, identities. A
-/// method adds what it believes about each person.
-class PeopleTrackLifecycle : public PeopleTracker {
+/// method adds what it believes about each person. The person of identity N is track N - 1, from
+/// birth on and, absent, after it has left. One iteration per frame is all there is; further ones
+/// change nothing. The choice of background model acts from the next restart on.
+class PeopleTrackLifecycle : public Tracker,
+                             public CameraCalibrated,
+                             public BackgroundImages,
+                             public ParticleCloud,
+                             public PeopleFinding,
+                             public PersonPlacing,
+                             public Copying {
 public:
   PeopleTrackLifecycle(const ParameterValues& parameters, const CameraRig& rig);
 
@@ -20,11 +29,18 @@ public:
   void setCameras(const CameraRig& rig) override;
   void setEmptyRooms(const std::vector<cv::Mat>& rooms) override;
   void restart(std::uint64_t seed) override;
-  void step(const FrameSetPtr& frames, ThreadTeam& team) final;
+  int iterationsPerFrame() const override { return 1; }
+  void beginFrame(FrameSetPtr frames) override;
+  void iterate(ThreadTeam& team) final;
+  std::size_t trackCount() const override { return everybody_.size(); }
+  TrackEstimate estimate(std::size_t track) const override;
+  void particles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
+                 Eigen::ArrayXd& weights) const override;
+  const std::vector<Target>& everybody() const override { return everybody_; }
   const std::vector<PersonEstimate>& people() const override { return people_; }
   const std::vector<PeopleCameraState>& cameraStates() const override { return cameras_.states(); }
   cv::Mat foreground(std::size_t camera) const override { return cameras_.mask(camera); }
-  int addPerson(const Eigen::Vector3d& middle) override;
+  int addPerson(const Eigen::Vector3d& center) override;
   void removePerson(int identity) override;
   bool canBeCopied() const override { return cameras_.canBeCopied(); }
   std::size_t memoryBytes() const override;
@@ -65,6 +81,11 @@ protected:
 
 private:
   void apply(const ParameterValues& parameters);
+  void step(const FrameSet& frames, ThreadTeam& team);
+  int enter(const Eigen::Vector3d& center);
+  void leave(int identity);
+  /// Gives those who are there their tracks.
+  void nameEverybody();
   void prepare();
   Sight sightOf(std::size_t person, std::size_t camera) const;
   void judgeSight();
@@ -82,6 +103,10 @@ private:
   double usualHeight_ = 1.72;
   std::uint64_t seed_ = 0;
   int nextIdentity_ = 1;
+  FrameSetPtr frames_;
+  bool stepped_ = false; ///< on this frame
+  std::vector<Target> everybody_;
+  mutable std::map<int, BodyCloud> bodies_; ///< of this frame, those that were asked for
 };
 
 } // namespace dewpoint::tracking

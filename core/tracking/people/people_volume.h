@@ -3,7 +3,7 @@
 
 #include "core/geometry/convex_hull.h"
 #include "core/geometry/level_curves.h"
-#include "core/tracking/people/people_tracker.h"
+#include "core/tracking/people_state.h"
 
 namespace dewpoint::tracking {
 

@@ -35,9 +35,9 @@ struct View {
   ScoreSums scores;   ///< empty without a mask
 };
 
-View viewOf(const PeopleTracker& tracker, const Camera& camera, std::size_t index) {
+View viewOf(const PeopleFinding& people, const Camera& camera, std::size_t index) {
   View view{SilhouetteMaker(camera), 1.0, {}};
-  const cv::Mat mask = tracker.foreground(index);
+  const cv::Mat mask = people.foreground(index);
   if (!mask.empty()) {
     view.scale = static_cast<double>(camera.intrinsics.width) / mask.cols;
     view.scores.build(maskScores(mask, cv::Mat()));
@@ -85,7 +85,7 @@ Eigen::Vector3d middleOfBody(const Eigen::Vector2d& place, const ParameterValues
   return {place.x(), place.y(), parameters.at("floor_z") + 0.5 * heightIn(parameters)};
 }
 
-std::optional<Eigen::Vector3d> personAtPixel(const PeopleTracker& tracker, const CameraRig& rig,
+std::optional<Eigen::Vector3d> personAtPixel(const PeopleFinding& people, const CameraRig& rig,
                                              const ParameterValues& parameters, int camera,
                                              const Eigen::Vector2d& pixel) {
   const auto clicked = static_cast<std::size_t>(camera);
@@ -94,7 +94,7 @@ std::optional<Eigen::Vector3d> personAtPixel(const PeopleTracker& tracker, const
   }
   std::vector<View> views;
   for (std::size_t k = 0; k < rig.size(); ++k) {
-    views.push_back(viewOf(tracker, rig[k], k));
+    views.push_back(viewOf(people, rig[k], k));
   }
   const PeopleArea area = peopleSettings(parameters).area;
   const double height = heightIn(parameters);

@@ -3,7 +3,7 @@
 
 #include "core/geometry/camera.h"
 #include "core/tracking/parameters.h"
-#include "core/tracking/people/people_tracker.h"
+#include "core/tracking/tracker_capabilities.h"
 
 #include <Eigen/Core>
 
@@ -15,7 +15,7 @@ namespace dewpoint::tracking {
 /// standing bodies in the area of the method that cover the pixel, the one that the motion masks of
 /// all cameras speak for most; without any masks, the one whose middle is nearest to the pixel.
 /// `parameters` are those of a method for people. Nothing when nobody could stand there.
-std::optional<Eigen::Vector3d> personAtPixel(const PeopleTracker& tracker, const CameraRig& rig,
+std::optional<Eigen::Vector3d> personAtPixel(const PeopleFinding& people, const CameraRig& rig,
                                              const ParameterValues& parameters, int camera,
                                              const Eigen::Vector2d& pixel);
 

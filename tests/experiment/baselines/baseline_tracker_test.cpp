@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/baselines/baseline_methods.h"
+#include "tests/tracking/sphere_of.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
@@ -51,17 +52,17 @@ ScenarioRun runWith(std::size_t targetCount) {
   return run;
 }
 
-std::unique_ptr<MultiTracker> make(const std::string& method, const ScenarioRun& run) {
+std::unique_ptr<Tracker> make(const std::string& method, const ScenarioRun& run) {
   auto tracker = makeSuiteTracker(method, run);
   EXPECT_TRUE(tracker.has_value());
   return std::move(*tracker);
 }
 
-const std::vector<TargetEstimate>& step(MultiTracker& tracker, FrameSetPtr frames) {
+std::vector<SphereEstimate> step(Tracker& tracker, FrameSetPtr frames) {
   ThreadTeam team(1);
   tracker.beginFrame(std::move(frames));
   tracker.iterate(team);
-  return tracker.estimates();
+  return spheresOf(estimatesOf(tracker));
 }
 
 // A disk's center of mass is within a quarter of a pixel of where it was drawn: 0.25 px / 350 px
@@ -74,10 +75,10 @@ TEST(Baselines, FollowOneBall) {
   const ScenarioRun run = runWith(1);
   for (const std::string method : {"triangulation", "triangulation-kalman", "camshift"}) {
     const auto tracker = make(method, run);
-    EXPECT_FALSE(tracker->estimates().front().valid);
+    EXPECT_FALSE(sphereOf(*tracker).valid);
     for (int k = 0; k < 20; ++k) {
       const Eigen::Vector3d ball(0.005 * k, 0.02, 0.003 * k);
-      const TargetEstimate& estimate = step(*tracker, picture(run.rig, k, {ball})).front();
+      const SphereEstimate estimate = step(*tracker, picture(run.rig, k, {ball})).front();
       EXPECT_TRUE(estimate.valid) << method << " at " << k;
       EXPECT_EQ(estimate.camerasSeeing, 3);
       // The filter needs some frames to learn the speed.
@@ -107,14 +108,14 @@ TEST(Baselines, TheKalmanFilterBridgesAGap) {
     step(*tracker, picture(run.rig, k, {ball(k)}));
   }
   for (int k = 20; k < 25; ++k) {
-    const auto& estimate = step(*tracker, picture(run.rig, k, {})).front();
+    const auto estimate = step(*tracker, picture(run.rig, k, {})).front();
     EXPECT_TRUE(estimate.valid);
     EXPECT_LT((estimate.mean - ball(k)).norm(), 0.005); // about 1 % of the speed per frame
   }
   for (int k = 25; k < 40; ++k) {
     step(*tracker, picture(run.rig, k, {}));
   }
-  EXPECT_FALSE(tracker->estimates().front().valid) << "0.67 s without a measurement";
+  EXPECT_FALSE(sphereOf(*tracker).valid) << "0.67 s without a measurement";
 }
 
 TEST(Baselines, CamShiftStartsAnewWhenTheBallJumps) {
@@ -122,7 +123,7 @@ TEST(Baselines, CamShiftStartsAnewWhenTheBallJumps) {
   const auto tracker = make("camshift", run);
   step(*tracker, picture(run.rig, 0, {{0.0, 0.0, 0.0}}));
   const Eigen::Vector3d there(0.15, -0.1, 0.1);
-  const auto& estimate = step(*tracker, picture(run.rig, 1, {there})).front();
+  const auto estimate = step(*tracker, picture(run.rig, 1, {there})).front();
   EXPECT_TRUE(estimate.valid);
   EXPECT_LT((estimate.mean - there).norm(), kCamShiftBound);
 }

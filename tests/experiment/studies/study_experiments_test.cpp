@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text_file.h"
 #include "core/experiment/studies/study_experiments.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(All, StudyExperiments,
 TEST(StudyManyPeople, TellsHowFarItIsAndIsWritten) {
   PeopleStudySetup setup;
   setup.scenario = "apart";
-  setup.methods = {peopleMethodNames().front()};
+  setup.methods = {methodNames(TargetsFrom::Images).front()};
   std::vector<std::int64_t> seen;
   const auto trials = studyManyPeople(setup, {PeopleClothes::Different}, 1,
                                       [&](std::int64_t done, std::int64_t all) {

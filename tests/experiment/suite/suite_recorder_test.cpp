@@ -32,8 +32,8 @@ ScenarioRun runWith(std::size_t targetCount) {
   return run;
 }
 
-TargetEstimate estimateAt(const Eigen::Vector3d& place, double sigma = 0.003) {
-  TargetEstimate estimate;
+SphereEstimate estimateAt(const Eigen::Vector3d& place, double sigma = 0.003) {
+  SphereEstimate estimate;
   estimate.mean = place;
   estimate.covariance = sigma * sigma * Eigen::Matrix3d::Identity();
   estimate.valid = true;
@@ -76,7 +76,7 @@ TEST(SuiteRecorder, CountsFromConvergenceOn) {
   const ScenarioRun run = runWith(1);
   SuiteRecorder recorder(run, "test");
   for (std::int64_t k = 0; k < kFrames; ++k) {
-    TargetEstimate estimate = estimateAt({k < 4 ? 0.5 : 0.002, 0.0, 0.0});
+    SphereEstimate estimate = estimateAt({k < 4 ? 0.5 : 0.002, 0.0, 0.0});
     estimate.valid = k < 15;
     estimate.existence = k < 15 ? 1.0 : 0.0;
     recorder.add({estimate});
@@ -95,7 +95,7 @@ TEST(SuiteRecorder, NeverConvergedIsInfinite) {
   const ScenarioRun run = runWith(1);
   SuiteRecorder recorder(run, "test");
   for (std::int64_t k = 0; k < kFrames; ++k) {
-    recorder.add({TargetEstimate{}});
+    recorder.add({SphereEstimate{}});
   }
   const SuiteRow row = recorder.result(0.0).row;
   EXPECT_TRUE(std::isinf(*row.framesToConverge));
@@ -128,7 +128,7 @@ TEST(SuiteRecorder, LossHasToBeDeclared) {
   }
   SuiteRecorder recorder(run, "test");
   for (std::int64_t k = 0; k < kFrames; ++k) {
-    TargetEstimate estimate = estimateAt({0, 0, 0});
+    SphereEstimate estimate = estimateAt({0, 0, 0});
     estimate.valid = k < 12;
     estimate.existence = k < 12 ? 1.0 : 0.0;
     recorder.add({estimate});

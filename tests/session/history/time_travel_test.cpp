@@ -94,11 +94,14 @@ TEST_P(TimeTravelTest, ShowsEveryMomentAsItWas) {
     EXPECT_EQ(now->iterations, then->iterations);
     EXPECT_TRUE(samePixels(*now->frames, *then->frames)) << frame;
     ASSERT_EQ(now->targets.size(), 1U);
-    EXPECT_EQ(now->targets[0].estimate.mean, then->targets[0].estimate.mean);
-    EXPECT_EQ(now->targets[0].estimate.existence, then->targets[0].estimate.existence);
+    EXPECT_EQ(std::get<SphereEstimate>(now->targets[0].estimate).mean,
+              std::get<SphereEstimate>(then->targets[0].estimate).mean);
+    EXPECT_EQ(std::get<SphereEstimate>(now->targets[0].estimate).existence,
+              std::get<SphereEstimate>(then->targets[0].estimate).existence);
     EXPECT_TRUE(sameTail(now->targets[0].tail, then->targets[0].tail));
     // A place of the tail is one where the target was held.
-    EXPECT_EQ(now->targets[0].tail.back().allFinite(), now->targets[0].estimate.valid);
+    EXPECT_EQ(now->targets[0].tail.back().allFinite(),
+              std::get<SphereEstimate>(now->targets[0].estimate).valid);
     EXPECT_EQ(now->targets[0].status, then->targets[0].status);
     EXPECT_EQ(now->targets[0].proposals.size(), then->targets[0].proposals.size());
     const auto particles = now->targets[0].particles.rows();
@@ -214,7 +217,8 @@ TEST(TimeTravelOfColors, RangesThatFollowTheLightAreHeldByTheCopies) {
   const Trajectory first = playedToTheEnd(session);
   session.showFrame(80);
   ASSERT_TRUE(shows(session, 80));
-  const std::vector<ColorRange> then = session.newest()->targets[0].estimate.colors;
+  const std::vector<ColorRange> then =
+      std::get<SphereEstimate>(session.newest()->targets[0].estimate).colors;
   ASSERT_EQ(then.size(), 2U);
   EXPECT_LT(then[0].intensityMax, 0.9 * drawn::kRed.intensityMax);
   for (const std::int64_t from : {70, 41, 12, 0}) {
@@ -222,7 +226,7 @@ TEST(TimeTravelOfColors, RangesThatFollowTheLightAreHeldByTheCopies) {
     EXPECT_TRUE(sameBits(session.trajectory(), first)) << from;
     session.showFrame(80);
     ASSERT_TRUE(shows(session, 80));
-    EXPECT_EQ(session.newest()->targets[0].estimate.colors, then) << from;
+    EXPECT_EQ(std::get<SphereEstimate>(session.newest()->targets[0].estimate).colors, then) << from;
   }
   // Without it the run is another one.
   ParameterValues off = inputs().project.parameters;
@@ -231,7 +235,7 @@ TEST(TimeTravelOfColors, RangesThatFollowTheLightAreHeldByTheCopies) {
   rerun(session, 30);
   session.showFrame(80);
   ASSERT_TRUE(shows(session, 80));
-  EXPECT_TRUE(session.newest()->targets[0].estimate.colors.empty());
+  EXPECT_TRUE(std::get<SphereEstimate>(session.newest()->targets[0].estimate).colors.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, TimeTravelTest,

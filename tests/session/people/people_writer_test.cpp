@@ -13,7 +13,7 @@ namespace dewpoint::tests {
 namespace {
 
 /// Two people who stand still: bodies are cubes of 0.4 m.
-class StandingPeople final : public PeopleTracker {
+class StandingPeople final : public PeopleFinding {
 public:
   StandingPeople() {
     for (int k = 0; k < 2; ++k) {
@@ -24,12 +24,8 @@ public:
     }
     people_[1].color = Eigen::Vector2d(0.25, 0.5);
   }
-  void configure(const ParameterValues&) override {}
-  void setCameras(const CameraRig&) override {}
-  void setEmptyRooms(const std::vector<cv::Mat>&) override {}
-  void restart(std::uint64_t) override {}
-  void step(const FrameSetPtr&, ThreadTeam&) override {}
   const std::vector<PersonEstimate>& people() const override { return people_; }
+  const std::vector<Target>& everybody() const override { return everybody_; }
   BodyCloud body(int identity) const override {
     BodyCloud cloud{Eigen::ArrayXXd(8, 3), Eigen::ArrayXd::Constant(8, 0.125)};
     for (int i = 0; i < 8; ++i) {
@@ -40,11 +36,10 @@ public:
   }
   const std::vector<PeopleCameraState>& cameraStates() const override { return states_; }
   cv::Mat foreground(std::size_t) const override { return {}; }
-  int addPerson(const Eigen::Vector3d&) override { return 0; }
-  void removePerson(int) override {}
 
 private:
   std::vector<PersonEstimate> people_;
+  std::vector<Target> everybody_;
   std::vector<PeopleCameraState> states_;
 };
 

@@ -65,7 +65,7 @@ cv::Mat picture(const Camera& camera, double time) {
 /// Twenty seconds in which the second camera is turned after ten. The tracker is right all along.
 void run(CameraMotionWatch& watch, const Camera& bumped) {
   CameraRig rig = threeCameras();
-  TargetEstimate estimate;
+  SphereEstimate estimate;
   estimate.valid = true;
   estimate.radius = kRadius;
   for (int i = 0; i < 200; ++i) {

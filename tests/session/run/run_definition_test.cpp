@@ -2,6 +2,7 @@
 #include "core/base/text_file.h"
 #include "core/session/run/frame_loop.h"
 #include "core/session/run/run_definition.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "tests/session/drawn_recording.h"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/thread_team.h"
-#include "core/tracking/tracker.h"
+#include "core/tracking/barrera/barrera_parameters.h"
+#include "core/tracking/barrera/barrera_tracker.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
 #include <cmath>
+#include <memory>
 
 namespace dewpoint::tests {
 namespace {
@@ -58,19 +60,18 @@ Target redBall() {
 }
 
 ParameterValues parameters(std::initializer_list<std::pair<const char*, double>> changes = {}) {
-  ParameterValues values(methodParameters("barrera"));
+  ParameterValues values(barreraParameters());
   for (const auto& [key, value] : changes) {
     EXPECT_TRUE(values.set(key, value)) << key;
   }
   return values;
 }
 
-std::unique_ptr<Tracker> barrera(const ParameterValues& values, const CameraRig& rig,
-                                 std::uint64_t seed = 1) {
-  auto tracker = makeTracker("barrera", values, rig, redBall());
-  EXPECT_TRUE(tracker);
-  (*tracker)->restart(seed);
-  return std::move(*tracker);
+std::unique_ptr<BarreraTracker> barrera(const ParameterValues& values, const CameraRig& rig,
+                                        std::uint64_t seed = 1) {
+  auto tracker = std::make_unique<BarreraTracker>(values, rig, redBall());
+  tracker->restart(seed);
+  return tracker;
 }
 
 // The start of the paper is (0.4, 0.1, 0.2); it reports an error below 3 cm once converged (at
@@ -81,7 +82,7 @@ TEST(BarreraTracker, ConvergesFromThePapersStart) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const auto tracker = barrera(parameters(), rig, seed);
     tracker->beginFrame(ballFrames(rig, kBall));
-    TargetEstimate estimate;
+    SphereEstimate estimate;
     for (int iteration = 0; iteration < 100; ++iteration) {
       estimate = tracker->iterate(team);
     }
@@ -102,15 +103,15 @@ TEST(BarreraTracker, SameBitsForAnyNumberOfThreadsAndOnlyForTheSameSeed) {
     ThreadTeam team(threads);
     const auto tracker = barrera(parameters({{"particles", 5000}}), rig, seed);
     tracker->beginFrame(frames);
-    TargetEstimate estimate;
+    SphereEstimate estimate;
     for (int iteration = 0; iteration < 8; ++iteration) {
       estimate = tracker->iterate(team);
     }
     return estimate;
   };
-  const TargetEstimate expected = run(1, 7);
+  const SphereEstimate expected = run(1, 7);
   for (const int threads : {2, 4}) {
-    const TargetEstimate estimate = run(threads, 7);
+    const SphereEstimate estimate = run(threads, 7);
     EXPECT_EQ(estimate.mean, expected.mean);
     EXPECT_EQ(estimate.best, expected.best);
     EXPECT_EQ(estimate.covariance, expected.covariance);
@@ -165,7 +166,7 @@ TEST(BarreraTracker, NewParticleCountActsAtTheNextIterationAndKeepsThePlace) {
   }
   for (const int count : {1000, 50, 3000}) {
     tracker->configure(parameters({{"particles", double(count)}}));
-    const TargetEstimate estimate = tracker->iterate(team);
+    const SphereEstimate estimate = tracker->iterate(team);
     EXPECT_EQ(estimate.particleCount, count);
     EXPECT_LT((estimate.mean - kBall).norm(), 0.03);
     Eigen::ArrayXXd positions;
@@ -188,7 +189,7 @@ TEST(BarreraTracker, ValidNeedsTwoCamerasUnlessThereIsOne) {
   auto half = std::make_shared<FrameSet>(*ballFrames(rig, kBall));
   half->frames[1] = nullptr;
   tracker->beginFrame(half);
-  TargetEstimate estimate = tracker->iterate(team);
+  SphereEstimate estimate = tracker->iterate(team);
   EXPECT_EQ(estimate.camerasSeeing, 1);
   EXPECT_FALSE(estimate.valid);
 
@@ -204,7 +205,7 @@ TEST(BarreraTracker, WithoutImagesAllParticlesAreEqual) {
   ThreadTeam team;
   const auto tracker = barrera(parameters(), barreraRig());
   tracker->beginFrame(nullptr);
-  const TargetEstimate estimate = tracker->iterate(team);
+  const SphereEstimate estimate = tracker->iterate(team);
   EXPECT_NEAR(estimate.effectiveSampleSize, 200.0, 1e-9);
   EXPECT_EQ(estimate.camerasSeeing, 0);
   EXPECT_FALSE(estimate.valid);

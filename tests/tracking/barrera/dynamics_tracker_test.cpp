@@ -26,7 +26,7 @@ TEST(DynamicsTracker, MeasuresWhereTheColorsMassIs) {
   // Disks of about 20 pixels: their centers of mass are good to a tenth of a pixel, 1 mm is 0.5.
   EXPECT_LT((*tracker.measured() - ball).norm(), 0.002);
   ThreadTeam team(1);
-  const TargetEstimate estimate = tracker.iterate(team);
+  const SphereEstimate estimate = tracker.iterate(team);
   EXPECT_TRUE(estimate.valid);
   EXPECT_EQ(estimate.camerasSeeing, 3);
   EXPECT_EQ(tracker.explain().front().trouble, CameraStatus::None);
@@ -49,7 +49,7 @@ TEST(DynamicsTracker, FollowsGivenPositionsAndSpreadsWithout) {
   tracker.restart(7);
   ThreadTeam team(1);
   const Eigen::Vector3d place(0.2, 0.1, 0.0);
-  TargetEstimate estimate;
+  SphereEstimate estimate;
   for (int k = 0; k < 40; ++k) {
     tracker.beginFrame(k, place);
     estimate = tracker.iterate(team);
@@ -72,7 +72,7 @@ TEST(DynamicsTracker, AFarMeasurementDoesNotUnderflow) {
   tracker.restart(7);
   ThreadTeam team(1);
   tracker.beginFrame(0, Eigen::Vector3d(50.0, 0.0, 0.0)); // exp(-125000) as a plain number
-  const TargetEstimate estimate = tracker.iterate(team);
+  const SphereEstimate estimate = tracker.iterate(team);
   EXPECT_FALSE(estimate.degenerate);
   EXPECT_GT(estimate.mean.x(), 0.0) << "those nearer to it count more";
 }

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/random.h"
-#include "core/tracking/boxes/box_targets.h"
+#include "core/tracking/boxes/histogram_tracker.h"
+#include "core/tracking/boxes/sugandi_tracker.h"
+#include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/tracker_capabilities.h"
 #include "tests/tracking/moving_patch.h"
 
 #include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
 
 namespace dewpoint::tests {
 namespace {
@@ -25,15 +31,15 @@ Target boxed(const char* name, std::int64_t frame) {
   return target;
 }
 
-std::unique_ptr<MultiTracker> made(const char* method, const std::vector<Target>& targets) {
+std::unique_ptr<Tracker> made(const char* method, const std::vector<Target>& targets) {
   auto tracker =
-      makeMultiTracker(method, ParameterValues(methodParameters(method)), CameraRig{}, targets);
+      makeTracker(method, ParameterValues(methodParameters(method)), CameraRig{}, targets);
   EXPECT_TRUE(tracker);
   (*tracker)->restart(5);
   return std::move(*tracker);
 }
 
-void go(MultiTracker& tracker, std::int64_t first, std::int64_t last) {
+void go(Tracker& tracker, std::int64_t first, std::int64_t last) {
   ThreadTeam team;
   for (std::int64_t frame = first; frame <= last; ++frame) {
     tracker.beginFrame(frameSet(frame));
@@ -41,77 +47,96 @@ void go(MultiTracker& tracker, std::int64_t first, std::int64_t last) {
   }
 }
 
+/// Nothing while the track is absent.
+std::optional<BoxEstimate> boxOf(const Tracker& tracker, std::size_t track) {
+  const TrackEstimate estimate = tracker.estimate(track);
+  const auto* box = std::get_if<BoxEstimate>(&estimate);
+  return box != nullptr ? std::optional(*box) : std::nullopt;
+}
+
+bool isHeldBy(const Tracker& tracker, std::size_t track) {
+  return isHeld(tracker.estimate(track));
+}
+
+/// What a filter of its own makes of the images of the camera.
+template <BoxFilter F> BoxEstimate alone(const char* method) {
+  F filter{ParameterValues(methodParameters(method))};
+  EXPECT_TRUE(filter.start(MovingPatch{}.image(4), MovingPatch{}.box(4), derivedSeed(5, 1)));
+  ThreadTeam team;
+  BoxEstimate estimate;
+  for (int frame = 5; frame <= 9; ++frame) {
+    estimate = filter.step(MovingPatch{}.image(frame), team);
+  }
+  return estimate;
+}
+
 class BoxTargetsTest : public ::testing::TestWithParam<const char*> {};
 
-// Each is what a BoxTracker of its own on the images of its camera is, to the bit.
+// Each is what a filter of its own on the images of its camera is, to the bit.
 TEST_P(BoxTargetsTest, EachTargetIsFollowedFromTheFrameOfItsBoxOn) {
   auto tracker = made(GetParam(), {boxed("early", 0), boxed("late", 4)});
   go(*tracker, 0, 3);
-  EXPECT_TRUE(tracker->box(0, 0));
-  EXPECT_FALSE(tracker->box(1, 0));
-  EXPECT_FALSE(tracker->estimates()[1].valid);
-  EXPECT_TRUE(tracker->estimates()[1].gone); // there is nothing to look for yet
+  EXPECT_TRUE(boxOf(*tracker, 0));
+  EXPECT_FALSE(boxOf(*tracker, 1));
+  EXPECT_FALSE(isHeldBy(*tracker, 1));
+  EXPECT_TRUE(isAbsent(tracker->estimate(1))); // there is nothing to look for yet
   tracker->beginFrame(frameSet(4));
-  EXPECT_EQ(tracker->box(1, 0)->estimate.box, MovingPatch{}.box(4)); // without any iteration
-  EXPECT_TRUE(tracker->estimates()[1].valid);
-  EXPECT_FALSE(tracker->estimates()[1].gone);
+  EXPECT_EQ(boxOf(*tracker, 1)->box, MovingPatch{}.box(4)); // without any iteration
+  EXPECT_TRUE(isHeldBy(*tracker, 1));
+  EXPECT_FALSE(isAbsent(tracker->estimate(1)));
   go(*tracker, 4, 4);
-  EXPECT_EQ(tracker->box(1, 0)->estimate.box, MovingPatch{}.box(4));
+  EXPECT_EQ(boxOf(*tracker, 1)->box, MovingPatch{}.box(4));
   go(*tracker, 5, 9);
 
-  auto alone = makeBoxTracker(GetParam(), ParameterValues(methodParameters(GetParam())));
-  ASSERT_TRUE(alone);
-  ASSERT_TRUE((*alone)->start(MovingPatch{}.image(4), MovingPatch{}.box(4), derivedSeed(5, 1)));
-  ThreadTeam team;
-  BoxEstimate expected;
-  for (int frame = 5; frame <= 9; ++frame) {
-    expected = (*alone)->step(MovingPatch{}.image(frame), team);
-  }
-  const auto belief = tracker->box(1, 50);
+  const BoxEstimate expected = std::string(GetParam()) == "sugandi"
+                                   ? alone<SugandiTracker>(GetParam())
+                                   : alone<HistogramTracker>(GetParam());
+  const auto belief = boxOf(*tracker, 1);
+  ASSERT_TRUE(belief);
   EXPECT_EQ(belief->camera, 1);
-  EXPECT_EQ(belief->estimate.box, expected.box);
-  EXPECT_EQ(belief->estimate.similarity, expected.similarity);
-  EXPECT_EQ(belief->centers.rows(), 50);
-  EXPECT_EQ(tracker->estimates()[1].valid, expected.visible);
+  EXPECT_EQ(belief->box, expected.box);
+  EXPECT_EQ(belief->similarity, expected.similarity);
+  EXPECT_EQ(capability<BoxFollowing>(*tracker)->boxParticles(1, 50).centers.rows(), 50);
+  EXPECT_EQ(isHeldBy(*tracker, 1), expected.visible);
 }
 
-// What is drawn in 3D is drawn of estimates with particles.
+// What is drawn in 3D is drawn of estimates with a position.
 TEST_P(BoxTargetsTest, NothingIsKnownInSpace) {
   auto tracker = made(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 3);
-  Eigen::ArrayXXd positions;
-  Eigen::ArrayXd weights;
-  tracker->particles(0, 100, positions, weights);
-  EXPECT_EQ(positions.rows(), 0);
-  EXPECT_EQ(tracker->estimates()[0].particleCount, 0);
+  EXPECT_EQ(capability<ParticleCloud>(*tracker), nullptr);
+  EXPECT_EQ(capability<CameraCalibrated>(*tracker), nullptr);
+  EXPECT_FALSE(positionOf(tracker->estimate(0)));
 }
 
 TEST_P(BoxTargetsTest, ACopyGoesOnWithTheSameBits) {
   auto tracker = made(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 4);
-  auto copy = tracker->clone();
+  auto copy = capability<Copying>(*tracker)->clone();
   copy->beginFrame(nullptr);
-  EXPECT_GT(copy->memoryBytes(), 300U * 8U); // 300 particles have one number at least
+  EXPECT_GT(capability<Copying>(*copy)->memoryBytes(),
+            300U * 8U); // 300 particles have one number at least
   go(*tracker, 5, 9);
   go(*copy, 5, 9);
-  EXPECT_EQ(copy->box(0, 0)->estimate.box, tracker->box(0, 0)->estimate.box);
+  EXPECT_EQ(boxOf(*copy, 0)->box, boxOf(*tracker, 0)->box);
 }
 
 TEST_P(BoxTargetsTest, ABoxOfTheFrameShownStartsAtOnceAndOthersGoOn) {
   auto tracker = made(GetParam(), {boxed("one", 0)});
   auto undisturbed = made(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 5);
-  tracker->setTargets({boxed("zero", 5), boxed("one", 0)});
-  ASSERT_TRUE(tracker->takesAnyNumber());
-  ASSERT_TRUE(tracker->box(0, 0));
-  EXPECT_EQ(tracker->box(0, 0)->estimate.box, MovingPatch{}.box(5));
+  capability<TargetFollowing>(*tracker)->setTargets({boxed("zero", 5), boxed("one", 0)});
+  ASSERT_TRUE(capability<TargetFollowing>(*tracker)->takesAnyNumber());
+  ASSERT_TRUE(boxOf(*tracker, 0));
+  EXPECT_EQ(boxOf(*tracker, 0)->box, MovingPatch{}.box(5));
   go(*tracker, 6, 8);
   go(*undisturbed, 0, 8);
-  EXPECT_EQ(tracker->box(1, 0)->estimate.box, undisturbed->box(0, 0)->estimate.box);
-  tracker->setTargets({boxed("renamed", 5), boxed("one", 0)}); // by its place
-  EXPECT_TRUE(tracker->box(0, 0));
-  tracker->setTargets({boxed("renamed", 5), Target{}});
-  EXPECT_FALSE(tracker->box(1, 0));
+  EXPECT_EQ(boxOf(*tracker, 1)->box, boxOf(*undisturbed, 0)->box);
+  capability<TargetFollowing>(*tracker)->setTargets(
+      {boxed("renamed", 5), boxed("one", 0)}); // by its place
+  EXPECT_TRUE(boxOf(*tracker, 0));
+  capability<TargetFollowing>(*tracker)->setTargets({boxed("renamed", 5), Target{}});
+  EXPECT_FALSE(boxOf(*tracker, 1));
 }
 
 TEST_P(BoxTargetsTest, ParametersHoldFromTheNextImageOn) {
@@ -121,8 +146,8 @@ TEST_P(BoxTargetsTest, ParametersHoldFromTheNextImageOn) {
   ASSERT_TRUE(more.set("particles", 700));
   tracker->configure(more);
   go(*tracker, 4, 5);
-  EXPECT_EQ(tracker->box(0, 0)->estimate.particleCount, 700);
-  EXPECT_TRUE(tracker->estimates()[0].valid);
+  EXPECT_EQ(boxOf(*tracker, 0)->particleCount, 700);
+  EXPECT_TRUE(isHeldBy(*tracker, 0));
 }
 
 TEST_P(BoxTargetsTest, ACameraThatDeliversNothingHidesTheTarget) {
@@ -131,12 +156,13 @@ TEST_P(BoxTargetsTest, ACameraThatDeliversNothingHidesTheTarget) {
   ThreadTeam team;
   tracker->beginFrame(frameSet(4, false));
   tracker->iterate(team);
-  EXPECT_FALSE(tracker->estimates()[0].valid);
-  ASSERT_TRUE(tracker->box(0, 0));
-  EXPECT_EQ(tracker->explain(0).at(1).trouble, CameraStatus::NoImage);
+  EXPECT_FALSE(isHeldBy(*tracker, 0));
+  ASSERT_TRUE(boxOf(*tracker, 0));
+  EXPECT_EQ(capability<CameraExplaining>(*tracker)->explain(0).at(1).trouble,
+            CameraStatus::NoImage);
   go(*tracker, 5, 5);
-  EXPECT_TRUE(tracker->estimates()[0].valid);
-  EXPECT_EQ(tracker->explain(0).at(1).trouble, CameraStatus::None);
+  EXPECT_TRUE(isHeldBy(*tracker, 0));
+  EXPECT_EQ(capability<CameraExplaining>(*tracker)->explain(0).at(1).trouble, CameraStatus::None);
 }
 
 TEST_P(BoxTargetsTest, ABoxBesideTheImageIsNotFollowed) {
@@ -144,7 +170,7 @@ TEST_P(BoxTargetsTest, ABoxBesideTheImageIsNotFollowed) {
   beside.box->box.x = 5000.0;
   auto tracker = made(GetParam(), {beside});
   go(*tracker, 0, 2);
-  EXPECT_FALSE(tracker->box(0, 0));
+  EXPECT_FALSE(boxOf(*tracker, 0));
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, BoxTargetsTest, ::testing::Values("histogram", "sugandi"));

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/boxes/color_peaks.h"
+#include "core/tracking/boxes/histogram_parameters.h"
 #include "core/tracking/boxes/histogram_tracker.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "tests/tracking/moving_patch.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace dewpoint::tests {
 namespace {
 
-std::unique_ptr<BoxTracker> histogram() {
-  auto tracker = makeBoxTracker("histogram", ParameterValues(methodParameters("histogram")));
-  EXPECT_TRUE(tracker);
-  return std::move(*tracker);
+std::unique_ptr<HistogramTracker> histogram() {
+  return std::make_unique<HistogramTracker>(ParameterValues(histogramParameters()));
 }
 
 TEST(HistogramTracker, IsTheDefault) {
-  EXPECT_EQ(boxMethodNames().front(), "histogram");
+  EXPECT_EQ(methodNames(TargetsFrom::Box).front(), "histogram");
 }
 
 TEST(HistogramTracker, FollowsAPatch) {
@@ -75,19 +76,18 @@ TEST(HistogramTracker, KeepsTheMarginOfTheDrawnBox) {
 TEST(HistogramTracker, DoesNotCallTheGroundTheTarget) {
   const MovingPatch scene;
   ThreadTeam team(1);
-  auto parameters = ParameterValues(methodParameters("histogram"));
+  auto parameters = ParameterValues(histogramParameters());
   ASSERT_TRUE(parameters.set("hidden_below", 0.0)); // it takes whatever it finds for the target
   for (const double scale : {1.0, 1.4}) {
-    auto tracker = makeBoxTracker("histogram", parameters);
-    ASSERT_TRUE(tracker);
+    HistogramTracker tracker(parameters);
     const double drawn = scale * scene.side;
-    ASSERT_TRUE((*tracker)->start(scene.image(0),
-                                  ImageBox::around(scene.box(0).center(), drawn, drawn), 1));
+    ASSERT_TRUE(
+        tracker.start(scene.image(0), ImageBox::around(scene.box(0).center(), drawn, drawn), 1));
     for (int frame = 1; frame <= 10; ++frame) {
-      EXPECT_GT((*tracker)->step(scene.image(frame), team).similarity, 0.8) << frame;
+      EXPECT_GT(tracker.step(scene.image(frame), team).similarity, 0.8) << frame;
     }
     for (int frame = 11; frame <= 80; ++frame) {
-      EXPECT_LT((*tracker)->step(scene.image(frame, false), team).similarity, 0.2) << frame;
+      EXPECT_LT(tracker.step(scene.image(frame, false), team).similarity, 0.2) << frame;
     }
   }
 }
@@ -150,7 +150,7 @@ TEST(HistogramTracker, SameSeedSameBitsForAnyNumberOfThreadsAndForACopy) {
   ASSERT_TRUE(left->start(scene.image(0), scene.box(0), 11));
   ASSERT_TRUE(right->start(scene.image(0), scene.box(0), 11));
   for (int frame = 1; frame < 12; ++frame) {
-    const auto copy = left->clone();
+    const auto copy = std::make_unique<HistogramTracker>(*left);
     const BoxEstimate a = left->step(scene.image(frame), one);
     const BoxEstimate b = right->step(scene.image(frame), three);
     ASSERT_EQ(a.box, b.box) << "frame " << frame;

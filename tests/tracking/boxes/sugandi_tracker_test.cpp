@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/boxes/sugandi_parameters.h"
 #include "core/tracking/boxes/sugandi_tracker.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "tests/tracking/moving_patch.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace dewpoint::tests {
 namespace {
 
-std::unique_ptr<BoxTracker> sugandi(int particles = 300) {
-  ParameterValues parameters(methodParameters("sugandi"));
+std::unique_ptr<SugandiTracker> sugandi(int particles = 300) {
+  ParameterValues parameters(sugandiParameters());
   EXPECT_TRUE(parameters.set("particles", particles));
-  auto tracker = makeBoxTracker("sugandi", parameters);
-  EXPECT_TRUE(tracker);
-  return std::move(*tracker);
+  return std::make_unique<SugandiTracker>(parameters);
 }
 
 /// Root mean square distance of the centers, pixels, over `frames` frames.
-double rmse(BoxTracker& tracker, const MovingPatch& scene, std::uint64_t seed, int frames = 60) {
+double rmse(SugandiTracker& tracker, const MovingPatch& scene, std::uint64_t seed,
+            int frames = 60) {
   ThreadTeam team(1);
   EXPECT_TRUE(tracker.start(scene.image(0), scene.box(0), seed));
   double sum = 0.0;
@@ -96,13 +98,13 @@ TEST(SugandiTracker, ACopyGoesOnAlike) {
   const auto tracker = sugandi();
   ASSERT_TRUE(tracker->start(scene.image(0), scene.box(0), 11));
   tracker->step(scene.image(1), team);
-  const auto copy = tracker->clone();
+  const auto copy = std::make_unique<SugandiTracker>(*tracker);
   const ImageBox next = tracker->step(scene.image(2), team).box;
   tracker->step(scene.image(3), team);
   EXPECT_EQ(copy->step(scene.image(2), team).box, next);
 }
 
-TEST(BoxTracker, NamesWhatIsWrong) {
+TEST(BoxFilter, NamesWhatIsWrong) {
   const MovingPatch scene;
   const cv::Mat image = scene.image(0);
   const auto tracker = sugandi();
@@ -114,14 +116,12 @@ TEST(BoxTracker, NamesWhatIsWrong) {
     EXPECT_EQ(started.error().field, "box");
   }
   EXPECT_EQ(tracker->start(cv::Mat(), {0, 0, 9, 9}, 1).error().field, "image");
-  EXPECT_EQ(makeBoxTracker("barrera", ParameterValues(methodParameters("barrera"))).error().code,
-            ErrorCode::NotFound);
-  EXPECT_EQ(makeBoxTracker("sugandi", ParameterValues(methodParameters("barrera"))).error().code,
-            ErrorCode::MissingKey);
+  const ParameterValues others(methodParameters("barrera"));
+  EXPECT_EQ(makeTracker("sugandi", others, {}, {}).error().code, ErrorCode::MissingKey);
 }
 
-TEST(BoxTracker, EveryMethodDeclaresItsParameters) {
-  for (const std::string& method : boxMethodNames()) {
+TEST(BoxFilter, EveryMethodDeclaresItsParameters) {
+  for (const std::string& method : methodNames(TargetsFrom::Box)) {
     EXPECT_FALSE(methodParameters(method).empty()) << method;
     EXPECT_FALSE(methodSentence(method).empty()) << method;
     for (const ParameterDeclaration& declaration : methodParameters(method)) {
@@ -132,7 +132,7 @@ TEST(BoxTracker, EveryMethodDeclaresItsParameters) {
   }
 }
 
-TEST(BoxTracker, GrowsABoxFromAClick) {
+TEST(BoxFilter, GrowsABoxFromAClick) {
   MovingPatch scene;
   cv::Mat image(240, 320, CV_8UC3, cv::Scalar(120, 120, 120));
   cv::rectangle(image, {100, 60, 40, 25}, cv::Scalar(30, 30, 220), cv::FILLED);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/dewpoint/dewpoint_parameters.h"
 
 #include <gtest/gtest.h>

@@ -31,11 +31,11 @@ void followCircle(DrawnRun& run, int count) {
   }
 }
 
-double errorOf(const TargetEstimate& estimate, const Eigen::Vector3d& truth) {
+double errorOf(const SphereEstimate& estimate, const Eigen::Vector3d& truth) {
   return (estimate.mean - truth).norm();
 }
 
-bool isFinite(const TargetEstimate& e) {
+bool isFinite(const SphereEstimate& e) {
   return e.mean.allFinite() && e.best.allFinite() && e.covariance.allFinite() &&
          std::isfinite(e.existence) && std::isfinite(e.effectiveSampleSize) &&
          std::isfinite(e.radius) && e.existence >= 0.0 && e.existence <= 1.0;
@@ -46,7 +46,7 @@ TEST(DewpointTracker, ConvergesInTwoFramesFromAUniformStart) {
     DrawnRun run(rigAround(2), {redBall()}, {}, seed);
     const Eigen::Vector3d truth = drawn::placeNear(seed, 0.2);
     run.show({Ball{truth}});
-    const TargetEstimate& estimate = run.show({Ball{truth}});
+    const SphereEstimate& estimate = run.show({Ball{truth}});
     EXPECT_LT(errorOf(estimate, truth), kClose) << seed;
     EXPECT_LT((estimate.best - truth).norm(), 0.01) << seed;
     EXPECT_TRUE(estimate.valid) << seed;
@@ -71,7 +71,7 @@ TEST(DewpointTracker, FollowsMotion) {
   DrawnRun run(rigAround(2), {redBall()});
   double squares = 0.0;
   for (int frame = 0; frame < 90; ++frame) {
-    const TargetEstimate& estimate = run.show({Ball{onCircle(frame)}});
+    const SphereEstimate& estimate = run.show({Ball{onCircle(frame)}});
     if (frame >= 30) {
       EXPECT_TRUE(estimate.valid) << frame;
       EXPECT_LT(errorOf(estimate, onCircle(frame)), 2.0 * kClose) << frame;
@@ -121,7 +121,7 @@ TEST(DewpointTracker, LossIsDeclaredWithinThreeFramesAndItsReturnToo) {
 TEST(DewpointTracker, AnEmptySceneHoldsNothing) {
   DrawnRun run(rigAround(3), {redBall()});
   for (int frame = 0; frame < 40; ++frame) {
-    const TargetEstimate& estimate = run.show({});
+    const SphereEstimate& estimate = run.show({});
     EXPECT_FALSE(estimate.valid) << frame;
     EXPECT_LT(estimate.existence, 0.1) << frame;
     EXPECT_TRUE(isFinite(estimate)) << frame;
@@ -130,7 +130,7 @@ TEST(DewpointTracker, AnEmptySceneHoldsNothing) {
 
 TEST(DewpointTracker, NothingIsValidBeforeTheFirstFrame) {
   DrawnRun run(rigAround(2), {redBall(), redBall()});
-  ASSERT_EQ(run.tracker().estimates().size(), 2U);
+  ASSERT_EQ(run.tracker().trackCount(), 2U);
   EXPECT_FALSE(run.estimate(0).valid);
   EXPECT_FALSE(run.estimate(1).valid);
 }
@@ -148,7 +148,7 @@ TEST(DewpointTracker, ACameraThatFailsOrReturnsMakesNoStep) {
       const Eigen::Vector3d before = run.estimate().mean;
       const std::vector<std::size_t> blind =
           frame < 3 ? std::vector<std::size_t>{failing} : std::vector<std::size_t>{};
-      const TargetEstimate& estimate = run.show({Ball{truth}}, blind);
+      const SphereEstimate& estimate = run.show({Ball{truth}}, blind);
       EXPECT_LT((estimate.mean - before).norm(), 1e-3) << failing << ", frame " << frame;
       EXPECT_TRUE(estimate.valid);
       EXPECT_EQ(estimate.camerasSeeing, frame < 3 ? 2 : 3);
@@ -164,7 +164,7 @@ TEST(DewpointTracker, OneOfTwoCamerasBlackForHalfASecond) {
     auto black = std::make_shared<Frame>(*frames->frames[1]);
     black->image = cv::Mat::zeros(240, 320, CV_8UC3);
     frames->frames[1] = black;
-    const TargetEstimate& estimate = run.showSet(frames);
+    const SphereEstimate& estimate = run.showSet(frames);
     // The remaining camera knows the direction; along it acceleration and size leave centimeters.
     EXPECT_LT(errorOf(estimate, onCircle(frame)), 0.1) << frame;
   }
@@ -182,7 +182,7 @@ TEST(DewpointTracker, ALookAlikeDoesNotCaptureIt) {
     if (frame >= 10) {
       balls.push_back(Ball{drawn::kMiddle + Eigen::Vector3d(-0.1, 0.22, -0.05)});
     }
-    const TargetEstimate& estimate = run.show(balls);
+    const SphereEstimate& estimate = run.show(balls);
     if (frame >= 5) {
       EXPECT_LT(errorOf(estimate, onCircle(frame)), 3.0 * kClose) << frame;
       EXPECT_TRUE(estimate.valid) << frame;
@@ -203,7 +203,7 @@ TEST(DewpointTracker, HalfHiddenInOneCamera) {
     auto covered = std::make_shared<Frame>(*frames->frames[0]);
     covered->image(cv::Rect(0, 60, static_cast<int>(column), 120)) = cv::Scalar(200, 60, 30);
     frames->frames[0] = covered;
-    const TargetEstimate& estimate = run.showSet(frames);
+    const SphereEstimate& estimate = run.showSet(frames);
     EXPECT_TRUE(estimate.valid) << frame;
     EXPECT_LT(errorOf(estimate, truth), 10e-3) << frame;
   }

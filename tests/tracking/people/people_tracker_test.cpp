@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/observation/people/body_silhouette.h"
-#include "core/tracking/people/people_tracker.h"
+#include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/tracker_capabilities.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
 #include <array>
+#include <initializer_list>
+#include <memory>
+#include <utility>
 
 namespace dewpoint::tests {
 namespace {
@@ -50,13 +54,34 @@ FrameSetPtr draw(const CameraRig& rig, std::int64_t frame, const std::vector<Per
 const cv::Scalar kBlue(190, 70, 40);
 const cv::Scalar kRed(40, 50, 190);
 
-std::unique_ptr<PeopleTracker> trackerOf(const std::string& method) {
-  ParameterValues parameters(peopleMethodParameters(method));
-  EXPECT_TRUE(parameters.set("learning_time", 0.5));
-  auto tracker = makePeopleTracker(method, parameters, room());
-  EXPECT_TRUE(tracker);
-  (*tracker)->restart(1);
-  return std::move(*tracker);
+/// A method at work, one frame after the other.
+class PeopleRun {
+public:
+  PeopleRun(const std::string& method, std::initializer_list<std::pair<const char*, double>> set) {
+    ParameterValues parameters(methodParameters(method));
+    for (const auto& [key, value] : set) {
+      EXPECT_TRUE(parameters.set(key, value)) << key;
+    }
+    tracker_ = makeTracker(method, parameters, room(), {}).value();
+    tracker_->restart(1);
+  }
+  Tracker& tracker() { return *tracker_; }
+  void step(FrameSetPtr frames, ThreadTeam& team) {
+    tracker_->beginFrame(std::move(frames));
+    tracker_->iterate(team);
+  }
+  const std::vector<PersonEstimate>& people() const { return found().people(); }
+  const PeopleFinding& found() const {
+    return *capability<PeopleFinding>(std::as_const(*tracker_));
+  }
+
+private:
+  std::unique_ptr<Tracker> tracker_;
+};
+
+std::unique_ptr<PeopleRun> trackerOf(const std::string& method) {
+  using Set = std::initializer_list<std::pair<const char*, double>>;
+  return std::make_unique<PeopleRun>(method, Set{{"learning_time", 0.5}});
 }
 
 class PeopleMethods : public testing::TestWithParam<std::string> {};
@@ -70,7 +95,7 @@ TEST_P(PeopleMethods, SeeSomebodyComeWalkAndGo) {
     tracker->step(draw(rig, frame, {}), team);
     EXPECT_TRUE(tracker->people().empty());
   }
-  EXPECT_EQ(tracker->cameraStates()[0].learned, 1.0);
+  EXPECT_EQ(tracker->found().cameraStates()[0].learned, 1.0);
   for (; frame < 42; ++frame) { // 2 s at 0.6 m/s
     const Eigen::Vector2d place(-0.6 + 0.04 * static_cast<double>(frame - 12), 0.3);
     tracker->step(draw(rig, frame, {{place, kBlue}}), team);
@@ -81,9 +106,9 @@ TEST_P(PeopleMethods, SeeSomebodyComeWalkAndGo) {
       EXPECT_EQ(tracker->people()[0].camerasSeeing, 4);
     }
   }
-  const BodyCloud body = tracker->body(1);
+  const BodyCloud body = tracker->found().body(1);
   EXPECT_NEAR(body.weights.sum(), 1.0, 1e-9);
-  EXPECT_EQ(tracker->body(99).points.rows(), 0);
+  EXPECT_EQ(tracker->found().body(99).points.rows(), 0);
   for (; frame < 57; ++frame) { // 1 s
     tracker->step(draw(rig, frame, {}), team);
   }
@@ -116,25 +141,26 @@ TEST_P(PeopleMethods, GiveTheSameBitsForAnyNumberOfThreads) {
 
 TEST_P(PeopleMethods, TakeAPersonPutThereByHand) {
   const CameraRig rig = room();
-  ParameterValues parameters(peopleMethodParameters(GetParam()));
-  EXPECT_TRUE(parameters.set("births", 0.0));
-  auto tracker = std::move(*makePeopleTracker(GetParam(), parameters, rig));
+  PeopleRun run(GetParam(), {{"births", 0.0}});
+  PeopleRun* const tracker = &run;
+  auto* const placing = capability<PersonPlacing>(run.tracker());
+  ASSERT_NE(placing, nullptr);
   // The empty room is known: nothing is learned first.
   std::vector<cv::Mat> rooms;
   const FrameSetPtr empty = draw(rig, 0, {});
   for (const auto& frame : empty->frames) {
     rooms.push_back(frame->image);
   }
-  tracker->setEmptyRooms(rooms);
-  tracker->restart(2);
+  capability<BackgroundImages>(run.tracker())->setEmptyRooms(rooms);
+  run.tracker().restart(2);
   ThreadTeam team(1);
-  EXPECT_EQ(tracker->addPerson({0.4, 0.1, 0.85}), 1);
+  EXPECT_EQ(placing->addPerson({0.4, 0.1, 0.85}), 1);
   for (std::int64_t frame = 0; frame < 8; ++frame) {
     tracker->step(draw(rig, frame, {{{0.5, 0.1}, kRed}, {{-1.0, -1.0}, kBlue}}), team);
   }
   ASSERT_EQ(tracker->people().size(), 1U); // the other one is not born
   EXPECT_NEAR(tracker->people()[0].position.x(), 0.5, 0.15);
-  tracker->removePerson(1);
+  placing->removePerson(1);
   EXPECT_TRUE(tracker->people().empty());
 }
 
@@ -153,11 +179,11 @@ TEST_P(PeopleMethods, LiveWithoutSomeCamera) {
   }
   ASSERT_EQ(tracker->people().size(), 1U);
   EXPECT_LT((tracker->people()[0].position.head<2>() - Eigen::Vector2d(0.2, 0.2)).norm(), 0.25);
-  EXPECT_FALSE(tracker->cameraStates()[1].usable);
-  EXPECT_TRUE(tracker->foreground(1).empty());
+  EXPECT_FALSE(tracker->found().cameraStates()[1].usable);
+  EXPECT_TRUE(tracker->found().foreground(1).empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, PeopleMethods, testing::ValuesIn(peopleMethodNames()),
+INSTANTIATE_TEST_SUITE_P(All, PeopleMethods, testing::ValuesIn(methodNames(TargetsFrom::Images)),
                          [](const auto& method) {
                            std::string name = method.param;
                            std::erase(name, '-');
@@ -185,19 +211,15 @@ TEST(PeopleMethod, KeepsTwoInTheSameClothesApart) {
 }
 
 TEST(PeopleMethodNames, HaveParametersAndSentences) {
-  for (const std::string& method : peopleMethodNames()) {
-    EXPECT_FALSE(peopleMethodSentence(method).empty());
-    for (const ParameterDeclaration& one : peopleMethodParameters(method)) {
+  for (const std::string& method : methodNames(TargetsFrom::Images)) {
+    EXPECT_FALSE(methodSentence(method).empty());
+    for (const ParameterDeclaration& one : methodParameters(method)) {
       EXPECT_LE(one.minimum, one.defaultValue) << one.key;
       EXPECT_GE(one.maximum, one.defaultValue) << one.key;
       EXPECT_FALSE(one.sentence.empty()) << one.key;
     }
   }
-  EXPECT_TRUE(peopleMethodParameters("barrera").empty());
-  const auto unknown = makePeopleTracker("barrera", ParameterValues(), room());
-  ASSERT_FALSE(unknown);
-  EXPECT_EQ(unknown.error().code, ErrorCode::NotFound);
-  const auto missing = makePeopleTracker("people", ParameterValues(), room());
+  const auto missing = makeTracker("people", ParameterValues(), room(), {});
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::MissingKey);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/barrera/barrera_tracker.h"
+#include "core/tracking/barrera/dynamics_tracker.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/independent_trackers.h"
-#include "core/tracking/multi_tracker.h"
 #include "core/tracking/start_parameters.h"
 #include "tests/tracking/drawn_run.h"
 
@@ -13,24 +15,24 @@ using drawn::Ball;
 using drawn::parametersOf;
 using drawn::redBall;
 
-TEST(MakeMultiTracker, KnowsEveryMethod) {
+TEST(MethodCatalog, KnowsEveryMethod) {
   const CameraRig rig = drawn::rigAround(2);
-  for (const std::string& method : methodNames()) {
+  for (const std::string& method : methodNames(TargetsFrom::Color)) {
     const auto tracker =
-        makeMultiTracker(method, parametersOf(method.c_str()), rig, {redBall(), redBall()});
+        makeTracker(method, parametersOf(method.c_str()), rig, {redBall(), redBall()});
     ASSERT_TRUE(tracker) << method;
-    EXPECT_EQ((*tracker)->estimates().size(), 2U) << method;
-    EXPECT_FALSE((*tracker)->estimates()[0].valid) << method;
+    EXPECT_EQ((*tracker)->trackCount(), 2U) << method;
+    EXPECT_FALSE(sphereOf(**tracker).valid) << method;
   }
 }
 
-TEST(MakeMultiTracker, UnknownMethodOrParametersOfAnotherAreRefused) {
-  const auto unknown = makeMultiTracker("kalman", parametersOf("dewpoint"), {}, {redBall()});
+TEST(MethodCatalog, UnknownMethodOrParametersOfAnotherAreRefused) {
+  const auto unknown = makeTracker("kalman", parametersOf("dewpoint"), {}, {redBall()});
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().code, ErrorCode::NotFound);
-  for (const std::string& method : methodNames()) {
+  for (const std::string& method : methodNames(TargetsFrom::Color)) {
     const std::string other = method == "dewpoint" ? "barrera" : "dewpoint";
-    const auto missing = makeMultiTracker(method, parametersOf(other.c_str()), {}, {redBall()});
+    const auto missing = makeTracker(method, parametersOf(other.c_str()), {}, {redBall()});
     ASSERT_FALSE(missing) << method;
     EXPECT_EQ(missing.error().code, ErrorCode::MissingKey) << method;
   }
@@ -40,51 +42,63 @@ TEST(MakeMultiTracker, UnknownMethodOrParametersOfAnotherAreRefused) {
 TEST(IndependentTrackers, NoneKnowsOfTheOthers) {
   const CameraRig rig = drawn::rigAround(2);
   const auto values = parametersOf("barrera", {{"start_x", 0.5}, {"start_y", 0.5}});
-  auto together = makeMultiTracker("barrera", values, rig, {redBall(), redBall(), redBall()});
+  auto together = makeTracker("barrera", values, rig, {redBall(), redBall(), redBall()});
   ASSERT_TRUE(together);
   (*together)->restart(42);
   ThreadTeam team;
-  std::vector<std::unique_ptr<Tracker>> alone;
+  std::vector<BarreraTracker> alone;
   for (std::uint32_t k = 0; k < 3; ++k) {
-    auto tracker = makeTracker("barrera", values, rig, redBall());
-    ASSERT_TRUE(tracker);
-    (*tracker)->restart(derivedSeed(42, k));
-    alone.push_back(std::move(*tracker));
+    alone.emplace_back(values, rig, redBall());
+    alone.back().restart(derivedSeed(42, k));
   }
   for (int frame = 0; frame < 5; ++frame) {
     const auto frames = drawn::framesOf(rig, {Ball{drawn::kMiddle}}, frame);
     (*together)->beginFrame(frames);
     (*together)->iterate(team);
     for (std::size_t k = 0; k < 3; ++k) {
-      alone[k]->beginFrame(frames);
-      const TargetEstimate expected = alone[k]->iterate(team);
-      EXPECT_EQ((*together)->estimates()[k].mean, expected.mean);
-      EXPECT_EQ((*together)->estimates()[k].covariance, expected.covariance);
+      alone[k].beginFrame(frames);
+      const SphereEstimate expected = alone[k].iterate(team);
+      EXPECT_EQ(sphereOf(**together, k).mean, expected.mean);
+      EXPECT_EQ(sphereOf(**together, k).covariance, expected.covariance);
     }
   }
-  EXPECT_NE((*together)->estimates()[0].mean, (*together)->estimates()[1].mean);
+  EXPECT_NE(sphereOf(**together).mean, sphereOf(**together, 1).mean);
   Eigen::ArrayXXd ours;
   Eigen::ArrayXXd theirs;
   Eigen::ArrayXd weights;
-  (*together)->particles(2, 50, ours, weights);
-  alone[2]->particles(50, theirs, weights);
+  capability<ParticleCloud>(**together)->particles(2, 50, ours, weights);
+  alone[2].particles(50, theirs, weights);
   EXPECT_TRUE((ours == theirs).all());
   (*together)->restart(42);
-  EXPECT_FALSE((*together)->estimates()[0].valid);
+  EXPECT_FALSE(sphereOf(**together).valid);
 }
 
 TEST(IndependentTrackers, TakeTargetsAndParametersOfAll) {
   const CameraRig rig = drawn::rigAround(2);
-  auto tracker = makeMultiTracker("barrera", parametersOf("barrera"), rig, {redBall(), redBall()});
+  auto tracker = makeTracker("barrera", parametersOf("barrera"), rig, {redBall(), redBall()});
   ASSERT_TRUE(tracker);
   (*tracker)->configure(parametersOf("barrera", {{"iterations_per_frame", 9}, {"particles", 70}}));
   EXPECT_EQ((*tracker)->iterationsPerFrame(), 9);
-  (*tracker)->setTargets({redBall()}); // fewer than there are: the others stay
+  capability<TargetFollowing>(**tracker)->setTargets(
+      {redBall()}); // fewer than there are: the others stay
   ThreadTeam team;
   (*tracker)->beginFrame(drawn::framesOf(rig, {}, 0));
   (*tracker)->iterate(team);
-  EXPECT_EQ((*tracker)->estimates()[1].particleCount, 70);
-  EXPECT_EQ(IndependentTrackers({}).iterationsPerFrame(), 0);
+  EXPECT_EQ(sphereOf(**tracker, 1).particleCount, 70);
+  const auto none = makeTracker("barrera", parametersOf("barrera"), rig, {});
+  ASSERT_TRUE(none);
+  EXPECT_EQ((*none)->iterationsPerFrame(), 0);
+}
+
+// A filter without likelihoods of its own has no maps, rather than empty ones.
+TEST(IndependentTrackers, HaveLikelihoodMapsWhereTheirFiltersHave) {
+  const CameraRig rig = drawn::rigAround(2);
+  const auto barrera = makeTracker("barrera", parametersOf("barrera"), rig, {redBall()}).value();
+  const auto dynamics = makeTracker("dynamics", parametersOf("dynamics"), rig, {redBall()}).value();
+  ASSERT_NE(capability<LikelihoodMapping>(*barrera), nullptr);
+  EXPECT_EQ(capability<LikelihoodMapping>(*dynamics), nullptr);
+  const auto copy = capability<Copying>(*barrera)->clone();
+  EXPECT_NE(capability<LikelihoodMapping>(*copy), nullptr);
 }
 
 TEST(StartParameters, DeclareAVolumeAndGiveItBack) {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tracking/boxes/box_tracker.h"
+#include "core/tracking/boxes/box_filter.h"
 
 #include "core/observation/boxes/click_box.h"
-#include "core/tracking/boxes/histogram_tracker.h"
-#include "core/tracking/boxes/sugandi_tracker.h"
 
 #include <fmt/format.h>
 
@@ -23,25 +21,6 @@ Status checkImage(const cv::Mat& bgr) {
 }
 
 } // namespace
-
-std::vector<std::string> boxMethodNames() {
-  return {"histogram", "sugandi"};
-}
-
-Result<std::unique_ptr<BoxTracker>> makeBoxTracker(const std::string& method,
-                                                   const ParameterValues& parameters) {
-  const auto names = boxMethodNames();
-  if (std::ranges::find(names, method) == names.end()) {
-    return failure(ErrorCode::NotFound, "", "method", method);
-  }
-  if (const auto checked = checkParameters(method, parameters); !checked) {
-    return tl::make_unexpected(checked.error());
-  }
-  if (method == "sugandi") {
-    return std::make_unique<SugandiTracker>(parameters);
-  }
-  return std::make_unique<HistogramTracker>(parameters);
-}
 
 Status checkBox(const cv::Mat& bgr, const ImageBox& box) {
   if (const auto image = checkImage(bgr); !image) {

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/catalog/method_catalog.h"
+
+#include "core/tracking/barrera/barrera_parameters.h"
+#include "core/tracking/barrera/barrera_tracker.h"
+#include "core/tracking/barrera/dynamics_parameters.h"
+#include "core/tracking/barrera/dynamics_tracker.h"
+#include "core/tracking/boxes/box_targets.h"
+#include "core/tracking/boxes/histogram_parameters.h"
+#include "core/tracking/boxes/histogram_tracker.h"
+#include "core/tracking/boxes/sugandi_parameters.h"
+#include "core/tracking/boxes/sugandi_tracker.h"
+#include "core/tracking/dewpoint/dewpoint_parameters.h"
+#include "core/tracking/dewpoint/dewpoint_tracker.h"
+#include "core/tracking/independent_trackers.h"
+#include "core/tracking/people/mohedano_tracker.h"
+#include "core/tracking/people/people_parameters.h"
+#include "core/tracking/people/people_particle_tracker.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace dewpoint::tracking {
+namespace {
+
+constexpr MethodFamily kSpheres{TargetsFrom::Color, true}, kBoxes{TargetsFrom::Box, false},
+    kPeople{TargetsFrom::Images, true};
+
+using Made = std::unique_ptr<Tracker>;
+using Targets = std::vector<Target>;
+
+/// Methods that treat all targets together.
+template <class T>
+Made makeTogether(const ParameterValues& parameters, const CameraRig& rig, const Targets& targets) {
+  return std::make_unique<T>(parameters, rig, targets);
+}
+
+template <BoxFilter F>
+Made makeBoxes(const ParameterValues& parameters, const CameraRig& /*rig*/,
+               const Targets& targets) {
+  return std::make_unique<BoxTargets<F>>(parameters, targets);
+}
+
+template <class T>
+Made makePeople(const ParameterValues& parameters, const CameraRig& rig,
+                const Targets& /*targets*/) {
+  return std::make_unique<T>(parameters, rig);
+}
+
+template <bool color>
+Made makeMohedano(const ParameterValues& parameters, const CameraRig& rig,
+                  const Targets& /*targets*/) {
+  return std::make_unique<MohedanoTracker>(parameters, rig, color);
+}
+
+/// The one place that knows all methods.
+constexpr Method kMethods[] = {
+    {"dewpoint", kSpheres,
+     "The surest and most accurate: for all that moves, any number of cameras and targets.",
+     dewpointParameters, makeTogether<DewpointTracker>, true},
+    {"barrera", kSpheres,
+     "The color particle filter of Barrera et al. (2005): for teaching and comparison.",
+     barreraParameters, makeIndependent<BarreraTracker>},
+    {"dynamics", kSpheres,
+     "The filter over triangulated positions of Barrera et al. (2005), section III-C: to study "
+     "how a particle filter moves.",
+     dynamicsParameters, makeIndependent<DynamicsTracker>},
+    {"histogram", kBoxes,
+     "Follows a box in one camera's images by the colors of its parts: finds it again after it "
+     "was hidden, and follows its size.",
+     histogramParameters, makeBoxes<HistogramTracker>},
+    {"sugandi", kBoxes,
+     "The color histogram filter of Sugandi et al. (2009), for a box in one camera's images: "
+     "for teaching and comparison.",
+     sugandiParameters, makeBoxes<SugandiTracker>},
+    {"people", kPeople,
+     "Several people who walk, meet and wear similar clothes: places on the floor, told apart "
+     "by what each of them covers in the images.",
+     peopleParameters, makePeople<PeopleParticleTracker>},
+    {"mohedano-msc", kPeople,
+     "Several people by motion and color, each by a filter of its own (Mohedano et al. 2009, "
+     "MS+C): keeps them apart when their clothes differ.",
+     mohedanoMscParameters, makeMohedano<true>},
+    {"mohedano-ms", kPeople,
+     "Several people by motion only (Mohedano et al. 2009, MS): covers whole bodies, but "
+     "confuses people who come close.",
+     mohedanoMsParameters, makeMohedano<false>},
+};
+
+} // namespace
+
+std::span<const Method> methods() {
+  return kMethods;
+}
+
+const Method* findMethod(std::string_view name) {
+  const auto found = std::ranges::find(kMethods, name, &Method::name);
+  return found == std::end(kMethods) ? nullptr : found;
+}
+
+std::vector<std::string> methodNames() {
+  std::vector<std::string> names;
+  for (const Method& method : kMethods) {
+    names.emplace_back(method.name);
+  }
+  return names;
+}
+
+std::vector<std::string> methodNames(TargetsFrom targets) {
+  std::vector<std::string> names;
+  for (const Method& method : kMethods) {
+    if (method.family.targets == targets) {
+      names.emplace_back(method.name);
+    }
+  }
+  return names;
+}
+
+MethodFamily methodFamily(std::string_view method) {
+  const Method* row = findMethod(method);
+  return row != nullptr ? row->family : kMethods[0].family;
+}
+
+std::string_view methodSentence(std::string_view method) {
+  const Method* row = findMethod(method);
+  return row != nullptr ? row->sentence : std::string_view();
+}
+
+std::span<const ParameterDeclaration> methodParameters(std::string_view method) {
+  const Method* row = findMethod(method);
+  return row != nullptr ? row->parameters() : std::span<const ParameterDeclaration>();
+}
+
+ParameterValues carriedOver(const ParameterValues& previous, std::string_view method) {
+  ParameterValues values(methodParameters(method));
+  for (const auto& declaration : previous.declarations()) {
+    const double value = previous.at(declaration.key);
+    if (value != declaration.defaultValue) {
+      (void)values.set(declaration.key, value); // or its own default stays
+    }
+  }
+  return values;
+}
+
+Status checkParameters(std::string_view method, const ParameterValues& parameters) {
+  const auto declared = parameters.declarations();
+  for (const ParameterDeclaration& needed : methodParameters(method)) {
+    if (std::ranges::find(declared, needed.key, &ParameterDeclaration::key) == declared.end()) {
+      return failure(ErrorCode::MissingKey, "", needed.key,
+                     fmt::format("method {} needs it", method));
+    }
+  }
+  return {};
+}
+
+Result<std::unique_ptr<Tracker>> makeTracker(std::string_view method,
+                                             const ParameterValues& parameters,
+                                             const CameraRig& rig,
+                                             const std::vector<Target>& targets) {
+  const Method* row = findMethod(method);
+  if (row == nullptr) {
+    return failure(ErrorCode::NotFound, "", "method",
+                   fmt::format("\"{}\"; known: {}", method, fmt::join(methodNames(), ", ")));
+  }
+  if (const auto checked = checkParameters(method, parameters); !checked) {
+    return tl::make_unexpected(checked.error());
+  }
+  return row->make(parameters, rig, targets);
+}
+
+} // namespace dewpoint::tracking

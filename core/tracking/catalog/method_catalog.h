@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/geometry/camera.h"
+#include "core/tracking/parameters.h"
+#include "core/tracking/target.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dewpoint::tracking {
+
+class Tracker;
+
+/// What says in a project which targets there are.
+enum class TargetsFrom {
+  Color, ///< each target has a color and a size
+  Box,   ///< each target has a box in one frame of one camera
+  Images ///< nothing: the method finds by itself who is there
+};
+
+/// What the methods of a kind have in common, before any of them runs.
+struct MethodFamily {
+  TargetsFrom targets = TargetsFrom::Color;
+  /// Says where things are in the room, by calibrated cameras; else in the images of one camera,
+  /// about which nothing need be known.
+  bool inSpace = true;
+
+  bool operator==(const MethodFamily&) const = default;
+  bool findsTargets() const { return targets == TargetsFrom::Images; }
+};
+
+/// A tracking method: one row of the catalog.
+struct Method {
+  std::string_view name; ///< in project files and on the command line
+  MethodFamily family;
+  std::string_view sentence; ///< what it is for
+  /// The declarations live for ever.
+  std::span<const ParameterDeclaration> (*parameters)();
+  /// The parameters are the method's own (asserted).
+  std::unique_ptr<Tracker> (*make)(const ParameterValues& parameters, const CameraRig& rig,
+                                   const std::vector<Target>& targets);
+  /// Trajectories have columns of their own for what the images of a frame alone say.
+  bool writesMeasurements = false;
+};
+
+/// All methods a project may choose, the default first; of each family its default first.
+std::span<const Method> methods();
+/// Null for an unknown name.
+const Method* findMethod(std::string_view name);
+
+/// Names of methods(), in their order.
+std::vector<std::string> methodNames();
+/// Names of the methods whose targets come from there.
+std::vector<std::string> methodNames(TargetsFrom targets);
+/// Of an unknown method that of the default one.
+MethodFamily methodFamily(std::string_view method);
+/// Empty for an unknown method.
+std::string_view methodSentence(std::string_view method);
+/// Empty for an unknown method.
+std::span<const ParameterDeclaration> methodParameters(std::string_view method);
+/// The defaults of a method, but with the values under the same keys that were changed from their
+/// defaults in `previous`, as far as they are allowed.
+ParameterValues carriedOver(const ParameterValues& previous, std::string_view method);
+/// MissingKey when the method has a parameter that `parameters` do not declare.
+Status checkParameters(std::string_view method, const ParameterValues& parameters);
+
+/// A tracker of the named method; `targets` mean nothing to methods that find them. NotFound for an
+/// unknown method, MissingKey when `parameters` are not the method's.
+Result<std::unique_ptr<Tracker>> makeTracker(std::string_view method,
+                                             const ParameterValues& parameters,
+                                             const CameraRig& rig,
+                                             const std::vector<Target>& targets);
+
+} // namespace dewpoint::tracking

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/track_estimate.h"
+
+#include <cmath>
+
+namespace dewpoint::tracking {
+namespace {
+
+constexpr double kHeldExistence = 0.5; ///< below it a person is searched for
+
+struct Held {
+  bool operator()(const SphereEstimate& sphere) const { return sphere.valid; }
+  /// A method that knows no hiding may follow its box out of the image, where nothing is alike.
+  bool operator()(const BoxEstimate& box) const { return box.visible && box.similarity > 0.0; }
+  bool operator()(const PersonEstimate& person) const { return person.existence >= kHeldExistence; }
+  bool operator()(const AbsentEstimate& /*absent*/) const { return false; }
+};
+
+struct Existence {
+  double operator()(const SphereEstimate& sphere) const { return sphere.existence; }
+  double operator()(const BoxEstimate& box) const { return box.similarity; }
+  double operator()(const PersonEstimate& person) const { return person.existence; }
+  double operator()(const AbsentEstimate& /*absent*/) const { return 0.0; }
+};
+
+struct EffectiveSampleSize {
+  template <class Estimate> double operator()(const Estimate& estimate) const {
+    return estimate.effectiveSampleSize;
+  }
+  double operator()(const AbsentEstimate& /*absent*/) const { return 0.0; }
+};
+
+struct ParticleCount {
+  template <class Estimate> int operator()(const Estimate& estimate) const {
+    return estimate.particleCount;
+  }
+  int operator()(const AbsentEstimate& /*absent*/) const { return 0; }
+};
+
+struct Position {
+  using Result = std::optional<Gaussian3>;
+  Result operator()(const SphereEstimate& sphere) const {
+    return Gaussian3{sphere.mean, sphere.covariance};
+  }
+  Result operator()(const BoxEstimate& /*box*/) const { return std::nullopt; }
+  Result operator()(const PersonEstimate& person) const {
+    return Gaussian3{person.position, person.covariance};
+  }
+  Result operator()(const AbsentEstimate& /*absent*/) const { return std::nullopt; }
+};
+
+} // namespace
+
+double SphereEstimate::spread() const {
+  return std::sqrt(covariance.trace());
+}
+
+bool isAbsent(const TrackEstimate& estimate) {
+  return std::holds_alternative<AbsentEstimate>(estimate);
+}
+
+bool isHeld(const TrackEstimate& estimate) {
+  return std::visit(Held{}, estimate);
+}
+
+double existenceOf(const TrackEstimate& estimate) {
+  return std::visit(Existence{}, estimate);
+}
+
+double effectiveSampleSizeOf(const TrackEstimate& estimate) {
+  return std::visit(EffectiveSampleSize{}, estimate);
+}
+
+int particleCountOf(const TrackEstimate& estimate) {
+  return std::visit(ParticleCount{}, estimate);
+}
+
+std::optional<Gaussian3> positionOf(const TrackEstimate& estimate) {
+  return std::visit(Position{}, estimate);
+}
+
+const std::vector<CameraEvidence>& cameraEvidenceOf(const TrackEstimate& estimate) {
+  static const std::vector<CameraEvidence> kNone;
+  const auto* sphere = std::get_if<SphereEstimate>(&estimate);
+  return sphere != nullptr ? sphere->cameras : kNone;
+}
+
+const std::vector<ColorRange>& colorsOf(const TrackEstimate& estimate) {
+  static const std::vector<ColorRange> kNone;
+  const auto* sphere = std::get_if<SphereEstimate>(&estimate);
+  return sphere != nullptr ? sphere->colors : kNone;
+}
+
+std::vector<SphereEstimate> spheresOf(const std::vector<TrackEstimate>& estimates) {
+  std::vector<SphereEstimate> spheres;
+  spheres.reserve(estimates.size());
+  for (const TrackEstimate& estimate : estimates) {
+    const auto* sphere = std::get_if<SphereEstimate>(&estimate);
+    spheres.push_back(sphere != nullptr ? *sphere : SphereEstimate{});
+  }
+  return spheres;
+}
+
+} // namespace dewpoint::tracking

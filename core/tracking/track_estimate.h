@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/color/color_range.h"
+#include "core/filter/gaussian.h"
+#include "core/geometry/image_box.h"
+#include "core/observation/sphere/camera_evidence.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace dewpoint::tracking {
+
+/// What is believed of a colored sphere after one filter iteration. World frame, meters.
+struct SphereEstimate {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();       ///< weighted mean (MMSE)
+  Eigen::Vector3d best = Eigen::Vector3d::Zero();       ///< particle of highest weight (MAP)
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< m²
+  double effectiveSampleSize = 0.0;
+  int particleCount = 0;
+  int camerasSeeing = 0;  ///< cameras with target color at the projected mean
+  bool valid = false;     ///< seen by two cameras (by the only one, if there is one)
+  double existence = 0.0; ///< probability that the target is where the estimate says
+  double radius = 0.0;    ///< meters, of the target as known or as estimated; 0 when neither
+  /// Position (m, m²) measured in the images of this frame alone, with errors of its own; nothing
+  /// if the target was not found in them, or the method does not tell.
+  std::optional<Gaussian3> seen;
+  bool degenerate = false; ///< no particle had a usable weight; all were kept as equal
+  /// What each camera says about the mean, in the order of the rig; empty when the method cannot
+  /// tell, or has no position to ask about.
+  std::vector<CameraEvidence> cameras;
+  /// The color range in use in each camera where it follows the light; empty while all cameras use
+  /// the target's own.
+  std::vector<ColorRange> colors;
+  /// Root mean square distance of the particles to their mean, meters.
+  double spread() const;
+};
+
+/// What is believed of a box after one image of one camera. Pixels from the upper left corner.
+struct BoxEstimate {
+  ImageBox box;
+  double similarity = 0.0; ///< how alike the colors in the box are to the reference, [0, 1]
+  double spread = 0.0;     ///< root mean square distance of the particles to their mean, px
+  double effectiveSampleSize = 0.0;
+  int particleCount = 0;
+  bool visible = true;     ///< false while a hidden target is held where it is thought to be
+  bool degenerate = false; ///< no particle had a usable weight; all were kept as equal
+  int camera = 0;          ///< in whose images, in the order of the rig
+};
+
+/// What is believed of one person after a frame. World frame, meters.
+struct PersonEstimate {
+  int identity = 0;                                     ///< from 1 on, never given twice in a run
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< mean of the occupied volume
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< of the occupied volume, m²
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();   ///< m/s
+  double effectiveSampleSize = 0.0;
+  int particleCount = 0;
+  int camerasSeeing = 0;    ///< cameras with foreground of this person
+  double existence = 1.0;   ///< falls from 1 to 0 while no camera sees the person
+  double age = 0.0;         ///< seconds since the birth
+  bool interacting = false; ///< near another person: what cannot be told apart is not learned
+  double height = 0.0;      ///< meters; 0: the method does not estimate it
+  /// Hue and saturation of the person, in [0, 1], if the method has them.
+  std::optional<Eigen::Vector2d> color;
+};
+
+/// The track is not there: a person who has left, a box before the frame in which it was given.
+struct AbsentEstimate {};
+
+/// What is believed of one track, whatever it is a track of. Another kind of target is another
+/// alternative: the compiler then names every place that has to say something about it.
+using TrackEstimate = std::variant<SphereEstimate, BoxEstimate, PersonEstimate, AbsentEstimate>;
+
+bool isAbsent(const TrackEstimate& estimate);
+/// Whether the cameras confirm the track now: a valid sphere, a box in sight, a person whose
+/// existence is at least one half.
+bool isHeld(const TrackEstimate& estimate);
+/// Existence of a sphere or a person; of a box the similarity, which stands for it. 0 when absent.
+double existenceOf(const TrackEstimate& estimate);
+double effectiveSampleSizeOf(const TrackEstimate& estimate);
+int particleCountOf(const TrackEstimate& estimate);
+/// Mean and covariance in the world (m, m²); nothing for what is known in an image only.
+std::optional<Gaussian3> positionOf(const TrackEstimate& estimate);
+/// What each camera says about the position; empty when the method cannot tell.
+const std::vector<CameraEvidence>& cameraEvidenceOf(const TrackEstimate& estimate);
+/// Per camera the color range in use where it follows the light; else empty.
+const std::vector<ColorRange>& colorsOf(const TrackEstimate& estimate);
+
+/// The spheres among some estimates, in their order; all else as a sphere of which nothing is
+/// known.
+std::vector<SphereEstimate> spheresOf(const std::vector<TrackEstimate>& estimates);
+
+} // namespace dewpoint::tracking

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/geometry/camera.h"
+#include "core/tracking/camera_report.h"
+#include "core/tracking/insight.h"
+#include "core/tracking/people_state.h"
+#include "core/tracking/target_box.h"
+#include "core/tracking/tracker.h"
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+// What some trackers can do and others cannot. A tracker derives from those that are its method's;
+// whoever needs one asks for it by type and does without when it is null: see capability().
+namespace dewpoint::tracking {
+
+/// Follows the targets that a project names.
+class TargetFollowing {
+public:
+  virtual ~TargetFollowing() = default;
+  /// New definitions of the same targets, in the same order; in another number only where
+  /// takesAnyNumber() says so.
+  virtual void setTargets(const std::vector<Target>& targets) = 0;
+  virtual bool takesAnyNumber() const = 0;
+};
+
+/// Knows where in the room things are, by calibrated cameras.
+class CameraCalibrated {
+public:
+  virtual ~CameraCalibrated() = default;
+  /// Another calibration of the same cameras, from the next iteration on; beliefs stay.
+  virtual void setCameras(const CameraRig& rig) = 0;
+};
+
+/// Makes use of images of the room without anything to track in it.
+class BackgroundImages {
+public:
+  virtual ~BackgroundImages() = default;
+  /// One image per camera (CV_8UC3, in the order of the rig), empty where it is not known. Acts at
+  /// once on spheres, from the next restart on with people, who then need no learning phase.
+  virtual void setEmptyRooms(const std::vector<cv::Mat>& rooms) = 0;
+};
+
+/// Can be copied in the middle of a run, so that the run can go back.
+class Copying {
+public:
+  virtual ~Copying() = default;
+  /// False with one of OpenCV's background models, which cannot be copied.
+  virtual bool canBeCopied() const = 0;
+  /// A copy that goes on from here with the same bits, and shares nothing that either writes; null
+  /// when it cannot be copied.
+  virtual std::unique_ptr<Tracker> clone() const = 0;
+  /// About how many bytes a copy takes.
+  virtual std::size_t memoryBytes() const = 0;
+};
+
+/// Has points in space that stand for where a track may be.
+class ParticleCloud {
+public:
+  virtual ~ParticleCloud() = default;
+  /// At most `limit` particles of a track, evenly picked: rows x y z (meters), with linear weights
+  /// that sum to 1 over all particles. Of a person the points of the body; none when absent.
+  virtual void particles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
+                         Eigen::ArrayXd& weights) const = 0;
+};
+
+/// Says of each camera why it does, or does not, confirm a track.
+class CameraExplaining {
+public:
+  virtual ~CameraExplaining() = default;
+  /// After the iterations of a frame, in the order of the rig; empty before there is anything to
+  /// explain.
+  virtual std::vector<CameraReport> explain(std::size_t track) const = 0;
+};
+
+/// Considers several positions for one track.
+class PositionProposing {
+public:
+  virtual ~PositionProposing() = default;
+  /// Those considered at the last iteration.
+  virtual std::vector<ProposedPosition> proposals(std::size_t track) const = 0;
+};
+
+/// Has a likelihood for every pixel of every camera.
+class LikelihoodMapping {
+public:
+  virtual ~LikelihoodMapping() = default;
+  /// Around the estimate of a track, up to `reach` pixels in each direction; one per camera.
+  virtual std::vector<LikelihoodMap> likelihoodMaps(std::size_t track, int reach) const = 0;
+};
+
+/// The centers of some particles of a box, in the image: rows x y, pixels from the upper left
+/// corner, with linear weights.
+struct BoxParticles {
+  Eigen::ArrayXXf centers;
+  Eigen::ArrayXf weights;
+};
+
+/// Follows boxes in images, each in those of one camera, without any calibration.
+class BoxFollowing {
+public:
+  virtual ~BoxFollowing() = default;
+  /// Takes what is in the box of an image (CV_8UC3) as what a target is from now on, whatever was
+  /// followed before. BadValue names "image" or "box", and nothing has changed.
+  virtual Status follow(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
+                        std::uint64_t seed) = 0;
+  /// At most `limit` particles of a target, evenly picked; none while it is absent.
+  virtual BoxParticles boxParticles(std::size_t target, int limit) const = 0;
+};
+
+/// Finds by itself who is there. Identity N is track N - 1, from birth on.
+class PeopleFinding {
+public:
+  virtual ~PeopleFinding() = default;
+  /// Everybody who is there after the last frame, in the order of their identities.
+  virtual const std::vector<PersonEstimate>& people() const = 0;
+  /// Everybody who has been there: "person 1", "person 2", ...
+  virtual const std::vector<Target>& everybody() const = 0;
+  /// The body of a person of people(), empty for any other identity.
+  virtual BodyCloud body(int identity) const = 0;
+  virtual const std::vector<PeopleCameraState>& cameraStates() const = 0;
+  /// The motion mask of a camera (CV_8UC1, 0 or 255), perhaps smaller than its images; empty when
+  /// there is none.
+  virtual cv::Mat foreground(std::size_t camera) const = 0;
+};
+
+/// Takes a user's word for who is there.
+class PersonPlacing {
+public:
+  virtual ~PersonPlacing() = default;
+  /// Somebody stands here (meters, world; the center of the body), whatever the masks say. Returns
+  /// the new identity. Effective with the next frame.
+  virtual int addPerson(const Eigen::Vector3d& center) = 0;
+  /// Forgets a person.
+  virtual void removePerson(int identity) = 0;
+};
+
+} // namespace dewpoint::tracking
