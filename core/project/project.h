@@ -47,6 +47,27 @@ struct ProjectMark {
   bool operator==(const ProjectMark&) const = default;
 };
 
+/// What was said in the window of the people in a recording, for methods that find people by
+/// themselves: somebody stands at a place, is seen at a pixel, or is not there after all.
+struct PersonCorrection {
+  /// A click on somebody in the image of a camera.
+  struct Click {
+    int camera = 0;
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+
+    bool operator==(const Click&) const = default;
+  };
+
+  std::int64_t frame = 0; ///< it holds from the end of this frame on
+  /// On the floor, world x and y in metres. Either this or `click` is there.
+  std::optional<Eigen::Vector2d> place = {};
+  std::optional<Click> click = {};
+  /// False, only with a place: whom the method has there is not there.
+  bool present = true;
+
+  bool operator==(const PersonCorrection&) const = default;
+};
+
 /// The document: everything a run needs, and nothing of its results.
 struct Project {
   std::filesystem::path file; ///< where it was loaded from; empty for the built-in demo
@@ -62,10 +83,14 @@ struct Project {
   std::vector<ProjectMark> marks;             ///< in the order of their frames
   std::optional<ReferenceGrid> grid;          ///< laid over the images to adjust cameras by hand
   std::vector<MeasuredPoint> points;          ///< measured with a tape, clicked in the images
+  std::vector<PersonCorrection> people;       ///< in the order of their frames
   std::string layout; ///< of the window's views, as the window wrote it; empty: its own arrangement
 
   bool operator==(const Project&) const = default;
 };
+
+/// Puts a correction behind those of its frame.
+void addPerson(Project& project, const PersonCorrection& person);
 
 /// Reads and checks a project file (TOML). The error names the file and the key.
 Result<Project> loadProject(const std::filesystem::path& file);

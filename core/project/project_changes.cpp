@@ -34,6 +34,7 @@ ProjectChanges changesBetween(const Project& before, const Project& after) {
   changes.marks = before.marks != after.marks;
   changes.grid = before.grid != after.grid;
   changes.points = before.points != after.points;
+  changes.people = before.people != after.people;
   changes.emptyRooms =
       !changes.sources && !std::ranges::equal(before.cameras, after.cameras, {},
                                               &ProjectCamera::emptyRoom, &ProjectCamera::emptyRoom);

@@ -17,12 +17,13 @@ struct ProjectChanges {
   bool marks = false;
   bool grid = false;       ///< the reference grid
   bool points = false;     ///< measured points and their clicks
+  bool people = false;     ///< who was said to be there, or not to be
   bool emptyRooms = false; ///< of cameras with the same sources
   bool sources = false;    ///< which cameras there are, and where images and truth come from
 
   bool any() const {
     return name || method || seed || parameters || targets || calibration || sources || marks ||
-           grid || points || emptyRooms;
+           grid || points || people || emptyRooms;
   }
 };
 

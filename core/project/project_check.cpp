@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/project_format.h"
+#include "core/project/project_people.h"
 #include "core/project/project_room.h"
 #include "core/tracking/catalog/method_catalog.h"
 
@@ -129,7 +130,7 @@ Status checkProject(const Project& project) {
   if (auto good = checkCameras(project); !good) {
     return good;
   }
-  return checkRoom(project);
+  return checkRoom(project).and_then([&] { return checkPeople(project); });
 }
 
 } // namespace dewpoint::project

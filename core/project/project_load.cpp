@@ -6,6 +6,7 @@
 #include "core/project/project.h"
 #include "core/project/project_format.h"
 #include "core/project/project_migration.h"
+#include "core/project/project_people.h"
 #include "core/project/project_room.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/people_state.h"
@@ -356,6 +357,7 @@ Result<Project> loadProject(const std::filesystem::path& file) {
   readParts(reader, file.string(), project);
   readMarks(reader, file.string(), project);
   readRoom(reader, file.string(), project);
+  readPeople(reader, file.string(), project);
   readWindow(reader, file.string(), project);
   if (auto error = reader.finish()) {
     return tl::make_unexpected(std::move(*error));

@@ -5,6 +5,7 @@
 #include "core/project/project.h"
 #include "core/project/project_comments.h"
 #include "core/project/project_format.h"
+#include "core/project/project_people.h"
 #include "core/project/project_room.h"
 
 namespace dewpoint::project {
@@ -133,6 +134,7 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
     text += fmt::format("\n[[mark]]\nframe = {}\nname = {}\n", mark.frame, quoted(mark.name));
   }
   text += roomText(project);
+  text += peopleText(project);
   if (!project.layout.empty()) {
     text += "\n[window]   # how its views were laid out\nlayout = " + quoted(project.layout) + "\n";
   }

@@ -59,6 +59,45 @@ Error errorOf(const std::string& from, const std::string& to) {
   return project ? Error{} : project.error();
 }
 
+TEST(ProjectFile, WhatWasSaidOfPeopleComesBackInTheOrderOfTheirFrames) {
+  EXPECT_TRUE(load(kGood)->people.empty()); // as in every file before there was this
+  auto project = load(std::string(kGood) + "[[person]]\nframe = 90\nplace = [1.5, -0.25]\n"
+                                           "present = false\n"
+                                           "[[person]]\nframe = 12\nplace = [0.5, 2]\n"
+                                           "[[person]]\nframe = 12\ncamera = 1\n"
+                                           "pixel = [20.5, 31]\n");
+  ASSERT_TRUE(project) << sentence(project.error());
+  std::vector<PersonCorrection> expected(3);
+  expected[0] = {12, Eigen::Vector2d(0.5, 2.0), std::nullopt, true};
+  expected[1] = {12, std::nullopt, PersonCorrection::Click{0, {20.5, 31.0}}, true};
+  expected[2] = {90, Eigen::Vector2d(1.5, -0.25), std::nullopt, false};
+  EXPECT_EQ(project->people, expected);
+  const auto file = fileNamed("again.toml");
+  ASSERT_TRUE(saveProject(*project, file));
+  const auto again = loadProject(file);
+  ASSERT_TRUE(again) << sentence(again.error());
+  EXPECT_EQ(again->people, expected);
+  addPerson(*project, {12, Eigen::Vector2d(3.0, 3.0), std::nullopt, true});
+  EXPECT_EQ(project->people.at(2).place, Eigen::Vector2d(3.0, 3.0));
+  EXPECT_TRUE(changesBetween(*again, *project).people);
+  EXPECT_TRUE(changesBetween(*again, *project).any());
+}
+
+TEST(ProjectFile, PersonsThatCannotBeAreRefused) {
+  const auto field = [](const char* person) {
+    const auto project = load(std::string(kGood) + "[[person]]\n" + person);
+    return project ? std::string("none") : project.error().field;
+  };
+  EXPECT_EQ(field("frame = 3\n"), "person 1.place");
+  EXPECT_EQ(field("place = [0, 0]\n"), "person 1.frame");
+  EXPECT_EQ(field("frame = 3\ncamera = 1\n"), "person 1.pixel");
+  EXPECT_EQ(field("frame = 3\ncamera = 9\npixel = [1, 1]\n"), "person 1.camera");
+  EXPECT_EQ(field("frame = 3\nplace = [0, 0]\ncamera = 1\npixel = [1, 1]\n"), "person 1");
+  EXPECT_EQ(field("frame = 3\ncamera = 1\npixel = [1, 1]\npresent = false\n"), "person 1.present");
+  EXPECT_EQ(field("frame = 3\nplace = [0, 1e9]\n"), "person 1.place");
+  EXPECT_EQ(field("frame = 3\nplace = [0, 0]\n"), "none");
+}
+
 TEST(ProjectFile, MarksComeBackInTheOrderOfTheirFrames) {
   auto project = load(std::string(kGood) + "[[mark]]\nframe = 90\nname = \"lost\"\n"
                                            "[[mark]]\nframe = 12\n");

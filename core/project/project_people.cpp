@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project_people.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dewpoint::project {
+namespace {
+
+constexpr double kFarthest = 1e4;     ///< metres from the origin
+constexpr double kLargestPixel = 1e6; ///< of any image
+
+PersonCorrection readPerson(const toml::table& table, const std::string& file, std::size_t index,
+                            std::optional<Error>& error) {
+  TableReader reader(table, file, fmt::format("person {}.", index + 1));
+  PersonCorrection person;
+  reader.require("frame");
+  reader.integer("frame", person.frame, 0, std::numeric_limits<std::int64_t>::max());
+  reader.require(reader.has("camera") ? "pixel" : "place");
+  Eigen::Vector2d place;
+  if (reader.numbers("place", place.data(), 2, -kFarthest, kFarthest)) {
+    person.place = place;
+  }
+  int camera = 1;
+  PersonCorrection::Click click;
+  reader.integer("camera", camera, 1, 1000);
+  if (reader.numbers("pixel", click.pixel.data(), 2, -kLargestPixel, kLargestPixel)) {
+    click.camera = camera - 1;
+    person.click = click;
+  }
+  reader.boolean("present", person.present);
+  error = reader.finish();
+  return person;
+}
+
+Status checkPerson(const PersonCorrection& person, const std::string& field,
+                   const Project& project) {
+  const auto wrong = [&](const char* key, const std::string& detail) {
+    return Status(failure(ErrorCode::BadValue, "", field + key, detail));
+  };
+  if (person.frame < 0) {
+    return wrong(".frame", "frames are counted from 0");
+  }
+  if (person.place.has_value() == person.click.has_value()) {
+    return wrong("", "either a place, or a camera and a pixel are expected");
+  }
+  if (person.place && !(person.place->cwiseAbs().maxCoeff() <= kFarthest)) {
+    return wrong(".place", fmt::format("numbers up to {} m are expected", kFarthest));
+  }
+  if (person.click) {
+    // The cameras of a scene come later, when it is opened.
+    const auto cameras = static_cast<int>(project.cameras.size());
+    if (person.click->camera < 0 || (cameras > 0 && person.click->camera >= cameras)) {
+      return wrong(".camera", fmt::format("there are {} cameras", cameras));
+    }
+    if (!person.click->pixel.allFinite()) {
+      return wrong(".pixel", "finite numbers are expected");
+    }
+    if (!person.present) {
+      return wrong(".present", "who is not there has a place, and no pixel");
+    }
+  }
+  return {};
+}
+
+} // namespace
+
+void readPeople(TableReader& reader, const std::string& file, Project& project) {
+  std::optional<Error> error;
+  for (const toml::table* table : reader.tables("person")) {
+    project.people.push_back(readPerson(*table, file, project.people.size(), error));
+    reader.adopt(error);
+  }
+  std::ranges::stable_sort(project.people, {}, &PersonCorrection::frame);
+}
+
+std::string peopleText(const Project& project) {
+  std::string text;
+  for (const PersonCorrection& person : project.people) {
+    text += fmt::format("\n[[person]]\nframe = {}\n", person.frame);
+    if (person.place) {
+      text += fmt::format("place = [{}, {}]\n", person.place->x(), person.place->y());
+    }
+    if (person.click) {
+      text += fmt::format("camera = {}\npixel = [{}, {}]\n", person.click->camera + 1,
+                          person.click->pixel.x(), person.click->pixel.y());
+    }
+    text += person.present ? "" : "present = false\n";
+  }
+  return text;
+}
+
+Status checkPeople(const Project& project) {
+  for (std::size_t k = 0; k < project.people.size(); ++k) {
+    if (auto good = checkPerson(project.people[k], fmt::format("person {}", k + 1), project);
+        !good) {
+      return good;
+    }
+  }
+  return {};
+}
+
+void addPerson(Project& project, const PersonCorrection& person) {
+  const auto place =
+      std::ranges::upper_bound(project.people, person.frame, {}, &PersonCorrection::frame);
+  project.people.insert(place, person);
+}
+
+} // namespace dewpoint::project

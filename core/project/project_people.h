@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/table_reader.h"
+#include "core/project/project.h"
+
+#include <string>
+
+namespace dewpoint::project {
+
+/// Reads what was said of people, [[person]], in the order of their frames.
+void readPeople(TableReader& reader, const std::string& file, Project& project);
+std::string peopleText(const Project& project);
+/// BadValue names the one that cannot be.
+Status checkPeople(const Project& project);
+
+} // namespace dewpoint::project
