@@ -20,7 +20,7 @@ PersonCorrection readPerson(const toml::table& table, const std::string& file, s
   reader.require("frame");
   reader.integer("frame", person.frame, 0, std::numeric_limits<std::int64_t>::max());
   reader.require(reader.has("camera") ? "pixel" : "place");
-  Eigen::Vector2d place;
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();
   if (reader.numbers("place", place.data(), 2, -kFarthest, kFarthest)) {
     person.place = place;
   }

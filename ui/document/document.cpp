@@ -93,6 +93,9 @@ void Document::announce(const Project& before, const ProjectChanges& changes) {
   if (changes.emptyRooms) {
     Q_EMIT emptyRoomsChanged();
   }
+  if (changes.people) {
+    Q_EMIT peopleChanged();
+  }
   if (changes.sources) {
     Q_EMIT sourcesChanged();
   }

@@ -66,6 +66,7 @@ Q_SIGNALS:
   void targetsChanged();
   void calibrationChanged();
   void emptyRoomsChanged();
+  void peopleChanged();
   void sourcesChanged();
   void fileChanged();
 

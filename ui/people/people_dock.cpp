@@ -2,6 +2,7 @@
 #include "ui/people/people_dock.h"
 
 #include "core/project/project.h"
+#include "core/project/project_people.h"
 #include "core/session/session.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/cameraview/camera_docks.h"
@@ -22,10 +23,30 @@
 #include <QFileDialog>
 #include <QMainWindow>
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace dewpoint::ui {
+
+namespace {
+
+/// Where a person of a snapshot stands; nothing when nobody there is this one.
+std::optional<Eigen::Vector2d> placeOfPerson(const TrackSnapshotPtr& snapshot, int identity) {
+  if (snapshot == nullptr) {
+    return std::nullopt;
+  }
+  const auto found = std::ranges::find_if(snapshot->targets, [&](const TargetSnapshot& target) {
+    return target.person && target.person->identity == identity;
+  });
+  return found == snapshot->targets.end()
+             ? std::nullopt
+             : std::optional<Eigen::Vector2d>(found->person->position.head<2>());
+}
+
+} // namespace
 
 PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, BirdsEyeView& birdsEye,
                        std::vector<ViewDock*> others)
@@ -61,15 +82,11 @@ void PeopleDock::connectPlacer(const CameraDocks& cameras) {
   connect(&cameras, &CameraDocks::viewMade, placer_, &AddPersonTool::attach);
   connect(placer_, &AddPersonTool::seen, this,
           [this, place](int camera, const Eigen::Vector2d& pixel) {
-            if (Session* session = bench_.session.session()) {
-              session->addPersonSeen(camera, pixel);
-            }
+            correct(tr("Add a person"), {.click = PersonCorrection::Click{camera, pixel}});
             place->setChecked(false);
           });
   connect(placer_, &AddPersonTool::placed, this, [this, place](const Eigen::Vector2d& where) {
-    if (Session* session = bench_.session.session()) {
-      session->addPerson(where);
-    }
+    correct(tr("Add a person"), {.place = where});
     place->setChecked(false);
   });
   connect(placer_, &AddPersonTool::cancelled, place, [place] { place->setChecked(false); });
@@ -78,9 +95,8 @@ void PeopleDock::connectPlacer(const CameraDocks& cameras) {
 void PeopleDock::connectActions() {
   bench_.onToggled("actionPlacePerson", this, [this](bool placing) { placePeople(placing); });
   bench_.onTriggered("actionRemovePerson", this, [this] {
-    Session* session = bench_.session.session();
-    if (session != nullptr && panel_->chosen() > 0) {
-      session->removePerson(panel_->chosen());
+    if (const auto place = placeOfPerson(bench_.session.shown(), panel_->chosen())) {
+      correct(tr("Remove a person"), {.place = *place, .present = false});
     }
   });
   bench_.onToggled("actionShowVolumes", this, [this](bool shown) {
@@ -92,6 +108,19 @@ void PeopleDock::connectActions() {
   bench_.needRun(
       {"actionPlacePerson", "actionRemovePerson", "actionExportPeople", "actionShowVolumes"},
       [this] { return isOfPeople(); });
+}
+
+void PeopleDock::correct(const QString& step, PersonCorrection correction) {
+  const TrackSnapshotPtr& shown = bench_.session.shown();
+  if (shown == nullptr) {
+    return;
+  }
+  correction.frame = std::max<std::int64_t>(0, shown->frame);
+  const auto edited =
+      bench_.document.edit(step, [&](Project& project) { addPerson(project, correction); });
+  if (!edited) {
+    bench_.messages.showError(errorSentence(edited.error()));
+  }
 }
 
 void PeopleDock::selectSeenAt(int camera, const QPointF& pixel) {

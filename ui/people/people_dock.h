@@ -9,6 +9,10 @@
 
 class QPointF;
 
+namespace dewpoint::project {
+struct PersonCorrection;
+} // namespace dewpoint::project
+
 namespace dewpoint::ui {
 
 class BirdsEyeView;
@@ -39,6 +43,8 @@ private:
   void askExport();
   void write(const QString& folder);
   bool isOfPeople() const;
+  /// An undoable step of the document, about the frame that is shown.
+  void correct(const QString& step, PersonCorrection correction);
 
   Workbench bench_;
   PeoplePanel* panel_;

@@ -66,6 +66,11 @@ void SessionController::connectDocument() {
       bridge_->session().setTargets(document_.project().targets);
     }
   });
+  connect(&document_, &Document::peopleChanged, this, [this] {
+    if (bridge_ != nullptr) {
+      bridge_->session().setPeople(document_.project().people);
+    }
+  });
   // Queued: what is being edited may be a view that goes with it.
   connect(&document_, &Document::calibrationChanged, this, &SessionController::applyCalibration,
           Qt::QueuedConnection);
