@@ -74,7 +74,6 @@ TrackingRun TrackingRun::of(std::unique_ptr<Tracker> tracker, RunDefinitionPtr d
   if (auto* const background = tracking::capability<BackgroundImages>(*run.tracker_)) {
     background->setEmptyRooms(definition->emptyRooms);
   }
-  run.family_ = definition->family();
   run.definition_ = std::move(definition);
   run.team_ = std::make_unique<ThreadTeam>(threadCount);
   run.restart(run.definition_->seed);

@@ -90,7 +90,7 @@ public:
   /// One filter iteration for every target; microseconds it took, averaged over the targets.
   double iterate();
 
-  MethodFamily family() const { return family_; }
+  MethodFamily family() const { return definition_->family(); }
   std::int64_t iterations() const { return iterations_; }
   /// Those that are tracked: the project's, or the persons who have been there.
   const std::vector<Target>& targets() const;
@@ -124,7 +124,6 @@ private:
   TrackedFrame commonMoment(const TrackedFrame* before, int boxParticleLimit) const;
 
   RunDefinitionPtr definition_;
-  MethodFamily family_;
   std::unique_ptr<Tracker> tracker_;
   FrameSetPtr frames_;
   std::unique_ptr<ThreadTeam> team_;
