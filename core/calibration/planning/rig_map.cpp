@@ -99,18 +99,23 @@ Eigen::AlignedBox3d roomOf(const CameraRig& rig, const ReferenceGrid& grid) {
   return room;
 }
 
+std::vector<std::size_t> changedCameras(const CameraRig& before, const CameraRig& now) {
+  std::vector<std::size_t> changed;
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    if (k >= before.size() || !seesAlike(now[k], before[k])) {
+      changed.push_back(k);
+    }
+  }
+  return changed;
+}
+
 RigMap RigMapper::map(const VolumeGrid& grid, double pixelSigma, const CameraRig& rig) {
   if (!map_ || map_->grid() != grid || pixelSigma != pixelSigma_) {
     map_.emplace(grid, pixelSigma);
     pixelSigma_ = pixelSigma;
     rig_.clear();
   }
-  std::vector<std::size_t> changed;
-  for (std::size_t k = 0; k < rig.size(); ++k) {
-    if (k >= rig_.size() || !seesAlike(rig[k], rig_[k])) {
-      changed.push_back(k);
-    }
-  }
+  const std::vector<std::size_t> changed = changedCameras(rig_, rig);
   if (rig.size() < rig_.size() || changed.size() > 1) {
     map_->setRig(rig);
   } else if (changed.size() == 1) {

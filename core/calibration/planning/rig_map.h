@@ -48,6 +48,10 @@ Eigen::AlignedBox3d roomOf(const CameraRig& rig, const ReferenceGrid& grid);
 /// milliseconds.
 inline constexpr std::size_t kMapCells = 8640;
 
+/// Cameras of `now`, by index, that see otherwise than those of `before` with the same index, or
+/// that are further ones. Names do not matter.
+std::vector<std::size_t> changedCameras(const CameraRig& before, const CameraRig& now);
+
 /// Makes maps of a rig that changes: what did not change since the last one is not computed again.
 class RigMapper {
 public:

@@ -64,10 +64,15 @@ Accuracy measure(const char* text, DetectionEffort effort, int count) {
   result.medianPx = errors.empty() ? 1e9 : errors[errors.size() / 2];
   result.worstPx = errors.empty() ? 1e9 : errors.back();
   result.biasPx /= static_cast<double>(std::max<std::size_t>(1, errors.size()));
-  std::printf(
-      "%s: %d of %d pictures, %zu corners, median %.4f px, worst %.3f px, bias %+.4f %+.4f px\n",
-      text, result.found, result.pictures, result.corners, result.medianPx, result.worstPx,
-      result.biasPx.x(), result.biasPx.y());
+  const auto record = [](const char* what, auto value) {
+    ::testing::Test::RecordProperty(what, std::to_string(value));
+  };
+  record("found", result.found);
+  record("corners", result.corners);
+  record("median_px", result.medianPx);
+  record("worst_px", result.worstPx);
+  record("bias_x_px", result.biasPx.x());
+  record("bias_y_px", result.biasPx.y());
   return result;
 }
 

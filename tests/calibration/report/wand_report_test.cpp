@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace dewpoint::tests {
 namespace {
 
@@ -13,6 +15,19 @@ std::size_t count(const std::string& text, const std::string& part) {
     ++found;
   }
   return found;
+}
+
+/// What is between `from` and the next `to` after it; empty where there is no `from`. `text` goes
+/// on behind it.
+std::string next(std::string& text, const std::string& from, const std::string& to) {
+  const auto begin = text.find(from);
+  if (begin == std::string::npos) {
+    return {};
+  }
+  const auto end = text.find(to, begin + from.size());
+  std::string between = text.substr(begin + from.size(), end - begin - from.size());
+  text.erase(0, end);
+  return between;
 }
 
 TEST(WandReport, ShowsEveryCameraAndTheTarget) {
@@ -38,14 +53,30 @@ TEST(WandReport, ShowsEveryCameraAndTheTarget) {
   // Per camera residuals and coverage; two views of the space.
   EXPECT_EQ(count(html, "aria-label=\"residuals\""), 3U);
   EXPECT_EQ(count(html, "aria-label=\"coverage\""), 3U);
+  EXPECT_EQ(count(html, "aria-label=\"cameras and the waved target\""), 1U);
+  EXPECT_EQ(count(html, "aria-label=\"from above\""), 1U);
   EXPECT_EQ(count(html, "<svg"), count(html, "</svg>"));
-  EXPECT_EQ(count(html, "<svg"), 8U);
   // A stick is a line of two points, in each of the two views once.
-  const auto sticks = count(html, "<polyline class=\"board\"");
-  EXPECT_GE(sticks, 2U * 30U);
-  EXPECT_EQ(sticks % 2, 0U);
-  // Residuals are arrows of two strokes each, shaft and head, and no view is without.
-  EXPECT_GE(count(html, "M"), 2U * result->problem.observations.size());
+  const auto& states = result->bundle.states;
+  const auto sticks = std::ranges::count(states, true, &BundleState::known);
+  ASSERT_LT(states.size(), 300U); // none is left out of the drawing
+  EXPECT_GT(sticks, 30);
+  EXPECT_EQ(count(html, "<polyline class=\"board\""), 2U * std::size_t(sticks));
+  // An arrow per residual that took part, of two strokes each, shaft and head, in its camera's
+  // drawing.
+  std::string rest = html;
+  for (std::size_t camera = 0; camera < 3; ++camera) {
+    std::size_t used = 0;
+    for (std::size_t i = 0; i < result->problem.observations.size(); ++i) {
+      used += result->problem.observations[i].camera == camera &&
+                      result->bundle.residuals[i].allFinite()
+                  ? 1
+                  : 0;
+    }
+    ASSERT_GT(used, 60U);
+    next(rest, "aria-label=", "\"residuals\"");
+    EXPECT_EQ(count(next(rest, "<path class=\"arrow\" d=\"", "\"/>"), "M"), 2U * used) << camera;
+  }
 }
 
 } // namespace
