@@ -7,7 +7,6 @@
 #include "core/filter/isotropic_motion.h"
 #include "core/filter/prepared_gaussian.h"
 #include "core/filter/systematic_resampling.h"
-#include "core/tracking/dewpoint/hypothesis_masses.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +15,7 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr std::size_t kMostHypotheses = 6;
 constexpr std::size_t kCandidates = 10;
-constexpr double kLeastProbability = 1e-8;
 /// Probability that a target that is not there appears within one frame.
 constexpr double kBirth = 0.2;
 /// Share of births near the place where the target is looked for first; the rest is anywhere.
@@ -28,21 +25,12 @@ constexpr double kLostSpeed = 0.5;     ///< m/s at which the place to look for a
 constexpr double kAnchorSigma = 0.1;   ///< metres, at least
 constexpr double kLeastLogRatio = 2.0; ///< evidence worth a hypothesis
 constexpr double kSearchSigma = 0.03;  ///< metres per iteration of the search cloud
-constexpr double kSure = 0.98;
+constexpr double kAdopted = 0.98;      ///< probability of a place that is given
 /// An outline of another size speaks against a first place up to this many squared deviations.
 constexpr double kMostMisfit = 20.0;
-/// Frames after which one of several things that all look just like the target is taken for it.
-constexpr int kLooksToDecide = 5;
 constexpr double kBinRadii = 0.5; ///< edge of the bins that particles are counted in
 /// Relative standard deviation of a radius that is guessed from the images.
 constexpr double kRadiusSigma = 0.2;
-
-/// Evidence beyond the saturation.
-double excess(const TrackHypothesis& hypothesis) {
-  return std::max(0.0,
-                  hypothesis.logLikelihoodRatio -
-                      TrackHypothesis::kSaturation * hypothesis.fullyVisibleLogLikelihoodRatio);
-}
 
 } // namespace
 
@@ -92,14 +80,6 @@ void BernoulliTrack::drawSearchCloud(const RandomKey& key) {
   cloud_.weights.setConstant(cloud_.states.rows(), 1.0 / static_cast<double>(cloud_.states.rows()));
 }
 
-double BernoulliTrack::absence() const {
-  double present = 0.0;
-  for (const TrackHypothesis& hypothesis : hypotheses_) {
-    present += hypothesis.probability;
-  }
-  return std::max(1e-9, 1.0 - present);
-}
-
 void BernoulliTrack::predict(double interval, const RandomKey& key) {
   const ConstantVelocity motion{interval, settings_.accelerationSigma};
   const double survival = std::exp(-interval / settings_.survivalTime);
@@ -134,22 +114,9 @@ void BernoulliTrack::lookAtAll(SphereObservation& observation, const RandomKey& 
                                ThreadTeam& team, std::vector<double>& logMasses) {
   for (TrackHypothesis& hypothesis : hypotheses_) {
     double factor = look(hypothesis, observation, particleCount(hypothesis), key, team);
-    factor -= excess(hypothesis);
+    factor -= evidenceBeyondSaturation(hypothesis);
     logMasses.push_back(std::log(std::max(hypothesis.probability, 1e-300)) + factor);
   }
-}
-
-bool BernoulliTrack::mustSearch(const std::vector<double>& logMasses) const {
-  const auto top = std::max_element(logMasses.begin(), logMasses.end());
-  if (top == logMasses.end()) {
-    return true;
-  }
-  const TrackHypothesis& hypothesis =
-      hypotheses_[static_cast<std::size_t>(top - logMasses.begin())];
-  return shareOfLargest(logMasses, absence()) < kSure ||
-         hypothesis.logLikelihoodRatio <
-             TrackHypothesis::kPlainlySeen * hypothesis.fullyVisibleLogLikelihoodRatio ||
-         hypothesis.fullyVisibleLogLikelihoodRatio <= 0.0;
 }
 
 double BernoulliTrack::birthDensity(const Eigen::Vector3d& place) const {
@@ -198,7 +165,7 @@ void BernoulliTrack::adopt(const Eigen::Vector3d& place, double radius,
   fit.covariance = Eigen::Matrix3d::Identity() * (0.1 * radius) * (0.1 * radius);
   fit.logRadiusVariance = kRadiusSigma * kRadiusSigma;
   hypotheses_.assign(1, born(fit, observation, key, team));
-  hypotheses_.front().probability = kSure;
+  hypotheses_.front().probability = kAdopted;
 }
 
 void BernoulliTrack::giveBirth(SphereObservation& observation, const PlaceSearch& search,
@@ -206,7 +173,7 @@ void BernoulliTrack::giveBirth(SphereObservation& observation, const PlaceSearch
                                ThreadTeam& team, std::vector<double>& logMasses) {
   const bool radiusKnown = target_.radius > 0.0;
   observation.setRadius(target_.radius);
-  const double birth = absence() * kBirth;
+  const double birth = absenceProbability(hypotheses_) * kBirth;
   const bool first = hypotheses_.empty();
   for (const Candidate& candidate : search(observation, radiusKnown, kCandidates)) {
     OutlinePrior prior;
@@ -221,21 +188,16 @@ void BernoulliTrack::giveBirth(SphereObservation& observation, const PlaceSearch
     observation.setRadius(fit.radius);
     const double logLikelihoodRatio =
         observation.logLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
-    const auto taken = [&](const Eigen::Vector3d& place, double radius) {
-      return (place - fit.center).norm() < radius;
-    };
     const bool known = std::any_of(hypotheses_.begin(), hypotheses_.end(), [&](const auto& other) {
-      return taken(other.place(), fit.radius);
+      return (other.place() - fit.center).norm() < fit.radius;
     });
-    const bool excluded = std::any_of(occupied.begin(), occupied.end(), [&](const auto& other) {
-      return taken(other.center, kTouching * (other.radius + fit.radius));
-    });
-    if (known || excluded || logLikelihoodRatio < kLeastLogRatio) {
+    if (known || isOccupied(fit.center, fit.radius, occupied) ||
+        logLikelihoodRatio < kLeastLogRatio) {
       continue;
     }
     hypotheses_.push_back(born(fit, observation, key, team));
     logMasses.push_back(std::log(birth * birthDensity(fit.center) * evidenceVolume(fit.radius)) +
-                        logLikelihoodRatio - excess(hypotheses_.back()));
+                        logLikelihoodRatio - evidenceBeyondSaturation(hypotheses_.back()));
   }
   if (first) {
     compareNewborn(observation, logMasses);
@@ -252,39 +214,8 @@ void BernoulliTrack::compareNewborn(SphereObservation& observation,
         std::min(one.logLikelihoodRatio + explainedRingGain(hypotheses_, k, observation),
                  one.fullyVisibleLogLikelihoodRatio);
     const double size = 0.5 * std::min(one.sizeMisfit, kMostMisfit);
-    logMasses[k] += full - size - (one.logLikelihoodRatio - excess(one));
+    logMasses[k] += full - size - (one.logLikelihoodRatio - evidenceBeyondSaturation(one));
   }
-}
-
-void BernoulliTrack::settle(const std::vector<double>& logMasses) {
-  double largest = std::log(absence());
-  for (const double mass : logMasses) {
-    largest = std::max(largest, mass);
-  }
-  double total = std::exp(std::log(absence()) - largest);
-  for (const double mass : logMasses) {
-    total += std::exp(mass - largest);
-  }
-  for (std::size_t k = 0; k < hypotheses_.size(); ++k) {
-    hypotheses_[k].probability = std::exp(logMasses[k] - largest) / total;
-  }
-}
-
-void BernoulliTrack::mergeAndPrune() {
-  std::stable_sort(hypotheses_.begin(), hypotheses_.end(),
-                   [](const auto& a, const auto& b) { return a.probability > b.probability; });
-  std::vector<TrackHypothesis> kept;
-  for (TrackHypothesis& hypothesis : hypotheses_) {
-    const auto same = std::find_if(kept.begin(), kept.end(), [&](const TrackHypothesis& other) {
-      return (other.place() - hypothesis.place()).norm() < 0.5 * other.radius;
-    });
-    if (same != kept.end()) {
-      same->probability += hypothesis.probability;
-    } else if (kept.size() < kMostHypotheses && hypothesis.probability > kLeastProbability) {
-      kept.push_back(std::move(hypothesis));
-    }
-  }
-  hypotheses_ = std::move(kept);
 }
 
 void BernoulliTrack::update(SphereObservation& observation, const PlaceSearch& search,
@@ -297,12 +228,12 @@ void BernoulliTrack::update(SphereObservation& observation, const PlaceSearch& s
   }
   std::vector<double> logMasses;
   lookAtAll(observation, key, team, logMasses);
-  if (searching_ && mustSearch(logMasses)) {
+  if (searching_ && mustSearch(hypotheses_, logMasses)) {
     stepSearchCloud(observation, key, team);
     giveBirth(observation, search, occupied, key, team, logMasses);
   }
-  settle(logMasses);
-  mergeAndPrune();
+  normalizeMasses(hypotheses_, logMasses);
+  mergeAndPrune(hypotheses_);
 }
 
 void BernoulliTrack::stepSearchCloud(SphereObservation& observation, const RandomKey& key,
@@ -332,36 +263,21 @@ void BernoulliTrack::removeOccupied(const std::vector<OccupiedSphere>& occupied)
   if (confident() != nullptr) {
     return;
   }
-  const auto isOccupied = [&](const TrackHypothesis& hypothesis) {
-    return std::any_of(occupied.begin(), occupied.end(), [&](const OccupiedSphere& other) {
-      return (other.center - hypothesis.place()).norm() <
-             kTouching * (other.radius + hypothesis.radius);
-    });
+  const auto taken = [&](const TrackHypothesis& hypothesis) {
+    return isOccupied(hypothesis.place(), hypothesis.radius, occupied);
   };
-  std::erase_if(hypotheses_, isOccupied);
-  std::erase_if(predicted_, isOccupied);
+  std::erase_if(hypotheses_, taken);
+  std::erase_if(predicted_, taken);
 }
 
 void BernoulliTrack::decide(bool identicalTargets) {
-  if (hypotheses_.size() < 2 || hypotheses_.front().looks < kLooksToDecide ||
-      !hypotheses_.front().wellSeen()) {
+  const auto ambiguity = resolveAmbiguity(hypotheses_);
+  if (!ambiguity) {
     return;
   }
-  TrackHypothesis& chosen = hypotheses_.front();
-  double rivals = 0.0;
-  std::vector<TrackHypothesis> kept{chosen};
-  for (std::size_t k = 1; k < hypotheses_.size(); ++k) {
-    if (hypotheses_[k].wellSeen() && hypotheses_[k].looks >= kLooksToDecide) {
-      rivals += hypotheses_[k].probability;
-    } else {
-      kept.push_back(hypotheses_[k]);
-    }
-  }
   if (!identicalTargets) {
-    identityAmbiguity_ = std::max(identityAmbiguity_, rivals / (rivals + chosen.probability));
+    identityAmbiguity_ = std::max(identityAmbiguity_, *ambiguity);
   }
-  kept.front().probability += rivals;
-  hypotheses_ = std::move(kept);
   const auto dropped = [&](const TrackHypothesis& other) {
     return std::none_of(hypotheses_.begin(), hypotheses_.end(),
                         [&](const TrackHypothesis& left) { return left.stream == other.stream; });
@@ -372,7 +288,7 @@ void BernoulliTrack::decide(bool identicalTargets) {
 void BernoulliTrack::yield() {
   if (!hypotheses_.empty()) {
     hypotheses_.front().probability *= 1e-3;
-    mergeAndPrune();
+    mergeAndPrune(hypotheses_);
   }
 }
 

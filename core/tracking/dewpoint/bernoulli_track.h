@@ -3,6 +3,7 @@
 
 #include "core/tracking/dewpoint/candidate_search.h"
 #include "core/tracking/dewpoint/hypothesis.h"
+#include "core/tracking/dewpoint/hypothesis_masses.h"
 #include "core/tracking/start_parameters.h"
 #include "core/tracking/target.h"
 #include "core/tracking/track_estimate.h"
@@ -23,12 +24,6 @@ struct BeliefSettings {
   double accelerationSigma = 8.0; ///< m/s²
   double survivalTime = 5.0;      ///< seconds
   double searchSize = 4.0;        ///< metres
-};
-
-/// A sphere another target occupies: nothing else can be there.
-struct OccupiedSphere {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  double radius = 0.0;
 };
 
 /// Finds places where the target may be in the images of an observation: as
@@ -96,7 +91,6 @@ private:
   void stepSearchCloud(SphereObservation& observation, const RandomKey& key, ThreadTeam& team);
   void lookAtAll(SphereObservation& observation, const RandomKey& key, ThreadTeam& team,
                  std::vector<double>& logMasses);
-  bool mustSearch(const std::vector<double>& logMasses) const;
   void giveBirth(SphereObservation& observation, const PlaceSearch& search,
                  const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
                  ThreadTeam& team, std::vector<double>& logMasses);
@@ -105,10 +99,7 @@ private:
   TrackHypothesis born(const OutlineFit& fit, SphereObservation& observation, const RandomKey& key,
                        ThreadTeam& team);
   double birthDensity(const Eigen::Vector3d& place) const;
-  void settle(const std::vector<double>& logMasses);
-  void mergeAndPrune();
   Eigen::Index particleCount(const TrackHypothesis& hypothesis) const;
-  double absence() const;
 
   Target target_;
   BeliefSettings settings_;

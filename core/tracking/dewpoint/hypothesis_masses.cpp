@@ -3,8 +3,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dewpoint::tracking {
+namespace {
+
+constexpr std::size_t kMostHypotheses = 6;
+constexpr double kLeastProbability = 1e-8;
+constexpr double kLeastAbsence = 1e-9;
+constexpr double kSure = 0.98;
+/// Frames after which one of several things that all look just like the target is taken for it.
+constexpr int kLooksToDecide = 5;
+
+} // namespace
+
+double absenceProbability(const std::vector<TrackHypothesis>& hypotheses) {
+  double present = 0.0;
+  for (const TrackHypothesis& hypothesis : hypotheses) {
+    present += hypothesis.probability;
+  }
+  return std::max(kLeastAbsence, 1.0 - present);
+}
+
+double evidenceBeyondSaturation(const TrackHypothesis& hypothesis) {
+  return std::max(0.0,
+                  hypothesis.logLikelihoodRatio -
+                      TrackHypothesis::kSaturation * hypothesis.fullyVisibleLogLikelihoodRatio);
+}
 
 double shareOfLargest(std::span<const double> logMasses, double absence) {
   const auto top = std::max_element(logMasses.begin(), logMasses.end());
@@ -13,6 +38,79 @@ double shareOfLargest(std::span<const double> logMasses, double absence) {
     others += mass == top ? 0.0 : std::exp(*mass);
   }
   return 1.0 / (1.0 + others * std::exp(-*top));
+}
+
+bool mustSearch(const std::vector<TrackHypothesis>& hypotheses,
+                const std::vector<double>& logMasses) {
+  const auto top = std::max_element(logMasses.begin(), logMasses.end());
+  if (top == logMasses.end()) {
+    return true;
+  }
+  const TrackHypothesis& hypothesis = hypotheses[static_cast<std::size_t>(top - logMasses.begin())];
+  return shareOfLargest(logMasses, absenceProbability(hypotheses)) < kSure ||
+         hypothesis.logLikelihoodRatio <
+             TrackHypothesis::kPlainlySeen * hypothesis.fullyVisibleLogLikelihoodRatio ||
+         hypothesis.fullyVisibleLogLikelihoodRatio <= 0.0;
+}
+
+void normalizeMasses(std::vector<TrackHypothesis>& hypotheses,
+                     const std::vector<double>& logMasses) {
+  const double logAbsence = std::log(absenceProbability(hypotheses));
+  double largest = logAbsence;
+  for (const double mass : logMasses) {
+    largest = std::max(largest, mass);
+  }
+  double total = std::exp(logAbsence - largest);
+  for (const double mass : logMasses) {
+    total += std::exp(mass - largest);
+  }
+  for (std::size_t k = 0; k < hypotheses.size(); ++k) {
+    hypotheses[k].probability = std::exp(logMasses[k] - largest) / total;
+  }
+}
+
+void mergeAndPrune(std::vector<TrackHypothesis>& hypotheses) {
+  std::stable_sort(hypotheses.begin(), hypotheses.end(),
+                   [](const auto& a, const auto& b) { return a.probability > b.probability; });
+  std::vector<TrackHypothesis> kept;
+  for (TrackHypothesis& hypothesis : hypotheses) {
+    const auto same = std::find_if(kept.begin(), kept.end(), [&](const TrackHypothesis& other) {
+      return (other.place() - hypothesis.place()).norm() < 0.5 * other.radius;
+    });
+    if (same != kept.end()) {
+      same->probability += hypothesis.probability;
+    } else if (kept.size() < kMostHypotheses && hypothesis.probability > kLeastProbability) {
+      kept.push_back(std::move(hypothesis));
+    }
+  }
+  hypotheses = std::move(kept);
+}
+
+bool isOccupied(const Eigen::Vector3d& position, double radius,
+                const std::vector<OccupiedSphere>& occupied) {
+  return std::any_of(occupied.begin(), occupied.end(), [&](const OccupiedSphere& other) {
+    return (other.center - position).norm() < kTouching * (other.radius + radius);
+  });
+}
+
+std::optional<double> resolveAmbiguity(std::vector<TrackHypothesis>& hypotheses) {
+  if (hypotheses.size() < 2 || hypotheses.front().looks < kLooksToDecide ||
+      !hypotheses.front().wellSeen()) {
+    return std::nullopt;
+  }
+  const double chosen = hypotheses.front().probability;
+  double rivals = 0.0;
+  std::vector<TrackHypothesis> kept{hypotheses.front()};
+  for (std::size_t k = 1; k < hypotheses.size(); ++k) {
+    if (hypotheses[k].wellSeen() && hypotheses[k].looks >= kLooksToDecide) {
+      rivals += hypotheses[k].probability;
+    } else {
+      kept.push_back(hypotheses[k]);
+    }
+  }
+  kept.front().probability += rivals;
+  hypotheses = std::move(kept);
+  return rivals / (rivals + chosen);
 }
 
 } // namespace dewpoint::tracking
