@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/color/color_evidence.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::tests {
+namespace {
+
+const BgrColor kRed{40, 40, 200};
+const BgrColor kDarkRed{20, 20, 100};
+const BgrColor kGreen{40, 160, 60};
+const cv::Scalar kWall(120, 120, 120);
+
+ColorSample sampleOf(std::vector<BgrColor> colors, int area, bool excluded = false) {
+  ColorSample sample;
+  sample.colors = std::move(colors);
+  sample.area = area;
+  sample.excluded = excluded;
+  return sample;
+}
+
+/// A wall of 40 x 30 pixels, 1200 in all, with squares on it.
+cv::Mat wallWith(const std::vector<std::pair<cv::Rect, BgrColor>>& squares) {
+  cv::Mat image(30, 40, CV_8UC3, kWall);
+  for (const auto& [place, color] : squares) {
+    image(place).setTo(cv::Scalar(color[0], color[1], color[2]));
+  }
+  return image;
+}
+
+const cv::Rect kSquare(10, 8, 10, 10); ///< 100 pixels
+
+/// A square of 10 pixels, grown by an ellipse of 3 pixels all around: 16 x 16 without the corners;
+/// in the rows one, two and three pixels above and below it 3, 2 and 0 pixels more on each side.
+constexpr int kWidened = 10 * 16 + 2 * (16 + 14 + 10);
+
+ColorSample clickOn(const cv::Mat& image, cv::Point at, int camera = 0) {
+  ColorSample place;
+  place.camera = camera;
+  place.x = at.x;
+  place.y = at.y;
+  return *takeSample(image, place);
+}
+
+double weightOf(const std::vector<HsiColors>& colors, const BgrColor& color) {
+  const Hsi wanted = hsiFromBgr(color[0], color[1], color[2]);
+  double weight = 0.0;
+  for (const HsiColors& cell : colors) {
+    weight += std::abs(cell.color.intensity - wanted.intensity) < 1e-6 &&
+                      std::abs(cell.color.saturation - wanted.saturation) < 1e-6
+                  ? cell.weight
+                  : 0.0;
+  }
+  return weight;
+}
+
+// Samples of 100 and 300 pixels: a target of 200 on average. Each click counts half of it, however
+// large its region and however many colors were kept of it.
+TEST(ColorEvidence, EveryClickCountsTheSame) {
+  const ColorEvidence evidence =
+      colorEvidence({sampleOf({kRed}, 100), sampleOf({kDarkRed, kDarkRed, kRed, kRed}, 300)}, {});
+  EXPECT_EQ(evidence.targetArea, 200.0);
+  EXPECT_NEAR(evidence.targetWeight, 200.0, 1e-9);
+  EXPECT_NEAR(weightOf(evidence.target, kRed), 100.0 + 50.0, 1e-9);
+  EXPECT_NEAR(weightOf(evidence.target, kDarkRed), 50.0, 1e-9);
+  EXPECT_EQ(evidence.restWeight, 0.0);
+  EXPECT_EQ(evidence.imageShare, 0.0);
+  EXPECT_TRUE(evidence.targetMasks.empty());
+  EXPECT_EQ(evidence.typicalColor, kRed); // of five colors three are red
+}
+
+// What is excluded says nothing about the target's size, and weighs as much as the whole target.
+TEST(ColorEvidence, AnExcludedSampleIsAsMuchBackgroundAsATargetIsLarge) {
+  const ColorEvidence evidence =
+      colorEvidence({sampleOf({kRed}, 100), sampleOf({kGreen}, 5000, true)}, {});
+  EXPECT_EQ(evidence.targetArea, 100.0);
+  EXPECT_NEAR(evidence.targetWeight, 100.0, 1e-9);
+  EXPECT_NEAR(weightOf(evidence.rest, kGreen), 100.0, 1e-9);
+  EXPECT_EQ(evidence.typicalColor, kRed);
+}
+
+TEST(ColorEvidence, WithoutASampleAllIsRest) {
+  const ColorEvidence evidence = colorEvidence({}, {wallWith({{kSquare, kRed}})});
+  EXPECT_TRUE(evidence.target.empty());
+  EXPECT_EQ(evidence.targetWeight, 0.0);
+  EXPECT_EQ(evidence.restWeight, 1200.0);
+  ASSERT_EQ(evidence.targetMasks.size(), 1U);
+  EXPECT_EQ(cv::countNonZero(evidence.targetMasks[0]), 0);
+}
+
+TEST(ColorEvidence, TheClickedRegionAndItsRimAreNoBackground) {
+  const cv::Mat image = wallWith({{kSquare, kRed}});
+  const ColorSample sample = clickOn(image, {14, 12});
+  ASSERT_EQ(sample.area, 100); // the region is the square
+  const ColorEvidence evidence = colorEvidence({sample}, {image});
+  EXPECT_EQ(evidence.targetArea, 100.0);
+  EXPECT_NEAR(evidence.imageShare, 100.0 / 1200.0, 1e-12);
+  EXPECT_EQ(cv::countNonZero(evidence.targetMasks[0]), kWidened);
+  EXPECT_EQ(evidence.restWeight, 1200.0 - kWidened);
+  EXPECT_EQ(weightOf(evidence.rest, kRed), 0.0);
+}
+
+// Two images show the target once each: it weighs twice its area. The second image has no click;
+// the one thing there of the target's color, half as large again, is the target.
+TEST(ColorEvidence, InOtherImagesTheOneThingOfItsColorIsTheTarget) {
+  const cv::Mat clicked = wallWith({{kSquare, kRed}});
+  const cv::Mat other = wallWith({{{20, 5, 15, 10}, kRed}, {{2, 2, 6, 6}, kGreen}});
+  const ColorEvidence evidence = colorEvidence({clickOn(clicked, {14, 12})}, {clicked, other});
+  EXPECT_NEAR(evidence.targetWeight, 200.0, 1e-9);
+  ASSERT_EQ(evidence.targetMasks.size(), 2U);
+  // 15 x 10 pixels, widened likewise: 10 rows of 21, and 21, 19 and 15 above and below.
+  constexpr int kOther = 10 * 21 + 2 * (21 + 19 + 15);
+  EXPECT_EQ(cv::countNonZero(evidence.targetMasks[1]), kOther);
+  EXPECT_EQ(evidence.restWeight, 2.0 * 1200.0 - kWidened - kOther);
+  EXPECT_NEAR(weightOf(evidence.rest, kGreen), 36.0, 1e-9);
+}
+
+// 10 x 10 was clicked: what is more than four times, or less than a sixteenth as large, is not it,
+// and counts as background of the same color.
+TEST(ColorEvidence, AThingOfAnotherSizeIsNotTheTarget) {
+  const cv::Mat clicked = wallWith({{kSquare, kRed}});
+  const ColorSample sample = clickOn(clicked, {14, 12});
+  for (const cv::Rect& place : {cv::Rect(5, 5, 21, 20), cv::Rect(5, 5, 3, 2)}) {
+    const ColorEvidence evidence = colorEvidence({sample}, {clicked, wallWith({{place, kRed}})});
+    EXPECT_EQ(cv::countNonZero(evidence.targetMasks[1]), 0) << place;
+    EXPECT_NEAR(weightOf(evidence.rest, kRed), place.area(), 1e-9) << place;
+  }
+}
+
+// The clicked place shows a wall by now; what was clicked lies elsewhere in the same image.
+TEST(ColorEvidence, AClickWhoseThingIsGoneIsLookedForElsewhere) {
+  const ColorSample sample = clickOn(wallWith({{kSquare, kRed}}), {14, 12});
+  const cv::Mat now = wallWith({{{26, 16, 10, 10}, kRed}});
+  const ColorEvidence evidence = colorEvidence({sample}, {now});
+  const cv::Mat& mask = evidence.targetMasks[0];
+  EXPECT_EQ(cv::countNonZero(mask), kWidened);
+  EXPECT_EQ(mask.at<std::uint8_t>(20, 30), 255);
+  EXPECT_EQ(mask.at<std::uint8_t>(12, 14), 0);
+}
+
+TEST(ColorEvidence, ACameraWithoutAnImageSaysNothing) {
+  const cv::Mat image = wallWith({{kSquare, kRed}});
+  const ColorEvidence evidence = colorEvidence({clickOn(image, {14, 12}, 1)}, {cv::Mat(), image});
+  ASSERT_EQ(evidence.targetMasks.size(), 2U);
+  EXPECT_TRUE(evidence.targetMasks[0].empty());
+  EXPECT_EQ(cv::countNonZero(evidence.targetMasks[1]), kWidened);
+  EXPECT_NEAR(evidence.targetWeight, 100.0, 1e-9); // one image
+}
+
+// Shading makes a thing of one color many: what touches the target and matches the range that was
+// found belongs to it.
+TEST(ColorEvidence, WithARangeTheRestOfTheThingIsTheTargetToo) {
+  const cv::Mat clicked = wallWith({{kSquare, kRed}});
+  const ColorSample sample = clickOn(clicked, {14, 12});
+  const cv::Mat shaded = wallWith({{{5, 5, 10, 10}, kRed}, {{15, 5, 10, 10}, kDarkRed}});
+  const auto typical = colorEvidence({sample}, {clicked, shaded});
+  EXPECT_NEAR(weightOf(typical.rest, kDarkRed), 7 * 10, 1e-9); // but for the rim of 3 pixels
+  const ColorRange red{340.0, 20.0, 0.2, 1.0, 0.05, 1.0};
+  const auto whole = colorEvidence({sample}, {clicked, shaded}, red);
+  EXPECT_EQ(weightOf(whole.rest, kDarkRed), 0.0);
+}
+
+// 7 brightnesses, 5 saturations and 5 hues of each color, whose shares add up to one.
+TEST(ColorEvidence, OtherLightKeepsTheWeight) {
+  const std::vector<HsiColors> colors{{{10.0, 0.5, 0.4}, 30.0}, {{200.0, 0.9, 0.7}, 70.0}};
+  const auto varied = inOtherLight(colors);
+  ASSERT_EQ(varied.size(), 2U * 7U * 5U * 5U);
+  double weight = 0.0;
+  for (const HsiColors& cell : varied) {
+    weight += cell.weight;
+    EXPECT_LE(cell.color.saturation, 1.0);
+    EXPECT_LE(cell.color.intensity, 1.0);
+    EXPECT_GE(cell.color.hueDegrees, 0.0);
+    EXPECT_LT(cell.color.hueDegrees, 360.0);
+  }
+  EXPECT_NEAR(weight, 100.0, 1e-9);
+  // The darkest and palest, 8 degrees before: 0.45 and 0.7 of it, 0.05 * 0.1 * 0.1 of the weight.
+  EXPECT_NEAR(varied[0].color.hueDegrees, 2.0, 1e-9);
+  EXPECT_NEAR(varied[0].color.saturation, 0.35, 1e-9);
+  EXPECT_NEAR(varied[0].color.intensity, 0.18, 1e-9);
+  EXPECT_NEAR(varied[0].weight, 30.0 * 0.05 * 0.1 * 0.1, 1e-12);
+}
+
+} // namespace
+} // namespace dewpoint::tests
