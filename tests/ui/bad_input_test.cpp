@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bad input in the real window: the message bar says one sentence that names file and field, and
 // what was open stays open.
-#include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
 #include "core/capture/frame_writer.h"
 #include "core/session/run/snapshot.h"
 #include "core/simulation/scene_renderer.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/main_window.h"
-#include "ui/view3d/birds_eye_view.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QDir>
 #include <QLabel>
 #include <QRegularExpression>
 #include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QUndoStack>
 
 #include <filesystem>
@@ -27,8 +21,6 @@ namespace dewpoint::tests {
 
 namespace {
 
-constexpr int kPatienceMs =
-    DEWPOINT_PATIENCE_MS; ///< software OpenGL, a loaded machine, a sanitizer
 constexpr std::int64_t kFrames = 24;
 
 /// Writes a camera of the scene as a lossless video.
@@ -53,7 +45,7 @@ bool stammers(const QString& text) {
 
 } // namespace
 
-class BadInputTest : public QObject {
+class BadInputTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -69,19 +61,12 @@ private Q_SLOTS:
   void aFileThatCannotBeSavedLosesNothing();
 
 private:
-  std::filesystem::path path(const char* name) const {
-    return folder_.filePath(QLatin1String(name)).toStdString();
-  }
-  QString message() { return window_->findChild<QLabel*>("messageText")->text(); }
   /// One line, no word twice, every one of these in it.
   void expectSentence(const QStringList& words);
-  void open(const std::filesystem::path& file);
+  void openGood(const std::filesystem::path& file);
   void expectRefused(const std::filesystem::path& file, const QStringList& words);
   /// A copy of the good project in which the first `pattern` was replaced.
   std::filesystem::path changed(const QString& pattern, const QString& replacement);
-
-  QTemporaryDir folder_;
-  std::unique_ptr<MainWindow> window_;
 };
 
 void BadInputTest::initTestCase() {
@@ -101,27 +86,23 @@ void BadInputTest::initTestCase() {
 }
 
 void BadInputTest::init() {
-  window_ = std::make_unique<MainWindow>(&openProject);
-  window_->setPlayOnOpen(false);
-  window_->show();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-  open(path("good.toml"));
+  makeWindow({.play = false});
+  openGood(path("good.toml"));
 }
 
-void BadInputTest::open(const std::filesystem::path& file) {
-  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
-  window_->openProject(file);
-  QVERIFY2(opened.wait(kPatienceMs), qPrintable(message()));
-  QVERIFY(QTest::qWaitFor([this] { return window_->shown() && window_->shown()->frames; },
-                          kPatienceMs));
+void BadInputTest::openGood(const std::filesystem::path& file) {
+  open(file);
+  QVERIFY(waitFor([this] { return shown().frames != nullptr; }));
 }
 
 void BadInputTest::expectSentence(const QStringList& words) {
-  qInfo("%s", qPrintable(message()));
+  qInfo("%s", qPrintable(messageText()));
   QVERIFY(window_->findChild<QLabel*>("messageText")->isVisible());
-  QVERIFY2(!message().contains(QLatin1Char('\n')) && !stammers(message()), qPrintable(message()));
+  QVERIFY2(!messageText().contains(QLatin1Char('\n')) && !stammers(messageText()),
+           qPrintable(messageText()));
   for (const QString& word : words) {
-    QVERIFY2(message().contains(word), qPrintable(word + QStringLiteral(" in: ") + message()));
+    QVERIFY2(messageText().contains(word),
+             qPrintable(word + QStringLiteral(" in: ") + messageText()));
   }
 }
 
@@ -188,16 +169,15 @@ void BadInputTest::aVideoOfAnotherSizeIsRefused() {
 }
 
 void BadInputTest::aTruncatedVideoKeepsWhatWasTracked() {
-  open(changed("camera-1.mkv", "half.mkv"));
+  openGood(changed("camera-1.mkv", "half.mkv"));
   window_->findChild<QAction*>("actionPlay")->trigger();
-  QVERIFY(
-      QTest::qWaitFor([this] { return window_->shown()->state == PlayState::Ended; }, kPatienceMs));
+  QVERIFY(waitFor([this] { return window_->shown()->state == PlayState::Ended; }));
   expectSentence({"half.mkv", "'camera 1'", "ended before"});
   QVERIFY(window_->shown()->frame > 3); // a quarter of half of 24 frames, at least, was tracked
 }
 
 void BadInputTest::videosOfDifferentLengthAreSaid() {
-  open(changed("camera-2.mkv", "short.mkv"));
+  openGood(changed("camera-2.mkv", "short.mkv"));
   expectSentence({"short.mkv", "'camera 2'", QString::number(kFrames), "first 12"});
 }
 
@@ -221,11 +201,7 @@ void BadInputTest::aFileThatCannotBeSavedLosesNothing() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  dewpoint::tests::BadInputTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::BadInputTest>(argc, argv, "bad-input");
 }
 
 #include "bad_input_test.moc"

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calibrating with a board in the real window: a recording, and live cameras.
-#include "app/wiring/open_project.h"
 #include "core/session/run/snapshot.h"
 #include "core/setup/board_outcome.h"
 #include "tests/ui/shown_board.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/calibration/board/board_calibrator.h"
 #include "ui/calibration/board/board_map.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/main_window.h"
-#include "ui/view3d/birds_eye_view.h"
 
-#include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
@@ -20,8 +17,6 @@
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSpinBox>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QUndoStack>
 
 #include <memory>
@@ -29,7 +24,7 @@
 
 namespace dewpoint::tests {
 
-class BoardPageTest : public QObject {
+class BoardPageTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -47,20 +42,10 @@ private Q_SLOTS:
   void everythingHasAName();
 
 private:
-  static constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
-
-  template <class T> T* find(const QString& name) {
-    T* found = window_->findChild<T*>(name);
-    if (found == nullptr) {
-      qFatal("no child named %s", qPrintable(name));
-    }
-    return found;
-  }
   const Project& project() { return window_->document().project(); }
   QUndoStack& history() { return *window_->document().undoStack(); }
   BoardCalibrator& desk() { return *window_->findChild<BoardCalibrator*>(); }
   QString result() { return find<QLabel>(QStringLiteral("boardResult"))->text(); }
-  QString file(const char* name) const { return folder_.filePath(QLatin1String(name)); }
 
   void openWindow(const ProjectOpener& opener, const std::filesystem::path& project);
   void openRecording();
@@ -70,12 +55,9 @@ private:
   /// A picture of the window in both themes, as the manual shows it: into the folder that
   /// DEWPOINT_SCREENSHOTS names, or beside the test.
   void keep(const QString& name);
-  static void scrollTo(QWidget* part);
 
-  QTemporaryDir folder_;
   test::ShownBoard shown_;
   std::shared_ptr<std::atomic<int>> place_;
-  std::unique_ptr<MainWindow> window_;
 };
 
 void BoardPageTest::initTestCase() {
@@ -92,18 +74,10 @@ void BoardPageTest::cleanup() {
 }
 
 void BoardPageTest::openWindow(const ProjectOpener& opener, const std::filesystem::path& project) {
-  window_ = std::make_unique<MainWindow>(opener);
-  window_->setTheme(Theme::Light);
-  window_->resize(1500, 950);
-  window_->show();
-  window_->activateWindow();
+  makeAnotherWindow({.opener = opener, .size = {1500, 950}, .theme = Theme::Light, .play = false});
   QVERIFY(QTest::qWaitForWindowActive(window_.get()));
-  window_->setPlayOnOpen(false);
-  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
-  window_->openProject(project);
-  QVERIFY(opened.wait(kPatienceMs));
-  QVERIFY(
-      QTest::qWaitFor([&] { return window_->shown() && window_->shown()->frames; }, kPatienceMs));
+  open(project);
+  QVERIFY(waitFor([this] { return shown().frames != nullptr; }));
   QTest::keyClick(window_.get(), Qt::Key_C, Qt::ShiftModifier);
   QVERIFY(find<QWidget>(QStringLiteral("boardPage"))->isVisible());
 }
@@ -130,7 +104,7 @@ void BoardPageTest::openLive(const BoardGoal& goal) {
         return inputs;
       },
       {});
-  QVERIFY(QTest::qWaitFor([&] { return desk().isLive(); }, kPatienceMs));
+  QVERIFY(waitFor([&] { return desk().isLive(); }));
   setBoard(goal);
 }
 
@@ -147,16 +121,8 @@ void BoardPageTest::keep(const QString& name) {
   for (const auto& [theme, suffix] :
        {std::pair(Theme::Dark, "-dark.png"), std::pair(Theme::Light, ".png")}) {
     window_->setTheme(theme);
-    QTest::qWait(500); // the bird's-eye view draws at a rate of its own
+    QVERIFY(draws(*window_));
     QVERIFY(window_->grab().save(folder + QLatin1Char('/') + name + QLatin1String(suffix)));
-  }
-}
-
-void BoardPageTest::scrollTo(QWidget* part) {
-  for (QWidget* parent = part; parent != nullptr; parent = parent->parentWidget()) {
-    if (auto* scroll = qobject_cast<QScrollArea*>(parent)) {
-      scroll->ensureWidgetVisible(part);
-    }
   }
 }
 
@@ -282,7 +248,7 @@ void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
       ++*place_;
     }
   });
-  QVERIFY(QTest::qWaitFor([&] { return over.count() > 0; }, kPatienceMs));
+  QVERIFY(waitFor([&] { return over.count() > 0; }));
   disconnect(&desk(), &BoardCalibrator::guideChanged, this, nullptr);
   QVERIFY2(desk().outcome() != nullptr, qPrintable(result()));
   QVERIFY(!desk().isWatching());
@@ -305,10 +271,9 @@ void BoardPageTest::liveViewsCanBeTakenByHand() {
     *place_ = k;
     const auto views = [&] { return desk().guide()->seen->cameras[0].views.size(); };
     const std::size_t before = views();
-    QVERIFY(
-        QTest::qWaitFor([&] { return desk().guide()->cameras[0].seen.has_value(); }, kPatienceMs));
+    QVERIFY(waitFor([&] { return desk().guide()->cameras[0].seen.has_value(); }));
     QTest::mouseClick(capture, Qt::LeftButton);
-    QVERIFY(QTest::qWaitFor([&] { return views() > before; }, kPatienceMs));
+    QVERIFY(waitFor([&] { return views() > before; }));
   }
   QVERIFY(find<QWidget>(QStringLiteral("boardLayer0"))->isVisible());
   scrollTo(find<QPushButton>(QStringLiteral("boardFinish")));
@@ -342,12 +307,7 @@ void BoardPageTest::everythingHasAName() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("board-page"));
-  dewpoint::tests::BoardPageTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::BoardPageTest>(argc, argv, "board-page");
 }
 
 #include "board_page_test.moc"

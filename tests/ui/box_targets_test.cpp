@@ -4,9 +4,7 @@
 #include "tests/ui/box_window.h"
 #include "ui/selection/selection.h"
 #include "ui/style/theme.h"
-#include "ui/view3d/birds_eye_view.h"
 
-#include <QApplication>
 #include <QComboBox>
 
 namespace dewpoint::tests {
@@ -58,7 +56,7 @@ void BoxTargetTest::onlyTheFirstBoxStartsPlaying() {
     action("actionAddTarget")->trigger();
     clickAt({60.0 * double(count), 40.0});
     QVERIFY(waitFor([&] { return targetCount() == count; }));
-    QTest::qWait(300); // as long as a run that plays would take for some frames
+    letTimePass(); // a run that plays would track some frames
     QCOMPARE(window_->shown()->state, PlayState::Paused);
     QCOMPARE(window_->shown()->frame, std::int64_t{0});
     QCOMPARE(window_->document().project().targets.back().box->frame, std::int64_t{0});
@@ -108,25 +106,19 @@ void BoxTargetTest::theBoxIsThereAfterARestart() {
 }
 
 void BoxTargetTest::aBoxOutsideTheImageIsRefused() {
-  const auto file = folder_.filePath("far.toml").toStdString();
+  const auto file = path("far.toml");
   QVERIFY(writeTextFile(file, "format = 2\nname = \"far\"\nmethod = \"histogram\"\n"
                               "scene = \"occluder\"\n[[target]]\nname = \"ball\"\nbox = "
                               "{camera = 1, x = 900, y = 97, width = 46, height = 46}\n"));
   window_->openProject(file);
-  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("target 1.box")); }));
-  QVERIFY(message().contains(QStringLiteral("far.toml")));
+  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("target 1.box")); }));
+  QVERIFY(messageText().contains(QStringLiteral("far.toml")));
 }
 
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("box targets"));
-  dewpoint::tests::BoxTargetTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::BoxTargetTest>(argc, argv, "box targets");
 }
 
 #include "box_targets_test.moc"

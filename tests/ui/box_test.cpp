@@ -5,16 +5,12 @@
 #include "tests/ui/box_window.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/selection/selection.h"
 #include "ui/style/theme.h"
 #include "ui/trajectory/box_model.h"
-#include "ui/view3d/birds_eye_view.h"
 #include "ui/widgets/message_bar.h"
 
 #include <QAbstractItemView>
-#include <QAction>
-#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
@@ -22,7 +18,6 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QTableView>
-#include <QTest>
 #include <QUndoStack>
 
 namespace dewpoint::tests {
@@ -127,7 +122,7 @@ void BoxTest::boxesAreExported() {
   const QString out = folder_.filePath("taken home");
   folder->setText(out);
   find<QPushButton>("boxExportExport")->click();
-  QVERIFY(waitFor([&] { return message().contains(QStringLiteral("boxes.csv")); }));
+  QVERIFY(waitFor([&] { return messageText().contains(QStringLiteral("boxes.csv")); }));
   const auto csv = readTextFile((out + "/boxes.csv").toStdString());
   QVERIFY(csv);
   QVERIFY(csv->find("target 1") != std::string::npos);
@@ -144,7 +139,7 @@ void BoxTest::theMethodIsChosenInTheParameters() {
   choice->setCurrentIndex(row);
   Q_EMIT choice->activated(row);
   QCOMPARE(window_->document().project().method, std::string("histogram"));
-  QCOMPARE(message(),
+  QCOMPARE(messageText(),
            QStringLiteral("Click the thing or drag a box around it in any camera view."));
   QVERIFY(waitFor([this] { return !window_->shown()->family.inSpace; }));
   QVERIFY(find<QDockWidget>("birdsEyeDock")->isHidden());
@@ -211,13 +206,7 @@ void BoxTest::anExperimentIsRefusedAtOnceAndLeftAloneWhileItRuns() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("box"));
-  dewpoint::tests::BoxTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::BoxTest>(argc, argv, "box");
 }
 
 #include "box_test.moc"

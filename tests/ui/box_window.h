@@ -1,36 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/wiring/open_project.h"
 #include "core/capture/frame_writer.h"
 #include "core/session/run/snapshot.h"
 #include "core/setup/new_project.h"
 #include "tests/tracking/moving_patch.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/image_pick_overlay.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/main_window.h"
-
-#include <QAction>
-#include <QLabel>
-#include <QSettings>
-#include <QTemporaryDir>
-#include <QTest>
-
-#include <filesystem>
-#include <functional>
-#include <memory>
 
 namespace dewpoint::tests {
 
 /// The window with one video without a calibration, 320 x 240, that shows a moving patch.
-class BoxWindow {
+class BoxWindow : protected test::WindowFixture {
 protected:
-  static constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
   static constexpr int kFrames = 40;
 
   void record() {
-    video_ = folder_.filePath("patch.mkv").toStdString();
+    video_ = path("patch.mkv");
     auto writer = FrameWriter::video(video_.string(), 25.0);
     QVERIFY(writer);
     for (int frame = 0; frame < kFrames; ++frame) {
@@ -38,39 +26,20 @@ protected:
     }
     QVERIFY(writer->finish());
   }
-  void open() {
-    QSettings().clear();
-    window_ = std::make_unique<MainWindow>(&openProject);
-    window_->resize(1400, 900);
-    window_->setPlayOnOpen(false);
-    window_->show();
-    window_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-  }
+  void open() { makeWindow({.size = {1400, 900}, .play = false}); }
   void close() { window_.reset(); }
-
-  template <class T> T* find(const char* name) {
-    T* found = window_->findChild<T*>(QLatin1String(name));
-    if (found == nullptr) {
-      qFatal("no child named %s", name);
-    }
-    return found;
-  }
-  bool waitFor(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatienceMs); }
-  QAction* action(const char* id) { return find<QAction>(id); }
   /// Opens the video as the page for new projects would, paused.
   void openVideo() {
     NewProject wanted;
     wanted.cameras = {{"", SourceKind::Video, video_.string()}};
     const auto made = makeProject(wanted);
     QVERIFY(made);
-    const auto file = folder_.filePath("one.toml").toStdString();
-    QVERIFY(saveProject(made->project, file));
-    window_->openProject(file);
+    QVERIFY(saveProject(made->project, path("one.toml")));
+    window_->openProject(path("one.toml"));
     QVERIFY(waitFor([this] { return window_->shown() && window_->shown()->frame == 0; }));
     auto* view = find<CameraView>("cameraView0");
     QVERIFY(waitFor([&] { return !view->imageSize().isEmpty() && view->height() > 100; }));
-    QTest::qWait(300); // the layout settles
+    QVERIFY(keepsItsSize(view));
   }
   QPoint placeOf(const Eigen::Vector2d& pixel) {
     const ImagePlacement& placement = find<CameraView>("cameraView0")->placement();
@@ -95,11 +64,8 @@ protected:
     return shown && !shown->targets.empty() ? &shown->targets.front() : nullptr;
   }
   bool hasBox() const { return first() != nullptr && first()->box.has_value(); }
-  QString message() { return find<QLabel>("messageText")->text(); }
 
-  QTemporaryDir folder_;
   std::filesystem::path video_;
-  std::unique_ptr<MainWindow> window_;
 };
 
 } // namespace dewpoint::tests

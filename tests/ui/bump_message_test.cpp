@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A camera is turned during a run: the window says so, and one click puts it right.
-#include "app/wiring/open_project.h"
 #include "core/calibration/manual/moved_camera_pose.h"
 #include "core/capture/recording.h"
 #include "core/simulation/scene_renderer.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/text/camera_motion_text.h"
-#include "ui/view3d/birds_eye_view.h"
 #include "ui/widgets/message_bar.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QTest>
 #include <QUndoStack>
 
 #include <memory>
@@ -76,7 +71,7 @@ double degreesBetween(const Camera& a, const Camera& b) {
 
 } // namespace
 
-class BumpMessageTest : public QObject {
+class BumpMessageTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -85,36 +80,24 @@ private Q_SLOTS:
   void aClickSolvesTheCameraAgain();
 
 private:
-  template <class T> T* find(const char* name) {
-    return window_->findChild<T*>(QLatin1String(name));
-  }
   const Camera& camera() { return window_->document().project().cameras[kBumped].camera; }
   QPushButton* answer() {
-    auto* button = find<QPushButton>("messageAnswer0");
+    auto* button = window_->findChild<QPushButton*>("messageAnswer0");
     return button != nullptr && button->isVisible() ? button : nullptr;
   }
-  static constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
-
-  std::unique_ptr<MainWindow> window_;
+  static
 };
 
 void BumpMessageTest::init() {
-  QSettings().clear();
-  window_ = std::make_unique<MainWindow>(&openBumped);
-  window_->setTheme(Theme::Light);
-  window_->resize(1400, 900);
-  window_->show();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
-  window_->openProject({});
-  QVERIFY(opened.wait(kPatienceMs));
+  makeWindow({.opener = &openBumped, .size = {1400, 900}, .theme = Theme::Light});
+  open();
 }
 
 void BumpMessageTest::aClickSolvesTheCameraAgain() {
   const Camera before = camera();
   const double error = degreesBetween(before, bumpedCamera()); // 0.46 degrees
   QVERIFY(error > 0.4);
-  QVERIFY(QTest::qWaitFor([&] { return answer() != nullptr; }, kPatienceMs));
+  QVERIFY(waitFor([&] { return answer() != nullptr; }));
   QVERIFY(window_->shown()->frame > kBumpFrame);
   const QString said = find<MessageBar>("messageBar")->text();
   const QString name = QString::fromStdString(before.name);
@@ -122,14 +105,14 @@ void BumpMessageTest::aClickSolvesTheCameraAgain() {
   QVERIFY2(answer()->text().contains(name), qPrintable(answer()->text()));
   // Its view says so, too, and no other.
   const auto title = [&](int k) {
-    return find<QLabel>(qPrintable(QStringLiteral("cameraDock%1TitleReason").arg(k)))->text();
+    return find<QLabel>(QStringLiteral("cameraDock%1TitleReason").arg(k))->text();
   };
   QCOMPARE(title(kBumped), bumpText(bumpOf(*window_->shown(), kBumped)));
   QVERIFY(!title(kBumped).isEmpty());
   QVERIFY(bumpOf(*window_->shown(), 0) == nullptr);
   // Some more of the target's sightings, then the click.
   const auto frame = window_->shown()->frame;
-  QVERIFY(QTest::qWaitFor([&] { return window_->shown()->frame > frame + 30; }, kPatienceMs));
+  QVERIFY(waitFor([&] { return window_->shown()->frame > frame + 30; }));
   QVERIFY(answer() != nullptr);
   answer()->click();
   QVERIFY(degreesBetween(camera(), bumpedCamera()) < 0.15 * error);
@@ -139,11 +122,9 @@ void BumpMessageTest::aClickSolvesTheCameraAgain() {
   // Only that camera; the run takes it and reports no more.
   const auto& cameras = window_->document().project().cameras;
   QVERIFY(cameras[0].camera == stillScene().cameras[0]);
-  QVERIFY(QTest::qWaitFor(
-      [&] {
-        return window_->shown()->bumps.empty() && (*window_->shown()->rig)[kBumped] == camera();
-      },
-      kPatienceMs));
+  QVERIFY(waitFor([&] {
+    return window_->shown()->bumps.empty() && (*window_->shown()->rig)[kBumped] == camera();
+  }));
   QVERIFY(answer() == nullptr);
   history.undo();
   QVERIFY(camera() == before);
@@ -152,12 +133,7 @@ void BumpMessageTest::aClickSolvesTheCameraAgain() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("bump"));
-  dewpoint::tests::BumpMessageTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::BumpMessageTest>(argc, argv, "bump");
 }
 
 #include "bump_message_test.moc"

@@ -5,16 +5,13 @@
 #include "tests/ui/calibration_window.h"
 #include "ui/calibration/exchange/calibration_export.h"
 #include "ui/calibration/exchange/calibration_import.h"
-#include "ui/view3d/birds_eye_view.h"
 #include "ui/widgets/message_bar.h"
 
-#include <QAction>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QTemporaryDir>
 
 namespace dewpoint::tests {
 namespace {
@@ -50,10 +47,10 @@ private:
     box->setCurrentIndex(index);
   }
   bool waitReady(ExchangeDialog* dialog) {
-    return QTest::qWaitFor([&] { return dialog->isReady(); }, kPatienceMs);
+    return waitFor([&] { return dialog->isReady(); });
   }
   bool waitText(const char* name, const QString& part) {
-    return QTest::qWaitFor([&] { return preview(name).contains(part); }, kPatienceMs);
+    return waitFor([&] { return preview(name).contains(part); });
   }
   CalibrationImportDialog* openImport() {
     find<QAction>("actionImportCalibration")->trigger();
@@ -229,10 +226,9 @@ void CalibrationImportTest::whatIsExportedComesBack() {
   QVERIFY(!QFileInfo::exists(out->file())); // a preview leaves nothing
   const QString file = out->file();
   QTest::mouseClick(find<QPushButton>("calibrationExportAccept"), Qt::LeftButton);
-  QVERIFY(QTest::qWaitFor([&] { return QFileInfo::exists(file); }, kPatienceMs));
-  QVERIFY(QTest::qWaitFor(
-      [&] { return find<MessageBar>("messageBar")->text().contains(QStringLiteral("Saved")); },
-      kPatienceMs));
+  QVERIFY(waitFor([&] { return QFileInfo::exists(file); }));
+  QVERIFY(waitFor(
+      [&] { return find<MessageBar>("messageBar")->text().contains(QStringLiteral("Saved")); }));
   // Cameras elsewhere; then they come back from the file.
   QVERIFY(window_->document().edit(QStringLiteral("elsewhere"), [](Project& project) {
     for (ProjectCamera& one : project.cameras) {
@@ -242,8 +238,7 @@ void CalibrationImportTest::whatIsExportedComesBack() {
   }));
   auto* in = openImport();
   type("calibrationImportFile", file);
-  (void)QTest::qWaitFor([&] { return !preview("calibrationImportPreview").isEmpty(); },
-                        kPatienceMs);
+  (void)waitFor([&] { return !preview("calibrationImportPreview").isEmpty(); });
   if (!in->isReady()) {
     choose("calibrationImportUnit", format == QLatin1String("anipose") ? "mm" : "m");
   }
@@ -267,12 +262,8 @@ void CalibrationImportTest::whatIsExportedComesBack() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("calibration-import"));
-  dewpoint::tests::CalibrationImportTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::CalibrationImportTest>(argc, argv,
+                                                                     "calibration-import");
 }
 
 #include "calibration_import_test.moc"

@@ -3,7 +3,6 @@
 #include "tests/ui/calibration_window.h"
 #include "ui/view3d/birds_eye_view.h"
 
-#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
@@ -243,8 +242,7 @@ void CalibrationTest::measuredPointsGiveTheCameraBack() {
   }
   QVERIFY(table->item(0, 5)->text().toDouble() > 5.0); // px, of the camera that is off
   QTest::mouseClick(find<QPushButton>("pointSolve"), Qt::LeftButton);
-  QVERIFY(QTest::qWaitFor([&] { return !find<QLabel>("pointVerdict")->text().isEmpty(); },
-                          kPatienceMs));
+  QVERIFY(waitFor([&] { return !find<QLabel>("pointVerdict")->text().isEmpty(); }));
   QVERIFY((camera(0).center() - truth[0].center()).norm() < 1e-3);
   QVERIFY((camera(1).center() - truth[1].center()).norm() < 1e-3);
   QVERIFY(table->item(0, 5)->text().toDouble() < 0.1);
@@ -256,7 +254,7 @@ void CalibrationTest::measuredPointsGiveTheCameraBack() {
 void CalibrationTest::theBirdsEyeViewMovesCameras() {
   auto* view = find<BirdsEyeView>("birdsEyeView");
   view->lookFromAbove();
-  QTest::qWait(300);
+  QVERIFY(waitFor([view] { return view->isDrawn(); }));
   if (!view->hasPicture()) {
     QSKIP("no OpenGL");
   }
@@ -297,7 +295,7 @@ void CalibrationTest::spacePressesWhatHasTheFocus() {
   edges->setFocus();
   QTest::keyClick(edges, Qt::Key_Space);
   QCOMPARE(edges->isChecked(), !checked);
-  QTest::qWait(200); // elsewhere the same key plays
+  letTimePass(200); // elsewhere the same key plays
   QCOMPARE(window_->shown()->state, PlayState::Paused);
 }
 
@@ -312,14 +310,13 @@ void CalibrationTest::clickingEndsWithItsPage() {
 
 void CalibrationTest::theRunGoesOn() {
   QTest::keyClick(window_.get(), Qt::Key_Space);
-  QVERIFY(QTest::qWaitFor([&] { return window_->shown()->frame >= 10; }, kPatienceMs));
+  QVERIFY(waitFor([&] { return window_->shown()->frame >= 10; }));
   const auto iterations = window_->shown()->iterations;
   const Camera before = camera(0);
   layer(0)->setFocus();
   QTest::keyClick(layer(0), Qt::Key_D, Qt::ShiftModifier);
-  QVERIFY(QTest::qWaitFor(
-      [&] { return window_->shown()->rig && window_->shown()->rig->front() == camera(0); },
-      kPatienceMs));
+  QVERIFY(waitFor(
+      [&] { return window_->shown()->rig && window_->shown()->rig->front() == camera(0); }));
   QVERIFY(window_->shown()->iterations >= iterations); // nothing started over
   QVERIFY((window_->shown()->rig->front().center() - before.center()).norm() > 0.09);
 }
@@ -357,12 +354,7 @@ void CalibrationTest::everythingHasAName() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("calibration"));
-  dewpoint::tests::CalibrationTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::CalibrationTest>(argc, argv, "calibration");
 }
 
 #include "calibration_test.moc"

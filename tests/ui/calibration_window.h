@@ -1,48 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/wiring/open_project.h"
 #include "core/calibration/manual/interactive_pose.h"
 #include "core/session/run/snapshot.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/calibration/manual/grid_layer.h"
 #include "ui/calibration/manual/grid_painter.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/main_window.h"
 
-#include <QApplication>
 #include <QMouseEvent>
-#include <QSettings>
-#include <QSignalSpy>
-#include <QTest>
 #include <QUndoStack>
 
-#include <memory>
 #include <vector>
 
 namespace dewpoint::tests::test {
 
 /// The window with the demo, paused, and its calibration place open; mouse and keys for it.
-class CalibrationWindow {
+class CalibrationWindow : protected WindowFixture {
 protected:
-  template <class T> T* find(const char* name) {
-    T* found = window_->findChild<T*>(QLatin1String(name));
-    if (found == nullptr) {
-      qFatal("no child named %s", name);
-    }
-    return found;
-  }
   const Project& project() { return window_->document().project(); }
   Camera camera(int k) { return project().cameras[static_cast<std::size_t>(k)].camera; }
   QUndoStack& history() { return *window_->document().undoStack(); }
-  GridLayer* layer(int k) {
-    return find<GridLayer>(qPrintable(QStringLiteral("gridLayer%1").arg(k)));
-  }
+  GridLayer* layer(int k) { return find<GridLayer>(QStringLiteral("gridLayer%1").arg(k)); }
   /// Where a camera's pixel is in its layer.
   QPointF placed(int k, const Eigen::Vector2d& pixel) {
     return placeOf(pixel, static_cast<CameraView*>(layer(k)->parentWidget())->placement());
   }
-  static constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
 
   void openCalibration();
   void mouse(int k, QEvent::Type type, const Eigen::Vector2d& pixel,
@@ -55,41 +39,22 @@ protected:
     return Projector(camera(k)).project(world).value();
   }
 
-  std::unique_ptr<MainWindow> window_;
   ReferenceGrid grid_; ///< what is laid over the images
 };
 
 inline void CalibrationWindow::openCalibration() {
-  QSettings().clear();
-  window_ = std::make_unique<MainWindow>(&openProject);
-  window_->setTheme(Theme::Light);
-  window_->resize(1500, 950);
-  window_->show();
-  window_->activateWindow();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-  window_->setPlayOnOpen(false);
-  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
-  window_->openProject({});
-  QVERIFY(opened.wait(kPatienceMs));
-  QVERIFY(QTest::qWaitFor([&] { return window_->shown() && window_->shown()->iterations > 0; },
-                          kPatienceMs));
+  makeWindow({.size = {1500, 950}, .theme = Theme::Light, .play = false});
+  open();
+  QVERIFY(waitFor([this] { return shown().iterations > 0; }));
   CameraRig rig;
   for (const ProjectCamera& one : project().cameras) {
     rig.push_back(one.camera);
   }
   grid_ = gridFor(rig);
   QTest::keyClick(window_.get(), Qt::Key_C);
-  // The images are there, and the layout has settled.
-  QSize size;
-  int same = 0;
-  QVERIFY(QTest::qWaitFor(
-      [&] {
-        same = layer(0)->size() == size ? same + 1 : 0;
-        size = layer(0)->size();
-        return same > 10 &&
-               !static_cast<CameraView*>(layer(0)->parentWidget())->imageSize().isEmpty();
-      },
-      kPatienceMs));
+  const auto* view = static_cast<CameraView*>(layer(0)->parentWidget());
+  QVERIFY(waitFor([view] { return !view->imageSize().isEmpty(); }));
+  QVERIFY(keepsItsSize(layer(0)));
 }
 
 inline void CalibrationWindow::mouse(int k, QEvent::Type type, const Eigen::Vector2d& pixel,

@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Beginning, finding one's way and coming back: start page, new projects, actions, recovery.
-#include "app/wiring/open_project.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/run/tracking_run.h"
 #include "tests/ui/recorded_demo.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/actions/action_registry.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/image_pick_overlay.h"
 #include "ui/document/document.h"
 #include "ui/document/project_saver.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/preferences/preferences.h"
 #include "ui/selection/selection.h"
-#include "ui/view3d/birds_eye_view.h"
 #include "ui/widgets/hue_ring.h"
 #include "ui/widgets/range_bar.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QKeySequenceEdit>
@@ -27,9 +23,6 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QUrl>
@@ -39,19 +32,12 @@
 
 namespace dewpoint::tests {
 
-namespace {
-
-constexpr int kPatienceMs =
-    DEWPOINT_PATIENCE_MS; ///< software OpenGL, a loaded machine, a sanitizer
-
-} // namespace
-
-class DeskTest : public QObject {
+class DeskTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
-  void init();
-  void cleanup();
+  void init() { makeWindow(); }
+  void cleanup() { window_.reset(); }
   void theStartPageOpensTheDemoAndClosingReturnsToIt();
   void droppedFilesAreOpened();
   void aSavedProjectIsRecent();
@@ -64,59 +50,7 @@ private Q_SLOTS:
   void workLeftBehindIsOffered();
   void oneClickLearnsAColorAndTracksIt();
   void thePickerIsDraggedByHandAndByKeys();
-
-private:
-  template <class T> T* find(const char* name) {
-    T* found = window_->findChild<T*>(QLatin1String(name));
-    if (found == nullptr) {
-      qFatal("no child named %s", name);
-    }
-    return found;
-  }
-  QAction* action(const char* name) { return find<QAction>(name); }
-  QString file(const char* name) const { return folder_.filePath(QLatin1String(name)); }
-  bool waitFor(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatienceMs); }
-  bool isOpen(std::size_t cameras) {
-    return waitFor([&] {
-      return window_->shown() && window_->shown()->frame >= 0 &&
-             window_->shown()->rig->size() == cameras && find<QWidget>("start")->isHidden();
-    });
-  }
-  void openDemo() {
-    QTest::mouseClick(find<QToolButton>("startDemo"), Qt::LeftButton);
-    QVERIFY(isOpen(2));
-  }
-  void drop(const QStringList& files);
-
-  QTemporaryDir folder_;
-  std::unique_ptr<MainWindow> window_;
 };
-
-void DeskTest::init() {
-  QSettings().clear();
-  window_ = std::make_unique<MainWindow>(&openProject);
-  window_->show();
-  window_->activateWindow();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-}
-
-void DeskTest::cleanup() {
-  window_.reset();
-}
-
-void DeskTest::drop(const QStringList& files) {
-  QMimeData data;
-  QList<QUrl> urls;
-  for (const QString& one : files) {
-    urls.append(QUrl::fromLocalFile(one));
-  }
-  data.setUrls(urls);
-  QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(window_.get(), &enter);
-  QVERIFY(enter.isAccepted());
-  QDropEvent event({100.0, 100.0}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(window_.get(), &event);
-}
 
 void DeskTest::theStartPageOpensTheDemoAndClosingReturnsToIt() {
   QVERIFY(find<QWidget>("startPage")->isVisible());
@@ -221,8 +155,7 @@ void DeskTest::theLayoutBelongsToTheProject() {
   action("actionSave")->trigger();
   QVERIFY(waitFor([this] { return !window_->saver().isSaving(); }));
   QVERIFY(!window_->document().isUnsaved());
-  window_ = std::make_unique<MainWindow>(&openProject);
-  window_->show();
+  makeAnotherWindow();
   window_->openProject(place);
   QVERIFY(isOpen(2));
   QVERIFY(find<QDockWidget>("birdsEyeDock")->isFloating());
@@ -333,7 +266,7 @@ void DeskTest::oneClickLearnsAColorAndTracksIt() {
   }
   QVERIFY(window_->document().project().targets.empty());
   // The verdict was of that target.
-  QTest::qWait(300); // a judgement may be under way
+  letTimePass(); // a judgement may be under way
   QVERIFY(!find<QLabel>("colorVerdict")->text().contains(QStringLiteral("of 100")));
 
   // The same place by keys: the cross begins in the middle, Ctrl and an arrow move it by a pixel.
@@ -387,12 +320,7 @@ void DeskTest::thePickerIsDraggedByHandAndByKeys() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("desk"));
-  dewpoint::tests::DeskTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::DeskTest>(argc, argv, "desk");
 }
 
 #include "desk_test.moc"

@@ -1,60 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the empty room, given to a camera in the window.
-#include "app/wiring/open_project.h"
 #include "core/session/run/snapshot.h"
 #include "core/setup/new_project.h"
 #include "tests/ui/recorded_demo.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/main_window.h"
-#include "ui/view3d/birds_eye_view.h"
 
-#include <QApplication>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSettings>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QUndoStack>
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 
 namespace dewpoint::tests {
 
-class EmptyRoomTest : public QObject {
+class EmptyRoomTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
-  void init();
+  void init() { makeWindow(); }
   void cleanup() { window_.reset(); }
   void theEmptyRoomIsAStepThatCanBeUndone();
-
-private:
-  template <class T> T* find(const char* name) {
-    T* found = window_->findChild<T*>(QLatin1String(name));
-    if (found == nullptr) {
-      qFatal("no child named %s", name);
-    }
-    return found;
-  }
-  QString file(const char* name) const { return folder_.filePath(QLatin1String(name)); }
-  static bool waitFor(const std::function<bool()>& holds) {
-    return QTest::qWaitFor(holds, DEWPOINT_PATIENCE_MS);
-  }
-
-  QTemporaryDir folder_;
-  std::unique_ptr<MainWindow> window_;
 };
-
-void EmptyRoomTest::init() {
-  QSettings().clear();
-  window_ = std::make_unique<MainWindow>(&openProject);
-  window_->show();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-}
 
 void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
   QVERIFY(recordDemo(folder_.path().toStdString()));
@@ -101,12 +72,7 @@ void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("empty-room"));
-  dewpoint::tests::EmptyRoomTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::EmptyRoomTest>(argc, argv, "empty-room");
 }
 
 #include "empty_room_test.moc"

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Taking the trajectory home from the window, while tracking goes on.
-#include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
 #include "core/project/project.h"
 #include "core/session/run/snapshot.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/export_text.h"
 #include "ui/export/trajectory_figure.h"
 #include "ui/export/view_picture.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/selection/selection.h"
-#include "ui/view3d/birds_eye_view.h"
 #include "ui/widgets/message_bar.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
@@ -26,12 +22,10 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSvgRenderer>
-#include <QTemporaryDir>
-#include <QTest>
 
 namespace dewpoint::tests {
 
-class ExportTest : public QObject {
+class ExportTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 private Q_SLOTS:
   void initTestCase();
@@ -62,8 +56,6 @@ private:
     field<QComboBox>("exportFormat")->setCurrentText(exportFormatName(id));
   }
 
-  QTemporaryDir folder_;
-  std::unique_ptr<MainWindow> window_;
   ExportDialog* dialog_ = nullptr;
 };
 
@@ -87,12 +79,10 @@ Trajectory smallRun() {
 } // namespace
 
 void ExportTest::initTestCase() {
-  window_ = std::make_unique<MainWindow>(dewpoint::app::openProject);
-  window_->resize(1400, 900);
-  window_->show();
+  makeWindow({.size = {1400, 900}});
   window_->openProject({});
   QTRY_VERIFY_WITH_TIMEOUT(window_->shown() != nullptr && window_->shown()->frame > 20,
-                           DEWPOINT_PATIENCE_MS);
+                           kPatienceMs);
   window_->findChild<QAction*>(QStringLiteral("actionExportTrajectory"))->trigger();
   dialog_ = window_->findChild<ExportDialog*>();
   QVERIFY(dialog_ != nullptr);
@@ -109,27 +99,25 @@ void ExportTest::formatsHaveNames() {
 void ExportTest::isNotModal() {
   QVERIFY(!dialog_->isModal());
   const auto before = window_->shown()->frame;
-  QTRY_VERIFY_WITH_TIMEOUT(window_->shown()->frame > before, DEWPOINT_PATIENCE_MS);
+  QTRY_VERIFY_WITH_TIMEOUT(window_->shown()->frame > before, kPatienceMs);
 }
 
 void ExportTest::previewFollowsTheChoices() {
   QTRY_VERIFY_WITH_TIMEOUT(preview().contains(QStringLiteral("time_s,frame,target,x_m")),
-                           DEWPOINT_PATIENCE_MS);
+                           kPatienceMs);
   chooseFormat("trc");
-  QTRY_VERIFY_WITH_TIMEOUT(preview().startsWith(QStringLiteral("PathFileType")),
-                           DEWPOINT_PATIENCE_MS);
+  QTRY_VERIFY_WITH_TIMEOUT(preview().startsWith(QStringLiteral("PathFileType")), kPatienceMs);
   QVERIFY(field<QLabel>("exportUnits")->text().contains(QStringLiteral("Y points up")));
   QVERIFY(field<QLineEdit>("exportFile")->text().endsWith(QStringLiteral("trajectory.trc")));
   field<QComboBox>("exportUnit")->setCurrentIndex(2);
-  QTRY_VERIFY_WITH_TIMEOUT(preview().contains(QStringLiteral("\tmm\t")), DEWPOINT_PATIENCE_MS);
+  QTRY_VERIFY_WITH_TIMEOUT(preview().contains(QStringLiteral("\tmm\t")), kPatienceMs);
   field<QDoubleSpinBox>("exportTo")->setValue(0.1);
   QTRY_VERIFY_WITH_TIMEOUT(field<QLabel>("exportSize")->text().contains(QStringLiteral("rows: 4")),
-                           DEWPOINT_PATIENCE_MS);
+                           kPatienceMs);
   field<QComboBox>("exportEstimates")->setCurrentIndex(1);
   field<QComboBox>("exportUnit")->setCurrentIndex(0);
   chooseFormat("csv");
-  QTRY_VERIFY_WITH_TIMEOUT(preview().contains(QStringLiteral("estimates: smoothed")),
-                           DEWPOINT_PATIENCE_MS);
+  QTRY_VERIFY_WITH_TIMEOUT(preview().contains(QStringLiteral("estimates: smoothed")), kPatienceMs);
 }
 
 void ExportTest::writesInTheBackground() {
@@ -142,7 +130,7 @@ void ExportTest::writesInTheBackground() {
     auto* start = field<QPushButton>("exportStart");
     QTest::mouseClick(start, Qt::LeftButton);
     QVERIFY(!start->isEnabled());
-    QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), DEWPOINT_PATIENCE_MS);
+    QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
     QVERIFY2(QFileInfo(file).size() > 0, qPrintable(file));
     const QString said = window_->findChild<MessageBar*>()->text();
     QVERIFY2(said.contains(file), qPrintable(said));
@@ -154,7 +142,7 @@ void ExportTest::saysWhatFailed() {
   field<QLineEdit>("exportFile")->setText(folder_.filePath(QStringLiteral("no/folder/a.csv")));
   auto* start = field<QPushButton>("exportStart");
   QTest::mouseClick(start, Qt::LeftButton);
-  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), DEWPOINT_PATIENCE_MS);
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
   QVERIFY(window_->findChild<MessageBar*>()->text().contains(QStringLiteral("no/folder/a.csv")));
 }
 
@@ -181,7 +169,7 @@ void ExportTest::asksBeforeAFileIsReplaced() {
   QVERIFY(question->isVisible());
   QCOMPARE(*readTextFile(file.toStdString()), std::string("precious"));
   QTest::mouseClick(start, Qt::LeftButton);
-  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), DEWPOINT_PATIENCE_MS);
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
   QVERIFY(QFileInfo(file).size() > 100);
   QVERIFY(writeTextFile(file.toStdString(), "precious")); // by another program, since
   QTest::mouseClick(start, Qt::LeftButton);
@@ -199,13 +187,13 @@ void ExportTest::asksBeforeOneOfSeveralFilesIsReplaced() {
   auto* question = field<QLabel>("exportQuestion");
   auto* start = field<QPushButton>("exportStart");
   QTest::mouseClick(start, Qt::LeftButton);
-  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), DEWPOINT_PATIENCE_MS);
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
   QVERIFY2(question->isVisible() && question->text().contains(QStringLiteral("00000.vtp")),
            qPrintable(question->text()));
   QCOMPARE(*readTextFile(frame.toStdString()), std::string("precious"));
   QVERIFY(!QFileInfo::exists(folder_.filePath(QStringLiteral("film.pvd"))));
   QTest::mouseClick(start, Qt::LeftButton);
-  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), DEWPOINT_PATIENCE_MS);
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
   QVERIFY(QFileInfo::exists(folder_.filePath(QStringLiteral("film.pvd"))));
   QVERIFY(readTextFile(frame.toStdString())->find("precious") == std::string::npos);
   chooseFormat("csv");
@@ -224,7 +212,7 @@ void ExportTest::theSpanIsTheSelectedOne() {
   QCOMPARE(from->value(), 0.066);
   QCOMPARE(to->value(), 0.134);
   QTRY_VERIFY_WITH_TIMEOUT(field<QLabel>("exportSize")->text().contains(QStringLiteral("rows: 3")),
-                           DEWPOINT_PATIENCE_MS);
+                           kPatienceMs);
   window_->selection().selectSpan(std::nullopt);
   open();
   QCOMPARE(from->value(), from->minimum()); // the beginning
@@ -247,9 +235,9 @@ void ExportTest::itsKeyWorksWhileAFieldHasTheFocus() {
       }
     }
     edit->setFocus();
-    QTRY_VERIFY_WITH_TIMEOUT(edit->hasFocus(), DEWPOINT_PATIENCE_MS);
+    QTRY_VERIFY_WITH_TIMEOUT(edit->hasFocus(), kPatienceMs);
     QTest::keyClick(edit, Qt::Key_E, Qt::ControlModifier);
-    QTRY_VERIFY_WITH_TIMEOUT(dialog_->isVisible(), DEWPOINT_PATIENCE_MS);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog_->isVisible(), kPatienceMs);
     dialog_->close();
     window_->activateWindow();
   }
@@ -272,16 +260,16 @@ void ExportTest::aLongPreviewCanBeStopped() {
   dialog.show();
   auto* cancel = dialog.findChild<QPushButton*>(QStringLiteral("exportCancel"));
   auto* size = dialog.findChild<QLabel*>(QStringLiteral("exportSize"));
-  QTRY_VERIFY_WITH_TIMEOUT(cancel->isVisible(), DEWPOINT_PATIENCE_MS);
+  QTRY_VERIFY_WITH_TIMEOUT(cancel->isVisible(), kPatienceMs);
   QVERIFY(size->text().contains(QLatin1Char('%')));
   QTest::mouseClick(cancel, Qt::LeftButton);
   QVERIFY(!cancel->isVisible());
   QVERIFY(size->text().contains(QStringLiteral("stopped")));
-  QTest::qWait(300);
+  letTimePass();
   QVERIFY(size->text().contains(QStringLiteral("stopped"))); // and it stays so
   // What is chosen next is shown; a stopped one is in nobody's way.
   dialog.findChild<QComboBox*>(QStringLiteral("exportEstimates"))->setCurrentIndex(0);
-  QTRY_VERIFY_WITH_TIMEOUT(size->text().contains(QStringLiteral("rows: 60")), DEWPOINT_PATIENCE_MS);
+  QTRY_VERIFY_WITH_TIMEOUT(size->text().contains(QStringLiteral("rows: 60")), kPatienceMs);
 }
 
 void ExportTest::theNextProjectIsExportedAnew() {
@@ -291,9 +279,7 @@ void ExportTest::theNextProjectIsExportedAnew() {
   auto project = *resolveProject("demo");
   const QString file = folder_.filePath(QStringLiteral("next.toml"));
   QVERIFY(saveProject(project, file.toStdString()));
-  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
-  window_->openProject(file.toStdString());
-  QVERIFY(opened.wait(DEWPOINT_PATIENCE_MS));
+  open(file.toStdString());
   QCOMPARE(field<QDoubleSpinBox>("exportRate")->value(), 0.0);
   QCOMPARE(QFileInfo(field<QLineEdit>("exportFile")->text()).dir(), QDir(folder_.path()));
   QVERIFY(!field<QLineEdit>("exportFile")->text().contains(QStringLiteral("of-the-demo")));
@@ -305,7 +291,7 @@ void ExportTest::enterInAFieldExportsNothing() {
   name->setFocus();
   QTest::keyClick(name, Qt::Key_Return);
   QVERIFY(field<QPushButton>("exportStart")->isEnabled());
-  QTest::qWait(100);
+  letTimePass(100);
   QVERIFY(!QFileInfo::exists(name->text()));
   QVERIFY(dialog_->isVisible());
 }
@@ -345,11 +331,7 @@ void ExportTest::takesPicturesOfEveryView() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  dewpoint::tests::ExportTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::ExportTest>(argc, argv, "export");
 }
 
 #include "export_test.moc"

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first minutes of a new user, by mouse alone, with every press counted: from launch to a 3D
 // track and a CSV file of the demo, and from two videos and a calibration file to a track.
-#include "app/wiring/open_project.h"
 #include "core/session/run/snapshot.h"
 #include "core/trajectory/trajectory_reader.h"
 #include "tests/ui/event_loop_probe.h"
 #include "tests/ui/recorded_demo.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/image_pick_overlay.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/main_window.h"
-#include "ui/view3d/birds_eye_view.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
@@ -23,8 +19,6 @@
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSettings>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QTimer>
 #include <QToolButton>
 
@@ -33,9 +27,6 @@
 namespace dewpoint::tests {
 
 namespace {
-
-constexpr int kPatienceMs =
-    DEWPOINT_PATIENCE_MS; ///< software OpenGL, a loaded machine, a sanitizer
 
 /// Counts the presses of mouse buttons in the whole application.
 class ClickCounter : public QObject {
@@ -57,7 +48,7 @@ private:
 
 } // namespace
 
-class FirstRunTest : public QObject {
+class FirstRunTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -67,15 +58,7 @@ private Q_SLOTS:
   void fromTwoVideosAndACalibrationToATrack();
 
 private:
-  template <class T> T* find(const char* name) {
-    T* found = window_->findChild<T*>(QLatin1String(name));
-    if (found == nullptr) {
-      qFatal("no child named %s", name);
-    }
-    return found;
-  }
   void click(QWidget* widget) { QTest::mouseClick(widget, Qt::LeftButton); }
-  bool waitFor(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatienceMs); }
   bool isHeld() {
     return waitFor([this] {
       const auto shown = window_->shown();
@@ -86,21 +69,14 @@ private:
   /// Clicks these files in the next file dialog, and its "Open".
   void chooseFiles(const QStringList& names);
 
-  QTemporaryDir folder_;
-  std::unique_ptr<MainWindow> window_;
   std::unique_ptr<ClickCounter> counter_;
   std::unique_ptr<EventLoopProbe> probe_;
 };
 
 void FirstRunTest::init() {
-  QSettings().clear();
   QDir::setCurrent(folder_.path());
   counter_ = std::make_unique<ClickCounter>();
-  window_ = std::make_unique<MainWindow>(&openProject);
-  window_->resize(1400, 900);
-  window_->show();
-  window_->activateWindow();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  makeWindow({.size = {1400, 900}});
   probe_ = std::make_unique<EventLoopProbe>();
 }
 
@@ -172,7 +148,7 @@ void FirstRunTest::fromTwoVideosAndACalibrationToATrack() {
   QVERIFY(waitFor([&] { return !view->imageSize().isEmpty() && view->height() > 100; }));
   // The ball of the demo's first frame, as the first camera sees it: (0.5, 0.5, 0.15) m.
   const auto at = Projector(demoRig()[0]).project({0.5, 0.5, 0.15});
-  QTest::qWait(300); // a person looks before the click; the layout settles
+  QVERIFY(keepsItsSize(view)); // a person looks before the click
   const ImagePlacement& placement = view->placement();
   const QPointF place =
       placement.corner + (QPointF(at->x(), at->y()) + QPointF(0.5, 0.5)) * placement.scale;
@@ -185,13 +161,7 @@ void FirstRunTest::fromTwoVideosAndACalibrationToATrack() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("first-run"));
-  dewpoint::tests::FirstRunTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::FirstRunTest>(argc, argv, "first-run");
 }
 
 #include "first_run_test.moc"

@@ -1,32 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two network cameras on this machine's loopback, opened from a project file and tracked live in
 // the real window.
-#include "app/wiring/open_project.h"
 #include "core/session/run/snapshot.h"
 #include "core/simulation/scene_renderer.h"
 #include "tests/capture/mjpeg_server.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/cameraview/camera_view.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/style/image.h"
-#include "ui/view3d/birds_eye_view.h"
 
-#include <QApplication>
 #include <QLabel>
 #include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 
 #include <array>
-#include <functional>
-#include <memory>
 
 namespace dewpoint::tests {
 
 namespace {
 
-constexpr int kPatienceMs =
-    DEWPOINT_PATIENCE_MS; ///< software OpenGL, a loaded machine, a sanitizer
 /// JPEG blurs the ball's rim a little; the paper's 3 cm is the bound all the same.
 constexpr double kErrorBound = 0.03;
 /// Mean difference of a color channel, of 255: JPEG, scaling and the overlay change little.
@@ -54,11 +45,12 @@ double difference(QWidget& view, const cv::Mat& picture) {
 
 } // namespace
 
-class LiveWindowTest : public QObject {
+class LiveWindowTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
   void initTestCase();
+  void cleanup() { window_.reset(); }
   void tracksTwoStreamsToTheBall();
   void saysWhichCameraDoesNotAnswer();
 
@@ -94,40 +86,36 @@ std::filesystem::path LiveWindowTest::savedProject(const std::string& first,
 void LiveWindowTest::tracksTwoStreamsToTheBall() {
   const test::MjpegServer left([this](auto&&...) { return pictures_[0]; });
   const test::MjpegServer right([this](auto&&...) { return pictures_[1]; });
-  MainWindow window(&openProject);
-  window.setPlayOnOpen(false);
-  window.show();
-  QVERIFY(QTest::qWaitForWindowExposed(&window));
-  QSignalSpy opened(&window, &MainWindow::projectOpened);
-  window.openProject(savedProject(left.address(), right.address()));
-  QVERIFY(opened.wait(kPatienceMs));
-  QTest::mouseClick(window.findChild<QToolButton*>("actionPlayButton"), Qt::LeftButton);
+  makeWindow({.play = false});
+  open(savedProject(left.address(), right.address()));
+  QTest::mouseClick(find<QToolButton>("actionPlayButton"), Qt::LeftButton);
 
   const Eigen::Vector3d truth = ballPosition(scene_, 0, 0.0);
   const auto error = [&] {
-    const auto& targets = window.shown()->targets;
+    const auto& targets = window_->shown()->targets;
     return targets.empty() || !std::get<SphereEstimate>(targets.front().estimate).valid
                ? 1.0
                : (std::get<SphereEstimate>(targets.front().estimate).mean - truth).norm();
   };
-  QVERIFY(QTest::qWaitFor([&] { return window.shown() && error() < kErrorBound; }, kPatienceMs));
-  QVERIFY(!window.shown()->frameCount.has_value()); // it is live
+  QVERIFY(waitFor([&] { return window_->shown() && error() < kErrorBound; }));
+  QVERIFY(!window_->shown()->frameCount.has_value()); // it is live
   const auto held = [&](int camera) {
-    return window.findChild<QLabel*>(QStringLiteral("cameraDock%1TitleState").arg(camera))
+    return find<QLabel>(QStringLiteral("cameraDock%1TitleState").arg(camera))
         ->text()
         .contains(QStringLiteral("held"));
   };
-  QVERIFY(QTest::qWaitFor([&] { return held(0) && held(1); }, kPatienceMs));
-  QTest::mouseClick(window.findChild<QToolButton*>("actionPlayButton"), Qt::LeftButton); // pause
-  QVERIFY(QTest::qWaitFor([&] { return window.shown()->state == PlayState::Paused; }, kPatienceMs));
+  QVERIFY(waitFor([&] { return held(0) && held(1); }));
+  QTest::mouseClick(find<QToolButton>("actionPlayButton"), Qt::LeftButton); // pause
+  QVERIFY(waitFor([&] { return window_->shown()->state == PlayState::Paused; }));
   for (const std::size_t camera : {0U, 1U}) {
-    auto* view = window.findChild<CameraView*>(QStringLiteral("cameraView%1").arg(camera));
+    auto* view = find<CameraView>(QStringLiteral("cameraView%1").arg(camera));
     QVERIFY2(difference(*view, pictures_[camera]) < kSamePicture,
              qPrintable(QString::number(difference(*view, pictures_[camera]))));
     // The bound tells pictures apart: a uniform gray is none of them.
     const cv::Mat gray(pictures_[camera].size(), CV_8UC3, cv::Scalar::all(128));
     QVERIFY(difference(*view, gray) > kSamePicture);
   }
+  window_.reset(); // before its cameras are gone
 }
 
 void LiveWindowTest::saysWhichCameraDoesNotAnswer() {
@@ -137,27 +125,21 @@ void LiveWindowTest::saysWhichCameraDoesNotAnswer() {
     const test::MjpegServer gone([this](auto&&...) { return pictures_[1]; });
     nobody = gone.address();
   }
-  MainWindow window(&openProject);
-  window.show();
-  QVERIFY(QTest::qWaitForWindowExposed(&window));
-  window.openProject(savedProject(left.address(), nobody));
-  auto* message = window.findChild<QLabel*>("messageText");
-  QVERIFY(QTest::qWaitFor([&] { return message->isVisible(); }, kPatienceMs));
+  makeWindow();
+  window_->openProject(savedProject(left.address(), nobody));
+  auto* message = find<QLabel>("messageText");
+  QVERIFY(waitFor([&] { return message->isVisible(); }));
   QVERIFY2(message->text().contains(QString::fromStdString(nobody)), qPrintable(message->text()));
   // The other one is shown all the same.
-  auto* view = window.findChild<CameraView*>("cameraView0");
-  QVERIFY(
-      QTest::qWaitFor([&] { return difference(*view, pictures_[0]) < kSamePicture; }, kPatienceMs));
+  auto* view = find<CameraView>("cameraView0");
+  QVERIFY(waitFor([&] { return difference(*view, pictures_[0]) < kSamePicture; }));
+  window_.reset();
 }
 
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  dewpoint::tests::LiveWindowTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::LiveWindowTest>(argc, argv, "live-window");
 }
 
 #include "live_window_test.moc"

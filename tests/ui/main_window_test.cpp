@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The real window with the built-in demo, driven by actions, mouse and keyboard as a person would.
-#include "app/wiring/open_project.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/session.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/plots/plot_panel.h"
-#include "ui/view3d/birds_eye_view.h"
 
-#include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -19,7 +16,6 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStatusBar>
-#include <QTest>
 #include <QToolButton>
 
 #include <memory>
@@ -27,12 +23,7 @@
 
 namespace dewpoint::tests {
 
-namespace {
-constexpr int kPatienceMs =
-    DEWPOINT_PATIENCE_MS; ///< software OpenGL, a loaded machine, a sanitizer
-}
-
-class MainWindowTest : public QObject {
+class MainWindowTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -54,62 +45,26 @@ private Q_SLOTS:
   void noQt5InTheProcess();
 
 private:
-  template <class T> T* find(const char* name) {
-    T* found = window_->findChild<T*>(QLatin1String(name));
-    if (found == nullptr) {
-      qFatal("no child named %s", name);
-    }
-    return found;
-  }
   void click(const char* name) { QTest::mouseClick(find<QToolButton>(name), Qt::LeftButton); }
   QString label(const char* name) { return find<QLabel>(name)->text(); }
-  const TrackSnapshot& shown() {
-    static const TrackSnapshot none;
-    return window_->shown() ? *window_->shown() : none; // nothing opened: the test has failed
-  }
-  bool waitFor(const std::function<bool()>& holds) {
-    return QTest::qWaitFor([&] { return window_->shown() && holds(); }, kPatienceMs);
-  }
-  /// Waits until the docks have shared out the space: one slow picture can take longer than any
-  /// fixed wait.
-  bool keepsItsSize(const QWidget* widget);
-  void open(bool play);
+  void openDemo(bool play);
   bool pauseNow();
   /// Restarts (paused) and tracks `frames` frames one by one; the mean after the last, or nothing
   /// if that never happens.
   std::optional<Eigen::Vector3d> meanAfterFrames(const char* restartButton, int frames);
-
-  std::unique_ptr<MainWindow> window_;
 };
 
 void MainWindowTest::init() {
-  window_ = std::make_unique<MainWindow>(&openProject);
-  window_->setTheme(Theme::Light);
-  window_->show();
-  window_->activateWindow(); // else shortcuts vanish
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  makeWindow({.theme = Theme::Light});
 }
 
 void MainWindowTest::cleanup() {
   window_.reset();
 }
 
-bool MainWindowTest::keepsItsSize(const QWidget* widget) {
-  constexpr int kRounds = 5; ///< of the event loop, without a change
-  QSize size;
-  int same = 0;
-  return waitFor([&] {
-    same = widget->size() == size ? same + 1 : 0;
-    size = widget->size();
-    return same >= kRounds;
-  });
-}
-
-void MainWindowTest::open(bool play) {
+void MainWindowTest::openDemo(bool play) {
   window_->setPlayOnOpen(play);
-  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
-  window_->openProject({});
-  QVERIFY(opened.wait(kPatienceMs));
+  open();
   // The first snapshot shows the first frame untracked.
   QVERIFY(waitFor([this] { return shown().frame >= 0 && shown().iterations > 0; }));
 }
@@ -139,7 +94,7 @@ std::optional<Eigen::Vector3d> MainWindowTest::meanAfterFrames(const char* resta
 }
 
 void MainWindowTest::playsTheDemoAndHolds() {
-  open(true);
+  openDemo(true);
   // The demo's ball is found within 60 iterations (Barrera's own count per still frame).
   QVERIFY(waitFor([this] {
     return shown().frame >= 20 && std::get<SphereEstimate>(shown().targets.front().estimate).valid;
@@ -150,32 +105,32 @@ void MainWindowTest::playsTheDemoAndHolds() {
 }
 
 void MainWindowTest::playAndPauseByMouseAndKey() {
-  open(true);
+  openDemo(true);
   QVERIFY(waitFor([this] { return shown().state == PlayState::Playing; }));
   QCOMPARE(find<QAction>("actionPlay")->text(), QStringLiteral("Pause"));
   QVERIFY(pauseNow());
   QCOMPARE(find<QAction>("actionPlay")->text(), QStringLiteral("Play"));
   const qint64 frame = shown().frame;
-  QTest::qWait(300);
+  letTimePass();
   QCOMPARE(shown().frame, frame); // paused means no more frames
   QTest::keyClick(window_.get(), Qt::Key_Space);
   QVERIFY(waitFor([&] { return shown().frame > frame; }));
 }
 
 void MainWindowTest::nextFrameByMouse() {
-  open(false);
+  openDemo(false);
   const qint64 frame = shown().frame;
   click("actionNextFrameButton");
   QVERIFY(waitFor([&] { return shown().frame == frame + 1; }));
   QTest::keyClick(window_.get(), Qt::Key_Period);
   QVERIFY(waitFor([&] { return shown().frame == frame + 2; }));
-  QTest::qWait(200);
+  letTimePass(200);
   QCOMPARE(shown().frame, frame + 2); // and not one more
   QVERIFY(shown().state == PlayState::Paused);
 }
 
 void MainWindowTest::oneIterationByMouse() {
-  open(false);
+  openDemo(false);
   const qint64 frame = shown().frame;
   const qint64 iterations = shown().iterations;
   click("actionNextIterationButton");
@@ -187,7 +142,7 @@ void MainWindowTest::oneIterationByMouse() {
 }
 
 void MainWindowTest::sliderActsAndUndoReturns() {
-  open(false);
+  openDemo(false);
   // Method barrera uses all its particles always.
   auto* choice = find<QComboBox>("methodChoice");
   QCOMPARE(choice->currentData().toString(), QStringLiteral("dewpoint"));
@@ -222,7 +177,7 @@ void MainWindowTest::sliderActsAndUndoReturns() {
 }
 
 void MainWindowTest::maskChangesPixels() {
-  open(false);
+  openDemo(false);
   auto* view = find<CameraView>("cameraView0");
   QVERIFY(keepsItsSize(view));
   const QImage without = view->grab().toImage();
@@ -235,7 +190,7 @@ void MainWindowTest::maskChangesPixels() {
 }
 
 void MainWindowTest::statusBarSaysWhatTheSnapshotSays() {
-  open(true);
+  openDemo(true);
   QVERIFY(waitFor([this] { return shown().frame >= 3; }));
   QVERIFY(pauseNow());
   const auto estimate = std::get<SphereEstimate>(shown().targets.front().estimate);
@@ -250,7 +205,7 @@ void MainWindowTest::statusBarSaysWhatTheSnapshotSays() {
 }
 
 void MainWindowTest::restartWithTheSameSeedRepeats() {
-  open(false);
+  openDemo(false);
   const auto first = meanAfterFrames("actionRestartButton", 5);
   const auto seed = shown().seed;
   const auto second = meanAfterFrames("actionRestartButton", 5);
@@ -260,7 +215,7 @@ void MainWindowTest::restartWithTheSameSeedRepeats() {
 }
 
 void MainWindowTest::restartWithANewSeedDiffers() {
-  open(false);
+  openDemo(false);
   const auto first = meanAfterFrames("actionRestartButton", 5);
   const auto seed = shown().seed;
   const auto second = meanAfterFrames("actionRestartNewSeedButton", 5);
@@ -273,11 +228,9 @@ void MainWindowTest::everyThemePaintsItsOwnGround() {
   // A corner of the status bar: nothing but the theme is painted there, at any scale.
   const auto ground = [this] { return window_->statusBar()->grab().toImage().pixelColor(2, 2); };
   find<QAction>("actionThemeDark")->trigger();
-  QTest::qWait(50);
-  QVERIFY(ground().lightness() < 100);
+  QVERIFY(waitFor([&] { return ground().lightness() < 100; }));
   find<QAction>("actionThemeLight")->trigger();
-  QTest::qWait(50);
-  QVERIFY(ground().lightness() > 150);
+  QVERIFY(waitFor([&] { return ground().lightness() > 150; }));
 }
 
 void MainWindowTest::failedOpeningIsASentenceNotACrash() {
@@ -291,7 +244,7 @@ void MainWindowTest::failedOpeningIsASentenceNotACrash() {
 }
 
 void MainWindowTest::thePaletteMatchesWordsInAnyOrder() {
-  open(false);
+  openDemo(false);
   QTest::keyClick(window_.get(), Qt::Key_K, Qt::ControlModifier);
   auto* search = find<QLineEdit>("paletteSearch");
   auto* list = find<QListWidget>("paletteList");
@@ -336,11 +289,7 @@ void MainWindowTest::noQt5InTheProcess() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  dewpoint::tests::MainWindowTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::MainWindowTest>(argc, argv, "main-window");
 }
 
 #include "main_window_test.moc"

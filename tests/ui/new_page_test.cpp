@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of a new project: what is dropped onto it, what it makes, and how one gets away again.
-#include "app/wiring/open_project.h"
 #include "core/session/run/snapshot.h"
 #include "tests/ui/recorded_demo.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/main_window.h"
-#include "ui/view3d/birds_eye_view.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QDir>
 #include <QDockWidget>
 #include <QDropEvent>
@@ -18,8 +14,6 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QTableWidget>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 #include <QUrl>
 
@@ -27,15 +21,11 @@
 
 namespace dewpoint::tests {
 
-namespace {
-constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
-} // namespace
-
-class NewPageTest : public QObject {
+class NewPageTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
-  void init();
+  void init() { makeWindow(); }
   void cleanup() { window_.reset(); }
   void twoVideosAndACalibrationMakeAProject();
   void whatCannotBeMadeIsSaidAndNothingIsLost();
@@ -43,55 +33,7 @@ private Q_SLOTS:
   void whatIsNoFootageIsRefused();
   void anErrorIsOverWhenAnotherProjectOpens();
   void cancelOfANewProjectChangesNothing();
-
-private:
-  template <class T> T* find(const char* name) {
-    T* found = window_->findChild<T*>(QLatin1String(name));
-    if (found == nullptr) {
-      qFatal("no child named %s", name);
-    }
-    return found;
-  }
-  QAction* action(const char* name) { return find<QAction>(name); }
-  QString file(const char* name) const { return folder_.filePath(QLatin1String(name)); }
-  bool waitFor(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatienceMs); }
-  bool isOpen(std::size_t cameras) {
-    return waitFor([&] {
-      return window_->shown() && window_->shown()->frame >= 0 &&
-             window_->shown()->rig->size() == cameras && find<QWidget>("start")->isHidden();
-    });
-  }
-  void openDemo() {
-    QTest::mouseClick(find<QToolButton>("startDemo"), Qt::LeftButton);
-    QVERIFY(isOpen(2));
-  }
-  void drop(const QStringList& files);
-
-  QTemporaryDir folder_;
-  std::unique_ptr<MainWindow> window_;
 };
-
-void NewPageTest::init() {
-  QSettings().clear();
-  window_ = std::make_unique<MainWindow>(&openProject);
-  window_->show();
-  window_->activateWindow();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-}
-
-void NewPageTest::drop(const QStringList& files) {
-  QMimeData data;
-  QList<QUrl> urls;
-  for (const QString& one : files) {
-    urls.append(QUrl::fromLocalFile(one));
-  }
-  data.setUrls(urls);
-  QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(window_.get(), &enter);
-  QVERIFY(enter.isAccepted());
-  QDropEvent event({100.0, 100.0}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(window_.get(), &event);
-}
 
 void NewPageTest::twoVideosAndACalibrationMakeAProject() {
   QVERIFY(recordDemo(folder_.path().toStdString()));
@@ -173,13 +115,13 @@ void NewPageTest::cancelOfANewProjectChangesNothing() {
   action("actionNew")->trigger();
   QVERIFY(find<QWidget>("newProjectPage")->isVisible());
   QVERIFY(!birdsEye->isVisible());
-  QTest::qWait(100);
+  QVERIFY(keepsItsSize(window_.get()));
   QCOMPARE(window_->size(), size);
   QTest::mouseClick(find<QPushButton>("newCancel"), Qt::LeftButton);
   QVERIFY(waitFor([&] { return birdsEye->isVisible() && birdsEye->isFloating(); }));
   QVERIFY(!plots->isVisible());
   QVERIFY(find<QWidget>("start")->isHidden());
-  QTest::qWait(100);
+  QVERIFY(keepsItsSize(window_.get()));
   QCOMPARE(window_->size(), size);
   QVERIFY(window_->document().project() == before);
 }
@@ -187,12 +129,7 @@ void NewPageTest::cancelOfANewProjectChangesNothing() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("new-page"));
-  dewpoint::tests::NewPageTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::NewPageTest>(argc, argv, "new-page");
 }
 
 #include "new_page_test.moc"

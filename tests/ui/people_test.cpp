@@ -1,29 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Methods for people in the window, on the simulated office.
-#include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
 #include "core/session/people/people_overlay.h"
 #include "core/session/run/snapshot.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/selection/selection.h"
 #include "ui/view3d/birds_eye_view.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QProgressBar>
 #include <QSettings>
 #include <QTableWidget>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QUndoStack>
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 
 namespace dewpoint::tests {
@@ -54,7 +48,7 @@ QColor colorOf(int identity) {
 
 } // namespace
 
-class PeopleTest : public QObject {
+class PeopleTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -67,17 +61,6 @@ private Q_SLOTS:
   void peopleAreTakenAwayAndPlacedByKeys();
 
 private:
-  template <class T> T* find(const char* name) {
-    T* found = window_->findChild<T*>(QLatin1String(name));
-    if (found == nullptr) {
-      qFatal("no child named %s", name);
-    }
-    return found;
-  }
-  QAction* action(const char* name) { return find<QAction>(name); }
-  static bool waitFor(const std::function<bool()>& holds) {
-    return QTest::qWaitFor(holds, DEWPOINT_PATIENCE_MS);
-  }
   std::int64_t frame() const { return window_->shown() ? window_->shown()->frame : -1; }
   int there() const {
     int count = 0;
@@ -94,17 +77,10 @@ private:
                      .value_or("")
                : std::string();
   }
-
-  std::unique_ptr<MainWindow> window_;
 };
 
 void PeopleTest::init() {
-  QSettings().clear();
-  window_ = std::make_unique<MainWindow>(&openProject);
-  window_->setPlayOnOpen(false);
-  window_->resize(1400, 900);
-  window_->show();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  makeWindow({.size = {1400, 900}, .play = false});
   window_->openProject(std::filesystem::path(DEWPOINT_SOURCE_DIR) / "docs" / "examples" /
                        "people_office.toml");
   QVERIFY(waitFor([&] { return frame() >= 0; }));
@@ -246,12 +222,7 @@ void PeopleTest::peopleAreTakenAwayAndPlacedByKeys() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("people"));
-  dewpoint::tests::PeopleTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::PeopleTest>(argc, argv, "people");
 }
 
 #include "people_test.moc"

@@ -6,7 +6,6 @@
 #include "ui/calibration/planner/rig_planner.h"
 #include "ui/view3d/birds_eye_view.h"
 
-#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -55,8 +54,7 @@ void PlannerPageTest::cleanup() {
 bool PlannerPageTest::waitForMap(const std::function<void()>& act) {
   const auto before = plan().map();
   act();
-  return QTest::qWaitFor([&] { return plan().map() != nullptr && plan().map() != before; },
-                         kPatienceMs);
+  return waitFor([&] { return plan().map() != nullptr && plan().map() != before; });
 }
 
 void PlannerPageTest::showMap() {
@@ -209,9 +207,8 @@ void PlannerPageTest::theBestPlaceIsFoundAndShown() {
   showMap();
   const double before = summaryOf(*plan().map(), plan().look().goodSigma).within;
   find<QPushButton>("planFind")->click();
-  QVERIFY(QTest::qWaitFor([&] { return !plan().planned().empty(); }, kPatienceMs));
-  QVERIFY(QTest::qWaitFor([&] { return plan().map()->cameraCount == project().cameras.size() + 1; },
-                          kPatienceMs));
+  QVERIFY(waitFor([&] { return !plan().planned().empty(); }));
+  QVERIFY(waitFor([&] { return plan().map()->cameraCount == project().cameras.size() + 1; }));
   QVERIFY(summaryOf(*plan().map(), plan().look().goodSigma).within >= before);
   const Eigen::Vector3d place = plan().planned()[0].center();
   const Eigen::AlignedBox3d& box = plan().volume();
@@ -233,7 +230,7 @@ void PlannerPageTest::aSearchCanBeCancelled() {
   QVERIFY(find<QPushButton>("planCancel")->isVisible());
   QVERIFY(!find<QPushButton>("planFind")->isEnabled());
   find<QPushButton>("planCancel")->click();
-  QVERIFY(QTest::qWaitFor([&] { return !plan().search().isRunning(); }, kPatienceMs));
+  QVERIFY(waitFor([&] { return !plan().search().isRunning(); }));
   QVERIFY(plan().planned().empty());
   QVERIFY(find<QPushButton>("planFind")->isEnabled());
 }
@@ -249,7 +246,7 @@ void PlannerPageTest::draggingStaysFluid() {
     MapLook look = plan().look();
     look.volume = volume;
     plan().setLook(look);
-    QTest::qWait(300);
+    QVERIFY(waitFor([&] { return view().mapLook().volume == volume && view().isDrawn(); }));
     // The least of some: what else the machine does comes and goes.
     double shown = 1e9, drawn = 1e9;
     for (int k = 0; k < 15; ++k) {
@@ -264,7 +261,7 @@ void PlannerPageTest::draggingStaysFluid() {
     }
     qInfo("a picture takes %.1f ms, with a new map %.1f ms", drawn, shown);
     EventLoopProbe probe;
-    QTest::qWait(50);
+    letTimePass(50); // the stall before it began is not its own
     (void)probe.takeLongest();
     maps = 0;
     QElapsedTimer clock;
@@ -280,12 +277,7 @@ void PlannerPageTest::draggingStaysFluid() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("planner"));
-  dewpoint::tests::PlannerPageTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::PlannerPageTest>(argc, argv, "planner");
 }
 
 #include "planner_page_test.moc"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plots and trajectory of the demo in the real window: data, cursor, span, table, pictures.
-#include "app/wiring/open_project.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/session.h"
-#include "ui/mainwindow/main_window.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_row.h"
 #include "ui/plots/plot_stack.h"
@@ -12,8 +11,6 @@
 #include "ui/trajectory/trajectory_panel.h"
 #include "ui/view3d/birds_eye_view.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QLineF>
@@ -22,19 +19,16 @@
 #include <QSignalSpy>
 #include <QSvgRenderer>
 #include <QTableView>
-#include <QTemporaryDir>
-#include <QTest>
 
 #include <memory>
 
 namespace dewpoint::tests {
 
 namespace {
-constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
 constexpr int kFrames = 100; ///< of the demo, tracked before; from 60 on the ball moves
 } // namespace
 
-class PlotsTest : public QObject {
+class PlotsTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -61,7 +55,6 @@ private:
     return *window_->findChild<QTableView*>(QStringLiteral("trajectoryTable"));
   }
   QWidget* canvas() { return plots().focusProxy(); }
-  QAction* action(const char* id) { return window_->findChild<QAction*>(QLatin1String(id)); }
   /// A place on the curves, by its share of the shown width.
   QPoint at(double share) {
     const int left = 60; // of the numbers of the axis
@@ -77,22 +70,12 @@ private:
   static QStringList csvLines(const QString& text) {
     return text.trimmed().split(QLatin1Char('\n'));
   }
-  bool waitFor(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatienceMs); }
   /// Brings the trajectory to the front, and waits until it has all rows.
   void openTrajectory();
-
-  std::unique_ptr<MainWindow> window_;
 };
 
 void PlotsTest::initTestCase() {
-  QSettings().clear();
-  window_ = std::make_unique<MainWindow>(&openProject);
-  window_->setTheme(Theme::Light);
-  window_->setPlayOnOpen(false);
-  window_->resize(1400, 1000);
-  window_->show();
-  window_->activateWindow();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  makeWindow({.size = {1400, 1000}, .theme = Theme::Light, .play = false});
   window_->openProject({});
   for (int frame = 0; frame < kFrames; ++frame) {
     QVERIFY(waitFor([&] {
@@ -389,12 +372,7 @@ void PlotsTest::restartBeginsAnew() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("PlotsTest"));
-  dewpoint::tests::PlotsTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::PlotsTest>(argc, argv, "PlotsTest");
 }
 
 #include "plots_test.moc"

@@ -1,100 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Beginning, finding one's way and coming back: start page, new projects, actions, recovery.
-#include "app/wiring/open_project.h"
+// Getting about: the Tab key, the palette, messages, and views that are raised.
 #include "core/session/run/snapshot.h"
 #include "core/session/run/tracking_run.h"
 #include "tests/ui/recorded_demo.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/actions/action_registry.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/image_pick_overlay.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/selection/selection.h"
-#include "ui/view3d/birds_eye_view.h"
 #include "ui/widgets/hue_ring.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/range_bar.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QDockWidget>
-#include <QDropEvent>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTableWidget>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
-#include <QUrl>
 
 #include <map>
 #include <memory>
 
 namespace dewpoint::tests {
 
-namespace {
-
-constexpr int kPatienceMs =
-    DEWPOINT_PATIENCE_MS; ///< software OpenGL, a loaded machine, a sanitizer
-
-} // namespace
-
-class ReachTest : public QObject {
+class ReachTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
-  void init();
-  void cleanup();
+  void init() { makeWindow(); }
+  void cleanup() { window_.reset(); }
   void tabStaysOutOfWhatLiesBehindAnotherTab();
   void thePaletteFindsViewsAndLanguages();
   void aNoticeMovesNothingAndGoes();
   void anotherProjectOpensWhileASpanIsSelected();
   void aRaisedViewComesToTheFrontBelowTheMessage();
-
-private:
-  template <class T> T* find(const char* name) {
-    T* found = window_->findChild<T*>(QLatin1String(name));
-    if (found == nullptr) {
-      qFatal("no child named %s", name);
-    }
-    return found;
-  }
-  QAction* action(const char* name) { return find<QAction>(name); }
-  QString file(const char* name) const { return folder_.filePath(QLatin1String(name)); }
-  bool waitFor(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatienceMs); }
-  bool isOpen(std::size_t cameras) {
-    return waitFor([&] {
-      return window_->shown() && window_->shown()->frame >= 0 &&
-             window_->shown()->rig->size() == cameras && find<QWidget>("start")->isHidden();
-    });
-  }
-  void openDemo() {
-    QTest::mouseClick(find<QToolButton>("startDemo"), Qt::LeftButton);
-    QVERIFY(isOpen(2));
-  }
-
-  QTemporaryDir folder_;
-  std::unique_ptr<MainWindow> window_;
 };
-
-void ReachTest::init() {
-  QSettings().clear();
-  window_ = std::make_unique<MainWindow>(&openProject);
-  window_->show();
-  window_->activateWindow();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-}
-
-void ReachTest::cleanup() {
-  window_.reset();
-}
 
 void ReachTest::tabStaysOutOfWhatLiesBehindAnotherTab() {
   openDemo();
@@ -103,7 +50,7 @@ void ReachTest::tabStaysOutOfWhatLiesBehindAnotherTab() {
   const std::vector<QDockWidget*> behind{find<QDockWidget>("targetDock"),
                                          find<QDockWidget>("colorDock"),
                                          find<QDockWidget>("cameraListDock")};
-  QTest::qWait(50);
+  QVERIFY(waitFor([front] { return !front->visibleRegion().isEmpty(); }));
   bool wasInFront = false;
   constexpr int kMoreThanThereAre = 150;
   for (int key = 0; key < kMoreThanThereAre; ++key) {
@@ -136,9 +83,7 @@ void ReachTest::anotherProjectOpensWhileASpanIsSelected() {
   openDemo();
   QVERIFY(waitFor([this] { return window_->shown()->frame >= 10; }));
   window_->selection().selectSpan(FrameSpan{2, 5});
-  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
-  window_->openProject({});
-  QVERIFY(opened.wait(kPatienceMs));
+  open();
   QVERIFY(!window_->selection().span());
   QVERIFY(isOpen(2));
 }
@@ -186,12 +131,7 @@ void ReachTest::aNoticeMovesNothingAndGoes() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("reach"));
-  dewpoint::tests::ReachTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::ReachTest>(argc, argv, "reach");
 }
 
 #include "reach_test.moc"

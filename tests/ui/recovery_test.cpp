@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Work that a killed window left behind: offered, with its layout; asked for again; thrown away.
-#include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
 #include "core/session/run/snapshot.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/document/document.h"
 #include "ui/document/project_saver.h"
 #include "ui/document/recovery.h"
-#include "ui/mainwindow/main_window.h"
-#include "ui/view3d/birds_eye_view.h"
 #include "ui/widgets/message_bar.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QDockWidget>
@@ -22,22 +18,15 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSysInfo>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QTimer>
 #include <QToolButton>
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 
 namespace dewpoint::tests {
 
-namespace {
-constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
-} // namespace
-
-class RecoveryTest : public QObject {
+class RecoveryTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -52,51 +41,32 @@ private Q_SLOTS:
   void locksOfTheDeadGo();
 
 private:
-  template <class T> T* find(const char* name) {
-    T* found = window_->findChild<T*>(QLatin1String(name));
-    if (found == nullptr) {
-      qFatal("no child named %s", name);
-    }
-    return found;
-  }
   std::filesystem::path place(const char* name) const {
-    return folder_->filePath(QLatin1String(name)).toStdString();
+    return place_->filePath(QLatin1String(name)).toStdString();
   }
-  bool waitFor(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatienceMs); }
   bool isOpen(const std::string& name) {
     return waitFor([&] {
       return window_->shown() && window_->document().project().name == name &&
              find<QWidget>("start")->isHidden();
     });
   }
-  QString message() { return find<QLabel>("messageText")->text(); }
   void answer(const char* button) {
     QTest::mouseClick(find<QPushButton>(button), Qt::LeftButton);
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the former answers
   }
   void closeMessage() { QTest::mouseClick(find<QToolButton>("messageClose"), Qt::LeftButton); }
-  void makeWindow();
   /// A project file of the demo, called so.
   std::filesystem::path demoFile(const char* name);
   /// A copy as a killed window leaves it.
   void leaveBehind(const char* id, const std::filesystem::path& project);
 
-  std::unique_ptr<QTemporaryDir> folder_;
-  std::unique_ptr<MainWindow> window_;
+  std::unique_ptr<QTemporaryDir> place_;
 };
 
-void RecoveryTest::makeWindow() {
-  window_ = std::make_unique<MainWindow>(&openProject);
-  window_->setPlayOnOpen(false);
-  window_->show();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-}
-
 void RecoveryTest::init() {
-  QSettings().clear();
-  folder_ = std::make_unique<QTemporaryDir>();
+  place_ = std::make_unique<QTemporaryDir>();
   std::filesystem::create_directories(place("left"));
-  makeWindow();
+  makeWindow({.play = false});
 }
 
 std::filesystem::path RecoveryTest::demoFile(const char* name) {
@@ -129,9 +99,9 @@ void RecoveryTest::comesBackWithItsLayout() {
     QVERIFY(QFile::copy(living.filePath(name),
                         QString::fromStdString((place("left") / name.toStdString()).string())));
   }
-  makeWindow();
+  makeAnotherWindow({.play = false});
   window_->useRecovery(place("left"));
-  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("half done")); }));
+  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("half done")); }));
   answer("messageAnswer0");
   QVERIFY(isOpen("half done"));
   QVERIFY(find<QDockWidget>("birdsEyeDock")->isFloating());
@@ -153,7 +123,7 @@ void RecoveryTest::behindAPageTheLayoutIsThatOfTheViews() {
   QVERIFY(find<QWidget>("newProjectPage")->isVisible());
   find<QAction>("actionSave")->trigger();
   QVERIFY(waitFor([this] { return !window_->saver().isSaving(); }));
-  makeWindow();
+  makeAnotherWindow({.play = false});
   window_->openProject(file);
   QVERIFY(isOpen("behind"));
   QVERIFY(waitFor([this] { return find<QDockWidget>("birdsEyeDock")->isVisible(); }));
@@ -162,16 +132,16 @@ void RecoveryTest::behindAPageTheLayoutIsThatOfTheViews() {
 void RecoveryTest::theQuestionComesBackAfterOtherMessages() {
   leaveBehind("0123", demoFile("half done"));
   window_->useRecovery(place("left"));
-  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("half done")); }));
+  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("half done")); }));
   window_->openProject(demoFile("other"));
   QVERIFY(isOpen("other"));
   find<QAction>("actionSave")->trigger(); // says so
-  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("other.toml")); }));
-  QVERIFY(!message().contains(QStringLiteral("half done")));
+  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("other.toml")); }));
+  QVERIFY(!messageText().contains(QStringLiteral("half done")));
   window_->findChild<MessageBar*>()->close();
-  QVERIFY(message().contains(QStringLiteral("half done")));
+  QVERIFY(messageText().contains(QStringLiteral("half done")));
   window_->findChild<MessageBar*>()->close(); // that is an answer: not now
-  QVERIFY(message().isEmpty());
+  QVERIFY(messageText().isEmpty());
   QVERIFY(std::filesystem::exists(place("left") / "0123.toml"));
 }
 
@@ -181,12 +151,12 @@ void RecoveryTest::theLateQuestionTakesNoOtherWorkAway() {
   QLockFile living(QString::fromStdString((place("left") / "0123.lock").string()));
   QVERIFY(living.tryLock(0));
   window_->useRecovery(place("left"));
-  QVERIFY(message().isEmpty());
+  QVERIFY(messageText().isEmpty());
   window_->openProject(demoFile("other"));
   QVERIFY(isOpen("other"));
   QVERIFY(window_->document().setParameter("particles", 777));
   living.unlock();
-  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("half done")); }));
+  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("half done")); }));
   const auto press = [](QMessageBox::StandardButton button) {
     QTimer::singleShot(200, qApp, [button] {
       auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
@@ -196,7 +166,7 @@ void RecoveryTest::theLateQuestionTakesNoOtherWorkAway() {
   press(QMessageBox::Cancel);
   answer("messageAnswer0");
   QCOMPARE(window_->document().project().name, std::string("other"));
-  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("half done")); })); // still
+  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("half done")); })); // still
   press(QMessageBox::Discard);
   answer("messageAnswer0");
   QVERIFY(isOpen("half done"));
@@ -206,8 +176,8 @@ void RecoveryTest::thrownAwayItIsGoneButForASlip() {
   leaveBehind("0123", demoFile("one"));
   leaveBehind("4567", demoFile("two"));
   window_->useRecovery(place("left"));
-  const auto isAsked = [this] { return message().contains(QStringLiteral("did not end")); };
-  const auto isThrown = [this] { return message().contains(QStringLiteral("thrown away")); };
+  const auto isAsked = [this] { return messageText().contains(QStringLiteral("did not end")); };
+  const auto isThrown = [this] { return messageText().contains(QStringLiteral("thrown away")); };
   QVERIFY(waitFor(isAsked));
   answer("messageAnswer1");
   QVERIFY(waitFor(isThrown));
@@ -220,7 +190,7 @@ void RecoveryTest::thrownAwayItIsGoneButForASlip() {
   answer("messageAnswer1");
   QVERIFY(waitFor(isThrown));
   closeMessage();
-  QVERIFY(message().isEmpty());
+  QVERIFY(messageText().isEmpty());
   QVERIFY(QDir(QString::fromStdString(place("left").string())).entryList({"*.toml"}).isEmpty());
   QVERIFY(find<QWidget>("startPage")->isVisible());
 }
@@ -233,9 +203,9 @@ void RecoveryTest::whatCannotBeOpenedStays() {
                                 "rotation = [0, 0, 0]\ntranslation = [0, 0, 0]\n"));
   leaveBehind("0123", broken);
   window_->useRecovery(place("left"));
-  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("did not end")); }));
+  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("did not end")); }));
   answer("messageAnswer0");
-  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("gone.mkv")); }));
+  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("gone.mkv")); }));
   // What is opened next is not taken for it: neither unsaved, nor is the copy thrown away for its.
   window_->openProject(demoFile("other"));
   QVERIFY(isOpen("other"));
@@ -243,7 +213,7 @@ void RecoveryTest::whatCannotBeOpenedStays() {
   QVERIFY(window_->document().setParameter("particles", 777));
   const QDir left(QString::fromStdString(place("left").string()));
   QVERIFY(waitFor([&] { return left.entryList({"*.toml"}).size() == 2; }));
-  QTest::qWait(100);
+  letTimePass(100);
   QVERIFY(left.exists(QStringLiteral("0123.toml")));
 }
 
@@ -267,7 +237,7 @@ void RecoveryTest::locksOfTheDeadGo() {
   leaveBehind("89ab", demoFile("half done"));
   QVERIFY(writeTextFile(left / "89ab.lock", lock));
   window_->useRecovery(left);
-  QVERIFY(waitFor([this] { return message().contains(QStringLiteral("half done")); }));
+  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("half done")); }));
   const QStringList all = QDir(QString::fromStdString(left.string())).entryList(QDir::Files);
   QVERIFY(all.contains(QStringLiteral("89ab.toml")));
   QCOMPARE(all.filter(QStringLiteral("0123")), QStringList());
@@ -280,12 +250,7 @@ void RecoveryTest::locksOfTheDeadGo() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("recovery"));
-  dewpoint::tests::RecoveryTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::RecoveryTest>(argc, argv, "recovery");
 }
 
 #include "recovery_test.moc"

@@ -1,48 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A picture of every view in both themes, as the manual shows them: into the folder that
 // DEWPOINT_SCREENSHOTS names, or beside the test.
-#include "app/wiring/open_project.h"
 #include "core/session/run/snapshot.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/calibration/exchange/calibration_import.h"
+#include "ui/calibration/planner/rig_planner.h"
 #include "ui/cameraview/camera_view.h"
-#include "ui/color/color_panel.h"
 #include "ui/document/document.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/view_picture.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/selection/selection.h"
-#include "ui/view3d/birds_eye_view.h"
 #include "ui/widgets/message_bar.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMouseEvent>
+#include <QPlainTextEdit>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTableWidget>
-#include <QTest>
 #include <QToolButton>
 #include <QUndoStack>
 
-#include <memory>
 #include <set>
 
 namespace dewpoint::tests {
 
 namespace {
 
-constexpr int kPatienceMs =
-    DEWPOINT_PATIENCE_MS;          ///< software OpenGL, a loaded machine, a sanitizer
-constexpr int kSettleMs = 1500;    ///< the bird's-eye view and the plots draw at rates of their own
-constexpr qint64 kFrame = 120;     ///< by then the demo's ball has left a path
-constexpr std::size_t kColors = 8; ///< fewer are an empty picture
+constexpr int kPatienceMs = kPatienceMs; ///< software OpenGL, a loaded machine, a sanitizer
+constexpr qint64 kFrame = 120;           ///< by then the demo's ball has left a path
+constexpr std::size_t kColors = 8;       ///< fewer are an empty picture
 
 /// How many colors a picture has, up to kColors.
 std::size_t colorsOf(const QImage& picture) {
@@ -57,7 +48,7 @@ std::size_t colorsOf(const QImage& picture) {
 
 } // namespace
 
-class ScreenshotsTest : public QObject {
+class ScreenshotsTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -66,13 +57,16 @@ private Q_SLOTS:
 
 private:
   void keep(const QImage& picture, const QString& name);
-  void keepCalibration(MainWindow& window);
-  void keepWaving(MainWindow& window);
-  void keepPlan(MainWindow& window);
-  void keepPeople(MainWindow& window);
-  void keepBoxes(MainWindow& window);
+  /// The whole window, once nothing in it changes any more.
+  void keepWindow(const QString& name);
+  bool rests() const { return shown().state != PlayState::Playing; }
+  void keepCalibration();
+  void keepWaving();
+  void keepPlan();
+  void keepPeople();
+  void keepBoxes();
   /// The dialog that an action opens.
-  void keepDialog(MainWindow& window, const char* action, const char* dialog);
+  void keepDialog(const char* action, const char* dialog);
 
   QString theme_;
 };
@@ -92,14 +86,18 @@ void ScreenshotsTest::keep(const QImage& picture, const QString& name) {
   QVERIFY2(picture.save(file), qPrintable(file));
 }
 
-void ScreenshotsTest::keepCalibration(MainWindow& window) {
-  window.findChild<QAction*>("actionShowMask")->setChecked(false);
-  window.findChild<QAction*>("actionCalibrateByHand")->setChecked(true);
-  QTest::qWait(kSettleMs);
-  keep(window.grab().toImage(), QStringLiteral("calibration-hand"));
+void ScreenshotsTest::keepWindow(const QString& name) {
+  QVERIFY(settles(*window_));
+  keep(window_->grab().toImage(), name);
+}
+
+void ScreenshotsTest::keepCalibration() {
+  action("actionShowMask")->setChecked(false);
+  action("actionCalibrateByHand")->setChecked(true);
+  keepWindow(QStringLiteral("calibration-hand"));
   // Two measured points, one clicked three pixels beside.
-  const auto& cameras = window.document().project().cameras;
-  const Eigen::Vector3d ball = window.shown()->targets.at(0).truth.value();
+  const auto& cameras = window_->document().project().cameras;
+  const Eigen::Vector3d ball = window_->shown()->targets.at(0).truth.value();
   std::vector<MeasuredPoint> points;
   for (const auto& [name, offset] : {std::pair("table corner", Eigen::Vector3d(0.05, 0.05, -0.04)),
                                      std::pair("door frame", Eigen::Vector3d(-0.06, 0.04, 0.03))}) {
@@ -113,185 +111,160 @@ void ScreenshotsTest::keepCalibration(MainWindow& window) {
       }
     }
   }
-  QVERIFY(window.document().edit(QStringLiteral("points"),
-                                 [&](Project& project) { project.points = points; }));
-  auto* list = window.findChild<QTableWidget*>("pointsList");
+  QVERIFY(window_->document().edit(QStringLiteral("points"),
+                                   [&](Project& project) { project.points = points; }));
+  auto* list = find<QTableWidget>("pointsList");
   list->setCurrentCell(1, 0);
-  window.findChild<QPushButton*>("pointClick")->click();
-  window.findChild<QCheckBox*>("gridEdges")->setChecked(true);
-  for (QWidget* parent = list; parent != nullptr; parent = parent->parentWidget()) {
-    if (auto* scroll = qobject_cast<QScrollArea*>(parent)) {
-      scroll->ensureWidgetVisible(window.findChild<QWidget*>("pointSolve"));
-    }
-  }
-  auto* layer = window.findChild<QWidget*>("gridLayer0");
+  find<QPushButton>("pointClick")->click();
+  find<QCheckBox>("gridEdges")->setChecked(true);
+  scrollTo(find<QWidget>("pointSolve"));
+  auto* layer = find<QWidget>("gridLayer0");
   // On the second point, a little beside its click.
-  const ImagePlacement& image = window.findChild<CameraView*>("cameraView0")->placement();
+  const ImagePlacement& image = find<CameraView>("cameraView0")->placement();
   const Eigen::Vector2d click = points[1].clicks.at(0).pixel;
   const QPointF pointer = image.corner + image.scale * QPointF(click.x() + 3.0, click.y() + 2.0);
   QMouseEvent move(QEvent::MouseMove, pointer, layer->mapToGlobal(pointer), Qt::NoButton,
                    Qt::NoButton, Qt::NoModifier);
   QApplication::sendEvent(layer, &move);
-  keep(window.grab().toImage(), QStringLiteral("calibration-points"));
-  window.findChild<QCheckBox*>("gridEdges")->setChecked(false);
-  window.findChild<QPushButton*>("pointClick")->setChecked(false);
-  keepWaving(window);
-  window.findChild<QAction*>("actionCalibrateByHand")->setChecked(false);
+  keep(window_->grab().toImage(), QStringLiteral("calibration-points"));
+  find<QCheckBox>("gridEdges")->setChecked(false);
+  find<QPushButton>("pointClick")->setChecked(false);
+  keepWaving();
+  action("actionCalibrateByHand")->setChecked(false);
 }
 
-void ScreenshotsTest::keepWaving(MainWindow& window) {
-  window.findChild<QAction*>("actionCalibrateWand")->trigger();
-  QVERIFY(window.document().edit(QStringLiteral("nudge"), [](Project& project) {
+void ScreenshotsTest::keepWaving() {
+  action("actionCalibrateWand")->trigger();
+  QVERIFY(window_->document().edit(QStringLiteral("nudge"), [](Project& project) {
     project.cameras[1].adjusted = true;
     project.cameras[1].camera.cameraFromWorld.translation() += Eigen::Vector3d(0.02, 0.01, 0.0);
   }));
-  window.selection().selectSpan(FrameSpan{60, 199});
-  window.findChild<QCheckBox*>("wandSpan")->click();
-  window.findChild<QPushButton*>("wandTake")->click();
-  window.findChild<QPushButton*>("wandRefine")->click();
-  auto* progress = window.findChild<QWidget*>("wandProgress");
-  QVERIFY(QTest::qWaitFor([&] { return !progress->isVisible(); }, kPatienceMs));
-  if (auto* apply = window.findChild<QPushButton*>("wandApply"); apply->isVisible()) {
+  window_->selection().selectSpan(FrameSpan{60, 199});
+  find<QCheckBox>("wandSpan")->click();
+  find<QPushButton>("wandTake")->click();
+  find<QPushButton>("wandRefine")->click();
+  auto* progress = find<QWidget>("wandProgress");
+  QVERIFY(waitFor([&] { return !progress->isVisible(); }));
+  if (auto* apply = find<QPushButton>("wandApply"); apply->isVisible()) {
     apply->click();
   }
-  auto* report = window.findChild<QWidget*>("wandReport");
-  for (QWidget* parent = report; parent != nullptr; parent = parent->parentWidget()) {
-    if (auto* scroll = qobject_cast<QScrollArea*>(parent)) {
-      scroll->ensureWidgetVisible(report);
-    }
-  }
-  QTest::qWait(kSettleMs);
-  keep(window.grab().toImage(), QStringLiteral("calibration-wave"));
-  window.findChild<QAction*>("actionImportCalibration")->trigger();
-  auto* import = window.findChild<CalibrationImportDialog*>();
+  scrollTo(find<QWidget>("wandReport"));
+  keepWindow(QStringLiteral("calibration-wave"));
+  action("actionImportCalibration")->trigger();
+  auto* import = window_->findChild<CalibrationImportDialog*>();
   const QString here = QDir::currentPath(); // no folder of this machine in the manual
   QVERIFY(QDir::setCurrent(QStringLiteral(DEWPOINT_SOURCE_DIR "/tests/calibration/golden")));
   import->setFile(QStringLiteral("anipose_mm.toml"));
-  QTest::qWait(kSettleMs);
+  const auto* preview = find<QPlainTextEdit>("calibrationImportPreview");
+  QVERIFY(waitFor([&] { return !preview->toPlainText().isEmpty(); }));
+  QVERIFY(settles(*import));
   QVERIFY(QDir::setCurrent(here));
   keep(import->grab().toImage(), QStringLiteral("calibration-import"));
   import->close();
-  window.findChild<MessageBar*>()->close();
-  window.document().undoStack()->undo();
-  window.document().undoStack()->undo();
+  window_->findChild<MessageBar*>()->close();
+  window_->document().undoStack()->undo();
+  window_->document().undoStack()->undo();
 }
 
-void ScreenshotsTest::keepPlan(MainWindow& window) {
-  window.findChild<QAction*>("actionPlanRig")->trigger();
-  window.findChild<QAction*>("actionShowMap")->setChecked(true);
-  window.findChild<QAction*>("actionFindPlace")->trigger();
-  auto* list = window.findChild<QComboBox*>("planCamera");
-  QVERIFY(QTest::qWaitFor([&] { return list->count() == 1; }, kPatienceMs));
-  QTest::qWait(kSettleMs);
-  keep(window.grab().toImage(), QStringLiteral("calibration-plan"));
-  window.findChild<QCheckBox*>("mapVolume")->click();
-  window.findChild<QAction*>("actionLookFree")->trigger();
-  QTest::qWait(kSettleMs);
-  keep(window.grab().toImage(), QStringLiteral("calibration-plan-volume"));
-  window.findChild<QCheckBox*>("mapVolume")->click();
-  window.findChild<QAction*>("actionLookFromAbove")->trigger();
-  window.findChild<QAction*>("actionShowMap")->setChecked(false);
-  window.findChild<QPushButton*>("planRemove")->click();
-  window.findChild<QAction*>("actionCalibrateByHand")->setChecked(false);
+void ScreenshotsTest::keepPlan() {
+  action("actionPlanRig")->trigger();
+  action("actionShowMap")->setChecked(true);
+  action("actionFindPlace")->trigger();
+  auto* list = find<QComboBox>("planCamera");
+  const auto* plan = window_->findChild<RigPlanner*>();
+  const std::size_t cameras = window_->document().project().cameras.size() + 1;
+  QVERIFY(waitFor([&] { return list->count() == 1; }));
+  QVERIFY(waitFor([&] { return plan->map() != nullptr && plan->map()->cameraCount == cameras; }));
+  keepWindow(QStringLiteral("calibration-plan"));
+  find<QCheckBox>("mapVolume")->click();
+  action("actionLookFree")->trigger();
+  keepWindow(QStringLiteral("calibration-plan-volume"));
+  find<QCheckBox>("mapVolume")->click();
+  action("actionLookFromAbove")->trigger();
+  action("actionShowMap")->setChecked(false);
+  find<QPushButton>("planRemove")->click();
+  action("actionCalibrateByHand")->setChecked(false);
 }
 
-void ScreenshotsTest::keepPeople(MainWindow& window) {
-  QSignalSpy opened(&window, &MainWindow::projectOpened);
-  window.openProject(DEWPOINT_SOURCE_DIR "/docs/examples/people_office.toml");
-  QVERIFY(opened.wait(kPatienceMs));
-  constexpr qint64 kMeeting = 118; // two have met in the middle
-  QVERIFY(QTest::qWaitFor([&] { return window.shown() && window.shown()->frame >= kMeeting; },
-                          kPatienceMs));
-  window.findChild<QAction*>("actionPlay")->trigger();
-  window.selection().wantMoment(kMeeting);
-  window.findChild<QAction*>("actionLookFree")->trigger();
-  QTest::qWait(kSettleMs);
-  keep(window.grab().toImage(), QStringLiteral("people"));
+void ScreenshotsTest::keepPeople() {
+  open(DEWPOINT_SOURCE_DIR "/docs/examples/people_office.toml");
+  static constexpr qint64 kMeeting = 118; // two have met in the middle
+  QVERIFY(waitFor([this] { return shown().frame >= kMeeting; }));
+  action("actionPlay")->trigger();
+  window_->selection().wantMoment(kMeeting);
+  action("actionLookFree")->trigger();
+  QVERIFY(waitFor([this] { return rests() && shown().frame == kMeeting; }));
+  keepWindow(QStringLiteral("people"));
 }
 
-void ScreenshotsTest::keepDialog(MainWindow& window, const char* action, const char* dialog) {
-  window.findChild<QAction*>(QLatin1String(action))->trigger();
-  QTest::qWait(kSettleMs);
-  auto* shown = window.findChild<QWidget*>(QLatin1String(dialog));
-  QVERIFY2(shown != nullptr, dialog);
+void ScreenshotsTest::keepDialog(const char* action, const char* dialog) {
+  this->action(action)->trigger();
+  auto* shown = find<QWidget>(dialog);
+  QVERIFY2(waitFor([shown] { return shown->isVisible(); }), dialog);
+  QVERIFY(settles(*shown));
   keep(shown->grab().toImage(), QLatin1String(dialog));
   shown->close();
 }
 
-void ScreenshotsTest::keepBoxes(MainWindow& window) {
-  QSignalSpy opened(&window, &MainWindow::projectOpened);
-  window.openProject(DEWPOINT_SOURCE_DIR "/docs/examples/histogram.toml");
-  QVERIFY(opened.wait(kPatienceMs));
-  constexpr qint64 kMiddle = 45; // before the bar hides the ball
-  QVERIFY(QTest::qWaitFor([&] { return window.shown() && window.shown()->frame >= kMiddle; },
-                          kPatienceMs));
-  window.findChild<QAction*>("actionPlay")->trigger();
-  window.selection().wantMoment(kMiddle);
-  window.findChild<QDockWidget*>("targetDock")->raise();
-  QTest::qWait(kSettleMs);
-  keep(window.grab().toImage(), QStringLiteral("boxes"));
-  window.findChild<QAction*>("actionExportTrajectory")->trigger();
-  window.findChild<QLineEdit*>("boxExportFolder")->setText(QStringLiteral("boxes"));
-  keepDialog(window, "actionExportTrajectory", "boxExportDialog");
+void ScreenshotsTest::keepBoxes() {
+  open(DEWPOINT_SOURCE_DIR "/docs/examples/histogram.toml");
+  static constexpr qint64 kMiddle = 45; // before the bar hides the ball
+  QVERIFY(waitFor([this] { return shown().frame >= kMiddle; }));
+  action("actionPlay")->trigger();
+  window_->selection().wantMoment(kMiddle);
+  find<QDockWidget>("targetDock")->raise();
+  QVERIFY(waitFor([this] { return rests() && shown().frame == kMiddle; }));
+  keepWindow(QStringLiteral("boxes"));
+  action("actionExportTrajectory")->trigger();
+  find<QLineEdit>("boxExportFolder")->setText(QStringLiteral("boxes"));
+  keepDialog("actionExportTrajectory", "boxExportDialog");
 }
 
 void ScreenshotsTest::everyView() {
   QFETCH(int, theme);
   theme_ = QLatin1String(QTest::currentDataTag());
-  QSettings().clear();
-  MainWindow window(&openProject);
-  window.setTheme(static_cast<Theme>(theme));
-  window.resize(1400, 900);
-  window.show();
-  QVERIFY(QTest::qWaitForWindowExposed(&window));
-  keep(window.grab().toImage(), QStringLiteral("start"));
-  window.findChild<QAction*>("actionNew")->trigger();
-  QTest::qWait(100);
-  keep(window.grab().toImage(), QStringLiteral("new-project"));
+  makeWindow({.size = {1400, 900}, .theme = static_cast<Theme>(theme)});
+  keep(window_->grab().toImage(), QStringLiteral("start"));
+  action("actionNew")->trigger();
+  keepWindow(QStringLiteral("new-project"));
 
-  QSignalSpy opened(&window, &MainWindow::projectOpened);
-  window.openProject({});
-  QVERIFY(opened.wait(kPatienceMs));
-  QVERIFY(QTest::qWaitFor([&] { return window.shown() && window.shown()->frame >= kFrame; },
-                          kPatienceMs));
-  window.findChild<QAction*>("actionPlay")->trigger();
-  for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+  open();
+  QVERIFY(waitFor([this] { return shown().frame >= kFrame; }));
+  action("actionPlay")->trigger();
+  QVERIFY(waitFor([this] { return rests(); }));
+  for (QDockWidget* dock : window_->findChildren<QDockWidget*>()) {
     dock->show();
     dock->raise();
-    QTest::qWait(200);
+    QVERIFY(settles(*dock));
     if (dock->isVisible() && dock->width() > 50 && dock->height() > 30) {
       keep(pictureOf(dock->widget()), dock->objectName());
     }
   }
-  window.findChild<QAction*>("actionResetLayout")->trigger();
-  QTest::qWait(kSettleMs);
-  keep(window.grab().toImage(), QStringLiteral("window"));
-  window.findChild<QDockWidget*>("colorDock")->raise();
-  window.findChild<QAction*>("actionShowMask")->setChecked(true);
-  QTest::qWait(kSettleMs);
-  keep(window.grab().toImage(), QStringLiteral("window-color"));
-  keepCalibration(window);
-  keepPlan(window);
-  keepDialog(window, "actionShortcuts", "shortcutEditor");
-  keepDialog(window, "actionExperiments", "experimentDialog");
-  keepDialog(window, "actionPalette", "commandPalette");
-  window.findChild<QAction*>("actionExportTrajectory")->trigger();
-  window.findChild<QLineEdit*>("exportFile")->setText(QStringLiteral("trajectory.csv"));
-  keepDialog(window, "actionExportTrajectory", "exportDialog");
-  window.findChild<QAction*>("actionShowMask")->setChecked(false);
-  keepPeople(window);
-  keepBoxes(window);
+  action("actionResetLayout")->trigger();
+  keepWindow(QStringLiteral("window"));
+  find<QDockWidget>("colorDock")->raise();
+  action("actionShowMask")->setChecked(true);
+  QVERIFY(waitFor([this] { return !shown().masks.empty(); }));
+  keepWindow(QStringLiteral("window-color"));
+  keepCalibration();
+  keepPlan();
+  keepDialog("actionShortcuts", "shortcutEditor");
+  keepDialog("actionExperiments", "experimentDialog");
+  keepDialog("actionPalette", "commandPalette");
+  action("actionExportTrajectory")->trigger();
+  find<QLineEdit>("exportFile")->setText(QStringLiteral("trajectory.csv"));
+  const auto* preview = find<QPlainTextEdit>("exportPreview");
+  QVERIFY(waitFor([&] { return !preview->toPlainText().isEmpty(); }));
+  keepDialog("actionExportTrajectory", "exportDialog");
+  action("actionShowMask")->setChecked(false);
+  keepPeople();
+  keepBoxes();
 }
 
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("screenshots"));
-  dewpoint::tests::ScreenshotsTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::ScreenshotsTest>(argc, argv, "screenshots");
 }
 
 #include "screenshots_test.moc"

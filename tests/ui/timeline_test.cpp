@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Going through time in the real window: scrubbing with mouse and keys, marks, spans, tracking
 // again.
-#include "app/wiring/open_project.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/session.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/selection/selection.h"
 #include "ui/timeline/timeline.h"
-#include "ui/view3d/birds_eye_view.h"
 
-#include <QAction>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
-#include <QTest>
 #include <QUndoStack>
 
 #include <map>
@@ -24,11 +20,10 @@
 namespace dewpoint::tests {
 
 namespace {
-constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
 constexpr qint64 kTracked = 40; ///< frames tracked at first
 } // namespace
 
-class TimelineTest : public QObject {
+class TimelineTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -43,13 +38,6 @@ private Q_SLOTS:
   void titleSaysWhy();
 
 private:
-  const TrackSnapshot& shown() {
-    static const TrackSnapshot none;
-    return window_->shown() ? *window_->shown() : none;
-  }
-  bool waitFor(const std::function<bool()>& holds) {
-    return QTest::qWaitFor([&] { return window_->shown() && holds(); }, kPatienceMs);
-  }
   bool showsFrame(qint64 frame) {
     return waitFor(
         [&] { return shown().frame == frame && window_->selection().moment() == frame; });
@@ -61,20 +49,12 @@ private:
     window_->findChild<QAction*>(QLatin1String(action))->trigger();
   }
 
-  std::unique_ptr<MainWindow> window_;
   Timeline* timeline_ = nullptr;
 };
 
 void TimelineTest::init() {
-  window_ = std::make_unique<MainWindow>(&openProject);
-  window_->setTheme(Theme::Light);
-  window_->show();
-  window_->activateWindow();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-  window_->setPlayOnOpen(false);
-  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
-  window_->openProject(std::filesystem::path());
-  QVERIFY(opened.wait(kPatienceMs));
+  makeWindow({.theme = Theme::Light, .play = false});
+  open();
   timeline_ = window_->findChild<Timeline*>(QStringLiteral("timeline"));
   QVERIFY(timeline_ != nullptr);
   QVERIFY(waitFor([this] { return shown().history.head == 0; }));
@@ -224,11 +204,7 @@ void TimelineTest::titleSaysWhy() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  dewpoint::tests::TimelineTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::TimelineTest>(argc, argv, "timeline");
 }
 
 #include "timeline_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The trajectory panel and the plots' numbers on made-up runs, also long ones.
 #include "core/session/run/snapshot.h"
+#include "tests/ui/wait.h"
 #include "ui/actions/action_registry.h"
 #include "ui/actions/window_actions.h"
 #include "ui/plots/plot_stack.h"
@@ -22,8 +23,6 @@ namespace dewpoint::tests {
 
 namespace {
 
-constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
-
 /// A ball on a circle of 1 m about (0, 0, 1) at 2 rad/s, not held in frames 40 to 49.
 std::vector<TrajectorySample> circle(std::int64_t frames) {
   std::vector<TrajectorySample> samples;
@@ -41,7 +40,7 @@ std::vector<TrajectorySample> circle(std::int64_t frames) {
 
 } // namespace
 
-class TrajectoryPanelTest : public QObject {
+class TrajectoryPanelTest : public QObject, private test::Waiting {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -95,9 +94,8 @@ void TrajectoryPanelTest::follow(const std::vector<TrajectorySample>& samples) {
     position = samples_.size();
     return piece;
   });
-  QVERIFY(QTest::qWaitFor(
-      [&] { return table().model()->rowCount() == static_cast<int>(samples_.size()); },
-      kPatienceMs));
+  QVERIFY(
+      waitFor([&] { return table().model()->rowCount() == static_cast<int>(samples_.size()); }));
 }
 
 void TrajectoryPanelTest::speedHeightAndGaps() {
@@ -131,27 +129,27 @@ void TrajectoryPanelTest::tableFollowsAndGoesBack() {
   follow(circle(30));
   samples_ = circle(60);
   panel_->refresh();
-  QVERIFY(QTest::qWaitFor([&] { return table().model()->rowCount() == 60; }, kPatienceMs));
+  QVERIFY(waitFor([&] { return table().model()->rowCount() == 60; }));
   auto* bar = table().verticalScrollBar();
   QCOMPARE(bar->value(), bar->maximum());
   // With less room it stays at the end.
   const int before = bar->maximum();
   panel_->resize(1000, 150);
-  QVERIFY(QTest::qWaitFor([&] { return bar->maximum() > before; }, kPatienceMs));
+  QVERIFY(waitFor([&] { return bar->maximum() > before; }));
   QCOMPARE(bar->value(), bar->maximum());
   samples_ = circle(70);
   panel_->refresh();
-  QVERIFY(QTest::qWaitFor([&] { return table().model()->rowCount() == 70; }, kPatienceMs));
+  QVERIFY(waitFor([&] { return table().model()->rowCount() == 70; }));
   QCOMPARE(bar->value(), bar->maximum());
   panel_->resize(1000, 300);
   samples_ = circle(60);
   restarted_ = true;
   panel_->refresh();
-  QVERIFY(QTest::qWaitFor([&] { return table().model()->rowCount() == 60; }, kPatienceMs));
+  QVERIFY(waitFor([&] { return table().model()->rowCount() == 60; }));
   samples_ = circle(10); // the run went back
   restarted_ = true;
   panel_->refresh();
-  QVERIFY(QTest::qWaitFor([&] { return table().model()->rowCount() == 10; }, kPatienceMs));
+  QVERIFY(waitFor([&] { return table().model()->rowCount() == 10; }));
   QCOMPARE(panel_->findChild<GapList*>()->rowCount(), 0);
 }
 
@@ -226,7 +224,7 @@ void TrajectoryPanelTest::longRunsAreDrawnFromFewPoints() {
   stack.resize(1400, 240);
   stack.show();
   QVERIFY(QTest::qWaitForWindowExposed(&stack));
-  QVERIFY(QTest::qWaitFor([&] { return stack.drawnPoints() > 0; }, kPatienceMs));
+  QVERIFY(waitFor([&] { return stack.drawnPoints() > 0; }));
   // Eight curves, two points for each of at most 1400 pixels, and one beyond either end.
   QVERIFY(stack.drawnPoints() <= 8 * (2 * 1400 + 4));
   stack.showAll();

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window in another language: a translator that marks every text it is asked for shows which
 // texts of the window never pass through a translation, and whether the catalogs know the rest.
-#include "app/wiring/open_project.h"
 #include "core/base/error.h"
 #include "core/project/project.h"
 #include "core/session/run/snapshot.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/language.h"
 #include "ui/text/verdict_text.h"
 #include "ui/trajectory/gap_list.h"
-#include "ui/view3d/birds_eye_view.h"
 
 #include <QAbstractButton>
-#include <QAction>
-#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -25,7 +21,6 @@
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTabBar>
-#include <QTest>
 #include <QToolButton>
 #include <QTranslator>
 #include <QUndoStack>
@@ -36,9 +31,8 @@ namespace dewpoint::tests {
 
 namespace {
 
-constexpr int kPatienceMs =
-    DEWPOINT_PATIENCE_MS;  ///< software OpenGL, a loaded machine, a sanitizer
-const QChar kMark(0x2020); ///< a dagger: no text of ours has one
+constexpr int kPatienceMs = kPatienceMs; ///< software OpenGL, a loaded machine, a sanitizer
+const QChar kMark(0x2020);               ///< a dagger: no text of ours has one
 
 /// Marks every text that is not Qt's own, and remembers what it was asked for.
 class MarkingTranslator : public QTranslator {
@@ -85,7 +79,7 @@ bool isOurs(const QObject& object) {
 
 } // namespace
 
-class TranslationTest : public QObject {
+class TranslationTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -98,19 +92,19 @@ private Q_SLOTS:
   void aVerdictSaysWhatItsScoreIsMadeOf();
   void titlesOfTheGapsAreWhole();
   void anErrorIsTranslatedButNotItsFileAndField();
+  void cleanup() { window_.reset(); }
+
+private:
+  void trackDemo();
 };
 
-/// Opens the demo in a window and tracks some frames of it.
-void openDemo(MainWindow& window) {
-  window.show();
-  QVERIFY(QTest::qWaitForWindowExposed(&window));
-  QSignalSpy opened(&window, &MainWindow::projectOpened);
-  window.openProject({});
-  QVERIFY(opened.wait(kPatienceMs));
-  QVERIFY(
-      QTest::qWaitFor([&] { return window.shown() && window.shown()->frame > 5; }, kPatienceMs));
-  const auto& declarations = window.document().project().parameters.declarations();
-  QVERIFY(window.document().setParameter(declarations.front().key, declarations.front().maximum));
+/// Opens the demo and tracks some frames of it.
+void TranslationTest::trackDemo() {
+  makeWindow();
+  open();
+  QVERIFY(waitFor([this] { return shown().frame > 5; }));
+  const auto& declarations = window_->document().project().parameters.declarations();
+  QVERIFY(window_->document().setParameter(declarations.front().key, declarations.front().maximum));
 }
 
 /// What the window says that no translator was asked for, as "who: what".
@@ -142,9 +136,8 @@ QStringList untranslatedTexts(const MainWindow& window) {
 void TranslationTest::everyTextOfTheWindowIsTranslated() {
   MarkingTranslator marking;
   QVERIFY(QCoreApplication::installTranslator(&marking));
-  MainWindow window(&openProject);
-  openDemo(window);
-  const QStringList untranslated = untranslatedTexts(window);
+  trackDemo();
+  const QStringList untranslated = untranslatedTexts(*window_);
   QVERIFY2(untranslated.isEmpty(), qPrintable(untranslated.join(QLatin1Char('\n'))));
   QCoreApplication::removeTranslator(&marking);
 
@@ -160,13 +153,13 @@ void TranslationTest::everyTextOfTheWindowIsTranslated() {
 }
 
 void TranslationTest::everyTextFollowsAChangeOfLanguage() {
-  MainWindow window(&openProject);
-  openDemo(window);
+  trackDemo();
   MarkingTranslator marking; // the other language
   QVERIFY(QCoreApplication::installTranslator(&marking));
   QStringList untranslated;
   // The widgets are told through the event queue, and the next snapshot fills in the figures.
-  (void)QTest::qWaitFor([&] { return (untranslated = untranslatedTexts(window)).isEmpty(); }, 3000);
+  (void)QTest::qWaitFor([&] { return (untranslated = untranslatedTexts(*window_)).isEmpty(); },
+                        3000);
   QVERIFY2(untranslated.isEmpty(), qPrintable(untranslated.join(QLatin1Char('\n'))));
   QCoreApplication::removeTranslator(&marking);
 }
@@ -174,17 +167,16 @@ void TranslationTest::everyTextFollowsAChangeOfLanguage() {
 void TranslationTest::theLanguageIsUsed() {
   QVERIFY(languages().contains(QStringLiteral("de")));
   useLanguage(QStringLiteral("de"));
-  MainWindow window(&openProject);
+  makeWindow();
   // The German catalog's word for "Restart", and a decimal comma.
-  QCOMPARE(window.findChild<QAction*>("actionRestart")->text(), QStringLiteral("Neu beginnen"));
+  QCOMPARE(find<QAction>("actionRestart")->text(), QStringLiteral("Neu beginnen"));
   QCOMPARE(QLocale().toString(0.5, 'f', 1), QStringLiteral("0,5"));
 }
 
 void TranslationTest::methodsAreCalledTheSameEverywhere() {
   useLanguage(QStringLiteral("de"));
-  MainWindow window(&openProject);
-  openDemo(window);
-  const auto* choice = window.findChild<QComboBox*>(QStringLiteral("methodChoice"));
+  trackDemo();
+  const auto* choice = find<QComboBox>("methodChoice");
   QVERIFY(choice->count() > 1);
   for (int i = 0; i < choice->count(); ++i) {
     QCOMPARE(choice->itemText(i), choice->itemData(i).toString());
@@ -193,13 +185,12 @@ void TranslationTest::methodsAreCalledTheSameEverywhere() {
 
 void TranslationTest::numbersFollowTheLanguage() {
   useLanguage(QStringLiteral("en"));
-  MainWindow window(&openProject);
-  openDemo(window);
-  auto* box = window.findChild<QDoubleSpinBox*>(QStringLiteral("box_kld_error"));
+  trackDemo();
+  auto* box = find<QDoubleSpinBox>("box_kld_error");
   QVERIFY(box != nullptr);
-  QVERIFY(window.document().setParameter("kld_error", 0.15));
+  QVERIFY(window_->document().setParameter("kld_error", 0.15));
   QCOMPARE(box->text(), QStringLiteral("0.15"));
-  window.setLanguage(QStringLiteral("de"));
+  window_->setLanguage(QStringLiteral("de"));
   QTRY_COMPARE_WITH_TIMEOUT(box->text(), QStringLiteral("0,15"), kPatienceMs);
   // Both signs are understood, and shown as the language's own.
   const auto type = [&](const char* text) {
@@ -211,34 +202,33 @@ void TranslationTest::numbersFollowTheLanguage() {
     return typed;
   };
   QCOMPARE(type("0.25"), QStringLiteral("0,25"));
-  QCOMPARE(window.document().project().parameters.at("kld_error"), 0.25);
+  QCOMPARE(window_->document().project().parameters.at("kld_error"), 0.25);
   QCOMPARE(type("0,35"), QStringLiteral("0,35"));
-  QCOMPARE(window.document().project().parameters.at("kld_error"), 0.35);
+  QCOMPARE(window_->document().project().parameters.at("kld_error"), 0.35);
   // Files stay with points.
-  QVERIFY(projectText(window.document().project(), "/").find("kld_error = 0.35\n") !=
+  QVERIFY(projectText(window_->document().project(), "/").find("kld_error = 0.35\n") !=
           std::string::npos);
-  window.setLanguage(QStringLiteral("en"));
+  window_->setLanguage(QStringLiteral("en"));
   QTRY_COMPARE_WITH_TIMEOUT(box->text(), QStringLiteral("0.35"), kPatienceMs);
   QCOMPARE(type("0,45"), QStringLiteral("0.45"));
-  QCOMPARE(window.document().project().parameters.at("kld_error"), 0.45);
+  QCOMPARE(window_->document().project().parameters.at("kld_error"), 0.45);
 }
 
 void TranslationTest::whatIsOpenFollowsToo() {
   useLanguage(QStringLiteral("en"));
-  MainWindow window(&openProject);
-  openDemo(window);
-  const auto* saturation = window.findChild<QDoubleSpinBox*>(QStringLiteral("saturationFrom"));
-  QVERIFY(window.document().edit(QStringLiteral("test"), [](Project& project) {
+  trackDemo();
+  const auto* saturation = find<QDoubleSpinBox>("saturationFrom");
+  QVERIFY(window_->document().edit(QStringLiteral("test"), [](Project& project) {
     project.targets[0].color.saturationMin = 0.25;
   }));
   QTRY_COMPARE_WITH_TIMEOUT(saturation->text(), QStringLiteral("0.25"), kPatienceMs);
-  window.findChild<QAction*>(QStringLiteral("actionShortcuts"))->trigger();
-  const auto* note = window.findChild<QLabel*>(QStringLiteral("shortcutNote"));
+  find<QAction>("actionShortcuts")->trigger();
+  const auto* note = find<QLabel>("shortcutNote");
   const QString english = note->text();
-  window.setLanguage(QStringLiteral("de"));
+  window_->setLanguage(QStringLiteral("de"));
   QTRY_COMPARE_WITH_TIMEOUT(saturation->text(), QStringLiteral("0,25"), kPatienceMs);
   QTRY_VERIFY_WITH_TIMEOUT(note->text() != english, kPatienceMs);
-  window.setLanguage(QStringLiteral("en"));
+  window_->setLanguage(QStringLiteral("en"));
   QTRY_COMPARE_WITH_TIMEOUT(note->text(), english, kPatienceMs);
 }
 
@@ -261,11 +251,10 @@ void TranslationTest::aVerdictSaysWhatItsScoreIsMadeOf() {
 
 void TranslationTest::titlesOfTheGapsAreWhole() {
   useLanguage(QStringLiteral("en"));
-  MainWindow window(&openProject);
-  openDemo(window);
-  auto* gaps = window.findChild<GapList*>();
+  trackDemo();
+  auto* gaps = window_->findChild<GapList*>();
   for (const QString& language : languages()) {
-    window.setLanguage(language);
+    window_->setLanguage(language);
     const auto fits = [&](int column) {
       return gaps->columnWidth(column) >= gaps->horizontalHeader()->sectionSizeHint(column);
     };
@@ -273,7 +262,7 @@ void TranslationTest::titlesOfTheGapsAreWhole() {
       QTRY_VERIFY_WITH_TIMEOUT(fits(column), kPatienceMs);
     }
   }
-  window.setLanguage(QStringLiteral("en"));
+  window_->setLanguage(QStringLiteral("en"));
 }
 
 void TranslationTest::anErrorIsTranslatedButNotItsFileAndField() {
@@ -286,11 +275,7 @@ void TranslationTest::anErrorIsTranslatedButNotItsFileAndField() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  dewpoint::tests::TranslationTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::TranslationTest>(argc, argv, "translation");
 }
 
 #include "translation_test.moc"

@@ -4,9 +4,7 @@
 #include "core/setup/wand_refinement.h"
 #include "tests/ui/calibration_window.h"
 #include "ui/selection/selection.h"
-#include "ui/view3d/birds_eye_view.h"
 
-#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
@@ -15,7 +13,6 @@
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTableWidget>
-#include <QTemporaryDir>
 
 namespace dewpoint::tests {
 namespace {
@@ -102,7 +99,7 @@ void WandPageTest::refinesInOneStepAsTheCommandLineDoes() {
   const CameraRig before = cameras();
   const Project rough = project();
   refine(kWave);
-  QVERIFY(QTest::qWaitFor([&] { return isIdle(); }, kPatienceMs));
+  QVERIFY(waitFor([&] { return isIdle(); }));
   auto inputs = openProject(SessionRequest(rough));
   QVERIFY(inputs);
   WandOptions options; // as "dewpoint-cli calibrate wand demo --frames 60:200"
@@ -138,7 +135,7 @@ void WandPageTest::cancelKeepsTheCameras() {
   const CameraRig before = cameras();
   refine({0, 377});
   press("wandCancel");
-  QVERIFY(QTest::qWaitFor([&] { return isIdle(); }, kPatienceMs));
+  QVERIFY(waitFor([&] { return isIdle(); }));
   QVERIFY(cameras() == before);
   QCOMPARE(history().count(), 0);
   QVERIFY(!find<QLabel>("wandVerdict")->isVisible());
@@ -148,7 +145,7 @@ void WandPageTest::cancelKeepsTheCameras() {
 void WandPageTest::aBadResultIsOneSentence() {
   const CameraRig before = cameras();
   refine({0, 29}); // the ball is at rest there
-  QVERIFY(QTest::qWaitFor([&] { return isIdle(); }, kPatienceMs));
+  QVERIFY(waitFor([&] { return isIdle(); }));
   QVERIFY(find<QLabel>("wandVerdict")->isVisible());
   QVERIFY(find<QLabel>("wandVerdict")->text().startsWith(QStringLiteral("⚠")));
   QVERIFY(find<QLabel>("wandNotes")->text().contains(QStringLiteral("as they were")));
@@ -166,7 +163,7 @@ void WandPageTest::momentsAreTakenAndRemoved() {
   QCOMPARE(list->count(), 1);
   const qint64 first = window_->shown()->frame;
   QTest::keyClick(window_.get(), Qt::Key_Period);
-  QVERIFY(QTest::qWaitFor([&] { return window_->shown()->frame > first; }, kPatienceMs));
+  QVERIFY(waitFor([&] { return window_->shown()->frame > first; }));
   press("wandTake");
   QCOMPARE(list->count(), 2); // the floor is touched at several places
   find<QComboBox>("wandRole")->setCurrentIndex(3);
@@ -181,7 +178,7 @@ void WandPageTest::momentsAreTakenAndRemoved() {
   // Enter shows the moment again.
   list->setCurrentRow(0);
   list->itemActivated(list->item(0));
-  QVERIFY(QTest::qWaitFor([&] { return window_->shown()->frame == first; }, kPatienceMs));
+  QVERIFY(waitFor([&] { return window_->shown()->frame == first; }));
 }
 
 void WandPageTest::saysWhatIsMissing() {
@@ -208,38 +205,31 @@ void WandPageTest::saysWhatIsMissing() {
 }
 
 void WandPageTest::liveCamerasAreCollected() {
-  window_ = std::make_unique<MainWindow>([](const SessionRequest& request) {
+  const auto openLive = [](const SessionRequest& request) {
     auto inputs = openProject(request);
     if (inputs) {
       inputs->source = std::make_unique<LiveDemo>(std::move(inputs->source));
     }
     return inputs;
-  });
-  window_->resize(1500, 950);
-  window_->show();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-  window_->setPlayOnOpen(false);
-  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
-  window_->openProject({});
-  QVERIFY(opened.wait(kPatienceMs));
+  };
+  makeAnotherWindow({.opener = openLive, .size = {1500, 950}, .play = false});
+  open();
   find<QAction>("actionCalibrateWand")->trigger();
-  QVERIFY(QTest::qWaitFor([&] { return find<QWidget>("wandWave")->isVisible(); }, kPatienceMs));
+  QVERIFY(waitFor([&] { return find<QWidget>("wandWave")->isVisible(); }));
   QVERIFY(!find<QPushButton>("wandRefine")->isEnabled());
   QVERIFY(find<QLabel>("wandMissing")->text().contains(QStringLiteral("Start waving")));
   const CameraRig before = cameras();
   press("wandWave");
-  QVERIFY(QTest::qWaitFor(
-      [&] {
-        const auto* seen = window_->findChild<QLabel*>(QStringLiteral("wandSeen1"));
-        return seen != nullptr && seen->text().section(QLatin1Char(' '), -1).toInt() > 230;
-      },
-      kPatienceMs));
+  QVERIFY(waitFor([&] {
+    const auto* seen = window_->findChild<QLabel*>(QStringLiteral("wandSeen1"));
+    return seen != nullptr && seen->text().section(QLatin1Char(' '), -1).toInt() > 230;
+  }));
   QVERIFY(find<QWidget>("wandMap0")->accessibleName().contains(QStringLiteral("regions")));
   press("wandWave"); // stop
   QVERIFY(find<QPushButton>("wandWave")->text().contains(QStringLiteral("Start")));
   find<QComboBox>("wandSize")->activated(0);
   press("wandRefine");
-  QVERIFY(QTest::qWaitFor([&] { return isIdle(); }, kPatienceMs));
+  QVERIFY(waitFor([&] { return isIdle(); }));
   const QString verdict = find<QLabel>("wandVerdict")->text();
   QVERIFY2(verdict.contains(QStringLiteral("In this volume ±")), qPrintable(verdict));
   if (find<QPushButton>("wandApply")->isVisible()) {
@@ -271,12 +261,7 @@ void WandPageTest::everythingHasAName() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("wand-page"));
-  dewpoint::tests::WandPageTest test;
-  return QTest::qExec(&test, argc, argv);
+  return test::runWindowTest<dewpoint::tests::WandPageTest>(argc, argv, "wand-page");
 }
 
 #include "wand_page_test.moc"

@@ -75,6 +75,8 @@ public:
   QString placeInWords() const;
   /// What the last drawing took, milliseconds.
   double lastDrawingMs() const { return lastDrawingMs_; }
+  /// Whether no drawing is still to come of what was told last.
+  bool isDrawn() const { return !timer_.isActive(); }
   /// Points of the curves as they are drawn.
   int drawnPoints() const;
   QStringList visiblePlots() const;

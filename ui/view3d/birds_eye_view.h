@@ -72,6 +72,8 @@ public:
   QImage currentPicture();
   /// The scene as drawn, for those who convert between pixels and metres.
   const Scene3d& scene() const { return scene_; }
+  /// Whether the picture shows all that was given last; true while hidden.
+  bool isDrawn() const { return !isVisible() || (!pictureStale_ && !timer_.isActive()); }
   /// False when there is no usable OpenGL (known after the first attempt to draw).
   bool hasPicture() const;
   QSize sizeHint() const override;
