@@ -16,7 +16,8 @@ constexpr QLatin1String kBoard("boardPage");
 } // namespace
 
 CalibrationMode::CalibrationMode(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench), hand_(new ManualCalibration(bench.document, this)),
+    : QObject(&bench.window), bench_(bench),
+      hand_(new ManualCalibration(bench.document, bench.selection, bench.cameras, this)),
       place_(new CalibrationDock(&bench.window)) {
   dock_ = bench_.docks.make({.name = QStringLiteral("calibrationDock"),
                              .title = [] { return tr("Calibration"); },

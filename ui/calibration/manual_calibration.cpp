@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/manual_calibration.h"
 
+#include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
+#include "ui/selection/selection.h"
 
 #include <QLocale>
 #include <fmt/format.h>
@@ -30,8 +32,9 @@ QString withSign(double value, int decimals) {
 
 } // namespace
 
-ManualCalibration::ManualCalibration(Document& document, QObject* parent)
-    : QObject(parent), document_(document) {
+ManualCalibration::ManualCalibration(Document& document, Selection& selection,
+                                     CameraListModel& cameras, QObject* parent)
+    : QObject(parent), document_(document), selection_(selection), cameras_(cameras) {
   connect(&document_, &Document::changed, this, [this](const ProjectChanges& changes) {
     if (changes.calibration || changes.sources || changes.grid || changes.points) {
       Q_EMIT this->changed();
@@ -41,8 +44,12 @@ ManualCalibration::ManualCalibration(Document& document, QObject* parent)
     drag_.reset();
     pins_.clear();
     takeAsBefore();
-    camera_ = 0;
-    Q_EMIT cameraSelected(camera_);
+    selection_.selectCamera(0);
+    Q_EMIT cameraSelected(camera());
+    Q_EMIT changed();
+  });
+  connect(&selection_, &Selection::cameraSelected, this, [this] {
+    Q_EMIT cameraSelected(camera());
     Q_EMIT changed();
   });
 }
@@ -62,11 +69,13 @@ void ManualCalibration::setActive(bool active) {
 }
 
 void ManualCalibration::selectCamera(int camera) {
-  if (camera != camera_ && camera >= 0 && camera < cameraCount()) {
-    camera_ = camera;
-    Q_EMIT cameraSelected(camera_);
-    Q_EMIT changed();
+  if (camera >= 0 && camera < cameraCount()) {
+    selection_.selectCamera(camera);
   }
+}
+
+int ManualCalibration::camera() const {
+  return std::clamp(selection_.camera(), 0, std::max(0, cameraCount() - 1));
 }
 
 int ManualCalibration::cameraCount() const {
@@ -85,8 +94,7 @@ Camera ManualCalibration::shownCamera(int camera) const {
 }
 
 QString ManualCalibration::nameOf(int camera) const {
-  const QString name = QString::fromStdString(cameraAt(camera).name);
-  return name.isEmpty() ? tr("camera %1").arg(camera + 1) : name;
+  return cameras_.nameOf(camera);
 }
 
 ReferenceGrid ManualCalibration::grid() const {
@@ -260,25 +268,25 @@ void ManualCalibration::nudge(int axis, double factor, bool repeated) {
   const Eigen::Vector3d way = own ? cameraAxis(axis) : Eigen::Vector3d::Unit(axis).eval();
   const double amount = factor * (moves ? kMoveStep : kTurnStep);
   const std::string key =
-      fmt::format("nudge {} {} {} {} {}", camera_, moves, own, axis, factor > 0.0);
+      fmt::format("nudge {} {} {} {} {}", camera(), moves, own, axis, factor > 0.0);
   const double sum = runningSum(key, amount, repeated);
   const QString movedNames[] = {tr("right"), tr("forward"), tr("up")};
   const QString turnedNames[] = {tr("pitch"), tr("roll"), tr("yaw")};
   const QString worldNames[] = {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
   const QString name = own ? (moves ? movedNames[axis] : turnedNames[axis]) : worldNames[axis];
-  const QString step = moves
-                           ? tr("%1 %2 cm %3").arg(nameOf(camera_), withSign(100.0 * sum, 1), name)
-                           : tr("%1 %2° %3").arg(nameOf(camera_), withSign(sum / kDegree, 2), name);
-  const Camera now = cameraAt(camera_);
-  change(camera_, step,
+  const QString step =
+      moves ? tr("%1 %2 cm %3").arg(nameOf(camera()), withSign(100.0 * sum, 1), name)
+            : tr("%1 %2° %3").arg(nameOf(camera()), withSign(sum / kDegree, 2), name);
+  const Camera now = cameraAt(camera());
+  change(camera(), step,
          moves ? moved(now, amount * way, frame_) : turned(now, amount * way, frame_), key);
 }
 
 void ManualCalibration::nudgeFocal(double percent, bool repeated) {
-  const std::string key = fmt::format("nudge {} focal {}", camera_, percent > 0.0);
+  const std::string key = fmt::format("nudge {} focal {}", camera(), percent > 0.0);
   const double sum = runningSum(key, percent, repeated);
-  change(camera_, tr("%1 focal length %2 %").arg(nameOf(camera_), withSign(sum, 1)),
-         zoomed(cameraAt(camera_), 1.0 + percent / 100.0), key);
+  change(camera(), tr("%1 focal length %2 %").arg(nameOf(camera()), withSign(sum, 1)),
+         zoomed(cameraAt(camera()), 1.0 + percent / 100.0), key);
 }
 
 void ManualCalibration::change(int camera, const QString& step, const Camera& changed,

@@ -15,24 +15,29 @@
 
 namespace dewpoint::ui {
 
+class CameraListModel;
 class Document;
+class Selection;
 
 /// What the movement keys change.
 enum class KeyMode { Move, Turn };
 
-/// Adjusting cameras by hand: which camera, which points of it are held, and every change as a
-/// named step of the document. Views draw from here and bring their mouse and keys here.
+/// Adjusting the selected camera by hand: which points of it are held, and every change as a named
+/// step of the document. Views draw from here and bring their mouse and keys here.
 class ManualCalibration : public QObject {
   Q_OBJECT
 public:
-  explicit ManualCalibration(Document& document, QObject* parent = nullptr);
+  ManualCalibration(Document& document, Selection& selection, CameraListModel& cameras,
+                    QObject* parent = nullptr);
 
   /// Whether the calibration place is open. What cameras are then is the "before" of the flip.
   bool isActive() const { return active_; }
   void setActive(bool active);
 
-  int camera() const { return camera_; }
+  /// The selected camera; the first while none is.
+  int camera() const;
   void selectCamera(int camera);
+  CameraListModel& cameras() const { return cameras_; }
   int cameraCount() const;
   /// As the project has it now, or as it was before (while flipped).
   Camera shownCamera(int camera) const;
@@ -115,8 +120,9 @@ private:
   void sayLimit(const Drag& result);
 
   Document& document_;
+  Selection& selection_;
+  CameraListModel& cameras_;
   bool active_ = false;
-  int camera_ = 0;
   CameraRig before_;
   ReferenceGrid standard_; ///< while the project has none
   double opacity_ = 0.8;

@@ -5,6 +5,7 @@
 #include "core/session/session.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/cameraview/camera_view.h"
+#include "ui/cameraview/image_pick_tool.h"
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
 #include "ui/text/camera_motion_text.h"
@@ -17,7 +18,9 @@
 
 namespace dewpoint::ui {
 
-CameraDocks::CameraDocks(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
+CameraDocks::CameraDocks(const Workbench& bench)
+    : QObject(&bench.window), bench_(bench), pick_(new ImagePickTool(this)) {
+  connect(pick_, &ImagePickTool::cameraChosen, &bench_.selection, &Selection::selectCamera);
   connect(&bench_.session, &SessionController::runStarted, this, &CameraDocks::make);
   connect(&bench_.session, &SessionController::closed, this, &CameraDocks::make);
   connect(&bench_.session, &SessionController::snapshotChanged, this, &CameraDocks::explain);
@@ -80,6 +83,7 @@ void CameraDocks::make() {
     view->setEvidenceShown(evidence);
     view->setChosenTarget(bench_.selection.target());
     bench_.connectImageView(view);
+    pick_->attach(camera, view);
     Q_EMIT viewMade(camera, view);
     docks_.push_back(dock);
     views_.push_back(view);

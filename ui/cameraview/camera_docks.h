@@ -10,6 +10,7 @@
 namespace dewpoint::ui {
 
 class CameraView;
+class ImagePickTool;
 class ViewDock;
 
 /// One dock for each camera of the project, made anew with each run: its view, in the title the
@@ -18,6 +19,9 @@ class CameraDocks : public QObject {
   Q_OBJECT
 public:
   explicit CameraDocks(const Workbench& bench);
+
+  /// The mouse and the keys in all the images.
+  ImagePickTool& pick() const { return *pick_; }
 
   /// Docks for the cameras of the project, in place of those there are, and a fresh layout.
   void make();
@@ -31,6 +35,7 @@ private:
   void explain();
 
   Workbench bench_;
+  ImagePickTool* pick_;
   std::vector<ViewDock*> docks_;
   std::vector<CameraView*> views_;
 };

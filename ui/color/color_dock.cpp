@@ -5,7 +5,6 @@
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/actions/action_registry.h"
 #include "ui/cameraview/camera_docks.h"
-#include "ui/cameraview/camera_view.h"
 #include "ui/color/color_panel.h"
 #include "ui/document/document.h"
 #include "ui/panels/inspector_docks.h"
@@ -21,7 +20,7 @@ namespace dewpoint::ui {
 
 ColorDock::ColorDock(const Workbench& bench, const CameraDocks& cameras, const TargetDock& targets)
     : QObject(&bench.window), bench_(bench), targetDock_(targets.dock), targets_(targets.panel),
-      panel_(new ColorPanel(bench.document, &bench.window)) {
+      panel_(new ColorPanel(bench.document, cameras.pick(), &bench.window)) {
   auto* scroll = new QScrollArea(&bench_.window);
   scroll->setObjectName(QStringLiteral("colorScroll"));
   scroll->setWidgetResizable(true);
@@ -32,7 +31,6 @@ ColorDock::ColorDock(const Workbench& bench, const CameraDocks& cameras, const T
                              .content = scroll,
                              .rank = 3});
   bench_.connectImageView(panel_);
-  connect(&cameras, &CameraDocks::viewMade, panel_, &ColorPanel::attach);
   connect(dock_, &QDockWidget::visibilityChanged, panel_, &ColorPanel::setInFront);
   connect(panel_, &ColorPanel::failed, &bench_.messages, &MessageBar::showError);
   connect(panel_, &ColorPanel::pickingChanged, bench_.action("actionLearnColor"),

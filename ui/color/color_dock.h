@@ -11,8 +11,8 @@ class TargetPanel;
 class ViewDock;
 struct TargetDock;
 
-/// The color of the chosen target in the window. Its panel takes the clicks in camera images; what
-/// was learned from one is chosen, and the run may begin.
+/// The color of the chosen target in the window. What was learned from a click in a camera image
+/// is chosen, and the run may begin.
 class ColorDock : public QObject {
   Q_OBJECT
 public:

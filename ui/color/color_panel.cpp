@@ -3,11 +3,12 @@
 
 #include "core/color/color_histogram.h"
 #include "core/project/project.h"
-#include "ui/cameraview/camera_view.h"
-#include "ui/cameraview/image_pick_overlay.h"
+#include "core/tracking/catalog/method_catalog.h"
+#include "ui/cameraview/image_pick_tool.h"
 #include "ui/color/box_picker.h"
 #include "ui/color/color_learner.h"
 #include "ui/color/color_picker.h"
+#include "ui/color/color_sample_list.h"
 #include "ui/document/document.h"
 #include "ui/style/theme.h"
 #include "ui/text/retranslation.h"
@@ -15,9 +16,6 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
-#include <QPushButton>
-#include <QShortcut>
 #include <QSignalBlocker>
 #include <QTimer>
 #include <QToolButton>
@@ -26,6 +24,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
+#include <vector>
 
 namespace dewpoint::ui {
 
@@ -37,12 +37,11 @@ constexpr std::int64_t kOutlinedFrames = 10; ///< an outline stays so long over 
 
 } // namespace
 
-ColorPanel::ColorPanel(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), teacher_(new ColorLearner(document, this)),
+ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
+    : QWidget(parent), document_(document), pick_(pick), teacher_(new ColorLearner(document, this)),
       boxes_(new BoxPicker(document, this)), name_(new QLabel(this)), learn_(new QToolButton(this)),
-      picker_(new ColorPicker(this)), verdict_(new QLabel(this)), samplesTitle_(new QLabel(this)),
-      samples_(new QListWidget(this)), remove_(new QPushButton(this)),
-      judgeSoon_(new QTimer(this)) {
+      picker_(new ColorPicker(this)), verdict_(new QLabel(this)),
+      samples_(new ColorSampleList(this)), judgeSoon_(new QTimer(this)) {
   setObjectName(QStringLiteral("colorPanel"));
   learn_->setObjectName(QStringLiteral("colorLearn"));
   learn_->setCheckable(true);
@@ -52,9 +51,6 @@ ColorPanel::ColorPanel(Document& document, QWidget* parent)
   verdict_->setTextFormat(Qt::PlainText);
   verdict_->setAlignment(Qt::AlignTop);
   verdict_->setMinimumHeight(4 * fontMetrics().lineSpacing()); // the ring stays where it is
-  samples_->setObjectName(QStringLiteral("colorSamples"));
-  samples_->setMaximumHeight(96);
-  remove_->setObjectName(QStringLiteral("colorRemoveSample"));
   QFont bold = name_->font();
   bold.setWeight(QFont::DemiBold);
   name_->setFont(bold);
@@ -62,16 +58,12 @@ ColorPanel::ColorPanel(Document& document, QWidget* parent)
   head->setSpacing(8);
   head->addWidget(name_, 1);
   head->addWidget(learn_);
-  auto* sampleHead = new QHBoxLayout;
-  sampleHead->addWidget(samplesTitle_, 1);
-  sampleHead->addWidget(remove_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);
   column->addLayout(head);
   column->addWidget(verdict_);
   column->addWidget(picker_, 1);
-  column->addLayout(sampleHead);
   column->addWidget(samples_);
   connect(learn_, &QToolButton::toggled, this, &ColorPanel::setPicking);
   connect(picker_, &ColorPicker::rangeEdited, this, &ColorPanel::editRange);
@@ -79,12 +71,10 @@ ColorPanel::ColorPanel(Document& document, QWidget* parent)
     document_.endMerging();
     teacher_->judge();
   });
-  connect(remove_, &QPushButton::clicked, this, &ColorPanel::removeSample);
-  connect(samples_, &QListWidget::currentRowChanged, this,
-          [this](int row) { remove_->setEnabled(row >= 0); });
-  auto* del = new QShortcut(QKeySequence::Delete, samples_);
-  del->setContext(Qt::WidgetShortcut);
-  connect(del, &QShortcut::activated, this, &ColorPanel::removeSample);
+  connect(samples_, &ColorSampleList::removeRequested, this, &ColorPanel::removeSample);
+  connect(&pick_, &ImagePickTool::attached, this, [this] { setPicking(picking_); });
+  connect(&pick_, &ImagePickTool::cancelled, this, [this] { setPicking(false); });
+  connect(&pick_, &ImagePickTool::picked, this, &ColorPanel::pickedIn);
   connect(&document_, &Document::replaced, this, [this] {
     setTarget(0);
     say(); // its method may be of another kind
@@ -126,34 +116,8 @@ void ColorPanel::say() {
           : tr("Then click the target in any camera image, or drag a box on it. "
                "Shift-click adds a sample, Alt-click or Ctrl+Shift-click excludes what is "
                "not the target."));
-  samplesTitle_->setText(tr("Learned from"));
-  samples_->setAccessibleName(tr("Samples the color was learned from"));
-  samples_->setToolTip(
-      tr("Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one"));
-  remove_->setText(tr("Remove"));
-  remove_->setToolTip(tr("Forget the chosen sample and learn from the rest (Del)"));
+  samples_->retranslate();
   refresh();
-}
-
-void ColorPanel::attach(int camera, CameraView* view) {
-  auto* layer = new ImagePickOverlay(view);
-  onRetranslate(layer, [layer, camera] {
-    layer->setAccessibleName(
-        tr("Image of camera %1: arrow keys move a cross, Enter points there").arg(camera + 1));
-  });
-  layers_.emplace_back(camera, layer);
-  connect(layer, &QObject::destroyed, this, [this, layer] {
-    std::erase_if(layers_, [layer](const auto& one) { return one.second == layer; });
-  });
-  connect(layer, &ImagePickOverlay::chosen, this, [this, camera] { Q_EMIT cameraChosen(camera); });
-  connect(layer, &ImagePickOverlay::pointed, this,
-          [this, camera](const QPointF& pixel) { Q_EMIT pointed(camera, pixel); });
-  connect(layer, &ImagePickOverlay::cancelled, this, [this] { setPicking(false); });
-  connect(layer, &ImagePickOverlay::picked, this,
-          [this, camera](const QRectF& region, Qt::KeyboardModifiers modifiers) {
-            pickedIn(camera, region, modifiers);
-          });
-  setPicking(picking_);
 }
 
 void ColorPanel::pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers) {
@@ -191,12 +155,9 @@ void ColorPanel::setPicking(bool picking) {
   const QString hint = takesBoxes() ? tr("Click the thing or drag a box around it")
                        : must       ? tr("Click the thing to follow")
                                     : tr("Click the target");
-  for (const auto& [camera, layer] : layers_) {
-    layer->setPicking(picking || must);
-    layer->setHint(hint);
-  }
-  if (picking && !layers_.empty()) {
-    layers_.front().second->setFocus(Qt::ShortcutFocusReason); // the keys move its cross
+  pick_.setPicking(picking || must, hint);
+  if (picking) {
+    pick_.takeFocus();
   }
 }
 
@@ -227,7 +188,7 @@ void ColorPanel::refresh() {
     }
     picker_->setRange(target.color);
   }
-  refreshSamples();
+  samples_->setSamples(document_.project(), target_);
   if (judged_) {
     sayVerdict();
   } else {
@@ -243,9 +204,7 @@ void ColorPanel::refresh() {
 
 void ColorPanel::clearRegions() {
   outlined_ = false;
-  for (const auto& [camera, layer] : layers_) {
-    layer->setRegions({});
-  }
+  pick_.clearRegions();
 }
 
 void ColorPanel::judgeNow() {
@@ -272,37 +231,10 @@ void ColorPanel::keepVerdictCurrent() {
   }
 }
 
-void ColorPanel::refreshSamples() {
-  const auto& project = document_.project();
-  const int row = samples_->currentRow();
-  const QSignalBlocker quiet(samples_);
-  samples_->clear();
-  if (target_ >= 0 && target_ < static_cast<int>(project.targets.size())) {
-    for (const ColorSample& sample : project.targets[static_cast<std::size_t>(target_)].samples) {
-      const auto camera = static_cast<std::size_t>(sample.camera);
-      const QString name = camera < project.cameras.size()
-                               ? QString::fromStdString(project.cameras[camera].camera.name)
-                               : QString::number(sample.camera + 1);
-      const QString text =
-          sample.excluded ? tr("not this: %1, frame %2, at %3, %4") : tr("%1, frame %2, at %3, %4");
-      samples_->addItem(text.arg(name)
-                            .arg(sample.frame + 1)
-                            .arg(std::lround(sample.x + sample.width / 2.0))
-                            .arg(std::lround(sample.y + sample.height / 2.0)));
-    }
-  }
-  samples_->setCurrentRow(std::min(row, samples_->count() - 1));
-  remove_->setEnabled(samples_->currentRow() >= 0);
-  const bool some = samples_->count() > 0;
-  samples_->setVisible(some);
-  samplesTitle_->setVisible(some);
-  remove_->setVisible(some);
-}
-
-void ColorPanel::removeSample() {
+void ColorPanel::removeSample(int sample) {
   teacher_->setSnapshot(snapshot_);
   teacher_->setTarget(target_);
-  teacher_->removeSample(samples_->currentRow());
+  teacher_->removeSample(sample);
 }
 
 void ColorPanel::editRange(const ColorRange& range) {
@@ -339,18 +271,17 @@ void ColorPanel::showVerdict(const ColorVerdict& verdict) {
   outlined_ = true;
   said_ = verdict;
   sayVerdict();
-  for (const auto& [camera, layer] : layers_) {
-    std::vector<ImagePickOverlay::Region> regions;
-    for (const LookAlikeRegion& region : verdict.lookAlikes) {
-      if (region.camera == camera) {
-        QPolygonF outline;
-        for (const cv::Point& point : region.outline) {
-          outline << QPointF(point.x, point.y);
-        }
-        regions.push_back({outline, tr("matches too")});
-      }
+  std::map<int, std::vector<ImagePickOverlay::Region>> regions;
+  for (const LookAlikeRegion& region : verdict.lookAlikes) {
+    QPolygonF outline;
+    for (const cv::Point& point : region.outline) {
+      outline << QPointF(point.x, point.y);
     }
-    layer->setRegions(std::move(regions));
+    regions[region.camera].push_back({outline, tr("matches too")});
+  }
+  pick_.clearRegions();
+  for (const auto& [camera, all] : regions) {
+    pick_.setRegions(camera, all);
   }
 }
 
@@ -380,6 +311,46 @@ void ColorPanel::surveyImages() {
     auto histogram = std::make_shared<const ColorHistogram>(histogramOf(images));
     return [this, histogram] { picker_->setHistogram(*histogram); };
   });
+}
+
+bool ColorPanel::takesBoxes() const {
+  return methodFamily(document_.project().method).targets == TargetsFrom::Box;
+}
+
+bool ColorPanel::mustPoint() const {
+  if (methodFamily(document_.project().method).findsTargets()) {
+    return false; // they are found by themselves
+  }
+  const auto& targets = document_.project().targets;
+  const auto hasBox = [](const Target& target) { return target.box.has_value(); };
+  return takesBoxes() ? std::ranges::none_of(targets, hasBox) : targets.empty();
+}
+
+/// Methods for boxes learn all they need from one.
+void ColorPanel::showBox() {
+  const Project& project = document_.project();
+  const auto index = static_cast<std::size_t>(std::max(0, target_));
+  const bool has = target_ >= 0 && index < project.targets.size() && project.targets[index].box;
+  judged_ = false;
+  picker_->setEnabled(false);
+  samples_->hide();
+  clearRegions();
+  if (has) {
+    const TargetBox& box = *project.targets[index].box;
+    const auto camera = static_cast<std::size_t>(box.camera);
+    verdict_->setText(
+        tr("Followed from its box in %1, frame %2: %3 × %4 px. This method needs no color; press "
+           "Box and click the thing for another box.")
+            .arg(camera < project.cameras.size()
+                     ? QString::fromStdString(project.cameras[camera].camera.name)
+                     : QString::number(box.camera + 1))
+            .arg(box.frame + 1)
+            .arg(qRound(box.box.width))
+            .arg(qRound(box.box.height)));
+  } else {
+    verdict_->setText(tr("Click the thing or drag a box around it in any camera view."));
+  }
+  setPicking(picking_);
 }
 
 } // namespace dewpoint::ui

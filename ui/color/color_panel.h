@@ -9,11 +9,8 @@
 #include <QWidget>
 
 #include <memory>
-#include <vector>
 
 class QLabel;
-class QListWidget;
-class QPushButton;
 class QTimer;
 class QToolButton;
 
@@ -24,20 +21,20 @@ struct ColorHistogram;
 namespace dewpoint::ui {
 
 class BoxPicker;
-class CameraView;
 class ColorPicker;
+class ColorSampleList;
 class ColorLearner;
 class Document;
-class ImagePickOverlay;
+class ImagePickTool;
 
 /// The color of the chosen target: picker, samples it was learned from, and what to expect of it.
+/// Methods that follow boxes have a box of the target pointed at in place of a color.
 class ColorPanel : public QWidget {
   Q_OBJECT
 public:
-  explicit ColorPanel(Document& document, QWidget* parent = nullptr);
+  /// `pick`: where the color is pointed at.
+  ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent = nullptr);
 
-  /// From now on a person can point at things in this view; views that are gone are forgotten.
-  void attach(int camera, CameraView* view);
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// The target whose color is shown; -1: the next click makes a new one.
   void setTarget(int target);
@@ -51,15 +48,11 @@ Q_SIGNALS:
   void pickingChanged(bool picking);
   /// A color was learned from images: time to track it.
   void learned(int target, bool isNew);
-  void cameraChosen(int camera);
-  /// A click in the image of a camera that teaches nothing, pixels.
-  void pointed(int camera, const QPointF& pixel);
   void failed(const QString& sentence);
 
 private:
   void say();
   void refresh();
-  void refreshSamples();
   void connectTeacher();
   /// Whether the method follows boxes: then a box is pointed at in place of a color.
   bool takesBoxes() const;
@@ -74,19 +67,17 @@ private:
   void keepVerdictCurrent();
   void clearRegions();
   void surveyImages();
-  void removeSample();
+  void removeSample(int sample);
 
   Document& document_;
+  ImagePickTool& pick_;
   ColorLearner* teacher_;
   BoxPicker* boxes_;
   QLabel* name_;
   QToolButton* learn_;
   ColorPicker* picker_;
   QLabel* verdict_;
-  QLabel* samplesTitle_;
-  QListWidget* samples_;
-  QPushButton* remove_;
-  std::vector<std::pair<int, ImagePickOverlay*>> layers_;
+  ColorSampleList* samples_;
   TrackSnapshotPtr snapshot_;
   int target_ = 0;
   bool picking_ = false;

@@ -12,9 +12,11 @@
 #include "ui/calibration/planner/planner_installer.h"
 #include "ui/calibration/wand/wand_installer.h"
 #include "ui/cameraview/camera_docks.h"
+#include "ui/cameraview/image_pick_tool.h"
 #include "ui/color/color_dock.h"
-#include "ui/color/color_panel.h"
+#include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
+#include "ui/document/target_list_model.h"
 #include "ui/experiments/experiment_installer.h"
 #include "ui/export/export_installer.h"
 #include "ui/mainwindow/history_dock.h"
@@ -79,12 +81,14 @@ void shareCursor(PlotStack& plots, PlotStack& trajectory, Timeline* timeline) {
 } // namespace
 
 MainWindow::MainWindow(ProjectOpener opener, QWidget* parent)
-    : QMainWindow(parent), document_(new Document(this)), selection_(new Selection(this)),
+    : QMainWindow(parent), document_(new Document(this)),
+      cameraList_(new CameraListModel(*document_, this)),
+      targetList_(new TargetListModel(*document_, this)), selection_(new Selection(this)),
       session_(new SessionController(std::move(opener), *document_, *selection_, this)),
       actions_(new ActionRegistry(this)),
       docks_(new DockManager(*this, *document_, *session_, this)), messages_(new MessageBar()),
-      bench_(
-          new Workbench{*this, *actions_, *document_, *selection_, *session_, *docks_, *messages_}),
+      bench_(new Workbench{*this, *actions_, *document_, *cameraList_, *targetList_, *selection_,
+                           *session_, *docks_, *messages_}),
       systemColors_(new SystemColors(this)) {
   setObjectName(QStringLiteral("mainWindow"));
   declareWindowActions(*actions_);
@@ -118,7 +122,7 @@ void MainWindow::installFeatures() {
   installCameras(bench);
   auto* color = new ColorDock(bench, *cameras, targets);
   auto* people = new PeopleDock(bench, *cameras, *birdsEye, {targets.dock, color->dock()});
-  connect(&color->panel(), &ColorPanel::pointed, people, &PeopleDock::selectSeenAt);
+  connect(&cameras->pick(), &ImagePickTool::pointed, people, &PeopleDock::selectSeenAt);
   auto* calibration = new CalibrationMode(bench);
   installManualCalibration(bench, *calibration, *cameras);
   installBoardCalibration(bench, *calibration, *cameras);

@@ -18,6 +18,7 @@ namespace dewpoint::ui {
 
 class ActionRegistry;
 class DockManager;
+class CameraListModel;
 class Document;
 class HistoryDock;
 class MessageBar;
@@ -27,6 +28,7 @@ class Selection;
 class SessionController;
 class SystemColors;
 class WindowMenus;
+class TargetListModel;
 struct Workbench;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
@@ -89,6 +91,8 @@ private:
   void updateTitle();
 
   Document* document_;
+  CameraListModel* cameraList_;
+  TargetListModel* targetList_;
   Selection* selection_;
   SessionController* session_;
   ActionRegistry* actions_;

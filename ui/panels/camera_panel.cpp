@@ -3,7 +3,9 @@
 
 #include "core/project/project.h"
 #include "core/session/run/background_images.h"
+#include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
+#include "ui/selection/selection.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/file_choice.h"
@@ -17,7 +19,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
+#include <QListView>
 #include <QLocale>
 #include <QPushButton>
 #include <QRectF>
@@ -37,10 +39,11 @@ constexpr double kLateSteps = 10.0;      ///< shown of a millisecond
 
 } // namespace
 
-CameraPanel::CameraPanel(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), list_(new QListWidget(this)),
-      nameLabel_(new QLabel(this)), name_(new QLineEdit(this)), sourceLabel_(new QLabel(this)),
-      source_(new QLineEdit(this)), browse_(new QPushButton(this)),
+CameraPanel::CameraPanel(Document& document, Selection& selection, CameraListModel& cameras,
+                         QWidget* parent)
+    : QWidget(parent), document_(document), selection_(selection), cameras_(cameras),
+      list_(new QListView(this)), nameLabel_(new QLabel(this)), name_(new QLineEdit(this)),
+      sourceLabel_(new QLabel(this)), source_(new QLineEdit(this)), browse_(new QPushButton(this)),
       emptyRoomLabel_(new QLabel(this)), emptyRoom_(new QLineEdit(this)),
       emptyRoomBrowse_(new QPushButton(this)), emptyRoomTake_(new QPushButton(this)),
       turnLabel_(new QLabel(this)), turn_(new QComboBox(this)), mirror_(new QCheckBox(this)),
@@ -48,6 +51,7 @@ CameraPanel::CameraPanel(Document& document, QWidget* parent)
       late_(makeNumberField(QStringLiteral("cameraLate"), {-kMostLate, kMostLate, 1.0, 1}, this)),
       calibration_(new QLabel(this)), load_(new QPushButton(this)) {
   setObjectName(QStringLiteral("cameraPanel"));
+  list_->setModel(&cameras_);
   makeFields();
   onRetranslate(this, [this] { say(); });
   connectFields();
@@ -103,10 +107,13 @@ void CameraPanel::connectFields() {
   connect(&document_, &Document::sourcesChanged, this, &CameraPanel::refresh);
   connect(&document_, &Document::calibrationChanged, this, &CameraPanel::showChosen);
   connect(&document_, &Document::emptyRoomsChanged, this, &CameraPanel::showChosen);
-  connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
-    showChosen();
-    Q_EMIT cameraChosen(row);
-  });
+  connect(list_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this](const QModelIndex& current) {
+            if (current.isValid()) {
+              selection_.selectCamera(current.row());
+            }
+          });
+  connect(&selection_, &Selection::cameraSelected, this, &CameraPanel::refresh);
   connect(name_, &QLineEdit::editingFinished, this, [this] {
     edit(tr("Rename camera"), [this](ProjectCamera& camera) {
       camera.camera.name = name_->text().trimmed().toStdString();
@@ -147,6 +154,7 @@ void CameraPanel::connectFields() {
 }
 
 void CameraPanel::say() {
+  cameras_.retranslate();
   list_->setAccessibleName(tr("Cameras"));
   nameLabel_->setText(tr("Name"));
   name_->setToolTip(tr("Name of the camera, in views and files"));
@@ -177,26 +185,19 @@ void CameraPanel::say() {
   refresh();
 }
 
-void CameraPanel::choose(int camera) {
-  list_->setCurrentRow(camera);
+int CameraPanel::chosen() const {
+  const int count = static_cast<int>(document_.project().cameras.size());
+  return std::min(std::max(0, selection_.camera()), count - 1);
 }
 
 void CameraPanel::refresh() {
-  const int before = std::max(0, list_->currentRow());
-  {
-    const QSignalBlocker quiet(list_);
-    list_->clear();
-    for (const ProjectCamera& camera : document_.project().cameras) {
-      list_->addItem(QString::fromStdString(camera.camera.name));
-    }
-    list_->setCurrentRow(std::min(before, list_->count() - 1));
-  }
+  list_->setCurrentIndex(list_->model()->index(chosen(), 0));
   showChosen();
 }
 
 void CameraPanel::showChosen() {
   const auto& cameras = document_.project().cameras;
-  const int row = list_->currentRow();
+  const int row = chosen();
   const bool any = row >= 0 && row < static_cast<int>(cameras.size());
   const ProjectCamera camera = any ? cameras[static_cast<std::size_t>(row)] : ProjectCamera();
   const bool own = any && camera.source != SourceKind::Simulation; // a scene brings its own
@@ -233,7 +234,7 @@ void CameraPanel::showCalibration(const ProjectCamera& camera) {
 }
 
 void CameraPanel::edit(const QString& step, const std::function<void(ProjectCamera&)>& change) {
-  const int row = list_->currentRow();
+  const int row = chosen();
   if (row < 0) {
     return;
   }
@@ -245,7 +246,7 @@ void CameraPanel::edit(const QString& step, const std::function<void(ProjectCame
 }
 
 void CameraPanel::relocate() {
-  const int row = list_->currentRow();
+  const int row = chosen();
   if (row < 0) {
     return;
   }
@@ -262,7 +263,7 @@ void CameraPanel::relocate() {
 }
 
 cv::Mat CameraPanel::shownImage() const {
-  const auto row = static_cast<std::size_t>(std::max(0, list_->currentRow()));
+  const auto row = static_cast<std::size_t>(std::max(0, chosen()));
   const bool any = snapshot_ && !snapshot_->preview && snapshot_->frames &&
                    row < snapshot_->frames->frames.size() && snapshot_->frames->frames[row];
   return any ? snapshot_->frames->frames[row]->image : cv::Mat();
@@ -312,7 +313,7 @@ QString CameraPanel::targetSeenBy(int camera) const {
 }
 
 void CameraPanel::takeEmptyRoom() {
-  const int row = list_->currentRow();
+  const int row = chosen();
   const cv::Mat image = shownImage();
   if (row < 0 || image.empty()) {
     return;
@@ -341,7 +342,7 @@ void CameraPanel::keepAsEmptyRoom(int camera, const cv::Mat& image) {
     Q_EMIT failed(errorSentence(kept.error()));
     return;
   }
-  list_->setCurrentRow(camera);
+  selection_.selectCamera(camera);
   setEmptyRoom(QString::fromStdString(kept->string()));
   Q_EMIT said(tr("The image shown is now the empty room of %1; it is kept as %2.")
                   .arg(QString::fromStdString(project.cameras[std::size_t(camera)].camera.name),

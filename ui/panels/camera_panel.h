@@ -13,7 +13,7 @@ class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
-class QListWidget;
+class QListView;
 class QPushButton;
 
 namespace dewpoint::project {
@@ -23,21 +23,22 @@ struct ProjectCamera;
 
 namespace dewpoint::ui {
 
+class CameraListModel;
 class Document;
+class Selection;
 
 /// The cameras: name, where the images come from, how they are turned, and what is known of their
 /// calibration.
 class CameraPanel : public QWidget {
   Q_OBJECT
 public:
-  explicit CameraPanel(Document& document, QWidget* parent = nullptr);
+  CameraPanel(Document& document, Selection& selection, CameraListModel& cameras,
+              QWidget* parent = nullptr);
 
-  void choose(int camera);
   /// The images that a picture of the empty room may be taken from: those shown.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
 
 Q_SIGNALS:
-  void cameraChosen(int camera);
   /// A calibration file is to be read for all cameras.
   void calibrationWanted(const QString& file);
   void failed(const QString& sentence);
@@ -49,6 +50,8 @@ Q_SIGNALS:
 private:
   void say();
   void refresh();
+  /// Row of the selected camera; -1 without cameras.
+  int chosen() const;
   void showChosen();
   void showCalibration(const ProjectCamera& camera);
   void edit(const QString& step, const std::function<void(ProjectCamera&)>& change);
@@ -65,7 +68,9 @@ private:
   cv::Mat shownImage() const;
 
   Document& document_;
-  QListWidget* list_;
+  Selection& selection_;
+  CameraListModel& cameras_;
+  QListView* list_;
   QLabel* nameLabel_;
   QLineEdit* name_;
   QLabel* sourceLabel_;

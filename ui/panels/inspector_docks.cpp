@@ -86,7 +86,7 @@ void installParameters(const Workbench& bench) {
 }
 
 TargetDock installTargets(const Workbench& bench) {
-  auto* panel = new TargetPanel(bench.document, &bench.window);
+  auto* panel = new TargetPanel(bench.document, bench.targets, &bench.window);
   ViewDock* dock = bench.docks.make({.name = QStringLiteral("targetDock"),
                                      .title = [] { return TargetPanel::tr("Target"); },
                                      .content = panel,
@@ -99,7 +99,7 @@ TargetDock installTargets(const Workbench& bench) {
 }
 
 CameraPanel* installCameras(const Workbench& bench) {
-  auto* panel = new CameraPanel(bench.document, &bench.window);
+  auto* panel = new CameraPanel(bench.document, bench.selection, bench.cameras, &bench.window);
   bench.docks.make({.name = QStringLiteral("cameraListDock"),
                     .title = [] { return CameraPanel::tr("Cameras"); },
                     .content = panel,

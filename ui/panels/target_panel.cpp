@@ -5,7 +5,7 @@
 #include "core/session/run/snapshot.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
-#include "ui/style/theme.h"
+#include "ui/document/target_list_model.h"
 #include "ui/text/reason_text.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/decimal_field.h"
@@ -14,9 +14,8 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
+#include <QListView>
 #include <QLocale>
-#include <QPixmap>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -29,20 +28,15 @@ namespace {
 constexpr double kMillimetres = 1000.0; ///< in a metre
 constexpr double kLargestRadius = 2000.0;
 
-QIcon chip(int target) {
-  QPixmap pixmap(14, 14);
-  pixmap.fill(targetColor(target));
-  return {pixmap};
-}
-
 } // namespace
 
-TargetPanel::TargetPanel(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), list_(new QListWidget(this)),
+TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* parent)
+    : QWidget(parent), document_(document), list_(new QListView(this)),
       nameLabel_(new QLabel(this)), name_(new QLineEdit(this)), radiusLabel_(new QLabel(this)),
       radius_(new DecimalField(this)), box_(new QLabel(this)), hint_(new QLabel(this)) {
   setObjectName(QStringLiteral("targetPanel"));
   list_->setObjectName(QStringLiteral("targetList"));
+  list_->setModel(&targets);
   name_->setObjectName(QStringLiteral("targetName"));
   radius_->setObjectName(QStringLiteral("targetRadius"));
   radius_->setRange(0.0, kLargestRadius);
@@ -80,35 +74,33 @@ TargetPanel::TargetPanel(Document& document, QWidget* parent)
   connect(&document_, &Document::replaced, this, &TargetPanel::refresh);
   connect(&document_, &Document::targetsChanged, this, &TargetPanel::refresh);
   connect(&document_, &Document::methodChanged, this, &TargetPanel::refresh);
-  connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
+  connect(list_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
+    if (refreshing_) {
+      return;
+    }
+    shown_ = chosen();
     showChosen();
-    Q_EMIT targetChosen(row);
+    Q_EMIT targetChosen(shown_);
   });
   connect(name_, &QLineEdit::editingFinished, this, &TargetPanel::rename);
   connect(radius_, &QDoubleSpinBox::valueChanged, this, &TargetPanel::resizeTarget);
 }
 
 int TargetPanel::chosen() const {
-  return list_->currentRow();
+  return list_->currentIndex().row();
 }
 
 void TargetPanel::choose(int target) {
-  list_->setCurrentRow(target);
+  list_->setCurrentIndex(list_->model()->index(target, 0));
 }
 
 void TargetPanel::refresh() {
   const auto& targets = document_.project().targets;
-  const int before = chosen();
-  {
-    const QSignalBlocker quiet(list_);
-    list_->clear();
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-      auto* item = new QListWidgetItem(chip(static_cast<int>(i)),
-                                       QString::fromStdString(targets[i].name), list_);
-      item->setData(Qt::AccessibleTextRole, item->text());
-    }
-    list_->setCurrentRow(std::min(std::max(0, before), list_->count() - 1));
-  }
+  const int before = shown_;
+  refreshing_ = true;
+  choose(std::min(std::max(0, before), static_cast<int>(targets.size()) - 1));
+  refreshing_ = false;
+  shown_ = chosen();
   const bool boxes = methodFamily(document_.project().method).targets == TargetsFrom::Box;
   radiusLabel_->setVisible(!boxes);
   radius_->setVisible(!boxes);

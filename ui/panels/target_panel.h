@@ -8,7 +8,7 @@
 class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
-class QListWidget;
+class QListView;
 
 namespace dewpoint::project {
 struct Project;
@@ -20,13 +20,14 @@ struct TrackSnapshot;
 namespace dewpoint::ui {
 
 class Document;
+class TargetListModel;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
 /// What is followed: the targets by name, and the name and size of the chosen one.
 class TargetPanel : public QWidget {
   Q_OBJECT
 public:
-  explicit TargetPanel(Document& document, QWidget* parent = nullptr);
+  TargetPanel(Document& document, TargetListModel& targets, QWidget* parent = nullptr);
 
   /// Index of the chosen target; -1 without targets.
   int chosen() const;
@@ -47,13 +48,15 @@ private:
   void resizeTarget(double millimetres);
 
   Document& document_;
-  QListWidget* list_;
+  QListView* list_;
   QLabel* nameLabel_;
   QLineEdit* name_;
   QLabel* radiusLabel_;
   QDoubleSpinBox* radius_;
   QLabel* box_; ///< figures of the box
   QLabel* hint_;
+  int shown_ = -1; ///< row that was chosen when the targets were last looked at
+  bool refreshing_ = false;
 };
 
 } // namespace dewpoint::ui

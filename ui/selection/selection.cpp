@@ -35,12 +35,18 @@ void Selection::selectCamera(int camera) {
   if (std::exchange(camera_, camera) != camera) {
     Q_EMIT cameraSelected(camera);
   }
+  selectPlannedCamera(-1);
+}
+
+void Selection::selectPlannedCamera(int planned) {
+  if (std::exchange(plannedCamera_, planned) != planned) {
+    Q_EMIT plannedCameraSelected(planned);
+  }
 }
 
 void Selection::clear() {
   selectSpan(std::nullopt);
   selectTarget(-1);
-  selectCamera(-1);
   setMoment(-1, 0.0, false);
 }
 

@@ -35,6 +35,9 @@ public:
   /// Index of the selected target or camera; -1: none.
   int target() const { return target_; }
   int camera() const { return camera_; }
+  /// Index of the selected one of the cameras that are only planned, which stands out in place of
+  /// the selected camera; -1: none.
+  int plannedCamera() const { return plannedCamera_; }
 
   /// The user points at a frame (timeline, plot, table).
   void wantMoment(qint64 frame) { Q_EMIT momentWanted(frame); }
@@ -46,7 +49,8 @@ public:
   void selectSpan(std::optional<FrameSpan> span);
   void selectTarget(int target);
   void selectCamera(int camera);
-  /// Nothing is selected any more, and nothing shown.
+  void selectPlannedCamera(int planned);
+  /// Nothing of a run is selected any more, and nothing shown. Cameras are not of the run.
   void clear();
 
 Q_SIGNALS:
@@ -56,6 +60,7 @@ Q_SIGNALS:
   void spanChanged();
   void targetSelected(int target);
   void cameraSelected(int camera);
+  void plannedCameraSelected(int planned);
 
 private:
   qint64 moment_ = -1;
@@ -64,6 +69,7 @@ private:
   std::optional<FrameSpan> span_;
   int target_ = -1;
   int camera_ = -1;
+  int plannedCamera_ = -1;
 };
 
 } // namespace dewpoint::ui

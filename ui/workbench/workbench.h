@@ -13,10 +13,12 @@ class QMainWindow;
 namespace dewpoint::ui {
 
 class ActionRegistry;
+class CameraListModel;
 class DockManager;
 class Document;
 class MessageBar;
 class Selection;
+class TargetListModel;
 
 /// What views and features are installed into: the parts of the window that all of them share. A
 /// feature takes it in its constructor (or in an install function), makes its dock, connects its
@@ -25,6 +27,8 @@ struct Workbench {
   QMainWindow& window; ///< parent of docks, views and dialogs
   ActionRegistry& actions;
   Document& document;
+  CameraListModel& cameras; ///< of the document, for all lists of cameras
+  TargetListModel& targets; ///< the same of targets
   Selection& selection;
   SessionController& session;
   DockManager& docks;

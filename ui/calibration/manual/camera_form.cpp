@@ -2,6 +2,7 @@
 #include "ui/calibration/manual/camera_form.h"
 
 #include "ui/calibration/manual_calibration.h"
+#include "ui/document/camera_list_model.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/number_field.h"
 
@@ -48,6 +49,7 @@ CameraForm::CameraForm(ManualCalibration& hand, QWidget* parent) : QWidget(paren
 void CameraForm::build() {
   cameraLabel_ = new QLabel(this);
   camera_ = makeChoice("handCamera", this);
+  camera_->setModel(&hand_.cameras());
   positionLabel_ = new QLabel(this);
   unit_ = makeChoice("handUnit", this);
   aimLabel_ = new QLabel(this);
@@ -225,25 +227,8 @@ void CameraForm::showUnits() {
                      : setRange(*lens_, {1.0, 1e5, 1.0, 1}, QStringLiteral(" px"));
 }
 
-void CameraForm::refreshCameras() {
-  QStringList names;
-  for (int k = 0; k < hand_.cameraCount(); ++k) {
-    names << hand_.nameOf(k);
-  }
-  const QSignalBlocker quiet(camera_);
-  QStringList shown;
-  for (int k = 0; k < camera_->count(); ++k) {
-    shown << camera_->itemText(k);
-  }
-  if (shown != names) {
-    camera_->clear();
-    camera_->addItems(names);
-  }
-  camera_->setCurrentIndex(hand_.camera());
-}
-
 void CameraForm::refresh() {
-  refreshCameras();
+  camera_->setCurrentIndex(hand_.camera());
   setEnabled(hand_.cameraCount() > 0);
   if (hand_.cameraCount() == 0) {
     return;

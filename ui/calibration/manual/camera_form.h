@@ -28,7 +28,6 @@ private:
   void connectFields();
   void say();
   void refresh();
-  void refreshCameras();
   void showUnits();
   void editPosition(int axis, double value);
   void editAim(int field, double value);

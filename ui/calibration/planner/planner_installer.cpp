@@ -21,7 +21,7 @@ namespace dewpoint::ui {
 PlannerInstaller::PlannerInstaller(const Workbench& bench, CalibrationMode& mode,
                                    BirdsEyeView& birdsEye)
     : QObject(&bench.window), bench_(bench), mode_(mode), birdsEye_(birdsEye), hand_(mode.hand()),
-      plan_(new RigPlanner(bench.document, mode.hand(), this)) {
+      plan_(new RigPlanner(bench.document, mode.hand(), bench.selection, this)) {
   mode_.addPage(new PlanPage(*plan_), [] { return PlanPage::tr("Plan"); });
   connect(plan_, &RigPlanner::mapChanged, this, [this] {
     const bool shown = plan_->isMapShown() && hand_.isActive();

@@ -5,6 +5,7 @@
 #include "core/session/run/tracking_run.h"
 #include "ui/calibration/manual_calibration.h"
 #include "ui/document/document.h"
+#include "ui/selection/selection.h"
 #include "ui/style/map_legend.h"
 #include "ui/text/error_sentence.h"
 
@@ -27,12 +28,14 @@ Camera withLens(const Camera& camera, const PlannedLens& lens) {
 
 } // namespace
 
-RigPlanner::RigPlanner(Document& document, ManualCalibration& hand, QObject* parent)
-    : QObject(parent), document_(document), hand_(hand), mapper_(std::make_shared<RigMapper>()) {
+RigPlanner::RigPlanner(Document& document, ManualCalibration& hand, Selection& selection,
+                       QObject* parent)
+    : QObject(parent), document_(document), hand_(hand), selection_(selection),
+      mapper_(std::make_shared<RigMapper>()) {
   connect(&document_, &Document::replaced, this, [this] {
     search_.cancel();
     planned_.clear();
-    chosen_ = -1;
+    selection_.selectPlannedCamera(-1);
     followsRoom_ = true;
     takeRoom();
     takeLens();
@@ -50,7 +53,7 @@ RigPlanner::RigPlanner(Document& document, ManualCalibration& hand, QObject* par
     Q_EMIT changed();
   });
   connect(&hand_, &ManualCalibration::changed, this, &RigPlanner::ask);
-  connect(&hand_, &ManualCalibration::cameraSelected, this, [this] { choose(-1); });
+  connect(&selection_, &Selection::plannedCameraSelected, this, &RigPlanner::changed);
 }
 
 RigPlanner::~RigPlanner() = default;
@@ -141,10 +144,13 @@ void RigPlanner::takeLens() {
   }
 }
 
+int RigPlanner::chosen() const {
+  return std::min(selection_.plannedCamera(), int(planned_.size()) - 1);
+}
+
 void RigPlanner::choose(int planned) {
-  if (planned != chosen_ && planned < int(planned_.size())) {
-    chosen_ = std::max(planned, -1);
-    Q_EMIT changed();
+  if (planned < int(planned_.size())) {
+    selection_.selectPlannedCamera(std::max(planned, -1));
   }
 }
 
@@ -179,7 +185,7 @@ void RigPlanner::add() {
   }
   camera.cameraFromWorld = lookAt(best, volume_.center());
   planned_.push_back(camera);
-  chosen_ = int(planned_.size()) - 1;
+  choose(int(planned_.size()) - 1);
   ask();
   Q_EMIT said({});
   Q_EMIT changed();
@@ -188,7 +194,7 @@ void RigPlanner::add() {
 void RigPlanner::remove(int planned) {
   if (planned >= 0 && planned < int(planned_.size())) {
     planned_.erase(planned_.begin() + planned);
-    chosen_ = std::min(chosen_, int(planned_.size()) - 1);
+    choose(chosen());
     ask();
     Q_EMIT said({});
     Q_EMIT changed();
@@ -209,8 +215,8 @@ void RigPlanner::change(int planned, const Camera& camera) {
 
 void RigPlanner::setLens(const PlannedLens& lens) {
   lens_ = lens;
-  if (chosen_ >= 0) {
-    change(chosen_, withLens(planned_[std::size_t(chosen_)], lens_));
+  if (const int planned = chosen(); planned >= 0) {
+    change(planned, withLens(planned_[std::size_t(planned)], lens_));
   } else {
     Q_EMIT changed();
   }
@@ -255,7 +261,7 @@ void RigPlanner::takePlacement(const Result<Placement>& found) {
     return;
   }
   planned_.push_back(found->camera);
-  chosen_ = int(planned_.size()) - 1;
+  choose(int(planned_.size()) - 1);
   ask();
   Q_EMIT changed();
   const QLocale locale;

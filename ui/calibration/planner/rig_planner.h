@@ -17,6 +17,7 @@ namespace dewpoint::ui {
 
 class Document;
 class ManualCalibration;
+class Selection;
 
 /// What a camera that does not exist yet is like.
 struct PlannedLens {
@@ -33,7 +34,8 @@ struct PlannedLens {
 class RigPlanner : public QObject {
   Q_OBJECT
 public:
-  RigPlanner(Document& document, ManualCalibration& hand, QObject* parent = nullptr);
+  RigPlanner(Document& document, ManualCalibration& hand, Selection& selection,
+             QObject* parent = nullptr);
   ~RigPlanner() override;
 
   // The map.
@@ -55,7 +57,7 @@ public:
 
   // Cameras that are thought of.
   const CameraRig& planned() const { return planned_; }
-  int chosen() const { return chosen_; } ///< -1: none
+  int chosen() const; ///< the selected one of them; -1: none
   void choose(int planned);
   /// Adds one in an upper corner of the volume, as far as possible from the others, and chooses it.
   void add();
@@ -92,6 +94,7 @@ private:
 
   Document& document_;
   ManualCalibration& hand_;
+  Selection& selection_;
   /// What a map is made of: an order like the one before it is left out.
   struct MapOrder {
     VolumeGrid grid;
@@ -112,7 +115,6 @@ private:
   Eigen::AlignedBox3d volume_{Eigen::Vector3d(-2, -2, 0), Eigen::Vector3d(2, 2, 2)};
   bool followsRoom_ = true;
   CameraRig planned_;
-  int chosen_ = -1;
   PlannedLens lens_;
 };
 

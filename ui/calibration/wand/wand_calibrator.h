@@ -15,6 +15,7 @@ namespace dewpoint::ui {
 
 class Document;
 class ManualCalibration;
+class TargetListModel;
 class BackgroundJob;
 
 /// Calibrating from a waved target: what is decided, what was collected live, and the refinement
@@ -27,6 +28,7 @@ public:
     Document& document;
     ManualCalibration& hand;
     Selection& selection;
+    TargetListModel& targets;
     std::function<Result<SessionInputs>(const SessionRequest&)> open; ///< called in a thread
     std::function<Session*()> session;                                ///< the running one, or null
   };
@@ -36,6 +38,7 @@ public:
   const WandSettings& wish() const { return wish_; }
   void setWish(const WandSettings& wish);
   const Project& project() const;
+  TargetListModel& targets() const { return around_.targets; }
 
   // Moments at which the ball was somewhere special.
   const std::vector<TouchedMoment>& moments() const { return moments_; }

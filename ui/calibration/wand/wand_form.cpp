@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "ui/calibration/wand/wand_calibrator.h"
+#include "ui/document/target_list_model.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/number_field.h"
 
@@ -65,6 +66,8 @@ void WandForm::build() {
   ball_ = makeChoice("wandBall", this);
   otherLabel_ = new QLabel(this);
   other_ = makeChoice("wandOther", this);
+  ball_->setModel(&desk_.targets());
+  other_->setModel(&desk_.targets());
   lengthLabel_ = new QLabel(this);
   length_ = makeNumberField(QStringLiteral("wandLength"), {0.1, 1e4, 1.0, 2}, this);
   sizeLabel_ = new QLabel(this);
@@ -146,22 +149,14 @@ void WandForm::edit(const std::function<void(WandSettings&)>& change) {
   desk_.setWish(wish);
 }
 
-void WandForm::fillBalls() {
-  QStringList names;
-  for (const Target& target : desk_.project().targets) {
-    names << QString::fromStdString(target.name);
-  }
+void WandForm::chooseBalls() {
   WandSettings both = desk_.wish();
   both.stick = true;
   const auto balls = selectedTargets(both, desk_.project());
   for (QComboBox* box : {ball_, other_}) {
     const std::size_t end = box == ball_ ? 0 : 1;
-    const QSignalBlocker quiet(box);
-    box->clear();
-    box->addItems(names);
-    box->setCurrentIndex(end < balls.size()
-                             ? static_cast<int>(names.indexOf(QString::fromStdString(balls[end])))
-                             : -1);
+    box->setCurrentIndex(end < balls.size() ? box->findText(QString::fromStdString(balls[end]))
+                                            : -1);
   }
 }
 
@@ -179,7 +174,7 @@ void WandForm::fillSizes() {
 
 void WandForm::refresh() {
   const WandSettings& wish = desk_.wish();
-  fillBalls();
+  chooseBalls();
   fillSizes();
   ::dewpoint::ui::show(*kind_, wish.stick ? 1 : 0);
   ::dewpoint::ui::show(*size_, static_cast<int>(wish.size));

@@ -29,7 +29,7 @@ private:
   void say();
   void refresh();
   void edit(const std::function<void(WandSettings&)>& change);
-  void fillBalls();
+  void chooseBalls();
   void fillSizes();
 
   WandCalibrator& desk_;

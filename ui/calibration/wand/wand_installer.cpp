@@ -11,10 +11,10 @@
 namespace dewpoint::ui {
 
 void installWandCalibration(const Workbench& bench, CalibrationMode& mode) {
-  auto* wand =
-      new WandCalibrator({bench.document, mode.hand(), bench.selection, bench.session.opener(),
-                          [run = &bench.session] { return run->session(); }},
-                         &mode);
+  auto* wand = new WandCalibrator({bench.document, mode.hand(), bench.selection, bench.targets,
+                                   bench.session.opener(),
+                                   [run = &bench.session] { return run->session(); }},
+                                  &mode);
   mode.addPage(new WandCalibrationPage(*wand), [] { return WandCalibrationPage::tr("Wave"); });
   bench.onTriggered("actionCalibrateWand", wand,
                     [&mode] { mode.open(QStringLiteral("wandPage")); });

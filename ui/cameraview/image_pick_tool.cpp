@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cameraview/image_pick_tool.h"
+
+#include "ui/cameraview/camera_view.h"
+#include "ui/text/retranslation.h"
+
+namespace dewpoint::ui {
+
+void ImagePickTool::attach(int camera, CameraView* view) {
+  auto* layer = new ImagePickOverlay(view);
+  onRetranslate(layer, [layer, camera] {
+    layer->setAccessibleName(
+        tr("Image of camera %1: arrow keys move a cross, Enter points there").arg(camera + 1));
+  });
+  layers_.emplace_back(camera, layer);
+  connect(layer, &QObject::destroyed, this, [this, layer] {
+    std::erase_if(layers_, [layer](const auto& one) { return one.second == layer; });
+  });
+  connect(layer, &ImagePickOverlay::chosen, this, [this, camera] { Q_EMIT cameraChosen(camera); });
+  connect(layer, &ImagePickOverlay::pointed, this,
+          [this, camera](const QPointF& pixel) { Q_EMIT pointed(camera, pixel); });
+  connect(layer, &ImagePickOverlay::cancelled, this, &ImagePickTool::cancelled);
+  connect(layer, &ImagePickOverlay::picked, this,
+          [this, camera](const QRectF& region, Qt::KeyboardModifiers modifiers) {
+            Q_EMIT picked(camera, region, modifiers);
+          });
+  Q_EMIT attached();
+}
+
+void ImagePickTool::setPicking(bool picking, const QString& hint) {
+  for (const auto& [camera, layer] : layers_) {
+    layer->setPicking(picking);
+    layer->setHint(hint);
+  }
+}
+
+void ImagePickTool::takeFocus() {
+  if (!layers_.empty()) {
+    layers_.front().second->setFocus(Qt::ShortcutFocusReason);
+  }
+}
+
+void ImagePickTool::setRegions(int camera, const std::vector<ImagePickOverlay::Region>& regions) {
+  for (const auto& [number, layer] : layers_) {
+    if (number == camera) {
+      layer->setRegions(regions);
+    }
+  }
+}
+
+void ImagePickTool::clearRegions() {
+  for (const auto& [camera, layer] : layers_) {
+    layer->setRegions({});
+  }
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QWidget>
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace dewpoint::project {
+struct Project;
+} // namespace dewpoint::project
+
+namespace dewpoint::ui {
+
+/// The samples that a target's color was learned from; not shown while there are none.
+class ColorSampleList : public QWidget {
+  Q_OBJECT
+public:
+  explicit ColorSampleList(QWidget* parent = nullptr);
+
+  /// Lists the samples of a target of the project; of none when there is no such target.
+  void setSamples(const Project& project, int target);
+  void retranslate();
+
+Q_SIGNALS:
+  void removeRequested(int sample);
+
+private:
+  void removeChosen();
+
+  QLabel* title_;
+  QListWidget* list_;
+  QPushButton* remove_;
+};
+
+} // namespace dewpoint::ui
