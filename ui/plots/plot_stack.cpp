@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_stack.h"
 
+#include "ui/plots/plot_csv.h"
 #include "ui/plots/plot_cursor.h"
+#include "ui/plots/plot_figure.h"
 #include "ui/plots/plot_pointer.h"
 #include "ui/plots/plot_row.h"
 
 #include <QEvent>
+#include <QLocale>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -109,22 +112,8 @@ void PlotStack::rebuild() {
   draw();
 }
 
-std::pair<double, double> PlotStack::wholeRange() const {
-  const double least = axis_ == PlotAxis::Time ? 2.0 : 60.0; // a beginning run grows into it
-  if (series_ == nullptr || series_->size() == 0) {
-    return {0.0, least};
-  }
-  const double first = series_->key(0, axis_);
-  return {first, std::max(series_->key(series_->size() - 1, axis_), first + least)};
-}
-
 std::pair<double, double> PlotStack::shownRange() const {
-  if (!part_ || series_ == nullptr || series_->size() == 0) {
-    return wholeRange();
-  }
-  const double last = series_->key(series_->size() - 1, axis_);
-  const double moved = following_ ? std::max(0.0, last - part_->second) : 0.0;
-  return {part_->first + moved, part_->second + moved};
+  return range_.shown(series_);
 }
 
 void PlotStack::refresh() {
@@ -149,13 +138,10 @@ void PlotStack::draw() {
   }
   QElapsedTimer took;
   took.start();
-  const auto [lower, upper] = shownRange();
-  if (part_) {
-    part_ = {lower, upper};
-  }
+  const auto [lower, upper] = range_.advance(series_);
   for (const auto& row : rows_) {
     row->xAxis()->setRange(lower, upper);
-    row->fill(*series_, axis_);
+    row->fill(*series_, axis());
   }
   drawCursor();
   plot_->replot();
@@ -174,7 +160,7 @@ std::optional<std::size_t> PlotStack::cursorRow() const {
 void PlotStack::drawCursor() {
   const auto place = [this](const std::optional<std::int64_t>& frame) -> std::optional<double> {
     const auto row = series_ != nullptr && frame ? series_->atFrame(*frame) : std::nullopt;
-    return row ? std::optional(series_->key(*row, axis_)) : std::nullopt;
+    return row ? std::optional(series_->key(*row, axis())) : std::nullopt;
   };
   cursor_->moment = place(moment_);
   cursor_->hovered = place(hovered_);
@@ -183,7 +169,7 @@ void PlotStack::drawCursor() {
     const auto first = place(span_->first);
     const auto last = place(span_->last);
     if (last) {
-      cursor_->span = std::pair(first.value_or(series_->key(0, axis_)), *last);
+      cursor_->span = std::pair(first.value_or(series_->key(0, axis())), *last);
     }
   }
   const auto row = cursorRow();
@@ -197,10 +183,7 @@ void PlotStack::drawCursor() {
 }
 
 void PlotStack::setAxis(PlotAxis axis) {
-  if (axis != axis_) {
-    axis_ = axis;
-    part_.reset();
-    following_ = false;
+  if (range_.setAxis(axis)) {
     draw();
   }
 }
@@ -248,26 +231,12 @@ void PlotStack::setSpan(std::optional<FrameSpan> span) {
 }
 
 void PlotStack::showAll() {
-  part_.reset();
-  following_ = false;
+  range_.showAll();
   draw();
 }
 
 void PlotStack::showPart(double lower, double upper) {
-  if (series_ == nullptr || series_->size() == 0) {
-    return;
-  }
-  const auto [first, end] = wholeRange();
-  const double last = series_->key(series_->size() - 1, axis_);
-  const double width = std::max(axis_ == PlotAxis::Time ? 0.1 : 4.0, upper - lower);
-  if (width >= end - first) {
-    showAll();
-    return;
-  }
-  // Never beyond the run; a part that reaches the newest moment moves along with it.
-  const double from = std::clamp(lower, first, end - width);
-  following_ = from + width >= last;
-  part_ = std::pair(from, from + width);
+  range_.show(series_, lower, upper);
   draw();
 }
 
@@ -275,7 +244,7 @@ void PlotStack::zoom(double factor, std::optional<double> about) {
   const auto [lower, upper] = shownRange();
   const auto row = cursorRow();
   const double middle = about                          ? *about
-                        : (hovered_ || moment_) && row ? series_->key(*row, axis_)
+                        : (hovered_ || moment_) && row ? series_->key(*row, axis())
                                                        : (lower + upper) / 2.0;
   showPart(middle - (middle - lower) / factor, middle + (upper - middle) / factor);
 }
@@ -283,7 +252,7 @@ void PlotStack::zoom(double factor, std::optional<double> about) {
 void PlotStack::pan(double share) {
   const auto [lower, upper] = shownRange();
   const double moved = (upper - lower) * share;
-  if (part_) {
+  if (!range_.showsAll()) {
     showPart(lower + moved, upper + moved);
   }
 }
@@ -296,7 +265,7 @@ std::optional<std::int64_t> PlotStack::frameAt(int x) const {
   if (series_ == nullptr || rows_.empty() || x > rows_.front()->rect()->right()) {
     return std::nullopt;
   }
-  const auto row = series_->nearest(axis_, keyAt(x));
+  const auto row = series_->nearest(axis(), keyAt(x));
   return row ? std::optional(series_->row(*row).frame) : std::nullopt;
 }
 
@@ -346,6 +315,40 @@ void PlotStack::applyPalette() {
   for (const auto& row : rows_) {
     row->applyPalette(palette(), font());
   }
+}
+
+QByteArray PlotStack::csv() const {
+  return series_ != nullptr ? plotCsv(rows_, *series_, axis(), shownRange())
+                            : plotCsv(rows_, PlotSeries(), axis(), {});
+}
+
+QString PlotStack::placeInWords() const {
+  const auto row = cursorRow();
+  if (!row) {
+    return {};
+  }
+  const PlotSeries::Row& at = series_->row(*row);
+  return tr("frame %1, iteration %2, %3 s") // people count frames from 1
+      .arg(at.frame + 1)
+      .arg(at.iteration)
+      .arg(QLocale().toString(at.time, 'f', 2));
+}
+
+QString PlotStack::valuesInWords() const {
+  QStringList parts;
+  if (const QString place = placeInWords(); !place.isEmpty()) {
+    parts << place;
+  }
+  for (const auto& row : rows_) {
+    parts << QStringLiteral("%1: %2").arg(row->declaration().title, row->readout()->inWords());
+  }
+  return parts.join(QStringLiteral("; "));
+}
+
+bool PlotStack::savePicture(const QString& file) {
+  const bool written = PlotFigure(*plot_, rows_, axis(), *cursor_).save(file);
+  draw();
+  return written;
 }
 
 } // namespace dewpoint::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/plots/plot_axis_range.h"
 #include "ui/plots/plot_declaration.h"
 #include "ui/plots/plot_series.h"
 #include "ui/selection/selection.h"
@@ -40,7 +41,7 @@ public:
   /// The series has changed: draws it soon.
   void refresh();
   void setAxis(PlotAxis axis);
-  PlotAxis axis() const { return axis_; }
+  PlotAxis axis() const { return range_.axis(); }
 
   /// Shows the selected span, and selects what the user points at.
   void link(Selection& selection);
@@ -63,7 +64,7 @@ public:
   void pan(double share);
   /// This part of the axis.
   void showPart(double lower, double upper);
-  bool showsAll() const { return !part_.has_value(); }
+  bool showsAll() const { return range_.showsAll(); }
 
   /// Shown curves within the part shown, not thinned out for drawing: one line per row.
   QByteArray csv() const;
@@ -106,8 +107,6 @@ private:
   std::vector<const PlotDeclaration*> wantedPlots() const;
   /// Row of the series that the values are of.
   std::optional<std::size_t> cursorRow() const;
-  void paintFor(bool figure);
-  std::pair<double, double> wholeRange() const;
   std::optional<std::int64_t> frameAt(int x) const;
   double keyAt(int x) const;
 
@@ -117,9 +116,7 @@ private:
   QStringList shown_;
   std::vector<std::unique_ptr<PlotRow>> rows_;
   const PlotSeries* series_ = nullptr;
-  PlotAxis axis_ = PlotAxis::Iterations;
-  std::optional<std::pair<double, double>> part_; ///< of the axis; nothing: all
-  bool following_ = false;                        ///< the part moves along with the newest
+  PlotAxisRange range_;
   std::optional<std::int64_t> moment_;
   std::optional<std::int64_t> hovered_;
   std::optional<FrameSpan> span_;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/timeline/timeline.h"
 
+#include "ui/document/document.h"
 #include "ui/text/reason_text.h"
+#include "ui/text/retranslation.h"
+#include "ui/timeline/mark_editor.h"
 
+#include <QAccessible>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -21,6 +25,27 @@ constexpr double kWidestGutter = 160.0;
 constexpr qint64 kPatienceMs = 1500; ///< for a moment that was asked for
 
 } // namespace
+
+Timeline::Timeline(Selection& selection, Document& document, QWidget* parent)
+    : QWidget(parent), selection_(selection), document_(document),
+      marks_(new MarkEditor(*this, document)) {
+  setObjectName(QStringLiteral("timeline"));
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  onRetranslate(this, [this] {
+    setAccessibleName(tr("Timeline"));
+    marks_->retranslate();
+    update();
+  });
+  connect(&selection_, &Selection::momentChanged, this, [this] {
+    sayMoment();
+    update();
+  });
+  connect(&selection_, &Selection::spanChanged, this, qOverload<>(&QWidget::update));
+  connect(&document_, &Document::changed, this, &Timeline::takeMarks);
+  connect(&document_, &Document::replaced, this, &Timeline::takeMarks);
+  takeMarks();
+}
 
 void Timeline::setSnapshot(const TrackSnapshotPtr& shown) {
   if (!shown) {
@@ -250,7 +275,7 @@ void Timeline::mouseReleaseEvent(QMouseEvent* event) {
 
 void Timeline::mouseDoubleClickEvent(QMouseEvent* event) {
   if (const auto mark = markAt(event->position())) {
-    editName(*mark);
+    editName(model_.marks[*mark]);
   } else if (event->position().y() < rows().axis.bottom()) {
     selection_.span() ? zoomToSpan() : zoomOut();
   }
@@ -310,6 +335,62 @@ void Timeline::contextMenuEvent(QContextMenuEvent* event) {
   Q_EMIT menuWanted(event->reason() == QContextMenuEvent::Mouse
                         ? event->globalPos()
                         : mapToGlobal(positionOf(selection_.moment())));
+}
+
+void Timeline::sayMoment() {
+  if (QAccessible::isActive()) { // nobody else hears it
+    const qint64 moment = selection_.moment();
+    setAccessibleDescription(moment < 0 ? QString() : model_.describe(moment));
+  }
+}
+
+void Timeline::takeMarks() {
+  model_.marks = document_.project().marks;
+  update();
+}
+
+std::optional<std::size_t> Timeline::markAt(const QPointF& point) const {
+  const QFontMetricsF metrics(font());
+  for (std::size_t k = model_.marks.size(); k-- > 0;) {
+    if (markFlag(model_.marks[k], scale_, rows(), metrics).contains(point)) {
+      return k;
+    }
+  }
+  return std::nullopt;
+}
+
+void Timeline::stepMark(int direction) {
+  const qint64 now = reached();
+  std::optional<qint64> nearest;
+  for (const ProjectMark& mark : model_.marks) {
+    const bool ahead = direction > 0 ? mark.frame > now : mark.frame < now;
+    if (ahead && (!nearest || std::abs(mark.frame - now) < std::abs(*nearest - now))) {
+      nearest = mark.frame;
+    }
+  }
+  if (nearest) {
+    want(*nearest);
+  }
+}
+
+void Timeline::addMark() {
+  const qint64 frame = selection_.moment();
+  if (frame < 0) {
+    return;
+  }
+  marks_->add(frame);
+  const auto added = std::ranges::find(model_.marks, frame, &ProjectMark::frame);
+  if (added != model_.marks.end()) {
+    editName(*added);
+  }
+}
+
+bool Timeline::removeMark() {
+  return marks_->remove(selection_.moment());
+}
+
+void Timeline::editName(const ProjectMark& mark) {
+  marks_->editName(mark, markFlag(mark, scale_, rows(), QFontMetricsF(font())));
 }
 
 } // namespace dewpoint::ui

@@ -11,11 +11,10 @@
 #include <algorithm>
 #include <optional>
 
-class QLineEdit;
-
 namespace dewpoint::ui {
 
 class Document;
+class MarkEditor;
 
 /// The run along time: how surely each target was held, which cameras were missing, marks, the
 /// moment shown. Dragging goes through time, dragging in the axis (or with Shift) selects a span,
@@ -80,8 +79,7 @@ private:
   void selectTo(qint64 frame);
   std::optional<std::size_t> markAt(const QPointF& point) const;
   void takeMarks();
-  void editName(std::size_t mark);
-  void rename(qint64 frame, const QString& from, const QString& name);
+  void editName(const ProjectMark& mark);
   void sayMoment();
   void hover(const QPointF& place);
 
@@ -95,7 +93,7 @@ private:
   qint64 anchor_ = -1;           ///< where the span began
   std::optional<qint64> wanted_; ///< asked for, but not shown yet
   QElapsedTimer sinceWanted_;
-  QLineEdit* editor_;
+  MarkEditor* marks_;
   double gutter_ = 90.0;
   int leastHeight_ = 0; ///< in which all rows can be read
 };

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view3d/birds_eye_view.h"
 
-#include "ui/style/map_legend.h"
+#include "core/calibration/planning/rig_map.h"
+#include "ui/view3d/gl_context.h"
 #include "ui/view3d/offscreen_vtk.h"
+#include "ui/view3d/tail_pick.h"
+#include "ui/view3d/view_projection.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QSurfaceFormat>
-#include <QToolButton>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -24,89 +27,42 @@ constexpr double kClickPx = 4.0;      ///< a longer way of the pointer is a drag
 constexpr double kTailReachPx = 12.0; ///< a click this near is meant for the tail
 constexpr qint64 kPictureIntervalMs = 66;
 constexpr int kSpacing = 8;
-constexpr std::array<Scene3d::View, 3> kViews{Scene3d::View::Above, Scene3d::View::Front,
-                                              Scene3d::View::Free};
 
 using Pointer = OffscreenVtk::Pointer;
 
 } // namespace
 
 void BirdsEyeView::prepareSurfaceFormat() {
-  QSurfaceFormat format;
-  format.setRenderableType(QSurfaceFormat::OpenGL);
-  format.setVersion(3, 2);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  format.setStencilBufferSize(8);
-  format.setSamples(0);
-  QSurfaceFormat::setDefaultFormat(format);
+  GlContext::prepareSurfaceFormat();
 }
 
-BirdsEyeView::BirdsEyeView(QWidget* parent) : QWidget(parent) {
+BirdsEyeView::BirdsEyeView(QWidget* parent)
+    : QWidget(parent), handles_(new CameraHandles(*this, scene_)), map_(scene_),
+      buttons_(new ViewButtons(*this)) {
   setObjectName(QStringLiteral("birdsEyeView"));
   setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &BirdsEyeView::renderPicture);
-  makeButtons();
+  buttons_->setCurrent(scene_.view());
+  connect(buttons_, &ViewButtons::chosen, this, &BirdsEyeView::look);
+  connect(handles_, &CameraHandles::chosen, this, &BirdsEyeView::cameraChosen);
+  connect(handles_, &CameraHandles::dragged, this, &BirdsEyeView::cameraDragged);
+  connect(handles_, &CameraHandles::aimed, this, &BirdsEyeView::cameraAimed);
+  connect(handles_, &CameraHandles::dropped, this, &BirdsEyeView::cameraDropped);
   retranslate();
   applyTheme();
 }
 
 BirdsEyeView::~BirdsEyeView() = default;
 
-void BirdsEyeView::makeButtons() {
-  const std::array<QString, 3> names{QStringLiteral("lookFromAboveButton"),
-                                     QStringLiteral("lookFromFrontButton"),
-                                     QStringLiteral("lookFreeButton")};
-  for (std::size_t i = 0; i < kViews.size(); ++i) {
-    auto* button = new QToolButton(this);
-    button->setObjectName(names[i]);
-    button->setCheckable(true);
-    button->setAutoFillBackground(true);
-    button->setCursor(Qt::ArrowCursor);
-    connect(button, &QToolButton::clicked, this, [this, i] { look(kViews[i]); });
-    buttons_[i] = button;
-  }
-  checkButtons();
-}
-
-void BirdsEyeView::placeButtons() {
-  int x = kSpacing;
-  for (QToolButton* button : buttons_) {
-    const QSize size = button->sizeHint();
-    button->setGeometry(QRect(QPoint(x, height() - size.height() - kSpacing), size));
-    button->setVisible(failure_.empty());
-    x += size.width() + kSpacing / 2;
-  }
-}
-
-void BirdsEyeView::checkButtons() {
-  for (std::size_t i = 0; i < kViews.size(); ++i) {
-    buttons_[i]->setChecked(scene_.view() == kViews[i]);
-  }
-}
-
 void BirdsEyeView::retranslate() {
   scene_.setDecimalPoint(locale().decimalPoint().toStdString());
   requestPicture();
   setAccessibleName(tr("Bird's-eye view"));
   setAccessibleDescription(tr("The room in 3D: cameras, particles, estimates and their tracks"));
-  const std::array<QString, 3> texts{tr("Above"), tr("Front"), tr("Free")};
-  const std::array<QString, 3> tips{
-      tr("Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see "
-         "everything."),
-      tr("Look from the front: X to the right, Z up. Drag to move, wheel to zoom, double click to "
-         "see everything."),
-      tr("Perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see "
-         "everything.")};
-  for (std::size_t i = 0; i < kViews.size(); ++i) {
-    buttons_[i]->setText(texts[i]);
-    buttons_[i]->setToolTip(tips[i]);
-    buttons_[i]->setAccessibleDescription(tips[i]);
-  }
-  placeButtons();
+  buttons_->retranslate();
 }
 
 void BirdsEyeView::startVtk() {
@@ -118,7 +74,7 @@ void BirdsEyeView::startVtk() {
   if (!vtk_->start()) {
     failure_ = vtk_->reason();
     vtk_.reset();
-    placeButtons();
+    buttons_->setShown(false);
     return;
   }
   vtk_->onCameraMoved = [this] {
@@ -164,7 +120,7 @@ QSize BirdsEyeView::minimumSizeHint() const {
 
 void BirdsEyeView::look(Scene3d::View view) {
   scene_.look(view);
-  checkButtons();
+  buttons_->setCurrent(view);
   requestPicture();
   Q_EMIT viewChanged(view);
 }
@@ -213,14 +169,12 @@ void BirdsEyeView::renderPicture() {
       snapshot_ ? scene_.show(*snapshot_) : scene_.clear();
       sceneStale_ = false;
     }
-    if (std::exchange(mapStale_, false)) {
-      scene_.showMap(map_, mapLook_);
-    }
+    map_.updateScene();
     const QSize size = pictureSize();
     scene_.setPixelRatio(devicePixelRatioF());
     scene_.prepareFrame(size.width(), size.height());
     picture_ = vtk_->render(size);
-    markPeople();
+    people_.setSnapshot(snapshot_.get());
     picture_.setDevicePixelRatio(devicePixelRatioF());
     pictureMs_ = clock.elapsed();
     sincePicture_.start();
@@ -233,10 +187,8 @@ QImage BirdsEyeView::currentPicture() {
   QImage picture = picture_;
   if (!picture.isNull()) {
     QPainter painter(&picture);
-    paintPeople(painter);
-    if (map_ != nullptr) {
-      paintMapLegend(painter, rect(), mapLook_, palette());
-    }
+    people_.paint(painter, *this, {*this, scene_}, chosenTarget_);
+    map_.paintLegend(painter, *this);
   }
   return picture;
 }
@@ -257,11 +209,9 @@ void BirdsEyeView::paintEvent(QPaintEvent*) {
     return;
   }
   painter.drawImage(QPointF(0, 0), picture_);
-  paintPeople(painter);
-  paintHandles(painter);
-  if (map_ != nullptr) {
-    paintMapLegend(painter, rect(), mapLook_, palette());
-  }
+  people_.paint(painter, *this, {*this, scene_}, chosenTarget_);
+  handles_->paint(painter);
+  map_.paintLegend(painter, *this);
   if (hasFocus()) {
     painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
@@ -270,7 +220,7 @@ void BirdsEyeView::paintEvent(QPaintEvent*) {
 
 void BirdsEyeView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  placeButtons();
+  buttons_->place();
 }
 
 void BirdsEyeView::showEvent(QShowEvent* event) {
@@ -287,7 +237,7 @@ void BirdsEyeView::changeEvent(QEvent* event) {
   } else if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange) {
     retranslate();
   } else if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
-    placeButtons();
+    buttons_->place();
   }
 }
 
@@ -311,7 +261,7 @@ void BirdsEyeView::mousePressEvent(QMouseEvent* event) {
                      : event->button() == Qt::MiddleButton ? Pointer::MiddlePress
                                                            : Pointer::RightPress;
   pressed_ = event->position();
-  if (event->button() == Qt::LeftButton && takeHandle(event->position())) {
+  if (event->button() == Qt::LeftButton && hasPicture() && handles_->take(event->position())) {
     return;
   }
   sendPointer(static_cast<int>(press), event->position(), event->modifiers());
@@ -321,10 +271,8 @@ void BirdsEyeView::mouseReleaseEvent(QMouseEvent* event) {
   const auto release = event->button() == Qt::LeftButton     ? Pointer::LeftRelease
                        : event->button() == Qt::MiddleButton ? Pointer::MiddleRelease
                                                              : Pointer::RightRelease;
-  if (event->button() == Qt::LeftButton && heldHandle_) {
-    heldHandle_.reset();
-    Q_EMIT cameraDropped();
-    update();
+  if (event->button() == Qt::LeftButton && handles_->isHeld()) {
+    handles_->drop();
     return;
   }
   sendPointer(static_cast<int>(release), event->position(), event->modifiers());
@@ -332,7 +280,10 @@ void BirdsEyeView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton && moved.manhattanLength() < kClickPx) {
     if (placing_) {
       clickFloor(event->position());
-    } else if (!clickPerson(event->position())) {
+    } else if (const int person = people_.personAt({*this, scene_}, event->position());
+               person >= 0) {
+      Q_EMIT personClicked(person);
+    } else {
       clickTail(event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
     }
   }
@@ -342,28 +293,17 @@ void BirdsEyeView::clickTail(QPointF position, bool extend) {
   if (!snapshot_ || !hasPicture()) {
     return;
   }
-  const Eigen::Vector2d clicked = inPicture(position);
-  double nearest = kTailReachPx * devicePixelRatioF();
-  int target = -1;
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < snapshot_->targets.size(); ++k) {
-    for (const Eigen::Vector3d& point : snapshot_->targets[k].tail) {
-      const double away = (scene_.placeInPicture(point) - clicked).norm();
-      if (away < nearest) {
-        nearest = away;
-        target = static_cast<int>(k);
-        place = point;
-      }
-    }
-  }
-  if (target >= 0) {
-    Q_EMIT tailClicked(target, place, extend);
+  const auto found =
+      nearestInTails(*snapshot_, scene_, ViewProjection(*this, scene_).inPicture(position),
+                     kTailReachPx * devicePixelRatioF());
+  if (found) {
+    Q_EMIT tailClicked(found->target, found->place, extend);
   }
 }
 
 void BirdsEyeView::mouseMoveEvent(QMouseEvent* event) {
-  if (heldHandle_) {
-    dragHandle(event->position());
+  if (handles_->isHeld()) {
+    handles_->drag(event->position());
     return;
   }
   sendPointer(static_cast<int>(Pointer::Move), event->position(), event->modifiers());
@@ -398,6 +338,60 @@ void BirdsEyeView::keyPressEvent(QKeyEvent* event) {
     break;
   default:
     QWidget::keyPressEvent(event);
+  }
+}
+
+void BirdsEyeView::setCameraHandles(std::vector<CameraHandle> handles, int chosen) {
+  handles_->set(std::move(handles), chosen);
+}
+
+void BirdsEyeView::showMap(std::shared_ptr<const RigMap> map, const MapLook& look) {
+  if (map_.set(std::move(map), look)) {
+    requestPicture();
+  }
+}
+
+void BirdsEyeView::showPlanned(const CameraRig& cameras) {
+  scene_.showPlanned(cameras);
+  requestPicture();
+}
+
+bool BirdsEyeView::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const QString text =
+        hasPicture() ? map_.textAt({*this, scene_}, QPointF(help->pos())) : QString();
+    if (!text.isEmpty()) {
+      QToolTip::showText(help->globalPos(), text, this);
+      return true;
+    }
+    QToolTip::hideText();
+  }
+  return QWidget::event(event);
+}
+
+void BirdsEyeView::setChosenTarget(int target) {
+  chosenTarget_ = target;
+  scene_.choose(target);
+  requestPicture();
+}
+
+void BirdsEyeView::setPlacing(bool placing, double floor) {
+  placing_ = placing;
+  floor_ = floor;
+  if (placing && scene_.view() == Scene3d::View::Front) {
+    lookFromAbove(); // edge on, the floor has no places
+  }
+  setCursor(placing ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+void BirdsEyeView::clickFloor(QPointF position) {
+  if (!hasPicture()) {
+    return;
+  }
+  const ViewProjection projection(*this, scene_);
+  if (const auto place = scene_.placeAtHeight(projection.inPicture(position), floor_)) {
+    Q_EMIT placeClicked(place->head<2>());
   }
 }
 

@@ -3,20 +3,19 @@
 
 #include "core/session/run/snapshot.h"
 #include "ui/scene3d/scene3d.h"
+#include "ui/view3d/camera_handles.h"
+#include "ui/view3d/map_overlay.h"
+#include "ui/view3d/person_badges.h"
+#include "ui/view3d/view_buttons.h"
 
 #include <QElapsedTimer>
 #include <QImage>
 #include <QTimer>
 #include <QWidget>
 
-#include <array>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
-
-class QPainter;
-class QToolButton;
 
 namespace dewpoint::ui {
 
@@ -45,19 +44,14 @@ public:
   /// Marks a part of a trajectory: strokes of places, metres; none: nothing is marked.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
 
-  /// A camera that can be taken hold of: where it stands, and a point it looks at; metres.
-  struct CameraHandle {
-    Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    Eigen::Vector3d target = Eigen::Vector3d::Zero();
-  };
   /// Cameras that can be dragged, the chosen one also by what it looks at; empty: none.
   void setCameraHandles(std::vector<CameraHandle> handles, int chosen);
 
   /// How well the cameras see the room, with a legend; null: nothing is shown of it.
   /// Drawn with the next picture, however many maps come until then.
   void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
-  const RigMap* map() const { return map_.get(); }
-  const MapLook& mapLook() const { return mapLook_; }
+  const RigMap* map() const { return map_.map(); }
+  const MapLook& mapLook() const { return map_.look(); }
   /// Cameras that are thought of: drawn otherwise than those of the snapshots.
   void showPlanned(const CameraRig& cameras);
 
@@ -118,9 +112,6 @@ protected:
   void keyPressEvent(QKeyEvent* event) override;
 
 private:
-  void makeButtons();
-  void placeButtons();
-  void checkButtons();
   void startVtk();
   void requestPicture();
   void renderPicture();
@@ -128,41 +119,17 @@ private:
   void retranslate();
   void clickTail(QPointF position, bool extend);
   void clickFloor(QPointF position);
-  bool clickPerson(QPointF position);
-  /// Device pixels right of and above the middle of the picture.
-  Eigen::Vector2d inPicture(QPointF position) const;
-  void markPeople();
-  void paintPeople(QPainter& painter) const;
-  QPointF inWidget(const Eigen::Vector3d& point) const;
-  bool takeHandle(QPointF position);
-  void dragHandle(QPointF position);
-  void paintHandles(QPainter& painter) const;
-  QString mapTextAt(QPointF position) const;
   void sendPointer(int what, QPointF position, Qt::KeyboardModifiers modifiers);
   QSize pictureSize() const;
 
   Scene3d scene_;
   std::unique_ptr<OffscreenVtk> vtk_; ///< after the scene: must go first
   TrackSnapshotPtr snapshot_;
-  std::shared_ptr<const RigMap> map_;
-  MapLook mapLook_;
-  bool mapStale_ = false;
-  std::array<QToolButton*, 3> buttons_{}; ///< above, front, free
+  CameraHandles* handles_;
+  MapOverlay map_;
+  PersonBadges people_; ///< in the picture
+  ViewButtons* buttons_;
   QImage picture_;
-  std::vector<CameraHandle> handles_;
-  int chosenHandle_ = -1;
-  struct HeldHandle {
-    int camera;
-    bool isTarget;
-    Eigen::Vector3d start;
-    QPointF from;
-  };
-  std::optional<HeldHandle> heldHandle_;
-  struct PersonMark {
-    int identity;
-    Eigen::Vector3d place;
-  };
-  std::vector<PersonMark> people_; ///< in the picture
   int chosenTarget_ = -1;
   bool placing_ = false;
   double floor_ = 0.0;

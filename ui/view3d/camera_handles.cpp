@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cameras that are taken hold of in the bird's-eye view.
-#include "ui/view3d/birds_eye_view.h"
+#include "ui/view3d/camera_handles.h"
+
+#include "ui/view3d/view_projection.h"
 
 #include <QPainter>
+#include <QWidget>
 
 #include <cmath>
+#include <utility>
 
 namespace dewpoint::ui {
 namespace {
@@ -19,69 +22,72 @@ double distance(QPointF a, QPointF b) {
 
 } // namespace
 
-void BirdsEyeView::setCameraHandles(std::vector<CameraHandle> handles, int chosen) {
+CameraHandles::CameraHandles(QWidget& view, Scene3d& scene)
+    : QObject(&view), view_(view), scene_(scene) {}
+
+void CameraHandles::set(std::vector<CameraHandle> handles, int chosen) {
   handles_ = std::move(handles);
-  chosenHandle_ = chosen;
+  chosen_ = chosen;
   if (handles_.empty()) {
-    heldHandle_.reset();
+    held_.reset();
   }
-  update();
+  view_.update();
 }
 
-QPointF BirdsEyeView::inWidget(const Eigen::Vector3d& point) const {
-  const Eigen::Vector2d place = scene_.placeInPicture(point) / devicePixelRatioF();
-  return {width() / 2.0 + place.x(), height() / 2.0 - place.y()};
-}
-
-bool BirdsEyeView::takeHandle(QPointF position) {
-  if (!hasPicture()) {
-    return false;
-  }
+bool CameraHandles::take(QPointF position) {
+  const ViewProjection projection(view_, scene_);
   double nearest = kReachPx;
-  heldHandle_.reset();
+  held_.reset();
   for (int k = 0; k < static_cast<int>(handles_.size()); ++k) {
     const CameraHandle& handle = handles_[static_cast<std::size_t>(k)];
-    if (const double away = distance(inWidget(handle.center), position); away < nearest) {
+    if (const double away = distance(projection.inWidget(handle.center), position);
+        away < nearest) {
       nearest = away;
-      heldHandle_ = HeldHandle{k, false, handle.center, position};
+      held_ = Held{k, false, handle.center, position};
     }
-    const double toTarget = distance(inWidget(handle.target), position);
-    if (k == chosenHandle_ && toTarget < nearest) {
+    const double toTarget = distance(projection.inWidget(handle.target), position);
+    if (k == chosen_ && toTarget < nearest) {
       nearest = toTarget;
-      heldHandle_ = HeldHandle{k, true, handle.target, position};
+      held_ = Held{k, true, handle.target, position};
     }
   }
-  if (heldHandle_) {
+  if (held_) {
     scene_.keepCamera(); // the picture must not move under the hand
-    Q_EMIT cameraChosen(heldHandle_->camera);
-    update();
+    Q_EMIT chosen(held_->camera);
+    view_.update();
   }
-  return heldHandle_.has_value();
+  return held_.has_value();
 }
 
-void BirdsEyeView::dragHandle(QPointF position) {
-  const QPointF way = (position - heldHandle_->from) * devicePixelRatioF();
+void CameraHandles::drag(QPointF position) {
+  const QPointF way = (position - held_->from) * view_.devicePixelRatioF();
   const Eigen::Vector2d place =
-      scene_.placeInPicture(heldHandle_->start) + Eigen::Vector2d(way.x(), -way.y());
-  const Eigen::Vector3d there = scene_.placeInWorld(place, heldHandle_->start);
+      scene_.placeInPicture(held_->start) + Eigen::Vector2d(way.x(), -way.y());
+  const Eigen::Vector3d there = scene_.placeInWorld(place, held_->start);
   if (!there.allFinite()) {
     return;
   }
-  heldHandle_->isTarget ? Q_EMIT cameraAimed(heldHandle_->camera, there)
-                        : Q_EMIT cameraDragged(heldHandle_->camera, there);
+  held_->isTarget ? Q_EMIT aimed(held_->camera, there) : Q_EMIT dragged(held_->camera, there);
 }
 
-void BirdsEyeView::paintHandles(QPainter& painter) const {
+void CameraHandles::drop() {
+  held_.reset();
+  Q_EMIT dropped();
+  view_.update();
+}
+
+void CameraHandles::paint(QPainter& painter) const {
+  const ViewProjection projection(view_, scene_);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor color = palette().color(QPalette::Highlight);
+  const QColor color = view_.palette().color(QPalette::Highlight);
   const QColor halo(0, 0, 0, 150);
   for (int k = 0; k < static_cast<int>(handles_.size()); ++k) {
     const CameraHandle& handle = handles_[static_cast<std::size_t>(k)];
-    const QPointF center = inWidget(handle.center);
+    const QPointF center = projection.inWidget(handle.center);
     painter.setBrush(Qt::NoBrush);
-    if (k == chosenHandle_) {
-      const QPointF target = inWidget(handle.target);
+    if (k == chosen_) {
+      const QPointF target = projection.inWidget(handle.target);
       painter.setPen(QPen(halo, 3.0));
       painter.drawLine(center, target);
       painter.drawEllipse(target, kTargetPx, kTargetPx);
@@ -93,7 +99,7 @@ void BirdsEyeView::paintHandles(QPainter& painter) const {
     painter.setPen(QPen(halo, 3.0));
     painter.drawEllipse(center, kCenterPx, kCenterPx);
     painter.setPen(QPen(color, 1.6));
-    painter.setBrush(k == chosenHandle_ ? QBrush(color) : QBrush(palette().color(QPalette::Base)));
+    painter.setBrush(k == chosen_ ? QBrush(color) : QBrush(view_.palette().color(QPalette::Base)));
     painter.drawEllipse(center, kCenterPx, kCenterPx);
   }
   painter.restore();

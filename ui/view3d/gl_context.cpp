@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QSurfaceFormat>
 
 namespace dewpoint::ui {
 
@@ -12,6 +13,17 @@ public:
   QOffscreenSurface surface; ///< must outlive the context
   QOpenGLContext context;
 };
+
+void GlContext::prepareSurfaceFormat() {
+  QSurfaceFormat format;
+  format.setRenderableType(QSurfaceFormat::OpenGL);
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  format.setStencilBufferSize(8);
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+}
 
 GlContext::GlContext() : handles_(std::make_unique<Handles>()) {}
 

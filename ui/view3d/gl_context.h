@@ -17,6 +17,9 @@ public:
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
+  /// To be called once before the QApplication is made.
+  static void prepareSurfaceFormat();
+
   /// Makes it, and current. Empty on success, otherwise why not, for people.
   std::string start();
   bool isCurrent() const;

@@ -85,7 +85,7 @@ void PlannerInstaller::connectActions() {
 }
 
 void PlannerInstaller::showHandles() {
-  std::vector<BirdsEyeView::CameraHandle> handles;
+  std::vector<CameraHandle> handles;
   CameraRig rig = rigOf(bench_.document.project());
   rig.insert(rig.end(), plan_->planned().begin(), plan_->planned().end());
   for (std::size_t k = 0; hand_.isActive() && k < rig.size(); ++k) {

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/plot_axis_range.h"
+
+#include <algorithm>
+
+namespace dewpoint::ui {
+
+bool PlotAxisRange::setAxis(PlotAxis axis) {
+  if (axis == axis_) {
+    return false;
+  }
+  axis_ = axis;
+  showAll();
+  return true;
+}
+
+PlotAxisRange::Range PlotAxisRange::whole(const PlotSeries* series) const {
+  const double least = axis_ == PlotAxis::Time ? 2.0 : 60.0; // a beginning run grows into it
+  if (series == nullptr || series->size() == 0) {
+    return {0.0, least};
+  }
+  const double first = series->key(0, axis_);
+  return {first, std::max(series->key(series->size() - 1, axis_), first + least)};
+}
+
+PlotAxisRange::Range PlotAxisRange::shown(const PlotSeries* series) const {
+  if (!part_ || series == nullptr || series->size() == 0) {
+    return whole(series);
+  }
+  const double last = series->key(series->size() - 1, axis_);
+  const double moved = following_ ? std::max(0.0, last - part_->second) : 0.0;
+  return {part_->first + moved, part_->second + moved};
+}
+
+PlotAxisRange::Range PlotAxisRange::advance(const PlotSeries* series) {
+  const Range now = shown(series);
+  if (part_) {
+    part_ = now;
+  }
+  return now;
+}
+
+void PlotAxisRange::showAll() {
+  part_.reset();
+  following_ = false;
+}
+
+void PlotAxisRange::show(const PlotSeries* series, double lower, double upper) {
+  if (series == nullptr || series->size() == 0) {
+    return;
+  }
+  const auto [first, end] = whole(series);
+  const double last = series->key(series->size() - 1, axis_);
+  const double width = std::max(axis_ == PlotAxis::Time ? 0.1 : 4.0, upper - lower);
+  if (width >= end - first) {
+    showAll();
+    return;
+  }
+  // Never beyond the run; a part that reaches the newest moment moves along with it.
+  const double from = std::clamp(lower, first, end - width);
+  following_ = from + width >= last;
+  part_ = Range(from, from + width);
+}
+
+} // namespace dewpoint::ui

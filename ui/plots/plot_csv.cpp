@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/plot_csv.h"
+
+#include "ui/plots/csv_line.h"
+#include "ui/plots/plot_row.h"
+
+namespace dewpoint::ui {
+
+QByteArray plotCsv(const std::vector<std::unique_ptr<PlotRow>>& rows, const PlotSeries& series,
+                   PlotAxis axis, const std::pair<double, double>& range) {
+  QByteArray text("iteration,frame,time_s");
+  for (const auto& row : rows) {
+    for (const CurveDeclaration& curve : row->declaration().curves) {
+      text.append(',').append(curve.csvName.toUtf8());
+    }
+  }
+  text.append('\n');
+  const auto [first, last] = series.within(axis, range.first, range.second);
+  for (std::size_t index = first; index < last; ++index) {
+    if (!series.isDrawn(index, axis)) {
+      continue;
+    }
+    const PlotSeries::Row& at = series.row(index);
+    CsvLine line(text);
+    line.put(at.iteration).put(at.frame).put(at.time);
+    for (const auto& row : rows) {
+      const bool inMm = row->declaration().quantity == PlotQuantity::Length;
+      for (const CurveDeclaration& curve : row->declaration().curves) {
+        line.put(series.value(index, curve.column) * (inMm ? 1000.0 : 1.0));
+      }
+    }
+  }
+  return text;
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/plots/plot_series.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <memory>
+#include <vector>
+
+class QCustomPlot;
+
+namespace dewpoint::ui {
+
+class PlotCursor;
+class PlotRow;
+
+/// Plots as a figure for paper: smooth lines, named axes, and no cursor without need. While it
+/// exists the plots look so; afterwards they are to be drawn again.
+class PlotFigure {
+  Q_DECLARE_TR_FUNCTIONS(PlotFigure)
+public:
+  PlotFigure(QCustomPlot& plot, const std::vector<std::unique_ptr<PlotRow>>& rows, PlotAxis axis,
+             PlotCursor& cursor);
+  ~PlotFigure();
+  PlotFigure(const PlotFigure&) = delete;
+  PlotFigure& operator=(const PlotFigure&) = delete;
+
+  /// By the ending of the name: SVG or PNG. False when it cannot be written.
+  bool save(const QString& file);
+
+private:
+  void paintFor(bool figure);
+
+  QCustomPlot& plot_;
+  const std::vector<std::unique_ptr<PlotRow>>& rows_;
+  PlotAxis axis_;
+  PlotCursor& cursor_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+#include <QObject>
+#include <QRectF>
+
+class QLineEdit;
+class QWidget;
+
+namespace dewpoint::ui {
+
+class Document;
+
+/// Changes the marks of the project, each time as an undoable step, and has them named on the spot
+/// in the timeline.
+class MarkEditor : public QObject {
+  Q_OBJECT
+public:
+  MarkEditor(QWidget& timeline, Document& document);
+
+  /// Adds a mark at a frame that has none.
+  void add(qint64 frame);
+  /// Takes away the mark at a frame; false when there is none.
+  bool remove(qint64 frame);
+  /// Asks for the name of a mark where its flag lies in the timeline.
+  void editName(const ProjectMark& mark, const QRectF& flag);
+  void retranslate();
+
+private:
+  void rename(qint64 frame, const QString& from, const QString& name);
+
+  QWidget& timeline_;
+  Document& document_;
+  QLineEdit* name_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view3d/map_overlay.h"
+
+#include "core/calibration/planning/rig_map.h"
+#include "ui/style/map_legend.h"
+
+#include <QPainter>
+#include <QWidget>
+
+#include <cmath>
+#include <utility>
+
+namespace dewpoint::ui {
+
+bool MapOverlay::set(std::shared_ptr<const RigMap> map, const MapLook& look) {
+  if (map == nullptr && map_ == nullptr) {
+    return false;
+  }
+  map_ = std::move(map);
+  look_ = look;
+  stale_ = true;
+  return true;
+}
+
+void MapOverlay::updateScene() {
+  if (std::exchange(stale_, false)) {
+    scene_.showMap(map_, look_);
+  }
+}
+
+QString MapOverlay::textAt(const ViewProjection& projection, QPointF position) const {
+  if (map_ == nullptr || stale_) {
+    return {};
+  }
+  const auto place = scene_.placeInLayer(projection.inPicture(position));
+  const auto cell = place ? cellAt(map_->grid, *place) : std::nullopt;
+  if (!cell) {
+    return {};
+  }
+  const double sigma = double(map_->sigmas[*cell]);
+  const int count = map_->counts[*cell];
+  return std::isnan(sigma)
+             ? tr("Cameras that see it: %1").arg(count)
+             : tr("±%1 (1 σ); cameras that see it: %2").arg(shortLength(sigma)).arg(count);
+}
+
+void MapOverlay::paintLegend(QPainter& painter, const QWidget& view) const {
+  if (map_ != nullptr) {
+    paintMapLegend(painter, view.rect(), look_, view.palette());
+  }
+}
+
+} // namespace dewpoint::ui

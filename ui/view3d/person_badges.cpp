@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view3d/person_badges.h"
+
+#include "ui/style/identity_badge.h"
+
+#include <QPainter>
+#include <QWidget>
+
+#include <cmath>
+
+namespace dewpoint::ui {
+
+namespace {
+constexpr double kUsualHalf = 0.86; ///< metres, half of a person whose height is not estimated
+constexpr double kBesidePx = 9.0;   ///< between the top of a body and its badge
+} // namespace
+
+void PersonBadges::setSnapshot(const TrackSnapshot* snapshot) {
+  badges_.clear();
+  for (std::size_t k = 0; snapshot != nullptr && k < snapshot->targets.size(); ++k) {
+    const TargetSnapshot& target = snapshot->targets[k];
+    if (const PersonEstimate* person = target.person()) {
+      // Above the head, so that the curves on the floor stay in sight.
+      const double half = person->height > 0.0 ? 0.5 * person->height : kUsualHalf;
+      badges_.push_back({person->identity, person->position + half * Eigen::Vector3d::UnitZ()});
+    }
+  }
+}
+
+int PersonBadges::personAt(const ViewProjection& projection, QPointF position) const {
+  constexpr double kReachPx = 20.0; // of badge and body
+  for (const Badge& badge : badges_) {
+    const QPointF away = projection.inWidget(badge.place) - QPointF(0.0, kBesidePx) - position;
+    if (std::hypot(away.x(), away.y()) < kReachPx) {
+      return badge.identity - 1;
+    }
+  }
+  return -1;
+}
+
+void PersonBadges::paint(QPainter& painter, const QWidget& view, const ViewProjection& projection,
+                         int chosen) const {
+  for (const Badge& badge : badges_) {
+    paintBadge(painter, badge.identity, projection.inWidget(badge.place) - QPointF(0.0, kBesidePx),
+               QRectF(view.rect()), badge.identity - 1 == chosen);
+  }
+}
+
+} // namespace dewpoint::ui

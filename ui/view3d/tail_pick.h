@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/run/snapshot.h"
+#include "ui/scene3d/scene3d.h"
+
+#include <optional>
+
+namespace dewpoint::ui {
+
+/// A place in the tail of a target, metres.
+struct TailPlace {
+  int target = -1;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+};
+
+/// The place in any tail that is seen nearest to a position of the picture, within `reach`; all in
+/// device pixels right of and above the middle.
+std::optional<TailPlace> nearestInTails(const TrackSnapshot& snapshot, const Scene3d& scene,
+                                        const Eigen::Vector2d& position, double reach);
+
+} // namespace dewpoint::ui
