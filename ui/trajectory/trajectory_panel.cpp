@@ -25,9 +25,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace dewpoint::ui {
@@ -35,10 +32,8 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr int kLeastIntervalMs = 150;
-constexpr double kShare = 0.05;   ///< of the time, for fetching and showing
-constexpr std::size_t kSpeed = 0; ///< columns of the plots' numbers
-constexpr std::size_t kHeight = 1;
-constexpr std::size_t kColumns = 2;
+constexpr double kShare = 0.05;           ///< of the time, for fetching and showing
+constexpr std::size_t kMostPlaces = 4000; ///< of a span in the room
 
 } // namespace
 
@@ -129,20 +124,19 @@ void TrajectoryPanel::makePlots() {
   plots_->setObjectName(QStringLiteral("motionPlots"));
   plots_->setAxis(PlotAxis::Time);
   plots_->setShown({QStringLiteral("speed"), QStringLiteral("height")});
-  series_.reset(kColumns);
   onRetranslate(plots_, [this] {
     plots_->focusProxy()->setAccessibleName(tr("Speed and height over time"));
     plots_->setPlots({{QStringLiteral("speed"),
                        tr("Speed"),
                        PlotQuantity::Speed,
-                       {{tr("speed"), QStringLiteral("speed_m_s"), kSpeed, 0}}},
+                       {{tr("speed"), QStringLiteral("speed_m_s"), MotionSeries::kSpeed, 0}}},
                       {QStringLiteral("height"),
                        tr("Height"),
                        PlotQuantity::Position,
-                       {{QStringLiteral("z"), QStringLiteral("z_m"), kHeight, 2}}}});
+                       {{QStringLiteral("z"), QStringLiteral("z_m"), MotionSeries::kHeight, 2}}}});
     say();
   });
-  plots_->setSeries(&series_);
+  plots_->setSeries(&motion_.series());
 }
 
 void TrajectoryPanel::connectViews() {
@@ -180,8 +174,7 @@ void TrajectoryPanel::follow(Source source) {
   generation_ = 0;
   position_ = 0;
   model_->clear();
-  series_.reset(kColumns);
-  target_.clear();
+  motion_.clear();
   gaps_->setGaps({});
   plots_->refresh();
   highlight();
@@ -212,8 +205,8 @@ void TrajectoryPanel::fetch() {
     updatePlots(0);
   }
   if (!piece.samples.empty()) {
-    if (target_.empty()) {
-      target_ = piece.samples.front().target;
+    if (motion_.target().empty()) {
+      motion_.setTarget(piece.samples.front().target, {});
     }
     updatePlots(model_->replaceFrom(piece.first, piece.samples));
   }
@@ -229,43 +222,8 @@ void TrajectoryPanel::fetch() {
 }
 
 void TrajectoryPanel::updatePlots(std::size_t firstChanged) {
-  const auto& rows = model_->log().rows();
-  if (firstChanged < rows.size()) {
-    series_.removeFrom(rows[firstChanged].sample.frame);
-    // All rows of that frame, whichever of them changed.
-    while (firstChanged > 0 &&
-           rows[firstChanged - 1].sample.frame == rows[firstChanged].sample.frame) {
-      --firstChanged;
-    }
-  } else {
-    series_.removeFrom(rows.empty() ? 0 : rows.back().sample.frame + 1);
-  }
-  for (std::size_t i = firstChanged; i < rows.size(); ++i) {
-    const TrajectorySample& sample = rows[i].sample;
-    if (sample.target == target_) {
-      const float unknown = std::numeric_limits<float>::quiet_NaN();
-      breakLineBefore(sample);
-      const std::array<float, kColumns> values{
-          static_cast<float>(rows[i].speed),
-          sample.valid ? static_cast<float>(sample.position.z()) : unknown};
-      series_.append({sample.frame, sample.frame, sample.time}, values);
-    }
-  }
+  motion_.update(model_->log().rows(), firstChanged);
   plots_->refresh();
-}
-
-/// No line goes over frames that were never tracked.
-void TrajectoryPanel::breakLineBefore(const TrajectorySample& sample) {
-  constexpr std::int64_t kDropped = 8; // frames that live cameras may skip
-  if (series_.size() == 0) {
-    return;
-  }
-  const PlotSeries::Row last = series_.row(series_.size() - 1);
-  if (sample.frame - last.frame > kDropped) {
-    std::array<float, kColumns> unknown{};
-    unknown.fill(std::numeric_limits<float>::quiet_NaN());
-    series_.append({last.iteration + 1, last.frame + 1, last.time}, unknown);
-  }
 }
 
 void TrajectoryPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
@@ -281,10 +239,9 @@ void TrajectoryPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
 }
 
 void TrajectoryPanel::setTarget(const std::string& name) {
-  if (name != target_ && !name.empty()) {
-    target_ = name;
-    series_.reset(kColumns);
-    updatePlots(0);
+  if (name != motion_.target() && !name.empty()) {
+    motion_.setTarget(name, model_->log().rows());
+    plots_->refresh();
     highlight();
   }
 }
@@ -325,6 +282,90 @@ void TrajectoryPanel::say() {
 void TrajectoryPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   refresh();
+}
+
+void TrajectoryPanel::chooseRows() {
+  if (choosing_) {
+    return;
+  }
+  const auto selected = table_->selectionModel()->selection();
+  choosing_ = true; // the rows stay as they were chosen
+  if (selected.isEmpty()) {
+    selection_.selectSpan(std::nullopt);
+  } else {
+    const auto& rows = model_->log().rows();
+    const auto& top = rows[static_cast<std::size_t>(selected.front().top())].sample;
+    const auto& bottom = rows[static_cast<std::size_t>(selected.front().bottom())].sample;
+    const auto target = std::ranges::find(names_, top.target);
+    if (target != names_.end()) {
+      selection_.selectTarget(static_cast<int>(target - names_.begin()));
+    }
+    selection_.selectSpan(FrameSpan{top.frame, bottom.frame});
+  }
+  choosing_ = false;
+}
+
+void TrajectoryPanel::showSpan() {
+  const bool byRows = choosing_;
+  fetch(); // the span may be of samples that were not fetched while nobody looked
+  gaps_->setSpan(selection_.span());
+  if (!byRows) {
+    selectSpan();
+  }
+  choosing_ = byRows;
+  highlight();
+}
+
+void TrajectoryPanel::selectSpan() {
+  choosing_ = true;
+  const auto [first, last] =
+      selection_.span() ? model_->rowsOf(*selection_.span()) : std::pair(0, 0);
+  if (first < last) {
+    const QItemSelection rows(model_->index(first, 0),
+                              model_->index(last - 1, TrajectoryModel::ColumnCount - 1));
+    table_->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
+    table_->selectionModel()->setCurrentIndex(model_->index(first, 0),
+                                              QItemSelectionModel::NoUpdate);
+    table_->scrollTo(model_->index(first, 0));
+  } else {
+    table_->clearSelection();
+  }
+  choosing_ = false;
+}
+
+void TrajectoryPanel::highlight() {
+  const auto [first, last] =
+      selection_.span() ? model_->rowsOf(*selection_.span()) : std::pair(0, 0);
+  Q_EMIT highlightChanged(strokesOf(model_->log().rows(), static_cast<std::size_t>(first),
+                                    static_cast<std::size_t>(last), motion_.target(), kMostPlaces));
+}
+
+void TrajectoryPanel::placeMoment() {
+  // At the newest frame there is no line: the curves end there.
+  const auto& rows = model_->log().rows();
+  const bool past = !rows.empty() && selection_.moment() < rows.back().sample.frame;
+  plots_->setMoment(past ? std::optional<std::int64_t>(selection_.moment()) : std::nullopt);
+}
+
+void TrajectoryPanel::choosePlace(int target, const Eigen::Vector3d& place, bool extend) {
+  fetch();
+  if (target < 0 || static_cast<std::size_t>(target) >= names_.size()) {
+    return;
+  }
+  const std::string& name = names_[static_cast<std::size_t>(target)];
+  const auto& rows = model_->log().rows();
+  const auto found = std::find_if(rows.rbegin(), rows.rend(), [&](const MotionLog::Row& row) {
+    return row.sample.target == name && row.sample.position == place;
+  });
+  if (found == rows.rend()) {
+    return;
+  }
+  selection_.selectTarget(target);
+  if (extend && selection_.moment() >= 0) {
+    selection_.selectSpan(FrameSpan{selection_.moment(), found->sample.frame});
+  } else {
+    selection_.wantMoment(found->sample.frame);
+  }
 }
 
 } // namespace dewpoint::ui

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/session/session.h"
-#include "ui/plots/plot_series.h"
 #include "ui/selection/selection.h"
+#include "ui/trajectory/motion_series.h"
 
 #include <Eigen/Core>
 #include <QElapsedTimer>
@@ -79,7 +79,6 @@ private:
   void makePlots();
   void connectViews();
   void fetch();
-  void breakLineBefore(const TrajectorySample& sample);
   void updatePlots(std::size_t firstChanged);
   void chooseRows();
   void selectSpan();
@@ -95,8 +94,7 @@ private:
   PlotStack* plots_;
   BoxPanel* boxes_;
   QStackedLayout* pages_;
-  PlotSeries series_;              ///< speed and height of one target
-  std::string target_;             ///< whose
+  MotionSeries motion_;            ///< of one target
   std::vector<std::string> names_; ///< of all targets
   Source source_;
   std::uint64_t generation_ = 0;

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/trajectory/motion_series.h"
+
+#include <array>
+#include <limits>
+
+namespace dewpoint::ui {
+
+void MotionSeries::setTarget(const std::string& target, const std::vector<MotionLog::Row>& rows) {
+  target_ = target;
+  series_.reset(kColumns);
+  update(rows, 0);
+}
+
+void MotionSeries::clear() {
+  target_.clear();
+  series_.reset(kColumns);
+}
+
+void MotionSeries::update(const std::vector<MotionLog::Row>& rows, std::size_t firstChanged) {
+  if (firstChanged < rows.size()) {
+    series_.removeFrom(rows[firstChanged].sample.frame);
+    // All rows of that frame, whichever of them changed.
+    while (firstChanged > 0 &&
+           rows[firstChanged - 1].sample.frame == rows[firstChanged].sample.frame) {
+      --firstChanged;
+    }
+  } else {
+    series_.removeFrom(rows.empty() ? 0 : rows.back().sample.frame + 1);
+  }
+  for (std::size_t i = firstChanged; i < rows.size(); ++i) {
+    const TrajectorySample& sample = rows[i].sample;
+    if (sample.target == target_) {
+      const float unknown = std::numeric_limits<float>::quiet_NaN();
+      breakLineBefore(sample);
+      const std::array<float, kColumns> values{
+          static_cast<float>(rows[i].speed),
+          sample.valid ? static_cast<float>(sample.position.z()) : unknown};
+      series_.append({sample.frame, sample.frame, sample.time}, values);
+    }
+  }
+}
+
+/// No line goes over frames that were never tracked.
+void MotionSeries::breakLineBefore(const TrajectorySample& sample) {
+  constexpr std::int64_t kDropped = 8; // frames that live cameras may skip
+  if (series_.size() == 0) {
+    return;
+  }
+  const PlotSeries::Row last = series_.row(series_.size() - 1);
+  if (sample.frame - last.frame > kDropped) {
+    std::array<float, kColumns> unknown{};
+    unknown.fill(std::numeric_limits<float>::quiet_NaN());
+    series_.append({last.iteration + 1, last.frame + 1, last.time}, unknown);
+  }
+}
+
+std::vector<std::vector<Eigen::Vector3d>> strokesOf(const std::vector<MotionLog::Row>& rows,
+                                                    std::size_t first, std::size_t last,
+                                                    const std::string& target, std::size_t most) {
+  std::vector<std::vector<Eigen::Vector3d>> strokes;
+  const std::size_t step = (last - first) / (most + 1) + 1;
+  bool joined = false;
+  std::size_t seen = 0;
+  for (std::size_t row = first; row < last; ++row) {
+    const TrajectorySample& sample = rows[row].sample;
+    if (sample.target != target) {
+      continue;
+    }
+    if (!sample.valid || !sample.position.allFinite()) {
+      joined = false;
+      continue;
+    }
+    if (!joined) {
+      strokes.emplace_back();
+    }
+    if (!joined || seen % step == 0) {
+      strokes.back().push_back(sample.position);
+    }
+    joined = true;
+    ++seen;
+  }
+  return strokes;
+}
+
+} // namespace dewpoint::ui

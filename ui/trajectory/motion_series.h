@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/motion.h"
+#include "ui/plots/plot_series.h"
+
+#include <string>
+#include <vector>
+
+namespace dewpoint::ui {
+
+/// Speed (m/s) and height (m) of one target over time, as plots draw them.
+class MotionSeries {
+public:
+  static constexpr std::size_t kSpeed = 0; ///< columns
+  static constexpr std::size_t kHeight = 1;
+  static constexpr std::size_t kColumns = 2;
+
+  MotionSeries() { series_.reset(kColumns); }
+
+  const PlotSeries& series() const { return series_; }
+  /// Whose they are; empty while nobody was tracked.
+  const std::string& target() const { return target_; }
+  /// Those of another target, from all rows of the log.
+  void setTarget(const std::string& target, const std::vector<MotionLog::Row>& rows);
+  /// Rows of the log from this one on have changed.
+  void update(const std::vector<MotionLog::Row>& rows, std::size_t firstChanged);
+  void clear();
+
+private:
+  void breakLineBefore(const TrajectorySample& sample);
+
+  PlotSeries series_;
+  std::string target_;
+};
+
+/// What a target went through in the room in rows [first, last) of a log, metres: one stroke for
+/// each uninterrupted piece, of at most `most` places in all.
+std::vector<std::vector<Eigen::Vector3d>> strokesOf(const std::vector<MotionLog::Row>& rows,
+                                                    std::size_t first, std::size_t last,
+                                                    const std::string& target, std::size_t most);
+
+} // namespace dewpoint::ui
