@@ -1,28 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/export_dialog.h"
 
+#include "ui/export/export_form.h"
 #include "ui/export/export_text.h"
 #include "ui/export/trajectory_figure.h"
 #include "ui/text/retranslation.h"
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDateTime>
+#include <QDialogButtonBox>
 #include <QDir>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QFontDatabase>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QTimer>
-
-#include <algorithm>
-#include <cmath>
+#include <QVBoxLayout>
 
 namespace dewpoint::ui {
 
@@ -42,6 +37,11 @@ QString titleOf(const Trajectory& trajectory) {
     }
   }
   return parts.join(QStringLiteral(" · "));
+}
+
+template <class Widget> Widget* named(Widget* widget, const char* name) {
+  widget->setObjectName(QLatin1String(name));
+  return widget;
 }
 
 } // namespace
@@ -64,24 +64,103 @@ ExportDialog::ExportDialog(std::function<Trajectory()> trajectory, QWidget* pare
   resize(760, 620);
 }
 
+void ExportDialog::makeFields() {
+  form_ = new ExportForm(this);
+  preview_ = named(new QPlainTextEdit(this), "exportPreview");
+  preview_->setReadOnly(true);
+  preview_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  preview_->setTabChangesFocus(true);
+  preview_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  units_ = named(new QLabel(this), "exportUnits");
+  units_->setWordWrap(true);
+  size_ = named(new QLabel(this), "exportSize");
+  size_->setWordWrap(true);
+  question_ = named(new QLabel(this), "exportQuestion");
+  question_->setWordWrap(true);
+  question_->hide();
+  file_ = named(new QLineEdit(this), "exportFile");
+  browse_ = named(new QPushButton(this), "exportBrowse");
+  progress_ = named(new QProgressBar(this), "exportProgress");
+  progress_->setRange(0, 100);
+  cancel_ = named(new QPushButton(this), "exportCancel");
+  figure_ = named(new QPushButton(this), "exportFigure");
+  export_ = named(new QPushButton(this), "exportStart");
+  close_ = named(new QPushButton(this), "exportClose");
+  // Enter in a field ends typing, no more.
+  for (QPushButton* button : {browse_, cancel_, figure_, export_, close_}) {
+    button->setAutoDefault(false);
+  }
+}
+
+void ExportDialog::arrangeFields() {
+  auto* right = new QVBoxLayout;
+  right->setSpacing(8);
+  right->addWidget(units_);
+  right->addWidget(size_);
+  right->addWidget(preview_, 1);
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(16);
+  columns->addWidget(form_);
+  columns->addLayout(right, 1);
+  auto* place = new QHBoxLayout;
+  place->setSpacing(8);
+  place->addWidget(file_, 1);
+  place->addWidget(browse_);
+  // No accept role: Enter would press it.
+  auto* box = new QDialogButtonBox(this);
+  box->addButton(figure_, QDialogButtonBox::ActionRole);
+  box->addButton(export_, QDialogButtonBox::ActionRole);
+  box->addButton(close_, QDialogButtonBox::RejectRole);
+  connect(box, &QDialogButtonBox::rejected, this, &QDialog::close);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addWidget(progress_, 1);
+  buttons->addWidget(cancel_);
+  buttons->addStretch(1);
+  buttons->addWidget(box);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(16, 16, 16, 16);
+  layout->setSpacing(16);
+  layout->addLayout(columns, 1);
+  layout->addLayout(place);
+  layout->addWidget(question_);
+  layout->addLayout(buttons);
+}
+
+void ExportDialog::retranslate() {
+  setWindowTitle(tr("Export trajectory"));
+  form_->retranslate();
+  preview_->setAccessibleName(tr("First lines of the file"));
+  preview_->setToolTip(tr("First lines of the file"));
+  units_->setAccessibleName(tr("Units and axes"));
+  size_->setAccessibleName(tr("Size"));
+  file_->setAccessibleName(tr("File"));
+  file_->setToolTip(tr("File to write"));
+  browse_->setText(tr("Browse…"));
+  browse_->setToolTip(tr("Choose the file to write"));
+  progress_->setAccessibleName(tr("Progress"));
+  cancel_->setText(tr("Cancel"));
+  cancel_->setToolTip(tr("Stop the work under way; what is there already stays as it was"));
+  figure_->setText(tr("Figure…"));
+  figure_->setToolTip(tr("Write a figure of it as SVG or PDF: x, y, z over time and from above"));
+  forgetQuestion(); // in the new language
+  export_->setToolTip(tr("Write the file in the background"));
+  close_->setText(tr("Close"));
+  close_->setToolTip(tr("Close; an export that is under way goes on"));
+  changed();
+}
+
 void ExportDialog::connectFields() {
   connect(soon_, &QTimer::timeout, this, [this] {
     previewing_ = true;
     long_->start();
-    worker_->preview(trajectory_, options(), file());
+    worker_->preview(trajectory_, form_->options(), file());
   });
   connect(long_, &QTimer::timeout, cancel_, &QWidget::show);
-  connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::formatChanged);
-  for (QComboBox* box : {estimates_, gaps_, axes_, unit_}) {
-    connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::changed);
-  }
-  for (QDoubleSpinBox* spin : {from_, to_, rate_, longestGap_}) {
-    connect(spin, &QDoubleSpinBox::valueChanged, this, &ExportDialog::changed);
-  }
+  connect(form_, &ExportForm::formatChanged, this, &ExportDialog::formatChanged);
+  connect(form_, &ExportForm::changed, this, &ExportDialog::changed);
   connect(follow_, &QTimer::timeout, this, &ExportDialog::follow);
   connect(file_, &QLineEdit::textChanged, this, &ExportDialog::forgetQuestion);
-  connect(header_, &QCheckBox::toggled, this, &ExportDialog::changed);
-  connect(targets_, &QListWidget::itemChanged, this, &ExportDialog::changed);
   connect(browse_, &QPushButton::clicked, this, &ExportDialog::askFile);
   connect(export_, &QPushButton::clicked, this, &ExportDialog::start);
   connect(figure_, &QPushButton::clicked, this, &ExportDialog::startFigure);
@@ -106,47 +185,22 @@ void ExportDialog::connectFields() {
   });
 }
 
-void ExportDialog::fillTargets() {
-  QStringList names;
-  for (const TrajectorySample& sample : trajectory_->samples) {
-    const QString name = QString::fromStdString(sample.target);
-    if (!names.contains(name)) {
-      names << name;
-    }
-  }
-  QStringList shown;
-  for (int i = 0; i < targets_->count(); ++i) {
-    shown << targets_->item(i)->text();
-  }
-  if (names == shown) {
-    return;
-  }
-  const QSignalBlocker quiet(targets_);
-  targets_->clear();
-  for (const QString& name : names) {
-    auto* item = new QListWidgetItem(name, targets_);
-    item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-    item->setCheckState(Qt::Checked);
-  }
-}
-
 void ExportDialog::follow() {
-  const bool live = estimates_->currentIndex() == 0;
-  if (running_ || previewing_ || soon_->isActive() || !live ||
+  if (running_ || previewing_ || soon_->isActive() || !form_->isLive() ||
       trajectory_->samples.size() > kMostToFollow) {
     return;
   }
   auto now = trajectorySource_();
   if (now.samples.size() != trajectory_->samples.size()) {
     trajectory_ = std::make_shared<const Trajectory>(std::move(now));
-    fillTargets();
+    form_->setTargetsOf(*trajectory_);
     soon_->start();
   }
 }
 
 void ExportDialog::refresh() {
   trajectory_ = std::make_shared<const Trajectory>(trajectorySource_());
-  fillTargets();
+  form_->setTargetsOf(*trajectory_);
   changed();
 }
 
@@ -185,37 +239,26 @@ void ExportDialog::stop() {
 
 void ExportDialog::changed() {
   forgetQuestion();
-  longestGap_->setEnabled(gaps_->currentIndex() == 1 || estimates_->currentIndex() == 1);
   if (trajectory_ != nullptr) {
     soon_->start();
   }
 }
 
 void ExportDialog::formatChanged() {
-  const auto formats = exportFormats();
-  const QString suffix = QString::fromUtf8(
-      formats[static_cast<std::size_t>(std::max(0, format_->currentIndex()))].suffix.data());
   QString name = file_->text();
-  for (const ExportFormat& format : formats) {
+  for (const ExportFormat& format : exportFormats()) {
     const QString old = QString::fromUtf8(format.suffix.data());
     if (name.endsWith(old)) {
       name.chop(old.size());
       break;
     }
   }
-  file_->setText(name + suffix);
+  file_->setText(name + form_->suffix());
   changed();
 }
 
 void ExportDialog::startAnew(const QString& folder) {
-  for (QDoubleSpinBox* spin : {from_, to_, rate_}) {
-    spin->setValue(spin->minimum());
-  }
-  longestGap_->setValue(ExportOptions().longestGap);
-  for (QComboBox* box : {estimates_, gaps_, axes_, unit_}) {
-    box->setCurrentIndex(0);
-  }
-  given_ = {from_->value(), to_->value()};
+  form_->startAnew();
   proposeIn(folder);
   if (isVisible()) {
     refresh();
@@ -225,37 +268,6 @@ void ExportDialog::startAnew(const QString& folder) {
 void ExportDialog::proposeIn(const QString& folder) {
   file_->setText(QDir(folder).filePath(QStringLiteral("trajectory")));
   formatChanged();
-}
-
-ExportOptions ExportDialog::options() const {
-  ExportOptions options;
-  options.format = exportFormats()[static_cast<std::size_t>(format_->currentIndex())].id;
-  for (int i = 0; i < targets_->count(); ++i) {
-    if (targets_->item(i)->checkState() == Qt::Checked) {
-      options.targets.push_back(targets_->item(i)->text().toStdString());
-    }
-  }
-  if (from_->value() >= 0.0) {
-    options.from = SpanEnd{from_->value(), false};
-  }
-  if (to_->value() >= 0.0) {
-    options.to = SpanEnd{to_->value(), false};
-  }
-  if (rate_->value() > 0.0) {
-    options.rate = rate_->value();
-  }
-  options.gaps = gaps_->currentIndex() == 1 ? GapRule::Fill : GapRule::Leave;
-  options.longestGap = longestGap_->value();
-  if (axes_->currentIndex() > 0) {
-    options.axes = axes_->currentIndex() == 1 ? WorldAxes::ZUp : WorldAxes::YUp;
-  }
-  if (unit_->currentIndex() > 0) {
-    options.unit = unit_->currentIndex() == 1 ? LengthUnit::Meter : LengthUnit::Millimeter;
-  }
-  options.header = header_->isChecked();
-  options.smooth = estimates_->currentIndex() == 1;
-  options.date = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-  return options;
 }
 
 std::filesystem::path ExportDialog::file() const {
@@ -285,15 +297,7 @@ void ExportDialog::setRunning(bool running) {
 }
 
 void ExportDialog::setSpan(std::optional<std::pair<double, double>> seconds) {
-  const std::pair<double, double> all(from_->minimum(), to_->minimum());
-  if (!seconds && std::pair(from_->value(), to_->value()) != given_) {
-    return; // typed by hand since
-  }
-  // Outwards to what the fields can show, or rounding would lose the last frame.
-  const double steps = std::pow(10.0, from_->decimals());
-  from_->setValue(seconds ? std::floor(seconds->first * steps) / steps : all.first);
-  to_->setValue(seconds ? std::ceil(seconds->second * steps) / steps : all.second);
-  given_ = seconds ? std::pair(from_->value(), to_->value()) : all;
+  form_->setSpan(seconds);
 }
 
 void ExportDialog::askToReplace(const QString& file) {
@@ -314,11 +318,11 @@ void ExportDialog::start() {
     askToReplace(file_->text());
     return;
   }
-  ExportOptions chosen = options();
+  ExportOptions chosen = form_->options();
   chosen.replaces = mayReplace_;
   forgetQuestion();
   trajectory_ = std::make_shared<const Trajectory>(trajectorySource_()); // with what came since
-  fillTargets();
+  form_->setTargetsOf(*trajectory_);
   soon_->stop();
   setRunning(true);
   worker_->run(trajectory_, chosen, file());
@@ -336,7 +340,7 @@ void ExportDialog::startFigure() {
   const FigureWords words{titleOf(*trajectory_), tr("time (s)"), tr("from above")};
   const std::filesystem::path figure = chosen.toStdString();
   worker_->run(
-      [trajectory = trajectory_, options = options(), words, figure]() -> Status {
+      [trajectory = trajectory_, options = form_->options(), words, figure]() -> Status {
         const auto table = makeExportTable(*trajectory, options, {});
         return table ? writeTrajectoryFigure(*table, words, figure)
                      : Status(tl::make_unexpected(table.error()));

@@ -11,19 +11,16 @@
 #include <utility>
 #include <vector>
 
-class QCheckBox;
-class QComboBox;
-class QDoubleSpinBox;
-class QFormLayout;
 class QLabel;
 class QLineEdit;
-class QListWidget;
 class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
 class QTimer;
 
 namespace dewpoint::ui {
+
+class ExportForm;
 
 /// Takes the trajectory home: what, how, and what the file will look like. Not modal: tracking goes
 /// on, and the preview follows it. Exports run in the background; the result is said by signals.
@@ -42,7 +39,6 @@ public:
   /// Another project: what was chosen for the last one is forgotten; a file in this folder is
   /// proposed.
   void startAnew(const QString& folder);
-  ExportOptions options() const;
 
 Q_SIGNALS:
   void done(const QString& sentence);
@@ -57,8 +53,6 @@ private:
   void arrangeFields();
   void connectFields();
   void retranslate();
-  void fillChoices();
-  void fillTargets();
   void changed();
   void formatChanged();
   void askFile();
@@ -82,18 +76,7 @@ private:
   QTimer* soon_; ///< several changes in a row make one preview
   QTimer* follow_;
   QTimer* long_; ///< a preview that takes long gets a button to stop it
-  QFormLayout* form_ = nullptr;
-  QComboBox* format_;
-  QListWidget* targets_;
-  QComboBox* estimates_;
-  QDoubleSpinBox* from_;
-  QDoubleSpinBox* to_;
-  QDoubleSpinBox* rate_;
-  QComboBox* gaps_;
-  QDoubleSpinBox* longestGap_;
-  QComboBox* axes_;
-  QComboBox* unit_;
-  QCheckBox* header_;
+  ExportForm* form_ = nullptr;
   QPlainTextEdit* preview_;
   QLabel* units_;
   QLabel* size_;
@@ -107,8 +90,7 @@ private:
   QPushButton* close_;
   bool running_ = false;
   bool previewing_ = false;
-  std::pair<double, double> given_; ///< the span that was proposed
-  bool mayReplace_ = false;         ///< was asked, and nothing changed since
+  bool mayReplace_ = false; ///< was asked, and nothing changed since
 };
 
 } // namespace dewpoint::ui

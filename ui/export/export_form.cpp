@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fields of the export dialog: which there are, where they stand, what they say.
-#include "ui/export/export_dialog.h"
+#include "ui/export/export_form.h"
+
 #include "ui/export/export_text.h"
 #include "ui/widgets/decimal_field.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
+#include <QDateTime>
 #include <QDoubleSpinBox>
-#include <QFontDatabase>
 #include <QFormLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QListWidget>
-#include <QPlainTextEdit>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dewpoint::ui {
 
@@ -53,7 +48,8 @@ void setChoices(QComboBox* box, const QStringList& texts) {
 
 } // namespace
 
-void ExportDialog::makeFields() {
+ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)) {
+  form_->setContentsMargins(0, 0, 0, 0);
   format_ = named(new QComboBox(this), "exportFormat");
   targets_ = named(new QListWidget(this), "exportTargets");
   targets_->setMaximumHeight(84);
@@ -68,36 +64,9 @@ void ExportDialog::makeFields() {
   unit_ = named(new QComboBox(this), "exportUnit");
   header_ = named(new QCheckBox(this), "exportHeader");
   header_->setChecked(true);
-  preview_ = named(new QPlainTextEdit(this), "exportPreview");
-  preview_->setReadOnly(true);
-  preview_->setLineWrapMode(QPlainTextEdit::NoWrap);
-  preview_->setTabChangesFocus(true);
-  preview_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  units_ = named(new QLabel(this), "exportUnits");
-  units_->setWordWrap(true);
-  size_ = named(new QLabel(this), "exportSize");
-  size_->setWordWrap(true);
-  question_ = named(new QLabel(this), "exportQuestion");
-  question_->setWordWrap(true);
-  question_->hide();
-  file_ = named(new QLineEdit(this), "exportFile");
-  browse_ = named(new QPushButton(this), "exportBrowse");
-  progress_ = named(new QProgressBar(this), "exportProgress");
-  progress_->setRange(0, 100);
-  cancel_ = named(new QPushButton(this), "exportCancel");
-  figure_ = named(new QPushButton(this), "exportFigure");
-  export_ = named(new QPushButton(this), "exportStart");
-  close_ = named(new QPushButton(this), "exportClose");
-  // Enter in a field ends typing, no more.
-  for (QPushButton* button : {browse_, cancel_, figure_, export_, close_}) {
-    button->setAutoDefault(false);
-  }
   from_->setValue(from_->minimum());
   to_->setValue(to_->minimum());
-}
-
-void ExportDialog::arrangeFields() {
-  form_ = new QFormLayout;
+  given_ = {from_->value(), to_->value()};
   form_->setSpacing(8);
   const auto row = [this](QWidget* field) {
     auto* label = new QLabel(this);
@@ -109,42 +78,23 @@ void ExportDialog::arrangeFields() {
     row(field);
   }
   form_->addRow(QString(), header_);
-  auto* right = new QVBoxLayout;
-  right->setSpacing(8);
-  right->addWidget(units_);
-  right->addWidget(size_);
-  right->addWidget(preview_, 1);
-  auto* columns = new QHBoxLayout;
-  columns->setSpacing(16);
-  columns->addLayout(form_);
-  columns->addLayout(right, 1);
-  auto* place = new QHBoxLayout;
-  place->setSpacing(8);
-  place->addWidget(file_, 1);
-  place->addWidget(browse_);
-  // No accept role: Enter would press it.
-  auto* box = new QDialogButtonBox(this);
-  box->addButton(figure_, QDialogButtonBox::ActionRole);
-  box->addButton(export_, QDialogButtonBox::ActionRole);
-  box->addButton(close_, QDialogButtonBox::RejectRole);
-  connect(box, &QDialogButtonBox::rejected, this, &QDialog::close);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addWidget(progress_, 1);
-  buttons->addWidget(cancel_);
-  buttons->addStretch(1);
-  buttons->addWidget(box);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(16, 16, 16, 16);
-  layout->setSpacing(16);
-  layout->addLayout(columns, 1);
-  layout->addLayout(place);
-  layout->addWidget(question_);
-  layout->addLayout(buttons);
+  connect(format_, &QComboBox::currentIndexChanged, this, &ExportForm::formatChanged);
+  const auto change = [this] {
+    longestGap_->setEnabled(gaps_->currentIndex() == 1 || estimates_->currentIndex() == 1);
+    Q_EMIT changed();
+  };
+  for (QComboBox* box : {estimates_, gaps_, axes_, unit_}) {
+    connect(box, &QComboBox::currentIndexChanged, this, change);
+  }
+  for (QDoubleSpinBox* spin : {from_, to_, rate_, longestGap_}) {
+    connect(spin, &QDoubleSpinBox::valueChanged, this, change);
+  }
+  connect(header_, &QCheckBox::toggled, this, change);
+  connect(targets_, &QListWidget::itemChanged, this, change);
+  longestGap_->setEnabled(false);
 }
 
-void ExportDialog::retranslate() {
-  setWindowTitle(tr("Export trajectory"));
+void ExportForm::retranslate() {
   fillChoices();
   const auto say = [this](QWidget* field, const QString& label, const QString& hint) {
     qobject_cast<QLabel*>(form_->labelForField(field))->setText(label);
@@ -171,27 +121,9 @@ void ExportDialog::retranslate() {
   rate_->setSuffix(tr(" per second"));
   header_->setText(tr("Notes about the run"));
   header_->setToolTip(tr("Method, seed, parameters, units and axes as comments in the file"));
-  preview_->setAccessibleName(tr("First lines of the file"));
-  preview_->setToolTip(tr("First lines of the file"));
-  units_->setAccessibleName(tr("Units and axes"));
-  size_->setAccessibleName(tr("Size"));
-  file_->setAccessibleName(tr("File"));
-  file_->setToolTip(tr("File to write"));
-  browse_->setText(tr("Browse…"));
-  browse_->setToolTip(tr("Choose the file to write"));
-  progress_->setAccessibleName(tr("Progress"));
-  cancel_->setText(tr("Cancel"));
-  cancel_->setToolTip(tr("Stop the work under way; what is there already stays as it was"));
-  figure_->setText(tr("Figure…"));
-  figure_->setToolTip(tr("Write a figure of it as SVG or PDF: x, y, z over time and from above"));
-  forgetQuestion(); // in the new language
-  export_->setToolTip(tr("Write the file in the background"));
-  close_->setText(tr("Close"));
-  close_->setToolTip(tr("Close; an export that is under way goes on"));
-  changed();
 }
 
-void ExportDialog::fillChoices() {
+void ExportForm::fillChoices() {
   QStringList formats;
   for (const ExportFormat& format : exportFormats()) {
     formats << exportFormatName(format.id);
@@ -201,6 +133,94 @@ void ExportDialog::fillChoices() {
   setChoices(gaps_, {tr("leave"), tr("fill")});
   setChoices(axes_, {tr("as usual in the format"), tr("Z up"), tr("Y up")});
   setChoices(unit_, {tr("as usual in the format"), tr("meters"), tr("millimeters")});
+}
+
+void ExportForm::setTargetsOf(const Trajectory& trajectory) {
+  QStringList names;
+  for (const TrajectorySample& sample : trajectory.samples) {
+    const QString name = QString::fromStdString(sample.target);
+    if (!names.contains(name)) {
+      names << name;
+    }
+  }
+  QStringList shown;
+  for (int i = 0; i < targets_->count(); ++i) {
+    shown << targets_->item(i)->text();
+  }
+  if (names == shown) {
+    return;
+  }
+  const QSignalBlocker quiet(targets_);
+  targets_->clear();
+  for (const QString& name : names) {
+    auto* item = new QListWidgetItem(name, targets_);
+    item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+    item->setCheckState(Qt::Checked);
+  }
+}
+
+ExportOptions ExportForm::options() const {
+  ExportOptions options;
+  options.format = exportFormats()[static_cast<std::size_t>(format_->currentIndex())].id;
+  for (int i = 0; i < targets_->count(); ++i) {
+    if (targets_->item(i)->checkState() == Qt::Checked) {
+      options.targets.push_back(targets_->item(i)->text().toStdString());
+    }
+  }
+  if (from_->value() >= 0.0) {
+    options.from = SpanEnd{from_->value(), false};
+  }
+  if (to_->value() >= 0.0) {
+    options.to = SpanEnd{to_->value(), false};
+  }
+  if (rate_->value() > 0.0) {
+    options.rate = rate_->value();
+  }
+  options.gaps = gaps_->currentIndex() == 1 ? GapRule::Fill : GapRule::Leave;
+  options.longestGap = longestGap_->value();
+  if (axes_->currentIndex() > 0) {
+    options.axes = axes_->currentIndex() == 1 ? WorldAxes::ZUp : WorldAxes::YUp;
+  }
+  if (unit_->currentIndex() > 0) {
+    options.unit = unit_->currentIndex() == 1 ? LengthUnit::Meter : LengthUnit::Millimeter;
+  }
+  options.header = header_->isChecked();
+  options.smooth = estimates_->currentIndex() == 1;
+  options.date = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+  return options;
+}
+
+QString ExportForm::suffix() const {
+  const auto formats = exportFormats();
+  return QString::fromUtf8(
+      formats[static_cast<std::size_t>(std::max(0, format_->currentIndex()))].suffix.data());
+}
+
+bool ExportForm::isLive() const {
+  return estimates_->currentIndex() == 0;
+}
+
+void ExportForm::setSpan(std::optional<std::pair<double, double>> seconds) {
+  const std::pair<double, double> all(from_->minimum(), to_->minimum());
+  if (!seconds && std::pair(from_->value(), to_->value()) != given_) {
+    return; // typed by hand since
+  }
+  // Outwards to what the fields can show, or rounding would lose the last frame.
+  const double steps = std::pow(10.0, from_->decimals());
+  from_->setValue(seconds ? std::floor(seconds->first * steps) / steps : all.first);
+  to_->setValue(seconds ? std::ceil(seconds->second * steps) / steps : all.second);
+  given_ = seconds ? std::pair(from_->value(), to_->value()) : all;
+}
+
+void ExportForm::startAnew() {
+  for (QDoubleSpinBox* spin : {from_, to_, rate_}) {
+    spin->setValue(spin->minimum());
+  }
+  longestGap_->setValue(ExportOptions().longestGap);
+  for (QComboBox* box : {estimates_, gaps_, axes_, unit_}) {
+    box->setCurrentIndex(0);
+  }
+  given_ = {from_->value(), to_->value()};
 }
 
 } // namespace dewpoint::ui
