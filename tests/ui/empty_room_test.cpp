@@ -8,7 +8,7 @@
 
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
+#include <QListView>
 #include <QPushButton>
 #include <QSettings>
 #include <QUndoStack>
@@ -39,7 +39,8 @@ void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
   window_->openProject(file("desk.toml").toStdString());
   QVERIFY(waitFor([this] { return window_->shown() && window_->shown()->frame >= 0; }));
   Document& document = window_->document();
-  find<QListWidget>("cameraList")->setCurrentRow(1);
+  auto* list = find<QListView>("cameraList");
+  list->setCurrentIndex(list->model()->index(1, 0));
   auto* take = find<QPushButton>("cameraEmptyRoomTake");
   auto* field = find<QLineEdit>("cameraEmptyRoom");
   QVERIFY(waitFor([&] { return take->isEnabled(); }));
