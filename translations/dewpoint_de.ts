@@ -1163,6 +1163,17 @@
     </message>
 </context>
 <context>
+    <name>MapOverlay</name>
+    <message>
+        <source>Cameras that see it: %1</source>
+        <translation>Kameras, die es sehen: %1</translation>
+    </message>
+    <message>
+        <source>±%1 (1 σ); cameras that see it: %2</source>
+        <translation>±%1 (1 σ); Kameras, die es sehen: %2</translation>
+    </message>
+</context>
+<context>
     <name>Method</name>
     <message>
         <source>The color particle filter of Barrera et al. (2005): for teaching and comparison.</source>
@@ -1653,6 +1664,21 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>PlotFigure</name>
+    <message>
+        <source>time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>filter iteration</source>
+        <translation>Filteriteration</translation>
+    </message>
+    <message>
+        <source>Dewpoint plots</source>
+        <translation>Dewpoint-Kurven</translation>
+    </message>
+</context>
+<context>
     <name>PlotQuantity</name>
     <message>
         <source>%1 mm</source>
@@ -2083,40 +2109,8 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <translation>Der Raum in 3D: Kameras, Partikel, Schätzungen und ihre Spuren</translation>
     </message>
     <message>
-        <source>Above</source>
-        <translation>Oben</translation>
-    </message>
-    <message>
-        <source>Front</source>
-        <translation>Vorn</translation>
-    </message>
-    <message>
-        <source>Free</source>
-        <translation>Frei</translation>
-    </message>
-    <message>
-        <source>Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see everything.</source>
-        <translation>Blick von oben: X nach rechts, Y nach oben. Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
-    </message>
-    <message>
-        <source>Look from the front: X to the right, Z up. Drag to move, wheel to zoom, double click to see everything.</source>
-        <translation>Blick von vorn: X nach rechts, Z nach oben. Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
-    </message>
-    <message>
-        <source>Perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
-        <translation>Perspektive. Ziehen dreht, Umschalt und Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
-    </message>
-    <message>
         <source>No 3D: %1</source>
         <translation>Kein 3D: %1</translation>
-    </message>
-    <message>
-        <source>Cameras that see it: %1</source>
-        <translation>Kameras, die es sehen: %1</translation>
-    </message>
-    <message>
-        <source>±%1 (1 σ); cameras that see it: %2</source>
-        <translation>±%1 (1 σ); Kameras, die es sehen: %2</translation>
     </message>
 </context>
 <context>
@@ -2704,6 +2698,13 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <name>dewpoint::ui::CameraDocks</name>
     <message>
         <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CameraListModel</name>
+    <message>
+        <source>camera %1</source>
         <translation>Kamera %1</translation>
     </message>
 </context>
@@ -3400,22 +3401,6 @@ bei %4, %5, %6 m</translation>
         <translation>Lernen</translation>
     </message>
     <message>
-        <source>Learned from</source>
-        <translation>Gelernt aus</translation>
-    </message>
-    <message>
-        <source>Samples the color was learned from</source>
-        <translation>Proben, aus denen die Farbe gelernt wurde</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Forget the chosen sample and learn from the rest (Del)</source>
-        <translation>Die gewählte Probe vergessen und aus den übrigen lernen (Entf)</translation>
-    </message>
-    <message>
         <source>No target yet</source>
         <translation>Noch kein Ziel</translation>
     </message>
@@ -3440,10 +3425,6 @@ bei %4, %5, %6 m</translation>
         <translation>passt auch</translation>
     </message>
     <message>
-        <source>Image of camera %1: arrow keys move a cross, Enter points there</source>
-        <translation>Bild der Kamera %1: Pfeiltasten bewegen ein Kreuz, Enter zeigt dorthin</translation>
-    </message>
-    <message>
         <source>Click the thing to follow</source>
         <translation>Klicke an, was verfolgt werden soll</translation>
     </message>
@@ -3454,10 +3435,6 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Then click the target in any camera image, or drag a box on it. Shift-click adds a sample, Alt-click or Ctrl+Shift-click excludes what is not the target.</source>
         <translation>Klicke dann das Ziel in einem Kamerabild an, oder ziehe einen Rahmen darum. Umschalt-Klick fügt eine Probe hinzu, Alt-Klick oder Strg+Umschalt-Klick schließt aus, was nicht das Ziel ist.</translation>
-    </message>
-    <message>
-        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one</source>
-        <translation>Umschalt-Klick in einem Bild fügt eine hinzu, Alt-Klick oder Strg+Umschalt-Klick schließt eine aus</translation>
     </message>
     <message>
         <source>Box</source>
@@ -3478,14 +3455,6 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Click the thing or drag a box around it in any camera view.</source>
         <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen.</translation>
-    </message>
-    <message>
-        <source>not this: %1, frame %2, at %3, %4</source>
-        <translation>dies nicht: %1, Bild %2, bei %3, %4</translation>
-    </message>
-    <message>
-        <source>%1, frame %2, at %3, %4</source>
-        <translation>%1, Bild %2, bei %3, %4</translation>
     </message>
 </context>
 <context>
@@ -3568,6 +3537,37 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Remove color sample</source>
         <translation>Farbprobe entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ColorSampleList</name>
+    <message>
+        <source>Learned from</source>
+        <translation>Gelernt aus</translation>
+    </message>
+    <message>
+        <source>Samples the color was learned from</source>
+        <translation>Proben, aus denen die Farbe gelernt wurde</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Forget the chosen sample and learn from the rest (Del)</source>
+        <translation>Die gewählte Probe vergessen und aus den übrigen lernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one</source>
+        <translation>Umschalt-Klick in einem Bild fügt eine hinzu, Alt-Klick oder Strg+Umschalt-Klick schließt eine aus</translation>
+    </message>
+    <message>
+        <source>not this: %1, frame %2, at %3, %4</source>
+        <translation>dies nicht: %1, Bild %2, bei %3, %4</translation>
+    </message>
+    <message>
+        <source>%1, frame %2, at %3, %4</source>
+        <translation>%1, Bild %2, bei %3, %4</translation>
     </message>
 </context>
 <context>
@@ -3819,6 +3819,89 @@ bei %4, %5, %6 m</translation>
         <translation>%1 Zeilen nach %2 exportiert.</translation>
     </message>
     <message>
+        <source>First lines of the file</source>
+        <translation>Erste Zeilen der Datei</translation>
+    </message>
+    <message>
+        <source>Units and axes</source>
+        <translation>Einheiten und Achsen</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>File to write</source>
+        <translation>Datei, die geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Choose the file to write</source>
+        <translation>Die Datei wählen, die geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop the work under way; what is there already stays as it was</source>
+        <translation>Die laufende Arbeit anhalten; was schon da ist, bleibt, wie es war</translation>
+    </message>
+    <message>
+        <source>Figure…</source>
+        <translation>Abbildung…</translation>
+    </message>
+    <message>
+        <source>Write a figure of it as SVG or PDF: x, y, z over time and from above</source>
+        <translation>Eine Abbildung als SVG oder PDF schreiben: x, y, z über der Zeit und von oben</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Write the file in the background</source>
+        <translation>Die Datei im Hintergrund schreiben</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close; an export that is under way goes on</source>
+        <translation>Schließen; ein laufender Export geht weiter</translation>
+    </message>
+    <message>
+        <source>Working on the preview: %1 %</source>
+        <translation>Vorschau in Arbeit: %1 %</translation>
+    </message>
+    <message>
+        <source>The preview was stopped. The next change begins it anew.</source>
+        <translation>Die Vorschau wurde angehalten. Die nächste Änderung beginnt sie neu.</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ExportForm</name>
+    <message>
         <source>Format</source>
         <translation>Format</translation>
     </message>
@@ -3927,70 +4010,6 @@ bei %4, %5, %6 m</translation>
         <translation>Verfahren, Startwert, Parameter, Einheiten und Achsen als Kommentare in der Datei</translation>
     </message>
     <message>
-        <source>First lines of the file</source>
-        <translation>Erste Zeilen der Datei</translation>
-    </message>
-    <message>
-        <source>Units and axes</source>
-        <translation>Einheiten und Achsen</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>File to write</source>
-        <translation>Datei, die geschrieben wird</translation>
-    </message>
-    <message>
-        <source>Browse…</source>
-        <translation>Durchsuchen…</translation>
-    </message>
-    <message>
-        <source>Choose the file to write</source>
-        <translation>Die Datei wählen, die geschrieben wird</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stop the work under way; what is there already stays as it was</source>
-        <translation>Die laufende Arbeit anhalten; was schon da ist, bleibt, wie es war</translation>
-    </message>
-    <message>
-        <source>Figure…</source>
-        <translation>Abbildung…</translation>
-    </message>
-    <message>
-        <source>Write a figure of it as SVG or PDF: x, y, z over time and from above</source>
-        <translation>Eine Abbildung als SVG oder PDF schreiben: x, y, z über der Zeit und von oben</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Write the file in the background</source>
-        <translation>Die Datei im Hintergrund schreiben</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Close; an export that is under way goes on</source>
-        <translation>Schließen; ein laufender Export geht weiter</translation>
-    </message>
-    <message>
         <source>live</source>
         <translation>live</translation>
     </message>
@@ -4025,22 +4044,6 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>millimeters</source>
         <translation>Millimeter</translation>
-    </message>
-    <message>
-        <source>Working on the preview: %1 %</source>
-        <translation>Vorschau in Arbeit: %1 %</translation>
-    </message>
-    <message>
-        <source>The preview was stopped. The next change begins it anew.</source>
-        <translation>Die Vorschau wurde angehalten. Die nächste Änderung beginnt sie neu.</translation>
-    </message>
-    <message>
-        <source>%1 exists already. Replace it?</source>
-        <translation>%1 gibt es schon. Ersetzen?</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Ersetzen</translation>
     </message>
 </context>
 <context>
@@ -4239,11 +4242,14 @@ bei %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::ManualCalibration</name>
+    <name>dewpoint::ui::ImagePickTool</name>
     <message>
-        <source>camera %1</source>
-        <translation>Kamera %1</translation>
+        <source>Image of camera %1: arrow keys move a cross, Enter points there</source>
+        <translation>Bild der Kamera %1: Pfeiltasten bewegen ein Kreuz, Enter zeigt dorthin</translation>
     </message>
+</context>
+<context>
+    <name>dewpoint::ui::ManualCalibration</name>
     <message>
         <source>Three points are held already: click one of them to let go of it</source>
         <translation>Drei Punkte sind schon gehalten: ein Klick auf einen lässt ihn los</translation>
@@ -4337,6 +4343,29 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>%1[*] – Dewpoint</source>
         <translation>%1[*] – Dewpoint</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::MarkEditor</name>
+    <message>
+        <source>Name of the mark</source>
+        <translation>Name der Marke</translation>
+    </message>
+    <message>
+        <source>Mark %1</source>
+        <translation>Marke %1</translation>
+    </message>
+    <message>
+        <source>Add a mark</source>
+        <translation>Marke setzen</translation>
+    </message>
+    <message>
+        <source>Remove a mark</source>
+        <translation>Marke entfernen</translation>
+    </message>
+    <message>
+        <source>Rename a mark</source>
+        <translation>Marke umbenennen</translation>
     </message>
 </context>
 <context>
@@ -5098,18 +5127,6 @@ bei %4, %5, %6 m</translation>
         <source>frame %1, iteration %2, %3 s</source>
         <translation>Bild %1, Iteration %2, %3 s</translation>
     </message>
-    <message>
-        <source>time, s</source>
-        <translation>Zeit, s</translation>
-    </message>
-    <message>
-        <source>filter iteration</source>
-        <translation>Filteriteration</translation>
-    </message>
-    <message>
-        <source>Dewpoint plots</source>
-        <translation>Dewpoint-Kurven</translation>
-    </message>
 </context>
 <context>
     <name>dewpoint::ui::PointCalibrator</name>
@@ -5681,26 +5698,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Zeitleiste</translation>
     </message>
     <message>
-        <source>Name of the mark</source>
-        <translation>Name der Marke</translation>
-    </message>
-    <message>
-        <source>Mark %1</source>
-        <translation>Marke %1</translation>
-    </message>
-    <message>
-        <source>Add a mark</source>
-        <translation>Marke setzen</translation>
-    </message>
-    <message>
-        <source>Remove a mark</source>
-        <translation>Marke entfernen</translation>
-    </message>
-    <message>
-        <source>Rename a mark</source>
-        <translation>Marke umbenennen</translation>
-    </message>
-    <message>
         <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
         <translation>Die Änderung gilt ab jetzt. „%1“ zeigt, was sie aus diesem Moment macht.</translation>
     </message>
@@ -5838,6 +5835,33 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>The boxes are on the clipboard as CSV.</source>
         <translation>Die Rahmen sind als CSV in der Zwischenablage.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ViewButtons</name>
+    <message>
+        <source>Above</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>Blick von oben: X nach rechts, Y nach oben. Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
+    </message>
+    <message>
+        <source>Look from the front: X to the right, Z up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>Blick von vorn: X nach rechts, Z nach oben. Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
+    </message>
+    <message>
+        <source>Perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>Perspektive. Ziehen dreht, Umschalt und Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
     </message>
 </context>
 <context>

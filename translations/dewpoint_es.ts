@@ -1163,6 +1163,17 @@
     </message>
 </context>
 <context>
+    <name>MapOverlay</name>
+    <message>
+        <source>Cameras that see it: %1</source>
+        <translation>Cámaras que lo ven: %1</translation>
+    </message>
+    <message>
+        <source>±%1 (1 σ); cameras that see it: %2</source>
+        <translation>±%1 (1 σ); cámaras que lo ven: %2</translation>
+    </message>
+</context>
+<context>
     <name>Method</name>
     <message>
         <source>The color particle filter of Barrera et al. (2005): for teaching and comparison.</source>
@@ -1653,6 +1664,21 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>PlotFigure</name>
+    <message>
+        <source>time, s</source>
+        <translation>tiempo, s</translation>
+    </message>
+    <message>
+        <source>filter iteration</source>
+        <translation>iteración del filtro</translation>
+    </message>
+    <message>
+        <source>Dewpoint plots</source>
+        <translation>Gráficos de Dewpoint</translation>
+    </message>
+</context>
+<context>
     <name>PlotQuantity</name>
     <message>
         <source>%1 mm</source>
@@ -2083,40 +2109,8 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>La sala en 3D: cámaras, partículas, estimaciones y sus trayectorias</translation>
     </message>
     <message>
-        <source>Above</source>
-        <translation>Arriba</translation>
-    </message>
-    <message>
-        <source>Front</source>
-        <translation>Frente</translation>
-    </message>
-    <message>
-        <source>Free</source>
-        <translation>Libre</translation>
-    </message>
-    <message>
-        <source>Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see everything.</source>
-        <translation>Vista desde arriba: X a la derecha, Y hacia arriba. Arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
-    </message>
-    <message>
-        <source>Look from the front: X to the right, Z up. Drag to move, wheel to zoom, double click to see everything.</source>
-        <translation>Vista desde el frente: X a la derecha, Z hacia arriba. Arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
-    </message>
-    <message>
-        <source>Perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
-        <translation>Perspectiva. Arrastrar para girar, Mayús y arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
-    </message>
-    <message>
         <source>No 3D: %1</source>
         <translation>Sin 3D: %1</translation>
-    </message>
-    <message>
-        <source>Cameras that see it: %1</source>
-        <translation>Cámaras que lo ven: %1</translation>
-    </message>
-    <message>
-        <source>±%1 (1 σ); cameras that see it: %2</source>
-        <translation>±%1 (1 σ); cámaras que lo ven: %2</translation>
     </message>
 </context>
 <context>
@@ -2705,6 +2699,13 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>Camera %1</source>
         <translation>Cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CameraListModel</name>
+    <message>
+        <source>camera %1</source>
+        <translation>cámara %1</translation>
     </message>
 </context>
 <context>
@@ -3400,22 +3401,6 @@ en %4, %5, %6 m</translation>
         <translation>Aprender</translation>
     </message>
     <message>
-        <source>Learned from</source>
-        <translation>Aprendido de</translation>
-    </message>
-    <message>
-        <source>Samples the color was learned from</source>
-        <translation>Muestras de las que se aprendió el color</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Quitar</translation>
-    </message>
-    <message>
-        <source>Forget the chosen sample and learn from the rest (Del)</source>
-        <translation>Olvidar la muestra elegida y aprender de las demás (Supr)</translation>
-    </message>
-    <message>
         <source>No target yet</source>
         <translation>Aún sin objetivo</translation>
     </message>
@@ -3440,10 +3425,6 @@ en %4, %5, %6 m</translation>
         <translation>también coincide</translation>
     </message>
     <message>
-        <source>Image of camera %1: arrow keys move a cross, Enter points there</source>
-        <translation>Imagen de la cámara %1: las flechas mueven una cruz, Intro señala ahí</translation>
-    </message>
-    <message>
         <source>Click the thing to follow</source>
         <translation>Haz clic en lo que quieras seguir</translation>
     </message>
@@ -3454,10 +3435,6 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Then click the target in any camera image, or drag a box on it. Shift-click adds a sample, Alt-click or Ctrl+Shift-click excludes what is not the target.</source>
         <translation>Luego haz clic en el objetivo en cualquier imagen, o arrastra un recuadro sobre él. Mayús-clic añade una muestra; Alt-clic o Ctrl+Mayús-clic excluye lo que no es el objetivo.</translation>
-    </message>
-    <message>
-        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one</source>
-        <translation>Mayús-clic en una imagen añade una; Alt-clic o Ctrl+Mayús-clic excluye una</translation>
     </message>
     <message>
         <source>Box</source>
@@ -3478,14 +3455,6 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Click the thing or drag a box around it in any camera view.</source>
         <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara.</translation>
-    </message>
-    <message>
-        <source>not this: %1, frame %2, at %3, %4</source>
-        <translation>esto no: %1, fotograma %2, en %3, %4</translation>
-    </message>
-    <message>
-        <source>%1, frame %2, at %3, %4</source>
-        <translation>%1, fotograma %2, en %3, %4</translation>
     </message>
 </context>
 <context>
@@ -3568,6 +3537,37 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Remove color sample</source>
         <translation>Quitar muestra de color</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ColorSampleList</name>
+    <message>
+        <source>Learned from</source>
+        <translation>Aprendido de</translation>
+    </message>
+    <message>
+        <source>Samples the color was learned from</source>
+        <translation>Muestras de las que se aprendió el color</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Forget the chosen sample and learn from the rest (Del)</source>
+        <translation>Olvidar la muestra elegida y aprender de las demás (Supr)</translation>
+    </message>
+    <message>
+        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one</source>
+        <translation>Mayús-clic en una imagen añade una; Alt-clic o Ctrl+Mayús-clic excluye una</translation>
+    </message>
+    <message>
+        <source>not this: %1, frame %2, at %3, %4</source>
+        <translation>esto no: %1, fotograma %2, en %3, %4</translation>
+    </message>
+    <message>
+        <source>%1, frame %2, at %3, %4</source>
+        <translation>%1, fotograma %2, en %3, %4</translation>
     </message>
 </context>
 <context>
@@ -3819,6 +3819,89 @@ en %4, %5, %6 m</translation>
         <translation>Se exportaron %1 filas a %2.</translation>
     </message>
     <message>
+        <source>First lines of the file</source>
+        <translation>Primeras líneas del archivo</translation>
+    </message>
+    <message>
+        <source>Units and axes</source>
+        <translation>Unidades y ejes</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>File to write</source>
+        <translation>Archivo que se escribe</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Examinar…</translation>
+    </message>
+    <message>
+        <source>Choose the file to write</source>
+        <translation>Elegir el archivo que se escribe</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stop the work under way; what is there already stays as it was</source>
+        <translation>Detener lo que está en marcha; lo que ya hay queda como estaba</translation>
+    </message>
+    <message>
+        <source>Figure…</source>
+        <translation>Figura…</translation>
+    </message>
+    <message>
+        <source>Write a figure of it as SVG or PDF: x, y, z over time and from above</source>
+        <translation>Escribir una figura como SVG o PDF: x, y, z en el tiempo y desde arriba</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Write the file in the background</source>
+        <translation>Escribir el archivo en segundo plano</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Close; an export that is under way goes on</source>
+        <translation>Cerrar; una exportación en curso continúa</translation>
+    </message>
+    <message>
+        <source>Working on the preview: %1 %</source>
+        <translation>Preparando la vista previa: %1 %</translation>
+    </message>
+    <message>
+        <source>The preview was stopped. The next change begins it anew.</source>
+        <translation>La vista previa se detuvo. El próximo cambio la empieza de nuevo.</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 ya existe. ¿Reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ExportForm</name>
+    <message>
         <source>Format</source>
         <translation>Formato</translation>
     </message>
@@ -3927,70 +4010,6 @@ en %4, %5, %6 m</translation>
         <translation>Método, semilla, parámetros, unidades y ejes como comentarios en el archivo</translation>
     </message>
     <message>
-        <source>First lines of the file</source>
-        <translation>Primeras líneas del archivo</translation>
-    </message>
-    <message>
-        <source>Units and axes</source>
-        <translation>Unidades y ejes</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Tamaño</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Archivo</translation>
-    </message>
-    <message>
-        <source>File to write</source>
-        <translation>Archivo que se escribe</translation>
-    </message>
-    <message>
-        <source>Browse…</source>
-        <translation>Examinar…</translation>
-    </message>
-    <message>
-        <source>Choose the file to write</source>
-        <translation>Elegir el archivo que se escribe</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Progreso</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
-        <source>Stop the work under way; what is there already stays as it was</source>
-        <translation>Detener lo que está en marcha; lo que ya hay queda como estaba</translation>
-    </message>
-    <message>
-        <source>Figure…</source>
-        <translation>Figura…</translation>
-    </message>
-    <message>
-        <source>Write a figure of it as SVG or PDF: x, y, z over time and from above</source>
-        <translation>Escribir una figura como SVG o PDF: x, y, z en el tiempo y desde arriba</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportar</translation>
-    </message>
-    <message>
-        <source>Write the file in the background</source>
-        <translation>Escribir el archivo en segundo plano</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Cerrar</translation>
-    </message>
-    <message>
-        <source>Close; an export that is under way goes on</source>
-        <translation>Cerrar; una exportación en curso continúa</translation>
-    </message>
-    <message>
         <source>live</source>
         <translation>en vivo</translation>
     </message>
@@ -4025,22 +4044,6 @@ en %4, %5, %6 m</translation>
     <message>
         <source>millimeters</source>
         <translation>milímetros</translation>
-    </message>
-    <message>
-        <source>Working on the preview: %1 %</source>
-        <translation>Preparando la vista previa: %1 %</translation>
-    </message>
-    <message>
-        <source>The preview was stopped. The next change begins it anew.</source>
-        <translation>La vista previa se detuvo. El próximo cambio la empieza de nuevo.</translation>
-    </message>
-    <message>
-        <source>%1 exists already. Replace it?</source>
-        <translation>%1 ya existe. ¿Reemplazarlo?</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Reemplazar</translation>
     </message>
 </context>
 <context>
@@ -4239,11 +4242,14 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::ManualCalibration</name>
+    <name>dewpoint::ui::ImagePickTool</name>
     <message>
-        <source>camera %1</source>
-        <translation>cámara %1</translation>
+        <source>Image of camera %1: arrow keys move a cross, Enter points there</source>
+        <translation>Imagen de la cámara %1: las flechas mueven una cruz, Intro señala ahí</translation>
     </message>
+</context>
+<context>
+    <name>dewpoint::ui::ManualCalibration</name>
     <message>
         <source>Three points are held already: click one of them to let go of it</source>
         <translation>Ya hay tres puntos sujetos: haga clic en uno para soltarlo</translation>
@@ -4337,6 +4343,29 @@ en %4, %5, %6 m</translation>
     <message>
         <source>%1[*] – Dewpoint</source>
         <translation>%1[*] – Dewpoint</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::MarkEditor</name>
+    <message>
+        <source>Name of the mark</source>
+        <translation>Nombre de la marca</translation>
+    </message>
+    <message>
+        <source>Mark %1</source>
+        <translation>Marca %1</translation>
+    </message>
+    <message>
+        <source>Add a mark</source>
+        <translation>Añadir una marca</translation>
+    </message>
+    <message>
+        <source>Remove a mark</source>
+        <translation>Quitar una marca</translation>
+    </message>
+    <message>
+        <source>Rename a mark</source>
+        <translation>Renombrar una marca</translation>
     </message>
 </context>
 <context>
@@ -5098,18 +5127,6 @@ en %4, %5, %6 m</translation>
         <source>frame %1, iteration %2, %3 s</source>
         <translation>fotograma %1, iteración %2, %3 s</translation>
     </message>
-    <message>
-        <source>time, s</source>
-        <translation>tiempo, s</translation>
-    </message>
-    <message>
-        <source>filter iteration</source>
-        <translation>iteración del filtro</translation>
-    </message>
-    <message>
-        <source>Dewpoint plots</source>
-        <translation>Gráficos de Dewpoint</translation>
-    </message>
 </context>
 <context>
     <name>dewpoint::ui::PointCalibrator</name>
@@ -5681,26 +5698,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Línea de tiempo</translation>
     </message>
     <message>
-        <source>Name of the mark</source>
-        <translation>Nombre de la marca</translation>
-    </message>
-    <message>
-        <source>Mark %1</source>
-        <translation>Marca %1</translation>
-    </message>
-    <message>
-        <source>Add a mark</source>
-        <translation>Añadir una marca</translation>
-    </message>
-    <message>
-        <source>Remove a mark</source>
-        <translation>Quitar una marca</translation>
-    </message>
-    <message>
-        <source>Rename a mark</source>
-        <translation>Renombrar una marca</translation>
-    </message>
-    <message>
         <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
         <translation>El cambio vale a partir de ahora. «%1» muestra qué hace con este momento.</translation>
     </message>
@@ -5838,6 +5835,33 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>The boxes are on the clipboard as CSV.</source>
         <translation>Los recuadros están en el portapapeles como CSV.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ViewButtons</name>
+    <message>
+        <source>Above</source>
+        <translation>Arriba</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Frente</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Libre</translation>
+    </message>
+    <message>
+        <source>Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>Vista desde arriba: X a la derecha, Y hacia arriba. Arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
+    </message>
+    <message>
+        <source>Look from the front: X to the right, Z up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>Vista desde el frente: X a la derecha, Z hacia arriba. Arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
+    </message>
+    <message>
+        <source>Perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>Perspectiva. Arrastrar para girar, Mayús y arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
     </message>
 </context>
 <context>

@@ -1163,6 +1163,17 @@
     </message>
 </context>
 <context>
+    <name>MapOverlay</name>
+    <message>
+        <source>Cameras that see it: %1</source>
+        <translation>見えるカメラ：%1台</translation>
+    </message>
+    <message>
+        <source>±%1 (1 σ); cameras that see it: %2</source>
+        <translation>±%1（1 σ）、見えるカメラ：%2台</translation>
+    </message>
+</context>
+<context>
     <name>Method</name>
     <message>
         <source>The color particle filter of Barrera et al. (2005): for teaching and comparison.</source>
@@ -1653,6 +1664,21 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
+    <name>PlotFigure</name>
+    <message>
+        <source>time, s</source>
+        <translation>時間, s</translation>
+    </message>
+    <message>
+        <source>filter iteration</source>
+        <translation>フィルタ反復</translation>
+    </message>
+    <message>
+        <source>Dewpoint plots</source>
+        <translation>Dewpoint のグラフ</translation>
+    </message>
+</context>
+<context>
     <name>PlotQuantity</name>
     <message>
         <source>%1 mm</source>
@@ -2083,40 +2109,8 @@ From %2 to %3%4; default %5%4.</source>
         <translation>部屋の 3D 表示：カメラ、粒子、推定位置とその軌跡</translation>
     </message>
     <message>
-        <source>Above</source>
-        <translation>上</translation>
-    </message>
-    <message>
-        <source>Front</source>
-        <translation>正面</translation>
-    </message>
-    <message>
-        <source>Free</source>
-        <translation>自由</translation>
-    </message>
-    <message>
-        <source>Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see everything.</source>
-        <translation>上から見る：X は右、Y は上。ドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
-    </message>
-    <message>
-        <source>Look from the front: X to the right, Z up. Drag to move, wheel to zoom, double click to see everything.</source>
-        <translation>正面から見る：X は右、Z は上。ドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
-    </message>
-    <message>
-        <source>Perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
-        <translation>透視図。ドラッグで回転、Shift を押しながらドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
-    </message>
-    <message>
         <source>No 3D: %1</source>
         <translation>3D 表示なし：%1</translation>
-    </message>
-    <message>
-        <source>Cameras that see it: %1</source>
-        <translation>見えるカメラ：%1台</translation>
-    </message>
-    <message>
-        <source>±%1 (1 σ); cameras that see it: %2</source>
-        <translation>±%1（1 σ）、見えるカメラ：%2台</translation>
     </message>
 </context>
 <context>
@@ -2703,6 +2697,13 @@ From %2 to %3%4; default %5%4.</source>
     <name>dewpoint::ui::CameraDocks</name>
     <message>
         <source>Camera %1</source>
+        <translation>カメラ %1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CameraListModel</name>
+    <message>
+        <source>camera %1</source>
         <translation>カメラ %1</translation>
     </message>
 </context>
@@ -3399,22 +3400,6 @@ at %4, %5, %6 m</source>
         <translation>学習</translation>
     </message>
     <message>
-        <source>Learned from</source>
-        <translation>学習に使った見本</translation>
-    </message>
-    <message>
-        <source>Samples the color was learned from</source>
-        <translation>色の学習に使った見本</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>取り除く</translation>
-    </message>
-    <message>
-        <source>Forget the chosen sample and learn from the rest (Del)</source>
-        <translation>選んだ見本を忘れ、残りから学習します（Del）</translation>
-    </message>
-    <message>
         <source>No target yet</source>
         <translation>ターゲットなし</translation>
     </message>
@@ -3439,10 +3424,6 @@ at %4, %5, %6 m</source>
         <translation>これも一致</translation>
     </message>
     <message>
-        <source>Image of camera %1: arrow keys move a cross, Enter points there</source>
-        <translation>カメラ %1 の画像: 矢印キーで十字を動かし、Enter でその場所を指します</translation>
-    </message>
-    <message>
         <source>Click the thing to follow</source>
         <translation>追跡したいものをクリック</translation>
     </message>
@@ -3453,10 +3434,6 @@ at %4, %5, %6 m</source>
     <message>
         <source>Then click the target in any camera image, or drag a box on it. Shift-click adds a sample, Alt-click or Ctrl+Shift-click excludes what is not the target.</source>
         <translation>続けてカメラ画像のターゲットをクリックするか、枠をドラッグします。Shift クリックで見本を追加、Alt クリックまたは Ctrl+Shift クリックでターゲットでないものを除外します。</translation>
-    </message>
-    <message>
-        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one</source>
-        <translation>画像上で Shift クリックすると追加、Alt クリックまたは Ctrl+Shift クリックで除外します</translation>
     </message>
     <message>
         <source>Box</source>
@@ -3477,14 +3454,6 @@ at %4, %5, %6 m</source>
     <message>
         <source>Click the thing or drag a box around it in any camera view.</source>
         <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。</translation>
-    </message>
-    <message>
-        <source>not this: %1, frame %2, at %3, %4</source>
-        <translation>除外: %1、フレーム %2、位置 %3, %4</translation>
-    </message>
-    <message>
-        <source>%1, frame %2, at %3, %4</source>
-        <translation>%1、フレーム %2、位置 %3, %4</translation>
     </message>
 </context>
 <context>
@@ -3567,6 +3536,37 @@ at %4, %5, %6 m</source>
     <message>
         <source>Remove color sample</source>
         <translation>色見本を取り除く</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ColorSampleList</name>
+    <message>
+        <source>Learned from</source>
+        <translation>学習に使った見本</translation>
+    </message>
+    <message>
+        <source>Samples the color was learned from</source>
+        <translation>色の学習に使った見本</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>取り除く</translation>
+    </message>
+    <message>
+        <source>Forget the chosen sample and learn from the rest (Del)</source>
+        <translation>選んだ見本を忘れ、残りから学習します（Del）</translation>
+    </message>
+    <message>
+        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one</source>
+        <translation>画像上で Shift クリックすると追加、Alt クリックまたは Ctrl+Shift クリックで除外します</translation>
+    </message>
+    <message>
+        <source>not this: %1, frame %2, at %3, %4</source>
+        <translation>除外: %1、フレーム %2、位置 %3, %4</translation>
+    </message>
+    <message>
+        <source>%1, frame %2, at %3, %4</source>
+        <translation>%1、フレーム %2、位置 %3, %4</translation>
     </message>
 </context>
 <context>
@@ -3818,6 +3818,89 @@ at %4, %5, %6 m</source>
         <translation>%1 行を %2 に書き出しました。</translation>
     </message>
     <message>
+        <source>First lines of the file</source>
+        <translation>ファイルの先頭行</translation>
+    </message>
+    <message>
+        <source>Units and axes</source>
+        <translation>単位と軸</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大きさ</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>File to write</source>
+        <translation>書き出すファイル</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>参照…</translation>
+    </message>
+    <message>
+        <source>Choose the file to write</source>
+        <translation>書き出すファイルを選びます</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>進行状況</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Stop the work under way; what is there already stays as it was</source>
+        <translation>進行中の作業を止めます。既にあるものはそのまま残ります</translation>
+    </message>
+    <message>
+        <source>Figure…</source>
+        <translation>図…</translation>
+    </message>
+    <message>
+        <source>Write a figure of it as SVG or PDF: x, y, z over time and from above</source>
+        <translation>図を SVG または PDF で書き出します（x、y、z の時間変化と上から見た図）</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>書き出す</translation>
+    </message>
+    <message>
+        <source>Write the file in the background</source>
+        <translation>ファイルをバックグラウンドで書き出します</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Close; an export that is under way goes on</source>
+        <translation>閉じます。実行中の書き出しは続きます</translation>
+    </message>
+    <message>
+        <source>Working on the preview: %1 %</source>
+        <translation>プレビューを作成中:%1 %</translation>
+    </message>
+    <message>
+        <source>The preview was stopped. The next change begins it anew.</source>
+        <translation>プレビューを止めました。次に何かを変えると、また始まります。</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 はすでに存在します。置き換えますか？</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>置き換える</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ExportForm</name>
+    <message>
         <source>Format</source>
         <translation>形式</translation>
     </message>
@@ -3926,70 +4009,6 @@ at %4, %5, %6 m</source>
         <translation>手法、シード、パラメータ、単位、軸をコメントとして書きます</translation>
     </message>
     <message>
-        <source>First lines of the file</source>
-        <translation>ファイルの先頭行</translation>
-    </message>
-    <message>
-        <source>Units and axes</source>
-        <translation>単位と軸</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>大きさ</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>ファイル</translation>
-    </message>
-    <message>
-        <source>File to write</source>
-        <translation>書き出すファイル</translation>
-    </message>
-    <message>
-        <source>Browse…</source>
-        <translation>参照…</translation>
-    </message>
-    <message>
-        <source>Choose the file to write</source>
-        <translation>書き出すファイルを選びます</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>進行状況</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>キャンセル</translation>
-    </message>
-    <message>
-        <source>Stop the work under way; what is there already stays as it was</source>
-        <translation>進行中の作業を止めます。既にあるものはそのまま残ります</translation>
-    </message>
-    <message>
-        <source>Figure…</source>
-        <translation>図…</translation>
-    </message>
-    <message>
-        <source>Write a figure of it as SVG or PDF: x, y, z over time and from above</source>
-        <translation>図を SVG または PDF で書き出します（x、y、z の時間変化と上から見た図）</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>書き出す</translation>
-    </message>
-    <message>
-        <source>Write the file in the background</source>
-        <translation>ファイルをバックグラウンドで書き出します</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>閉じる</translation>
-    </message>
-    <message>
-        <source>Close; an export that is under way goes on</source>
-        <translation>閉じます。実行中の書き出しは続きます</translation>
-    </message>
-    <message>
         <source>live</source>
         <translation>追跡中の値</translation>
     </message>
@@ -4024,22 +4043,6 @@ at %4, %5, %6 m</source>
     <message>
         <source>millimeters</source>
         <translation>ミリメートル</translation>
-    </message>
-    <message>
-        <source>Working on the preview: %1 %</source>
-        <translation>プレビューを作成中:%1 %</translation>
-    </message>
-    <message>
-        <source>The preview was stopped. The next change begins it anew.</source>
-        <translation>プレビューを止めました。次に何かを変えると、また始まります。</translation>
-    </message>
-    <message>
-        <source>%1 exists already. Replace it?</source>
-        <translation>%1 はすでに存在します。置き換えますか？</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>置き換える</translation>
     </message>
 </context>
 <context>
@@ -4237,11 +4240,14 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::ManualCalibration</name>
+    <name>dewpoint::ui::ImagePickTool</name>
     <message>
-        <source>camera %1</source>
-        <translation>カメラ %1</translation>
+        <source>Image of camera %1: arrow keys move a cross, Enter points there</source>
+        <translation>カメラ %1 の画像: 矢印キーで十字を動かし、Enter でその場所を指します</translation>
     </message>
+</context>
+<context>
+    <name>dewpoint::ui::ManualCalibration</name>
     <message>
         <source>Three points are held already: click one of them to let go of it</source>
         <translation>すでに三点を固定しています。一つをクリックすると外れます</translation>
@@ -4335,6 +4341,29 @@ at %4, %5, %6 m</source>
     <message>
         <source>%1[*] – Dewpoint</source>
         <translation>%1[*] – Dewpoint</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::MarkEditor</name>
+    <message>
+        <source>Name of the mark</source>
+        <translation>マークの名前</translation>
+    </message>
+    <message>
+        <source>Mark %1</source>
+        <translation>マーク %1</translation>
+    </message>
+    <message>
+        <source>Add a mark</source>
+        <translation>マークを追加</translation>
+    </message>
+    <message>
+        <source>Remove a mark</source>
+        <translation>マークを削除</translation>
+    </message>
+    <message>
+        <source>Rename a mark</source>
+        <translation>マークの名前を変更</translation>
     </message>
 </context>
 <context>
@@ -5096,18 +5125,6 @@ at %4, %5, %6 m</source>
         <source>frame %1, iteration %2, %3 s</source>
         <translation>フレーム %1、反復 %2、%3 s</translation>
     </message>
-    <message>
-        <source>time, s</source>
-        <translation>時間, s</translation>
-    </message>
-    <message>
-        <source>filter iteration</source>
-        <translation>フィルタ反復</translation>
-    </message>
-    <message>
-        <source>Dewpoint plots</source>
-        <translation>Dewpoint のグラフ</translation>
-    </message>
 </context>
 <context>
     <name>dewpoint::ui::PointCalibrator</name>
@@ -5679,26 +5696,6 @@ Effective sample size %8 of %9</source>
         <translation>タイムライン</translation>
     </message>
     <message>
-        <source>Name of the mark</source>
-        <translation>マークの名前</translation>
-    </message>
-    <message>
-        <source>Mark %1</source>
-        <translation>マーク %1</translation>
-    </message>
-    <message>
-        <source>Add a mark</source>
-        <translation>マークを追加</translation>
-    </message>
-    <message>
-        <source>Remove a mark</source>
-        <translation>マークを削除</translation>
-    </message>
-    <message>
-        <source>Rename a mark</source>
-        <translation>マークの名前を変更</translation>
-    </message>
-    <message>
         <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
         <translation>変更は今後に適用されます。「%1」でこの時点からの結果を確かめられます。</translation>
     </message>
@@ -5833,6 +5830,33 @@ Effective sample size %8 of %9</source>
     <message>
         <source>The boxes are on the clipboard as CSV.</source>
         <translation>枠を CSV としてクリップボードにコピーしました。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ViewButtons</name>
+    <message>
+        <source>Above</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>自由</translation>
+    </message>
+    <message>
+        <source>Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>上から見る：X は右、Y は上。ドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
+    </message>
+    <message>
+        <source>Look from the front: X to the right, Z up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>正面から見る：X は右、Z は上。ドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
+    </message>
+    <message>
+        <source>Perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>透視図。ドラッグで回転、Shift を押しながらドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
     </message>
 </context>
 <context>
