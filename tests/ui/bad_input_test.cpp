@@ -201,7 +201,8 @@ void BadInputTest::aFileThatCannotBeSavedLosesNothing() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::BadInputTest>(argc, argv, "bad-input");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::BadInputTest>(argc, argv,
+                                                                             "bad-input");
 }
 
 #include "bad_input_test.moc"

@@ -307,7 +307,8 @@ void BoardPageTest::everythingHasAName() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::BoardPageTest>(argc, argv, "board-page");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::BoardPageTest>(argc, argv,
+                                                                              "board-page");
 }
 
 #include "board_page_test.moc"

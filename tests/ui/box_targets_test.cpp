@@ -118,7 +118,8 @@ void BoxTargetTest::aBoxOutsideTheImageIsRefused() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::BoxTargetTest>(argc, argv, "box targets");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::BoxTargetTest>(argc, argv,
+                                                                              "box targets");
 }
 
 #include "box_targets_test.moc"

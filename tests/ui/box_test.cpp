@@ -206,7 +206,7 @@ void BoxTest::anExperimentIsRefusedAtOnceAndLeftAloneWhileItRuns() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::BoxTest>(argc, argv, "box");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::BoxTest>(argc, argv, "box");
 }
 
 #include "box_test.moc"

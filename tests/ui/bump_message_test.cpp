@@ -133,7 +133,7 @@ void BumpMessageTest::aClickSolvesTheCameraAgain() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::BumpMessageTest>(argc, argv, "bump");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::BumpMessageTest>(argc, argv, "bump");
 }
 
 #include "bump_message_test.moc"

@@ -262,8 +262,8 @@ void CalibrationImportTest::whatIsExportedComesBack() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::CalibrationImportTest>(argc, argv,
-                                                                     "calibration-import");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::CalibrationImportTest>(
+      argc, argv, "calibration-import");
 }
 
 #include "calibration_import_test.moc"

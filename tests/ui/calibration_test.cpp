@@ -354,7 +354,8 @@ void CalibrationTest::everythingHasAName() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::CalibrationTest>(argc, argv, "calibration");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::CalibrationTest>(argc, argv,
+                                                                                "calibration");
 }
 
 #include "calibration_test.moc"

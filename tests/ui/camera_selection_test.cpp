@@ -151,7 +151,8 @@ void CameraSelectionTest::targetsComeAndGoInTheirList() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::CameraSelectionTest>(argc, argv, "camera-selection");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::CameraSelectionTest>(
+      argc, argv, "camera-selection");
 }
 
 #include "camera_selection_test.moc"

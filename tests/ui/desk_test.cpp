@@ -320,7 +320,7 @@ void DeskTest::thePickerIsDraggedByHandAndByKeys() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::DeskTest>(argc, argv, "desk");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::DeskTest>(argc, argv, "desk");
 }
 
 #include "desk_test.moc"

@@ -73,7 +73,8 @@ void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::EmptyRoomTest>(argc, argv, "empty-room");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::EmptyRoomTest>(argc, argv,
+                                                                              "empty-room");
 }
 
 #include "empty_room_test.moc"

@@ -331,7 +331,7 @@ void ExportTest::takesPicturesOfEveryView() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::ExportTest>(argc, argv, "export");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::ExportTest>(argc, argv, "export");
 }
 
 #include "export_test.moc"

@@ -161,7 +161,8 @@ void FirstRunTest::fromTwoVideosAndACalibrationToATrack() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::FirstRunTest>(argc, argv, "first-run");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::FirstRunTest>(argc, argv,
+                                                                             "first-run");
 }
 
 #include "first_run_test.moc"

@@ -139,7 +139,8 @@ void LiveWindowTest::saysWhichCameraDoesNotAnswer() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::LiveWindowTest>(argc, argv, "live-window");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::LiveWindowTest>(argc, argv,
+                                                                               "live-window");
 }
 
 #include "live_window_test.moc"

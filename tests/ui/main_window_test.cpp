@@ -289,7 +289,8 @@ void MainWindowTest::noQt5InTheProcess() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::MainWindowTest>(argc, argv, "main-window");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::MainWindowTest>(argc, argv,
+                                                                               "main-window");
 }
 
 #include "main_window_test.moc"

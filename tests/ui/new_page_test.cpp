@@ -129,7 +129,7 @@ void NewPageTest::cancelOfANewProjectChangesNothing() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::NewPageTest>(argc, argv, "new-page");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::NewPageTest>(argc, argv, "new-page");
 }
 
 #include "new_page_test.moc"

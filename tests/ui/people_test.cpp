@@ -222,7 +222,7 @@ void PeopleTest::peopleAreTakenAwayAndPlacedByKeys() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::PeopleTest>(argc, argv, "people");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::PeopleTest>(argc, argv, "people");
 }
 
 #include "people_test.moc"

@@ -277,7 +277,8 @@ void PlannerPageTest::draggingStaysFluid() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::PlannerPageTest>(argc, argv, "planner");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::PlannerPageTest>(argc, argv,
+                                                                                "planner");
 }
 
 #include "planner_page_test.moc"

@@ -372,7 +372,7 @@ void PlotsTest::restartBeginsAnew() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::PlotsTest>(argc, argv, "PlotsTest");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::PlotsTest>(argc, argv, "PlotsTest");
 }
 
 #include "plots_test.moc"

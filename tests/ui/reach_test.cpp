@@ -131,7 +131,7 @@ void ReachTest::aNoticeMovesNothingAndGoes() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::ReachTest>(argc, argv, "reach");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::ReachTest>(argc, argv, "reach");
 }
 
 #include "reach_test.moc"

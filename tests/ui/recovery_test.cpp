@@ -250,7 +250,8 @@ void RecoveryTest::locksOfTheDeadGo() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::RecoveryTest>(argc, argv, "recovery");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::RecoveryTest>(argc, argv,
+                                                                             "recovery");
 }
 
 #include "recovery_test.moc"

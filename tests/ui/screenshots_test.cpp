@@ -264,7 +264,8 @@ void ScreenshotsTest::everyView() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::ScreenshotsTest>(argc, argv, "screenshots");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::ScreenshotsTest>(argc, argv,
+                                                                                "screenshots");
 }
 
 #include "screenshots_test.moc"

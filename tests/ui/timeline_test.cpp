@@ -204,7 +204,8 @@ void TimelineTest::titleSaysWhy() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::TimelineTest>(argc, argv, "timeline");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::TimelineTest>(argc, argv,
+                                                                             "timeline");
 }
 
 #include "timeline_test.moc"

@@ -275,7 +275,8 @@ void TranslationTest::anErrorIsTranslatedButNotItsFileAndField() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::TranslationTest>(argc, argv, "translation");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::TranslationTest>(argc, argv,
+                                                                                "translation");
 }
 
 #include "translation_test.moc"

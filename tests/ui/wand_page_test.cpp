@@ -261,7 +261,8 @@ void WandPageTest::everythingHasAName() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return test::runWindowTest<dewpoint::tests::WandPageTest>(argc, argv, "wand-page");
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::WandPageTest>(argc, argv,
+                                                                             "wand-page");
 }
 
 #include "wand_page_test.moc"
