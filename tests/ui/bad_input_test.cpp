@@ -15,7 +15,6 @@
 #include <QUndoStack>
 
 #include <filesystem>
-#include <memory>
 
 namespace dewpoint::tests {
 

@@ -10,8 +10,6 @@
 
 #include <QLabel>
 #include <QPushButton>
-#include <QSettings>
-#include <QSignalSpy>
 #include <QUndoStack>
 
 #include <memory>

@@ -15,20 +15,14 @@
 #include "ui/widgets/range_bar.h"
 
 #include <QDockWidget>
-#include <QDropEvent>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMimeData>
 #include <QPushButton>
-#include <QSettings>
-#include <QToolButton>
 #include <QTreeWidget>
-#include <QUrl>
 
 #include <map>
-#include <memory>
 
 namespace dewpoint::tests {
 

@@ -10,7 +10,6 @@
 
 #include <QCoreApplication>
 #include <QProcess>
-#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -19,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <utility>
 
 namespace dewpoint::tests {
 
@@ -248,7 +248,9 @@ void DocumentTest::killedAtAnyMomentOnlyWhatCameAfterTheLastCopyIsLost() {
   // Somewhere between a copy and the next, ms after it, at another moment each time.
   constexpr std::array<std::pair<int, int>, 5> kCopiesAndDelays{
       {{1, 350}, {1, 390}, {2, 740}, {2, 780}, {3, 50}}};
-  for (const auto& [copies, delay] : kCopiesAndDelays) {
+  for (const auto& moment : kCopiesAndDelays) {
+    const int copies = moment.first;
+    const int delay = moment.second;
     QTemporaryDir folder;
     QProcess child;
     child.start(QCoreApplication::applicationFilePath(),

@@ -10,11 +10,9 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QPushButton>
-#include <QSettings>
 #include <QUndoStack>
 
 #include <filesystem>
-#include <memory>
 
 namespace dewpoint::tests {
 

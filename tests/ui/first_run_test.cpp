@@ -18,7 +18,6 @@
 #include <QListView>
 #include <QMouseEvent>
 #include <QPushButton>
-#include <QSettings>
 #include <QTimer>
 #include <QToolButton>
 

@@ -9,7 +9,6 @@
 #include "ui/style/image.h"
 
 #include <QLabel>
-#include <QSignalSpy>
 #include <QToolButton>
 
 #include <array>

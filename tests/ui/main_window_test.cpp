@@ -18,7 +18,6 @@
 #include <QStatusBar>
 #include <QToolButton>
 
-#include <memory>
 #include <optional>
 
 namespace dewpoint::tests {

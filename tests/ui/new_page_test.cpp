@@ -7,17 +7,11 @@
 
 #include <QDir>
 #include <QDockWidget>
-#include <QDropEvent>
 #include <QFile>
 #include <QLabel>
-#include <QMimeData>
 #include <QPushButton>
-#include <QSettings>
 #include <QTableWidget>
-#include <QToolButton>
-#include <QUrl>
 
-#include <memory>
 
 namespace dewpoint::tests {
 

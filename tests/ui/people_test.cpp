@@ -13,12 +13,10 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QProgressBar>
-#include <QSettings>
 #include <QTableWidget>
 #include <QUndoStack>
 
 #include <filesystem>
-#include <memory>
 
 namespace dewpoint::tests {
 

@@ -15,12 +15,10 @@
 #include <QDockWidget>
 #include <QLineF>
 #include <QMouseEvent>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QSvgRenderer>
 #include <QTableView>
 
-#include <memory>
 
 namespace dewpoint::tests {
 

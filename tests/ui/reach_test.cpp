@@ -19,14 +19,10 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
-#include <QSettings>
-#include <QSignalSpy>
 #include <QTableWidget>
-#include <QToolButton>
 #include <QTreeWidget>
 
 #include <map>
-#include <memory>
 
 namespace dewpoint::tests {
 

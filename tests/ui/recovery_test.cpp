@@ -16,7 +16,6 @@
 #include <QLockFile>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSettings>
 #include <QSysInfo>
 #include <QTimer>
 #include <QToolButton>

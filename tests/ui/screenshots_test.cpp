@@ -20,9 +20,7 @@
 #include <QMouseEvent>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QSignalSpy>
 #include <QTableWidget>
-#include <QToolButton>
 #include <QUndoStack>
 
 #include <set>

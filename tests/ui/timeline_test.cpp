@@ -15,7 +15,6 @@
 #include <QUndoStack>
 
 #include <map>
-#include <memory>
 
 namespace dewpoint::tests {
 

@@ -19,9 +19,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QRegularExpression>
-#include <QSignalSpy>
 #include <QTabBar>
-#include <QToolButton>
 #include <QTranslator>
 #include <QUndoStack>
 

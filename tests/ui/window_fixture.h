@@ -20,8 +20,8 @@ namespace dewpoint::tests::test {
 /// How a window is made for a test.
 struct WindowSetup {
   ProjectOpener opener = &openProject;
-  QSize size; ///< empty: as large as the window wants to be
-  std::optional<Theme> theme;
+  QSize size = {}; ///< empty: as large as the window wants to be
+  std::optional<Theme> theme = {};
   bool play = true; ///< a project plays as soon as it is open
 };
 
