@@ -6292,6 +6292,22 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>dewpoint::ui::WindowMenus</name>
     <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Choose this camera</source>
+        <translation>Diese Kamera wählen</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Ziele</translation>
+    </message>
+    <message>
+        <source>Choose this target</source>
+        <translation>Dieses Ziel wählen</translation>
+    </message>
+    <message>
         <source>&amp;Edit</source>
         <translation>&amp;Bearbeiten</translation>
     </message>

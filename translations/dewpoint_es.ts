@@ -6292,6 +6292,22 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>dewpoint::ui::WindowMenus</name>
     <message>
+        <source>Cameras</source>
+        <translation>Cámaras</translation>
+    </message>
+    <message>
+        <source>Choose this camera</source>
+        <translation>Elegir esta cámara</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Objetivos</translation>
+    </message>
+    <message>
+        <source>Choose this target</source>
+        <translation>Elegir este objetivo</translation>
+    </message>
+    <message>
         <source>&amp;Edit</source>
         <translation>&amp;Editar</translation>
     </message>

@@ -6287,6 +6287,22 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::WindowMenus</name>
     <message>
+        <source>Cameras</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Choose this camera</source>
+        <translation>このカメラを選びます</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>ターゲット</translation>
+    </message>
+    <message>
+        <source>Choose this target</source>
+        <translation>このターゲットを選びます</translation>
+    </message>
+    <message>
         <source>&amp;Edit</source>
         <translation>編集(&amp;E)</translation>
     </message>

@@ -31,6 +31,7 @@ private Q_SLOTS:
   void anotherProjectBeginsWithItsFirstCamera();
   void aNameThatChangesLeavesTheChoice();
   void targetsComeAndGoInTheirList();
+  void thePaletteChoosesThem();
 
 private:
   QListView& list() { return *find<QListView>("cameraList"); }
@@ -146,6 +147,24 @@ void CameraSelectionTest::targetsComeAndGoInTheirList() {
   QVERIFY(document.edit(QStringLiteral("no name"),
                         [](Project& project) { project.cameras[1].camera.name.clear(); }));
   QCOMPARE(cameras.index(1).data().toString(), QStringLiteral("camera 2"));
+}
+
+void CameraSelectionTest::thePaletteChoosesThem() {
+  const auto run = [this](const QString& name) {
+    action("actionPalette")->trigger();
+    auto* search = find<QLineEdit>("paletteSearch");
+    search->setText(name);
+    QTest::keyClick(search, Qt::Key_Return);
+  };
+  run(QStringLiteral("cameras ") + list().model()->index(1, 0).data().toString());
+  QVERIFY2(placeWithout(1).isEmpty(), qPrintable(placeWithout(1)));
+  QVERIFY(window_->document().edit(QStringLiteral("add"), [](Project& project) {
+    project.targets.push_back(project.targets.front());
+    project.targets.back().name = "other";
+  }));
+  run(QStringLiteral("targets other"));
+  QCOMPARE(window_->selection().target(), static_cast<int>(project().targets.size()) - 1);
+  QCOMPARE(find<QLineEdit>("targetName")->text(), QStringLiteral("other"));
 }
 
 } // namespace dewpoint::tests

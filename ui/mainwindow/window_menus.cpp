@@ -3,7 +3,10 @@
 
 #include "ui/actions/action_registry.h"
 #include "ui/actions/shortcut_editor.h"
+#include "ui/document/camera_list_model.h"
+#include "ui/document/target_list_model.h"
 #include "ui/preferences/preferences.h"
+#include "ui/selection/selection.h"
 #include "ui/text/language.h"
 #include "ui/workbench/dock_manager.h"
 
@@ -132,6 +135,23 @@ std::vector<CommandPalette::Entry> WindowMenus::moreForPalette() {
                            }});
       }
     }
+  }
+  const auto addAll = [&](const NameListModel& list, const QString& group, const QString& hint,
+                          void (Selection::*select)(int)) {
+    for (int row = 0; row < list.rowCount(); ++row) {
+      const QModelIndex one = list.index(row);
+      entries.push_back(
+          {group,
+           one.data().toString(),
+           hint,
+           {},
+           one.data(Qt::DecorationRole).value<QIcon>(),
+           [selection = &bench_.selection, select, row] { (selection->*select)(row); }});
+    }
+  };
+  if (bench_.session.isRunning()) {
+    addAll(bench_.cameras, tr("Cameras"), tr("Choose this camera"), &Selection::selectCamera);
+    addAll(bench_.targets, tr("Targets"), tr("Choose this target"), &Selection::selectTarget);
   }
   for (QAction* language : languages_) {
     entries.push_back(

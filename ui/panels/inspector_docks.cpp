@@ -93,6 +93,7 @@ TargetDock installTargets(const Workbench& bench) {
                                      .rank = 2});
   bench.connectView(panel);
   QObject::connect(panel, &TargetPanel::targetChosen, &bench.selection, &Selection::selectTarget);
+  QObject::connect(&bench.selection, &Selection::targetSelected, panel, &TargetPanel::choose);
   bench.onTriggered("actionRemoveTarget", panel, [panel] { panel->removeChosen(); });
   bench.needRun({"actionRemoveTarget"});
   return {dock, panel};

@@ -92,7 +92,9 @@ int TargetPanel::chosen() const {
 }
 
 void TargetPanel::choose(int target) {
-  list_->setCurrentIndex(list_->model()->index(target, 0));
+  if (const QModelIndex row = list_->model()->index(target, 0); row.isValid()) {
+    list_->setCurrentIndex(row);
+  }
 }
 
 void TargetPanel::refresh() {

@@ -31,6 +31,7 @@ public:
 
   /// Index of the chosen target; -1 without targets.
   int chosen() const;
+  /// Chooses a target of the list; others change nothing.
   void choose(int target);
   /// What is believed of the chosen target's box at the moment shown, if its method follows boxes.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
