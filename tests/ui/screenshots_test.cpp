@@ -64,7 +64,7 @@ private:
   void keepPeople();
   void keepBoxes();
   /// The dialog that an action opens.
-  void keepDialog(const char* action, const char* dialog);
+  void keepDialog(const char* id, const char* dialog);
 
   QString theme_;
 };
@@ -195,8 +195,8 @@ void ScreenshotsTest::keepPeople() {
   keepWindow(QStringLiteral("people"));
 }
 
-void ScreenshotsTest::keepDialog(const char* action, const char* dialog) {
-  this->action(action)->trigger();
+void ScreenshotsTest::keepDialog(const char* id, const char* dialog) {
+  action(id)->trigger();
   auto* shown = find<QWidget>(dialog);
   QVERIFY2(waitFor([shown] { return shown->isVisible(); }), dialog);
   QVERIFY(settles(*shown));

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the window is put together: a view that is added with one line, views that fill the window
 // and come back, and what another project finds.
-#include "app/wiring/open_project.h"
 #include "core/session/session.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/selection/selection.h"
 #include "ui/session/open_request.h"
@@ -14,12 +13,9 @@
 #include "ui/workbench/dock_manager.h"
 #include "ui/workbench/workbench.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QLabel>
 #include <QMenu>
 #include <QSignalSpy>
-#include <QTest>
 
 #include <map>
 #include <memory>
@@ -29,8 +25,6 @@
 namespace dewpoint::tests {
 
 namespace {
-
-constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS; ///< a loaded machine, a sanitizer
 
 /// A view as somebody would add it (docs/architecture.md).
 class FrameNumber : public QLabel {
@@ -54,12 +48,12 @@ FrameNumber* installFrameNumber(const Workbench& bench) {
 
 } // namespace
 
-class WindowAssemblyTest : public QObject {
+class WindowAssemblyTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
-  void init();
-  void cleanup();
+  void init() { makeWindow({.play = false}); }
+  void cleanup() { window_.reset(); }
   void aViewIsAddedWithOneLine();
   void aMaximizedViewGivesTheOthersTheirPlacesBack();
   void whatIsWantedWhileOneViewFillsTheWindowStays();
@@ -69,36 +63,20 @@ private Q_SLOTS:
   void closingBeforeTheRunBeginsKeepsItFromBeginning();
 
 private:
-  void open();
+  void openDemo();
   ViewDock* dock(const char* name) { return window_->findChild<ViewDock*>(QLatin1String(name)); }
   void doubleClickTitle(const char* name) {
     QTest::mouseDClick(dock(name)->titleBarWidget(), Qt::LeftButton);
   }
   /// Which docks are shown, by name, and where.
   std::map<QString, QRect> places() const;
-
-  std::unique_ptr<MainWindow> window_;
 };
 
-void WindowAssemblyTest::init() {
-  window_ = std::make_unique<MainWindow>(&openProject);
-  window_->setPlayOnOpen(false);
-  window_->show();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-}
-
-void WindowAssemblyTest::cleanup() {
-  window_.reset();
-}
-
-void WindowAssemblyTest::open() {
-  QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
-  window_->openProject({});
-  QVERIFY(opened.wait(kPatienceMs));
-  QTRY_VERIFY_WITH_TIMEOUT(window_->shown() && window_->shown()->iterations > 0, kPatienceMs);
-  QVERIFY(QTest::qWaitFor(
-      [this, last = places()]() mutable { return last == std::exchange(last, places()); },
-      kPatienceMs));
+void WindowAssemblyTest::openDemo() {
+  open();
+  QVERIFY(waitFor([this] { return shown().iterations > 0; }));
+  QVERIFY(
+      waitFor([this, last = places()]() mutable { return last == std::exchange(last, places()); }));
 }
 
 std::map<QString, QRect> WindowAssemblyTest::places() const {
@@ -113,7 +91,7 @@ std::map<QString, QRect> WindowAssemblyTest::places() const {
 
 void WindowAssemblyTest::aViewIsAddedWithOneLine() {
   FrameNumber* view = installFrameNumber(window_->workbench());
-  open();
+  openDemo();
   QCOMPARE(view->text(), QString::number(window_->shown()->frame));
   // It is a tab of the inspector, and in the list of views.
   QVERIFY(!dock("frameNumberDock")->isHidden());
@@ -133,7 +111,7 @@ void WindowAssemblyTest::aViewIsAddedWithOneLine() {
 }
 
 void WindowAssemblyTest::aMaximizedViewGivesTheOthersTheirPlacesBack() {
-  open();
+  openDemo();
   const auto before = places();
   for (int round = 0; round < 2; ++round) {
     doubleClickTitle("cameraDock1");
@@ -146,7 +124,7 @@ void WindowAssemblyTest::aMaximizedViewGivesTheOthersTheirPlacesBack() {
 }
 
 void WindowAssemblyTest::whatIsWantedWhileOneViewFillsTheWindowStays() {
-  open();
+  openDemo();
   const auto before = places();
   doubleClickTitle("birdsEyeDock");
   QTRY_COMPARE_WITH_TIMEOUT(places().size(), std::size_t{1}, kPatienceMs);
@@ -163,13 +141,13 @@ void WindowAssemblyTest::whatIsWantedWhileOneViewFillsTheWindowStays() {
 }
 
 void WindowAssemblyTest::anotherProjectIsSeenWhole() {
-  open();
+  openDemo();
   auto* room = window_->findChild<BirdsEyeView*>();
   room->lookFree();
   auto* plots = window_->findChild<PlotStack*>(QStringLiteral("plotStack"));
   // Long enough to be looked at in part.
   QTRY_VERIFY_WITH_TIMEOUT((plots->showPart(1.0, 6.0), !plots->showsAll()), kPatienceMs);
-  open();
+  openDemo();
   QCOMPARE(room->currentView(), Scene3d::View::Above);
   QVERIFY(plots->showsAll());
 }
@@ -243,12 +221,8 @@ void WindowAssemblyTest::closingBeforeTheRunBeginsKeepsItFromBeginning() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("window_assembly"));
-  dewpoint::tests::WindowAssemblyTest test;
-  return QTest::qExec(&test, argc, argv);
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::WindowAssemblyTest>(
+      argc, argv, "window_assembly");
 }
 
 #include "window_assembly_test.moc"
