@@ -12,7 +12,6 @@
 #include <QPushButton>
 #include <QTableWidget>
 
-
 namespace dewpoint::tests {
 
 class NewPageTest : public QObject, private test::WindowFixture {

@@ -19,7 +19,6 @@
 #include <QSvgRenderer>
 #include <QTableView>
 
-
 namespace dewpoint::tests {
 
 namespace {
