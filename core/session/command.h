@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/camera.h"
+#include "core/project/project.h"
 #include "core/tracking/parameters.h"
 #include "core/tracking/target.h"
 
@@ -83,16 +84,10 @@ struct ShowShapes {
 struct ShowBoard {
   bool shown = false;
 };
-/// Of methods for people, else nothing happens: somebody stands somewhere, or is not there. At an
-/// earlier moment, the run is tracked again from there with that.
-struct ChangePeople {
-  struct Seen {
-    int camera = 0;
-    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
-  };
-  std::optional<Eigen::Vector2d> place; ///< somebody stands here; world x and y, metres
-  std::optional<Seen> seen;             ///< somebody is seen here
-  std::optional<int> gone;              ///< this identity is not there
+/// What was said of people, in place of all that was said before; only methods for people listen.
+/// The run is tracked again from the first frame for which it is otherwise.
+struct SetPeople {
+  std::vector<PersonCorrection> people; ///< in the order of their frames
 };
 } // namespace command
 
@@ -101,6 +96,6 @@ using Command =
                  command::Restart, command::Configure, command::SetMethod, command::SetTargets,
                  command::SetCameras, command::SetEmptyRooms, command::ShowMasks,
                  command::ShowFrame, command::BackToHead, command::Rerun, command::ShowMaps,
-                 command::ShowShapes, command::ShowBoard, command::ChangePeople>;
+                 command::ShowShapes, command::ShowBoard, command::SetPeople>;
 
 } // namespace dewpoint::session

@@ -2,7 +2,7 @@
 #include "core/session/run_driver.h"
 
 #include "core/session/box_counterparts.h"
-#include "core/session/people_change.h"
+#include "core/session/people/person_correction.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <algorithm>
@@ -95,6 +95,7 @@ void RunDriver::iterateFrame() {
       note(told.error());
     }
     playback_.track(); // also without any target
+    std::ranges::move(run_->takeRefusals(), std::back_inserter(errors_));
     record();
   }
   if (const auto again = playback_.reach(head())) {
@@ -323,21 +324,16 @@ void RunDriver::setEmptyRooms(const command::SetEmptyRooms& wish) {
   change(std::move(wanted));
 }
 
-void RunDriver::changePeople(const command::ChangePeople& wish) {
-  if (run_->capability<PersonPlacing>() == nullptr || !run_->frames()) {
+void RunDriver::setPeople(const std::vector<PersonCorrection>& people) {
+  const auto from = firstDifference(definition_->people, people);
+  if (!from) {
     return;
   }
-  if (const auto viewed = playback_.viewed()) {
-    rerun(*viewed, true);
-  }
-  const PeopleChange change = peopleChange(*run_, wish, errors_);
-  if (!change.newPerson && !change.personGone) {
-    return;
-  }
-  run_->apply(change);
-  travel_->changed(*run_, change);
-  if (playback_.head() == Playback::Head::Recorded) {
-    record();
+  RunDefinition wanted = *definition_;
+  wanted.people = people;
+  change(std::move(wanted));
+  if (run_->capability<PersonPlacing>() != nullptr && *from <= head()) {
+    rerun(*from, true);
   }
 }
 

@@ -64,9 +64,9 @@ public:
   void setTargets(const std::vector<Target>& targets);
   void setCameras(const CameraRig& rig);
   void setEmptyRooms(const command::SetEmptyRooms& wish);
-  void changePeople(const command::ChangePeople& wish);
   /// While a board is shown to live cameras none of them is taken for moved.
   void setBoardShown(bool shown) { bumps_.setResting(shown); }
+  void setPeople(const std::vector<PersonCorrection>& people);
 
   /// What is tracked from now on.
   const RunDefinition& definition() const { return *definition_; }

@@ -101,16 +101,7 @@ public:
   void setLikelihoodMapsWanted(bool wanted) { send(command::ShowMaps{wanted}); }
   void setShapesWanted(bool wanted) { send(command::ShowShapes{wanted}); }
   void setBoardShown(bool shown) { send(command::ShowBoard{shown}); }
-  void addPerson(const Eigen::Vector2d& place) {
-    send(command::ChangePeople{place, std::nullopt, std::nullopt});
-  }
-  void addPersonSeen(int camera, const Eigen::Vector2d& pixel) {
-    send(command::ChangePeople{std::nullopt, command::ChangePeople::Seen{camera, pixel},
-                               std::nullopt});
-  }
-  void removePerson(int identity) {
-    send(command::ChangePeople{std::nullopt, std::nullopt, identity});
-  }
+  void setPeople(const std::vector<PersonCorrection>& people) { send(command::SetPeople{people}); }
   /// Gives every frame set that is taken from now on to `tap` too, in the tracking thread; an empty
   /// one ends it. Cameras that a person calibrates are seen so while they are tracked.
   void setFrameTap(FrameTap tap);

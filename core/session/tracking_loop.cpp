@@ -136,8 +136,8 @@ TrackingLoop::Publish TrackingLoop::handle(const command::SetEmptyRooms& wish) {
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::ChangePeople& wish) {
-  driver_.changePeople(wish);
+TrackingLoop::Publish TrackingLoop::handle(const command::SetPeople& wish) {
+  driver_.setPeople(wish.people);
   return Publish::Now;
 }
 

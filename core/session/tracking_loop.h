@@ -46,7 +46,7 @@ private:
   Publish handle(const command::SetTargets& wish);
   Publish handle(const command::SetCameras& wish);
   Publish handle(const command::SetEmptyRooms& wish);
-  Publish handle(const command::ChangePeople& wish);
+  Publish handle(const command::SetPeople& wish);
   Publish handle(const command::ShowMasks& wish);
   Publish handle(const command::ShowMaps& wish);
   Publish handle(const command::ShowShapes& wish);

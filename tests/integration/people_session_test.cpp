@@ -193,7 +193,9 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   const double time = officeDay().timeOf(80);
   session.showFrame(80);
   ASSERT_TRUE(eventually([&] { return session.newest()->frame == 80; }));
-  session.addPerson(renderer.middle(0, time).head<2>());
+  std::vector<PersonCorrection> said;
+  said.push_back({.frame = 80, .place = renderer.middle(0, time).head<2>()});
+  session.setPeople(said);
   ASSERT_TRUE(eventually([&] {
     return present(*session.newest()) == 1 && session.newest()->frame == 80 &&
            session.newest()->history.head == kFrames - 1 && !session.newest()->rerun;
@@ -204,20 +206,55 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   const double now = officeDay().timeOf(kFrames - 1);
   const auto pixel = Projector(officeRig()[0]).project(renderer.middle(1, now));
   ASSERT_TRUE(pixel);
-  session.addPersonSeen(0, *pixel);
+  const auto clicked = [&](const Eigen::Vector2d& where) {
+    said.push_back({.frame = kFrames - 1, .click = PersonCorrection::Click{0, where}});
+    session.setPeople(said);
+  };
+  clicked(*pixel);
   ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 2; }));
   const Eigen::Vector3d placed = positionOf(session.newest()->targets.at(1).estimate)->mean;
   EXPECT_LT((placed - renderer.middle(1, now)).head<2>().norm(), 0.3); // of 0.1 m steps
-  session.addPersonSeen(0, {0.0, 0.0}); // a corner of the ceiling: nobody is there, which is said
+  clicked({0.0, 0.0}); // a corner of the ceiling: nobody is there, which is said
   ASSERT_TRUE(eventually([&] { return session.newest()->notices.size() == 1; }));
   EXPECT_EQ(session.newest()->notices.front().field, officeRig()[0].name);
   EXPECT_EQ(present(*session.newest()), 2);
-  session.addPerson({50.0, 0.0}); // in another house
+  said.push_back({.frame = kFrames - 1, .place = Eigen::Vector2d(50.0, 0.0)}); // another house
+  session.setPeople(said);
   ASSERT_TRUE(eventually([&] { return session.newest()->notices.size() == 2; }));
   EXPECT_EQ(present(*session.newest()), 2);
-  session.removePerson(1);
+  const Eigen::Vector2d first = session.newest()->targets.at(0).estimate.mean.head<2>();
+  said.push_back({.frame = kFrames - 1, .place = first, .present = false});
+  session.setPeople(said);
   ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 1; }));
   EXPECT_EQ(session.newest()->targets.at(0).status, TargetStatus::Gone); // and not lost
+  // Whatever was said can be taken back: the run is what it would have been without.
+  said.pop_back();
+  session.setPeople(said);
+  ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 2; }));
+  EXPECT_EQ(session.newest()->targets.at(0).estimate.mean.head<2>(), first);
+  session.setPeople({});
+  ASSERT_TRUE(eventually([&] {
+    return present(*session.newest()) == 0 && session.newest()->history.head == kFrames - 1 &&
+           !session.newest()->rerun;
+  }));
+}
+
+TEST(PeopleSession, WhatTheProjectSaysOfPeopleComesTrueInItsFrame) {
+  Project project = officeProject();
+  ASSERT_TRUE(project.parameters.set("births", 0.0));
+  simulation::ViewCache views;
+  const OfficeRenderer renderer(officeDay(), views);
+  const double time = officeDay().timeOf(80);
+  project.people.push_back({.frame = 80, .place = renderer.middle(0, time).head<2>()});
+  Session session(office(project));
+  playThrough(session);
+  EXPECT_EQ(present(*session.newest()), 1);
+  session.showFrame(79);
+  ASSERT_TRUE(eventually([&] { return session.newest()->frame == 79; }));
+  EXPECT_EQ(present(*session.newest()), 0);
+  session.showFrame(80);
+  ASSERT_TRUE(eventually([&] { return session.newest()->frame == 80; }));
+  EXPECT_EQ(present(*session.newest()), 1);
 }
 
 TEST(PeopleSession, AnotherMethodWhileLookingBackLearnsTheRoomFromTheBeginning) {

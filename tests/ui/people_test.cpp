@@ -211,6 +211,15 @@ void PeopleTest::peopleAreTakenAwayAndPlacedByKeys() {
   QVERIFY(!layer->isVisible());
   const Eigen::Vector3d found = positionOf(window_->shown()->targets.back().estimate)->mean;
   QVERIFY((found - place).head<2>().norm() < 0.4);
+  // Both are steps of the document: taken back, and in its file.
+  QCOMPARE(window_->document().project().people.size(), std::size_t{2});
+  action("actionUndo")->trigger();
+  QVERIFY(waitFor([&] { return there() == 1 && !window_->shown()->rerun; }));
+  action("actionUndo")->trigger();
+  QVERIFY(waitFor([&] { return there() == 2 && window_->shown()->targets.at(0).person; }));
+  QVERIFY(window_->document().project().people.empty());
+  action("actionRedo")->trigger();
+  QVERIFY(waitFor([&] { return there() == 1; }));
 
   action("actionPlacePerson")->setChecked(true); // and away again by Esc
   QTest::keyClick(layer, Qt::Key_Escape);

@@ -47,6 +47,7 @@ RunDefinition RunDefinition::of(const Project& project, std::vector<cv::Mat> emp
   for (const ProjectCamera& camera : project.cameras) {
     definition.emptyRoomFiles.push_back(camera.emptyRoom);
   }
+  definition.people = project.people;
   definition.seed = project.seed;
   return definition;
 }
@@ -55,6 +56,7 @@ Project RunDefinition::appliedTo(Project project) const {
   project.method = method;
   project.parameters = parameters;
   project.targets = targets;
+  project.people = people;
   project.seed = seed;
   for (std::size_t k = 0; k < std::min(project.cameras.size(), rig->size()); ++k) {
     project.cameras[k].camera = (*rig)[k];
@@ -66,7 +68,7 @@ Project RunDefinition::appliedTo(Project project) const {
 bool RunDefinition::operator==(const RunDefinition& other) const {
   return method == other.method && parameters == other.parameters && targets == other.targets &&
          (rig == other.rig || *rig == *other.rig) && areSameRooms(emptyRooms, other.emptyRooms) &&
-         emptyRoomFiles == other.emptyRoomFiles && seed == other.seed;
+         emptyRoomFiles == other.emptyRoomFiles && people == other.people && seed == other.seed;
 }
 
 std::string differences(const RunDefinition& before, const RunDefinition& after) {
@@ -96,6 +98,9 @@ std::string differences(const RunDefinition& before, const RunDefinition& after)
     if (before.emptyRoomFiles[k] != after.emptyRoomFiles[k]) {
       add((*after.rig)[k].name, "another empty room");
     }
+  }
+  if (before.people != after.people) {
+    add("people", "other corrections");
   }
   return text;
 }

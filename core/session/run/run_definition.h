@@ -25,6 +25,7 @@ struct RunDefinition {
   std::shared_ptr<const CameraRig> rig;    ///< never null; in the order of the project
   std::vector<cv::Mat> emptyRooms;         ///< per camera, as of loadEmptyRooms(); may be empty
   std::vector<std::string> emptyRoomFiles; ///< per camera, as the project names them
+  std::vector<PersonCorrection> people;    ///< by frame; methods for people make them come true
   std::uint64_t seed = 1;
 
   /// What a project says; `emptyRooms` as of loadEmptyRooms(), or none.

@@ -172,9 +172,23 @@ double TrackingRun::iterate() {
   const auto begin = std::chrono::steady_clock::now();
   tracker_->iterate(*team_);
   ++iterations_;
-  ++frameIterations_;
+  if (++frameIterations_ == iterationsPerFrame()) {
+    correctPeople();
+  }
   const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
   return took.count() / static_cast<double>(std::max<std::size_t>(1, trackedCount()));
+}
+
+void TrackingRun::correctPeople() {
+  const auto* const finding = capability<PeopleFinding>();
+  if (finding == nullptr || !frames_) {
+    return;
+  }
+  for (const PersonCorrection& correction : definition_->people) {
+    if (correction.frame == frames_->index) {
+      apply(peopleChange(correction, *finding, rig(), definition_->parameters, refusals_));
+    }
+  }
 }
 
 std::size_t TrackingRun::trackedCount() const {

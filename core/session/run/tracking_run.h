@@ -3,6 +3,7 @@
 
 #include "core/project/project_rig.h"
 #include "core/session/frames/tracked_frame.h"
+#include "core/session/people/person_correction.h"
 #include "core/session/run/box_track_file.h"
 #include "core/session/run/run_definition.h"
 #include "core/tracking/catalog/method_catalog.h"
@@ -26,12 +27,6 @@ TrajectoryHeader trajectoryHeader(const Project& project);
 
 /// Header of the boxes that were tracked: method, seed, parameters, and what each target is.
 std::vector<std::pair<std::string, std::string>> boxTrackHeader(const Project& project);
-
-/// Somebody is there whom a method for people has not found by itself, or nobody is.
-struct PeopleChange {
-  std::optional<Eigen::Vector3d> newPerson; ///< PersonPlacing::addPerson
-  std::optional<int> personGone;            ///< PersonPlacing::removePerson
-};
 
 /// A run goes by `after` in place of `before`.
 struct DefinitionChange {
@@ -87,8 +82,12 @@ public:
 
   void beginFrame(FrameSetPtr frames);
   int iterationsPerFrame() const;
-  /// One filter iteration for every target; microseconds it took, averaged over the targets.
+  /// One filter iteration for every target; microseconds it took, averaged over the targets. With
+  /// the last one of a frame, what was said of people in it comes true.
   double iterate();
+
+  /// What was said of people and could not be granted since the last call.
+  std::vector<Error> takeRefusals() { return std::exchange(refusals_, {}); }
 
   MethodFamily family() const { return definition_->family(); }
   std::int64_t iterations() const { return iterations_; }
@@ -122,6 +121,7 @@ public:
 private:
   /// What both kinds of moments hold.
   TrackedFrame commonMoment(const TrackedFrame* before, int boxParticleLimit) const;
+  void correctPeople();
 
   RunDefinitionPtr definition_;
   std::unique_ptr<Tracker> tracker_;
@@ -129,6 +129,7 @@ private:
   std::unique_ptr<ThreadTeam> team_;
   std::int64_t iterations_ = 0;
   int frameIterations_ = 0;
+  std::vector<Error> refusals_;
 };
 
 /// Truth by target and frame, for quick look-up while tracking.

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/people/person_correction.h"
+
+#include "core/tracking/people/people_parameters.h"
+#include "core/tracking/people/person_at_pixel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dewpoint::session {
+namespace {
+
+/// A person who is said not to be there stands at most so far from the place, metres: less than
+/// two people do from each other.
+constexpr double kReach = 0.3;
+
+std::optional<int> personNear(const PeopleFinding& finding, const Eigen::Vector2d& place) {
+  const auto distance = [&](const PersonEstimate& person) {
+    return (person.position.head<2>() - place).norm();
+  };
+  const auto& people = finding.people();
+  const auto nearest = std::ranges::min_element(people, {}, distance);
+  return nearest != people.end() && distance(*nearest) <= kReach ? std::optional(nearest->identity)
+                                                                 : std::nullopt;
+}
+
+} // namespace
+
+PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFinding& finding,
+                          const CameraRig& rig, const ParameterValues& parameters,
+                          std::vector<Error>& refusals) {
+  PeopleChange change;
+  if (correction.place && !correction.present) {
+    change.personGone = personNear(finding, *correction.place);
+  } else if (correction.place && peopleSettings(parameters).area.contains(*correction.place)) {
+    change.newPerson = middleOfBody(*correction.place, parameters);
+  } else if (correction.place) {
+    refusals.push_back({ErrorCode::BadValue, "", "place of a person",
+                        fmt::format("{:.2f}, {:.2f} m lies outside the watched floor",
+                                    correction.place->x(), correction.place->y())});
+  }
+  if (correction.click) {
+    const auto camera = static_cast<std::size_t>(correction.click->camera);
+    change.newPerson =
+        personAtPixel(finding, rig, parameters, correction.click->camera, correction.click->pixel);
+    if (!change.newPerson && camera < rig.size()) {
+      refusals.push_back({ErrorCode::Undetermined, "", rig[camera].name,
+                          "nobody who stands on the watched floor would be seen at this pixel"});
+    }
+  }
+  return change;
+}
+
+std::optional<std::int64_t> firstDifference(const std::vector<PersonCorrection>& before,
+                                            const std::vector<PersonCorrection>& after) {
+  const auto [a, b] = std::ranges::mismatch(before, after);
+  if (a == before.end() && b == after.end()) {
+    return std::nullopt;
+  }
+  return a == before.end() ? b->frame : b == after.end() ? a->frame : std::min(a->frame, b->frame);
+}
+
+} // namespace dewpoint::session
