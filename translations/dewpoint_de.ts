@@ -555,6 +555,14 @@
         <source>Show the hull that holds 95 % of each person, and the density of each on the floor</source>
         <translation>Die Hülle zeigen, die 95 % jeder Person enthält, und ihre Dichte auf dem Boden</translation>
     </message>
+    <message>
+        <source>Filter threads…</source>
+        <translation>Filter-Threads…</translation>
+    </message>
+    <message>
+        <source>Choose how many threads share the work of the filter</source>
+        <translation>Wählen, wie viele Threads sich die Arbeit des Filters teilen</translation>
+    </message>
 </context>
 <context>
     <name>BoardWords</name>
@@ -4398,6 +4406,14 @@ bei %4, %5, %6 m</translation>
         <source>Writing the tables of people…</source>
         <translation>Die Tabellen der Personen werden geschrieben…</translation>
     </message>
+    <message>
+        <source>Add a person</source>
+        <translation>Person hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove a person</source>
+        <translation>Person entfernen</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PlannerInstaller</name>
@@ -5681,6 +5697,45 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Target</source>
         <translation>Ziel</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ThreadCountDialog</name>
+    <message>
+        <source>Filter threads</source>
+        <translation>Filter-Threads</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Threads</translation>
+    </message>
+    <message>
+        <source>as suits this machine</source>
+        <translation>wie es zu diesem Rechner passt</translation>
+    </message>
+    <message>
+        <source>How many threads share the work of the filter; results are the same with any number</source>
+        <translation>Wie viele Threads sich die Arbeit des Filters teilen; die Ergebnisse sind mit jeder Anzahl dieselben</translation>
+    </message>
+    <message>
+        <source>Used from the next time that a project is opened.</source>
+        <translation>Gilt ab dem nächsten Öffnen eines Projekts.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Keep this number</source>
+        <translation>Diese Anzahl übernehmen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Change nothing</source>
+        <translation>Nichts ändern</translation>
     </message>
 </context>
 <context>

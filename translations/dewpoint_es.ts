@@ -555,6 +555,14 @@
         <source>Show the hull that holds 95 % of each person, and the density of each on the floor</source>
         <translation>Mostrar la envolvente que contiene el 95 % de cada persona y su densidad en el suelo</translation>
     </message>
+    <message>
+        <source>Filter threads…</source>
+        <translation>Hilos del filtro…</translation>
+    </message>
+    <message>
+        <source>Choose how many threads share the work of the filter</source>
+        <translation>Elegir cuántos hilos se reparten el trabajo del filtro</translation>
+    </message>
 </context>
 <context>
     <name>BoardWords</name>
@@ -4398,6 +4406,14 @@ en %4, %5, %6 m</translation>
         <source>Writing the tables of people…</source>
         <translation>Escribiendo las tablas de personas…</translation>
     </message>
+    <message>
+        <source>Add a person</source>
+        <translation>Añadir una persona</translation>
+    </message>
+    <message>
+        <source>Remove a person</source>
+        <translation>Quitar una persona</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PlannerInstaller</name>
@@ -5681,6 +5697,45 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Target</source>
         <translation>Objetivo</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ThreadCountDialog</name>
+    <message>
+        <source>Filter threads</source>
+        <translation>Hilos del filtro</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Hilos</translation>
+    </message>
+    <message>
+        <source>as suits this machine</source>
+        <translation>lo que convenga a este equipo</translation>
+    </message>
+    <message>
+        <source>How many threads share the work of the filter; results are the same with any number</source>
+        <translation>Cuántos hilos se reparten el trabajo del filtro; los resultados son los mismos con cualquier número</translation>
+    </message>
+    <message>
+        <source>Used from the next time that a project is opened.</source>
+        <translation>Se usa a partir de la próxima vez que se abra un proyecto.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>Aceptar</translation>
+    </message>
+    <message>
+        <source>Keep this number</source>
+        <translation>Conservar este número</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Change nothing</source>
+        <translation>No cambiar nada</translation>
     </message>
 </context>
 <context>

@@ -555,6 +555,14 @@
         <source>Show the hull that holds 95 % of each person, and the density of each on the floor</source>
         <translation>各人物の 95 % を含む凸包と、床の上での密度を表示</translation>
     </message>
+    <message>
+        <source>Filter threads…</source>
+        <translation>フィルターのスレッド数…</translation>
+    </message>
+    <message>
+        <source>Choose how many threads share the work of the filter</source>
+        <translation>フィルターの処理を分担するスレッド数を選びます</translation>
+    </message>
 </context>
 <context>
     <name>BoardWords</name>
@@ -4396,6 +4404,14 @@ at %4, %5, %6 m</source>
         <source>Writing the tables of people…</source>
         <translation>人物の表を書き出しています…</translation>
     </message>
+    <message>
+        <source>Add a person</source>
+        <translation>人物を追加</translation>
+    </message>
+    <message>
+        <source>Remove a person</source>
+        <translation>人物を削除</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PlannerInstaller</name>
@@ -5679,6 +5695,45 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Target</source>
         <translation>ターゲット</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ThreadCountDialog</name>
+    <message>
+        <source>Filter threads</source>
+        <translation>フィルターのスレッド数</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>スレッド数</translation>
+    </message>
+    <message>
+        <source>as suits this machine</source>
+        <translation>このコンピューターに合わせる</translation>
+    </message>
+    <message>
+        <source>How many threads share the work of the filter; results are the same with any number</source>
+        <translation>フィルターの処理を分担するスレッド数。いくつでも結果は同じです</translation>
+    </message>
+    <message>
+        <source>Used from the next time that a project is opened.</source>
+        <translation>次にプロジェクトを開くときから使われます。</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Keep this number</source>
+        <translation>この数にする</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Change nothing</source>
+        <translation>何も変更しない</translation>
     </message>
 </context>
 <context>

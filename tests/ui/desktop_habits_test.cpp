@@ -17,11 +17,17 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
 #include <QSettings>
+#include <QSpinBox>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QThread>
 #include <QToolButton>
 #include <QUndoStack>
 #include <QWindow>
@@ -50,6 +56,7 @@ private Q_SLOTS:
   void undoAndRedoAreThoseOfTheHistory();
   void theKeyThatRestartsAsks();
   void dialogsHaveTheirButtonsWhereThePlatformPutsThem();
+  void theFilterUsesAsManyThreadsAsChosen();
 
 private:
   bool waitFor(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatienceMs); }
@@ -214,6 +221,23 @@ void DesktopHabitsTest::dialogsHaveTheirButtonsWhereThePlatformPutsThem() {
         waitFor([dialog = QPointer<QDialog>(*open)] { return !dialog || !dialog->isVisible(); }),
         name);
   }
+}
+
+void DesktopHabitsTest::theFilterUsesAsManyThreadsAsChosen() {
+  window_->show();
+  action("actionFilterThreads")->trigger();
+  auto* threads = window_->findChild<QSpinBox*>("threadCount");
+  QCOMPARE(threads->value(), 0); // nobody has chosen
+  threads->setValue(threads->maximum());
+  QTest::mouseClick(window_->findChild<QPushButton*>("threadCountAccept"), Qt::LeftButton);
+  const int chosen = Preferences().filterThreads();
+  QCOMPARE(chosen, QThread::idealThreadCount());
+  openDemo();
+  QTemporaryDir folder;
+  QVERIFY(window_->saveRun(folder.path().toStdString()));
+  QFile report(folder.filePath(QStringLiteral("run.json")));
+  QVERIFY(report.open(QIODevice::ReadOnly));
+  QCOMPARE(QJsonDocument::fromJson(report.readAll()).object().value("threads").toInt(), chosen);
 }
 
 } // namespace dewpoint::tests

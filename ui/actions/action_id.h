@@ -54,6 +54,7 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionZoomToSpan",
     "actionRestart",
     "actionRestartNewSeed",
+    "actionFilterThreads",
     "actionExperiments",
     "actionShowMask",
     "actionShowEvidence",

@@ -6,9 +6,12 @@
 #include "ui/actions/action_registry.h"
 #include "ui/actions/key_guard.h"
 #include "ui/widgets/message_bar.h"
+#include "ui/widgets/thread_count_dialog.h"
 #include "ui/workbench/workbench.h"
 
 #include <QAction>
+#include <QMainWindow>
+#include <QThread>
 
 namespace dewpoint::ui {
 
@@ -36,6 +39,11 @@ void installRunActions(const Workbench& bench) {
   bench.onTriggered("actionNextIteration", run, [run] { run->session()->stepIteration(); });
   bench.onTriggered("actionRestart", run, [run] { run->restart(false); });
   bench.onTriggered("actionRestartNewSeed", run, [run] { run->restart(true); });
+  bench.onTriggered("actionFilterThreads", run, [bench] {
+    auto* dialog = new ThreadCountDialog(QThread::idealThreadCount(), &bench.window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    Workbench::present(dialog);
+  });
   for (const bool newSeed : {false, true}) {
     new KeyGuard(
         bench.action(newSeed ? ActionId("actionRestartNewSeed") : ActionId("actionRestart")),

@@ -57,7 +57,7 @@ void WindowMenus::make() {
       {"actionPlay", "actionNextFrame", "actionNextIteration", "actionPreviousFrame", nullptr,
        "actionNow", "actionRerun", nullptr, "actionAddMark", "actionRemoveMark",
        "actionPreviousMark", "actionNextMark", "actionZoomToSpan", nullptr, "actionRestart",
-       "actionRestartNewSeed", nullptr, "actionExperiments"});
+       "actionRestartNewSeed", nullptr, "actionFilterThreads", "actionExperiments"});
   makeViewMenu();
 }
 
