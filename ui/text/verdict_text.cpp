@@ -10,7 +10,7 @@ namespace dewpoint::ui {
 namespace {
 
 class Words {
-  Q_DECLARE_TR_FUNCTIONS(CalibrationAccuracy)
+  Q_DECLARE_TR_FUNCTIONS(Verdict)
 };
 
 /// Where in the image: nine whole phrases, because languages put them together differently.
