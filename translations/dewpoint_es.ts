@@ -749,14 +749,6 @@
 <context>
     <name>CalibrationWords</name>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
         <translation>Todo encaja al intercambiar %1 y %2: probablemente sus vídeos están cambiados. Intercambie los dos archivos.</translation>
     </message>
@@ -832,6 +824,9 @@
         <source>The images fit when shifted by %1 px along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
         <translation>Las imágenes encajan desplazadas %1 px en ambos ejes: algún programa cuenta los píxeles desde sus esquinas. Convierta los puntos principales.</translation>
     </message>
+</context>
+<context>
+    <name>CameraNames</name>
     <message>
         <source>camera %1</source>
         <translation>cámara %1</translation>
@@ -1689,6 +1684,17 @@ De %2 a %3%4; por defecto %5%4.</translation>
 <context>
     <name>PlotQuantity</name>
     <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+</context>
+<context>
+    <name>Quantity</name>
+    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
@@ -1697,16 +1703,12 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>%1 m</translation>
     </message>
     <message>
-        <source>%1 m/s</source>
-        <translation>%1 m/s</translation>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
     </message>
     <message>
         <source>%1 µs</source>
         <translation>%1 µs</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
     </message>
     <message>
         <source>%1 px</source>
@@ -1758,10 +1760,6 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>its color, but not its shape</source>
         <translation>su color, pero no su forma</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>cámara %1</translation>
     </message>
 </context>
 <context>
@@ -2126,10 +2124,6 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>Stopped: the former calibration is kept.</source>
         <translation>Detenido: se conserva la calibración anterior.</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>cámara %1</translation>
     </message>
     <message>
         <source>The project has other cameras by now: calibrate again.</source>
@@ -2700,20 +2694,6 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>Calibration</source>
         <translation>Calibración</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::CameraDocks</name>
-    <message>
-        <source>Camera %1</source>
-        <translation>Cámara %1</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::CameraListModel</name>
-    <message>
-        <source>camera %1</source>
-        <translation>cámara %1</translation>
     </message>
 </context>
 <context>
@@ -4724,10 +4704,6 @@ en %4, %5, %6 m</translation>
         <translation>Cámaras del proyecto nuevo</translation>
     </message>
     <message>
-        <source>camera %1</source>
-        <translation>cámara %1</translation>
-    </message>
-    <message>
         <source>Choose one video per camera</source>
         <translation>Elija un vídeo por cámara</translation>
     </message>
@@ -4940,10 +4916,6 @@ en %4, %5, %6 m</translation>
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>camera %1</source>
-        <translation>cámara %1</translation>
-    </message>
-    <message>
         <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
         <translation>Ponga %1 aquí: x %2, y %3, z %4 m. Entonces el %5 del volumen queda dentro de %6, en vez del %7.</translation>
     </message>
@@ -5111,10 +5083,6 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Choose the plots shown</source>
         <translation>Elegir los gráficos mostrados</translation>
-    </message>
-    <message>
-        <source>Camera %1</source>
-        <translation>Cámara %1</translation>
     </message>
     <message>
         <source>The plots are on the clipboard as CSV.</source>
@@ -5482,14 +5450,6 @@ en %4, %5, %6 m</translation>
 <context>
     <name>dewpoint::ui::StatusBarPanel</name>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>playing</source>
         <translation>en marcha</translation>
     </message>
@@ -5550,14 +5510,6 @@ en %4, %5, %6 m</translation>
         <translation>fotograma %1</translation>
     </message>
     <message>
-        <source>%1 µs</source>
-        <translation>%1 µs</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>x %1  y %2  z %3 m</source>
         <translation>x %1  y %2  z %3 m</translation>
     </message>
@@ -5604,10 +5556,6 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Effective sample size, of all particles</source>
         <translation>Tamaño efectivo de la muestra, del total de partículas</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
     </message>
     <message>
         <source>x %1  y %2  %3 × %4 px</source>

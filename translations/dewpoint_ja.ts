@@ -749,14 +749,6 @@
 <context>
     <name>CalibrationWords</name>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
         <translation>%1 と %2 を入れ替えるとすべて合います。動画が逆になっているようです。2つのファイルを入れ替えてください。</translation>
     </message>
@@ -832,6 +824,9 @@
         <source>The images fit when shifted by %1 px along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
         <translation>画像は両軸に %1 px ずらすと合います。ピクセルの角を原点に数えるツールがあるようです。主点を換算してください。</translation>
     </message>
+</context>
+<context>
+    <name>CameraNames</name>
     <message>
         <source>camera %1</source>
         <translation>カメラ %1</translation>
@@ -1689,6 +1684,17 @@ From %2 to %3%4; default %5%4.</source>
 <context>
     <name>PlotQuantity</name>
     <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+</context>
+<context>
+    <name>Quantity</name>
+    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
@@ -1697,16 +1703,12 @@ From %2 to %3%4; default %5%4.</source>
         <translation>%1 m</translation>
     </message>
     <message>
-        <source>%1 m/s</source>
-        <translation>%1 m/s</translation>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
     </message>
     <message>
         <source>%1 µs</source>
         <translation>%1 µs</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
     </message>
     <message>
         <source>%1 px</source>
@@ -1758,10 +1760,6 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>its color, but not its shape</source>
         <translation>色は合うが形が違う</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>カメラ %1</translation>
     </message>
 </context>
 <context>
@@ -2126,10 +2124,6 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>Stopped: the former calibration is kept.</source>
         <translation>中止しました。以前のキャリブレーションはそのままです。</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>カメラ %1</translation>
     </message>
     <message>
         <source>The project has other cameras by now: calibrate again.</source>
@@ -2699,20 +2693,6 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>Calibration</source>
         <translation>校正</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::CameraDocks</name>
-    <message>
-        <source>Camera %1</source>
-        <translation>カメラ %1</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::CameraListModel</name>
-    <message>
-        <source>camera %1</source>
-        <translation>カメラ %1</translation>
     </message>
 </context>
 <context>
@@ -4722,10 +4702,6 @@ at %4, %5, %6 m</source>
         <translation>新しいプロジェクトのカメラ</translation>
     </message>
     <message>
-        <source>camera %1</source>
-        <translation>カメラ %1</translation>
-    </message>
-    <message>
         <source>Choose one video per camera</source>
         <translation>カメラごとに動画を選択</translation>
     </message>
@@ -4938,10 +4914,6 @@ at %4, %5, %6 m</source>
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>camera %1</source>
-        <translation>カメラ %1</translation>
-    </message>
-    <message>
         <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
         <translation>%1 をここに置く：x %2、y %3、z %4 m。空間の %5 が %6 以内になります（現在は %7）。</translation>
     </message>
@@ -5109,10 +5081,6 @@ at %4, %5, %6 m</source>
     <message>
         <source>Choose the plots shown</source>
         <translation>表示するグラフを選択</translation>
-    </message>
-    <message>
-        <source>Camera %1</source>
-        <translation>カメラ %1</translation>
     </message>
     <message>
         <source>The plots are on the clipboard as CSV.</source>
@@ -5480,14 +5448,6 @@ at %4, %5, %6 m</source>
 <context>
     <name>dewpoint::ui::StatusBarPanel</name>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>playing</source>
         <translation>再生中</translation>
     </message>
@@ -5548,14 +5508,6 @@ at %4, %5, %6 m</source>
         <translation>フレーム %1</translation>
     </message>
     <message>
-        <source>%1 µs</source>
-        <translation>%1 µs</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>x %1  y %2  z %3 m</source>
         <translation>x %1  y %2  z %3 m</translation>
     </message>
@@ -5602,10 +5554,6 @@ at %4, %5, %6 m</source>
     <message>
         <source>Effective sample size, of all particles</source>
         <translation>全粒子に対する有効サンプル数</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
     </message>
     <message>
         <source>x %1  y %2  %3 × %4 px</source>

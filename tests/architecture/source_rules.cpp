@@ -97,8 +97,8 @@ int windowFloor(const std::string& room) {
 /// Arrows between rooms on one floor of the window: they are few and do not form a circle.
 bool windowNeighbors(const std::string& from, const std::string& to) {
   static const std::set<std::pair<std::string, std::string>> kArrows = {
-      {"style", "scene3d"}, // the colors of targets are those of the 3D view
-      {"text", "style"},
+      {"style", "scene3d"},    // the colors of targets are those of the 3D view
+      {"style", "text"},       // a legend says lengths
       {"session", "document"}, // the run obeys the document
   };
   return kArrows.contains({from, to});
@@ -116,18 +116,15 @@ constexpr std::string_view kFrameHeader = "core/capture/frame.h";
 /// sees nothing else of core.
 const Names& windowHeaders() {
   static const Names kHeaders = {"core/calibration/board/board.h",
+                                 "core/calibration/board/board_edit.h",
                                  "core/calibration/board/board_print.h",
                                  "core/calibration/planning/camera_placement.h",
                                  "core/calibration/manual/click_aids.h",
                                  "core/calibration/manual/interactive_pose.h",
                                  "core/calibration/manual/measured_points.h",
                                  "core/calibration/planning/rig_map.h",
-                                 "core/geometry/image_symmetry.h",
                                  "core/geometry/reference_grid.h",
-                                 "core/capture/frame.h",
-                                 "core/capture/frame_source.h",
                                  "core/color/color_range.h",
-                                 "core/color/color_sample.h",
                                  "core/color/color_learning.h",
                                  "core/color/color_histogram.h",
                                  "core/geometry/camera.h",
@@ -137,7 +134,10 @@ const Names& windowHeaders() {
                                  "core/tracking/catalog/method_catalog.h",
                                  "core/tracking/parameters.h",
                                  "core/trajectory/trajectory.h",
+                                 "core/trajectory/csv_line.h",
                                  "core/trajectory/motion.h",
+                                 "core/trajectory/motion_csv.h",
+                                 "core/trajectory/trajectory_figure.h",
                                  "core/trajectory/trajectory_export.h",
                                  "core/trajectory/export_table.h"};
   return kHeaders;

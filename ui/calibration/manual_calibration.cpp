@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/manual_calibration.h"
 
+#include "core/setup/calibrated_project.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
+#include "ui/text/quantity_text.h"
 
-#include <QLocale>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,8 +27,7 @@ Eigen::Vector3d cameraAxis(int axis) {
 }
 
 QString withSign(double value, int decimals) {
-  const QString text = QLocale().toString(value, 'f', decimals);
-  return value > 0.0 ? QStringLiteral("+") + text : text;
+  return numberText(value, decimals, NumberForm::Signed);
 }
 
 } // namespace
@@ -297,9 +297,7 @@ void ManualCalibration::change(int camera, const QString& step, const Camera& ch
   (void)document_.edit(
       step,
       [&](Project& project) {
-        ProjectCamera& own = project.cameras[static_cast<std::size_t>(camera)];
-        own.markAdjusted();
-        own.camera = changed;
+        setCalibration(project.cameras[static_cast<std::size_t>(camera)], changed);
       },
       mergeKey.empty() ? mergeKey : fmt::format("{} {}", mergeKey, camera));
 }

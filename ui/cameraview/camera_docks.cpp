@@ -9,6 +9,7 @@
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
 #include "ui/text/camera_motion_text.h"
+#include "ui/text/camera_names.h"
 #include "ui/text/reason_text.h"
 #include "ui/widgets/dock_title.h"
 #include "ui/workbench/dock_manager.h"
@@ -68,12 +69,10 @@ void CameraDocks::make() {
   const auto& cameras = bench_.document.project().cameras;
   for (int camera = 0; camera < static_cast<int>(cameras.size()); ++camera) {
     auto* view = new CameraView(camera, &bench_.window);
-    const QString given =
-        QString::fromStdString(cameras[static_cast<std::size_t>(camera)].camera.name);
+    const auto index = static_cast<std::size_t>(camera);
     ViewDock* dock = bench_.docks.make(
         {.name = QStringLiteral("cameraDock%1").arg(camera),
-         .title = [given,
-                   camera] { return given.isEmpty() ? tr("Camera %1").arg(camera + 1) : given; },
+         .title = [given = cameras[index].camera.name, index] { return cameraName(given, index); },
          .content = view,
          .place = DockPlace::Cameras,
          .rank = camera});

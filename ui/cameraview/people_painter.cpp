@@ -11,7 +11,6 @@
 #include <QPolygonF>
 
 #include <algorithm>
-#include <limits>
 
 namespace dewpoint::ui {
 
@@ -80,31 +79,6 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
     paintBadge(painter, person->identity, *top - QPointF(0.0, 3.0), room, isChosen);
   }
   painter.restore();
-}
-
-int personSeenAt(const TrackSnapshot& snapshot, int camera, const QPointF& pixel) {
-  const auto index = static_cast<std::size_t>(camera);
-  if (!snapshot.rig || camera < 0 || index >= snapshot.rig->size()) {
-    return -1;
-  }
-  const Camera& seeing = (*snapshot.rig)[index];
-  const Projector projector(seeing);
-  int found = -1;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
-    const TargetSnapshot& target = snapshot.targets[k];
-    const PersonEstimate* person = target.person();
-    if (person == nullptr || !target.shape) {
-      continue;
-    }
-    const QPolygonF outline = outlineOf(projector, target.shape->hull, ImagePlacement{});
-    const double distance = (person->position - seeing.center()).norm();
-    if (distance < nearest && outline.containsPoint(pixel + QPointF(0.5, 0.5), Qt::OddEvenFill)) {
-      nearest = distance;
-      found = static_cast<int>(k);
-    }
-  }
-  return found;
 }
 
 void paintPeopleTrouble(QPainter& painter, const TrackSnapshot& snapshot, int camera,

@@ -19,8 +19,4 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
 void paintPeopleTrouble(QPainter& painter, const TrackSnapshot& snapshot, int camera,
                         const QRectF& room);
 
-/// Index of the person whose hull is seen at a pixel of a camera, the one nearest to it; -1:
-/// nobody.
-int personSeenAt(const TrackSnapshot& snapshot, int camera, const QPointF& pixel);
-
 } // namespace dewpoint::ui

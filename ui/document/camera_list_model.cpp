@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "ui/document/document.h"
+#include "ui/text/camera_names.h"
 
 namespace dewpoint::ui {
 
@@ -16,9 +17,7 @@ CameraListModel::CameraListModel(const Document& document, QObject* parent)
 QString CameraListModel::nameOf(int camera) const {
   const auto& cameras = document_.project().cameras;
   const auto index = static_cast<std::size_t>(camera);
-  const QString name =
-      index < cameras.size() ? QString::fromStdString(cameras[index].camera.name) : QString();
-  return name.isEmpty() ? tr("camera %1").arg(camera + 1) : name;
+  return cameraName(index < cameras.size() ? cameras[index].camera.name : std::string(), index);
 }
 
 void CameraListModel::refresh() {

@@ -4,9 +4,7 @@
 #include "core/project/project.h"
 #include "ui/document/document.h"
 #include "ui/style/theme.h"
-
-#include <QIcon>
-#include <QPixmap>
+#include "ui/widgets/named_widgets.h"
 
 namespace dewpoint::ui {
 
@@ -19,9 +17,7 @@ TargetListModel::TargetListModel(const Document& document, QObject* parent)
 
 QVariant TargetListModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::DecorationRole && checkIndex(index, CheckIndexOption::IndexIsValid)) {
-    QPixmap chip(14, 14);
-    chip.fill(targetColor(index.row()));
-    return QIcon(chip);
+    return colorChip(targetColor(index.row()), 14);
   }
   return NameListModel::data(index, role);
 }

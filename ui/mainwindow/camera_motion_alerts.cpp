@@ -7,30 +7,12 @@
 
 namespace dewpoint::ui {
 
-namespace {
-/// A pose that is not known then will hardly be (it is looked for about once a second).
-constexpr double kPatience = 3.0; // seconds of the run
-} // namespace
-
 CameraMotionAlerts::CameraMotionAlerts(MessageBar& bar, QObject* parent)
     : QObject(parent), bar_(bar) {}
 
 void CameraMotionAlerts::clear() {
-  said_.clear();
-  count_ = 0;
+  news_.clear();
   text_.clear();
-}
-
-CameraMotionAlerts::Stage CameraMotionAlerts::stageOf(const CameraMotionReport& report,
-                                                      const TrackSnapshot& snapshot) {
-  if (report.back) {
-    return Stage::Back;
-  }
-  if (report.resolved) {
-    return Stage::Solved;
-  }
-  const double now = snapshot.frames ? seconds(snapshot.frames->time) : 0.0;
-  return now - seconds(report.event.time) > kPatience ? Stage::Unsolvable : Stage::Waiting;
 }
 
 void CameraMotionAlerts::setSnapshot(const TrackSnapshotPtr& shown) {
@@ -39,23 +21,14 @@ void CameraMotionAlerts::setSnapshot(const TrackSnapshotPtr& shown) {
     return;
   }
   const TrackSnapshot& snapshot = *shown;
-  if (snapshot.bumps.size() < count_) { // one was dealt with: the others are worth saying again
-    said_.clear();
+  const double now = snapshot.frames ? seconds(snapshot.frames->time) : 0.0;
+  const CameraMotionNews::News news = news_.take(snapshot.bumps, now);
+  if (news.withdrawn) {
     withdraw();
   }
-  count_ = snapshot.bumps.size();
   const QStringList names = cameraNames(snapshot);
-  for (const CameraMotionReport& report : snapshot.bumps) {
-    const Stage stage = stageOf(report, snapshot);
-    const auto key = [&](Stage one) { return Key{report.event.camera, report.event.frame, one}; };
-    // A pose that is known now and then stays on offer.
-    const bool worse = stage == Stage::Waiting || stage == Stage::Unsolvable;
-    if (worse && said_.contains(key(Stage::Solved))) {
-      continue;
-    }
-    if (said_.insert(key(stage)).second) {
-      say(report, stage, names.value(static_cast<int>(report.event.camera)));
-    }
+  for (const auto& [report, stage] : news.items) {
+    say(report, stage, names.value(static_cast<int>(report.event.camera)));
   }
 }
 
@@ -66,26 +39,27 @@ void CameraMotionAlerts::withdraw() {
   text_.clear();
 }
 
-void CameraMotionAlerts::say(const CameraMotionReport& report, Stage stage, const QString& name) {
+void CameraMotionAlerts::say(const CameraMotionReport& report, CameraMotionStage stage,
+                             const QString& name) {
   const int camera = static_cast<int>(report.event.camera);
   const QString what = tr("%1 was %2 (frame %3).")
                            .arg(name, bumpText(&report))
                            .arg(static_cast<qlonglong>(report.event.frame));
   switch (stage) {
-  case Stage::Waiting:
+  case CameraMotionStage::Waiting:
     bar_.showNotice(what + QLatin1Char(' ') + tr("Its new pose is being worked out."));
     break;
-  case Stage::Solved:
+  case CameraMotionStage::Solved:
     bar_.ask(what + QLatin1Char(' ') + tr("Its pose can be solved again from what it sees."),
              {{tr("Re-solve %1").arg(name), [this, camera] { Q_EMIT resolveWanted(camera); }}});
     break;
-  case Stage::Unsolvable:
+  case CameraMotionStage::Unsolvable:
     bar_.ask(what + QLatin1Char(' ') +
                  tr("It cannot be solved again from what it sees: calibrate it anew, or put it "
                     "back."),
              {{tr("Calibrate %1…").arg(name), [this, camera] { Q_EMIT calibrateWanted(camera); }}});
     break;
-  case Stage::Back:
+  case CameraMotionStage::Back:
     bar_.showNotice(tr("%1 stands again as it was calibrated.").arg(name));
     break;
   }

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/run/camera_motion_news.h"
 #include "core/session/run/snapshot.h"
 
 #include <QObject>
 #include <QString>
-
-#include <cstdint>
-#include <set>
-#include <tuple>
 
 namespace dewpoint::ui {
 
@@ -29,17 +26,13 @@ Q_SIGNALS:
   void calibrateWanted(int camera);
 
 private:
-  enum class Stage { Waiting, Solved, Unsolvable, Back };
-  using Key = std::tuple<std::size_t, std::int64_t, Stage>;
   void clear();
-  static Stage stageOf(const CameraMotionReport& report, const TrackSnapshot& snapshot);
-  void say(const CameraMotionReport& report, Stage stage, const QString& camera);
+  void say(const CameraMotionReport& report, CameraMotionStage stage, const QString& camera);
   void withdraw();
 
   MessageBar& bar_;
-  std::set<Key> said_;
-  std::size_t count_ = 0; ///< reports of the snapshot before
-  QString text_;          ///< what the bar was given last
+  CameraMotionNews news_;
+  QString text_; ///< what the bar was given last
 };
 
 } // namespace dewpoint::ui

@@ -7,10 +7,10 @@
 #include "ui/mainwindow/camera_motion_alerts.h"
 #include "ui/text/camera_motion_text.h"
 #include "ui/text/error_sentence.h"
+#include "ui/text/quantity_text.h"
 #include "ui/widgets/message_bar.h"
 
 #include <QAction>
-#include <QLocale>
 #include <QMainWindow>
 
 #include <algorithm>
@@ -71,11 +71,10 @@ void RunAlerts::resolve(int camera) {
   hand_.change(camera, tr("Re-solve %1").arg(name), now);
   QString sentence = tr("%1 is calibrated as it stands now. Undo takes it back.").arg(name);
   if (solved.used > 0) {
-    const QLocale locale;
-    sentence += QLatin1Char(' ') + tr("The target was %1 px beside where the others see it, and is "
-                                      "%2 px now.")
-                                       .arg(locale.toString(solved.pixelsBefore, 'f', 1),
-                                            locale.toString(solved.pixelsAfter, 'f', 1));
+    sentence += QLatin1Char(' ') +
+                tr("The target was %1 px beside where the others see it, and is "
+                   "%2 px now.")
+                    .arg(numberText(solved.pixelsBefore, 1), numberText(solved.pixelsAfter, 1));
   }
   bench_.messages.showNotice(sentence);
 }

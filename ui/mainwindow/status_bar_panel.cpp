@@ -4,6 +4,7 @@
 #include "core/session/run/snapshot.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/text/people_text.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/elided_label.h"
@@ -11,7 +12,6 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -21,21 +21,6 @@ namespace dewpoint::ui {
 
 namespace {
 
-QString number(double value, int decimals) {
-  return QLocale().toString(value, 'f', decimals);
-}
-
-/// Millimetres below a metre, with a decimal below a centimetre; metres above.
-QString length(double metres) {
-  const int decimals = metres < 0.01 ? 1 : 0;
-  return metres < 1.0 ? StatusBarPanel::tr("%1 mm").arg(number(metres * 1000.0, decimals))
-                      : StatusBarPanel::tr("%1 m").arg(number(metres, 2));
-}
-
-QString milliseconds(double seconds) {
-  return StatusBarPanel::tr("%1 ms").arg(number(1000.0 * seconds, 1));
-}
-
 QString timeHint(const Latency& latency) {
   const QString hint = StatusBarPanel::tr("Median time of one filter iteration");
   if (latency.longest <= 0.0) {
@@ -44,8 +29,8 @@ QString timeHint(const Latency& latency) {
   return hint + QLatin1Char('\n') +
          StatusBarPanel::tr(
              "From a frame to its estimate: median %1, 99 of 100 within %2, longest %3")
-             .arg(milliseconds(latency.median), milliseconds(latency.p99),
-                  milliseconds(latency.longest));
+             .arg(millisecondsText(1000.0 * latency.median), millisecondsText(1000.0 * latency.p99),
+                  millisecondsText(1000.0 * latency.longest));
 }
 
 QString sampleHint(const BudgetFigures& budget) {
@@ -59,7 +44,7 @@ QString sampleHint(const BudgetFigures& budget) {
       1.0 - static_cast<double>(budget.late) / static_cast<double>(budget.iterations);
   return hint + QLatin1Char('\n') +
          StatusBarPanel::tr("Time budget %1: kept in %2 % of the iterations of this run")
-             .arg(milliseconds(1e-3 * budget.milliseconds), number(100.0 * kept, 1));
+             .arg(millisecondsText(budget.milliseconds), numberText(100.0 * kept, 1));
 }
 
 QString playWord(const TrackSnapshot& snapshot) {
@@ -171,12 +156,8 @@ void StatusBarPanel::refresh() {
   const QString frame = QString::number(snapshot.frame + 1); // people count from 1
   frame_->setText(snapshot.frameCount ? tr("frame %1 / %2").arg(frame).arg(*snapshot.frameCount)
                                       : tr("frame %1").arg(frame));
-  rate_->setText(tr("%1 /s").arg(number(snapshot.framesPerSecond, 1)));
-  const double microseconds = snapshot.microsecondsPerIteration;
-  time_->setText(tr("%1 per iteration")
-                     .arg(microseconds < 10000.0
-                              ? tr("%1 µs").arg(number(microseconds, 0))
-                              : tr("%1 ms").arg(number(microseconds / 1000.0, 1))));
+  rate_->setText(tr("%1 /s").arg(numberText(snapshot.framesPerSecond, 1)));
+  time_->setText(tr("%1 per iteration").arg(durationText(snapshot.microsecondsPerIteration)));
   time_->setToolTip(timeHint(snapshot.latency));
   const TargetSnapshot* target = targetToExplain(snapshot, target_);
   const BoxEstimate* box = target != nullptr ? target->box() : nullptr;
@@ -186,12 +167,14 @@ void StatusBarPanel::refresh() {
     showBox(*box);
   } else if (position && particles > 0) {
     sampleSize_->setToolTip(sampleHint(snapshot.budget));
-    sampleSize_->setText(
-        tr("ESS %1 / %2").arg(number(effectiveSampleSizeOf(target->estimate), 0)).arg(particles));
-    spread_->setText(tr("spread %1").arg(length(std::sqrt(position->covariance.trace()))));
+    sampleSize_->setText(tr("ESS %1 / %2")
+                             .arg(numberText(effectiveSampleSizeOf(target->estimate), 0))
+                             .arg(particles));
+    spread_->setText(tr("spread %1").arg(lengthText(std::sqrt(position->covariance.trace()))));
     position_->setText(tr("x %1  y %2  z %3 m")
-                           .arg(number(position->mean.x(), 3), number(position->mean.y(), 3),
-                                number(position->mean.z(), 3)));
+                           .arg(numberText(position->mean.x(), 3),
+                                numberText(position->mean.y(), 3),
+                                numberText(position->mean.z(), 3)));
   } else { // not those of another moment
     for (QLabel* label : {sampleSize_, spread_, position_}) {
       label->clear();
@@ -207,7 +190,7 @@ void StatusBarPanel::refresh() {
   if (snapshot.family.findsTargets() && target_ < 0) { // nobody in particular
     state_ = holdState(snapshot);
     name_.clear();
-    const QString there = number(peopleThere(snapshot), 0);
+    const QString there = numberText(peopleThere(snapshot), 0);
     stateText_ = state_ == HoldState::Held        ? tr("● people: %1").arg(there)
                  : state_ == HoldState::Searching ? tr("○ people: %1, searching").arg(there)
                                                   : QString();
@@ -224,13 +207,15 @@ void StatusBarPanel::refresh() {
 
 void StatusBarPanel::showBox(const BoxEstimate& estimate) {
   sampleSize_->setToolTip(tr("Effective sample size, of all particles"));
-  sampleSize_->setText(
-      tr("ESS %1 / %2").arg(number(estimate.effectiveSampleSize, 0)).arg(estimate.particleCount));
-  spread_->setText(tr("spread %1").arg(tr("%1 px").arg(number(estimate.spread, 1))));
+  sampleSize_->setText(tr("ESS %1 / %2")
+                           .arg(numberText(estimate.effectiveSampleSize, 0))
+                           .arg(estimate.particleCount));
+  spread_->setText(tr("spread %1").arg(pixelText(estimate.spread)));
   const Eigen::Vector2d center = estimate.box.center();
   position_->setText(tr("x %1  y %2  %3 × %4 px")
-                         .arg(number(center.x(), 1), number(center.y(), 1),
-                              number(estimate.box.width, 0), number(estimate.box.height, 0)));
+                         .arg(numberText(center.x(), 1), numberText(center.y(), 1),
+                              numberText(estimate.box.width, 0),
+                              numberText(estimate.box.height, 0)));
 }
 
 void StatusBarPanel::changeEvent(QEvent* event) {

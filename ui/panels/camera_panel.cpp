@@ -3,10 +3,12 @@
 
 #include "core/project/project.h"
 #include "core/session/run/background_images.h"
+#include "core/session/run/snapshot_state.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
 #include "ui/text/error_sentence.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/file_choice.h"
 #include "ui/widgets/number_field.h"
@@ -20,9 +22,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
-#include <QLocale>
 #include <QPushButton>
-#include <QRectF>
 #include <QSignalBlocker>
 #include <QStandardPaths>
 #include <QVBoxLayout>
@@ -221,8 +221,7 @@ void CameraPanel::showChosen() {
 
 void CameraPanel::showCalibration(const ProjectCamera& camera) {
   const auto number = [](double value, int decimals) {
-    const double unit = std::pow(10.0, -decimals);
-    return QLocale().toString(std::round(value / unit) * unit + 0.0, 'f', decimals); // no "-0.000"
+    return numberText(value, decimals, NumberForm::Rounded);
   };
   const Intrinsics& in = camera.camera.intrinsics;
   const Eigen::Vector3d place = camera.camera.center();
@@ -288,28 +287,8 @@ void CameraPanel::chooseEmptyRoom() {
 }
 
 QString CameraPanel::targetSeenBy(int camera) const {
-  const auto index = static_cast<std::size_t>(camera);
-  if (!snapshot_ || !snapshot_->rig || index >= snapshot_->rig->size()) {
-    return {};
-  }
-  const Camera& its = (*snapshot_->rig)[index];
-  const Projector projector(its);
-  for (const TargetSnapshot& target : snapshot_->targets) {
-    if (const BoxEstimate* box = target.box()) {
-      if (box->camera == camera && target.status == TargetStatus::Held) {
-        return QString::fromStdString(target.target.name);
-      }
-      continue;
-    }
-    const auto position =
-        target.status == TargetStatus::Held ? positionOf(target.estimate) : std::nullopt;
-    const auto pixel = position ? projector.project(position->mean) : std::nullopt;
-    if (pixel && QRectF(0.0, 0.0, its.intrinsics.width, its.intrinsics.height)
-                     .contains(pixel->x(), pixel->y())) {
-      return QString::fromStdString(target.target.name);
-    }
-  }
-  return {};
+  const TargetSnapshot* seen = snapshot_ ? heldTargetInView(*snapshot_, camera) : nullptr;
+  return seen != nullptr ? QString::fromStdString(seen->target.name) : QString();
 }
 
 void CameraPanel::takeEmptyRoom() {

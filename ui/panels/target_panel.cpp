@@ -6,6 +6,8 @@
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
 #include "ui/document/target_list_model.h"
+#include "ui/style/theme.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/decimal_field.h"
@@ -15,7 +17,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
-#include <QLocale>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -143,19 +144,17 @@ void TargetPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
     return;
   }
   const BoxEstimate& estimate = *target.box();
-  const auto number = [](double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
-  };
   const Eigen::Vector2d center = estimate.box.center();
   box_->setText(
       tr("%1, in %2\nCenter %3, %4 px, size %5 × %6 px\nSimilarity %7\nEffective sample size %8 of "
          "%9")
           .arg(holdText(holdState(target, snapshot->family.targets)),
-               cameraNames(*snapshot).value(target.box()->camera), number(center.x(), 1),
-               number(center.y(), 1), number(estimate.box.width, 1), number(estimate.box.height, 1),
-               number(estimate.similarity, 2), number(estimate.effectiveSampleSize, 0),
+               cameraNames(*snapshot).value(target.box()->camera), numberText(center.x(), 1),
+               numberText(center.y(), 1), numberText(estimate.box.width, 1),
+               numberText(estimate.box.height, 1), numberText(estimate.similarity, 2),
+               numberText(estimate.effectiveSampleSize, 0),
                QString::number(estimate.particleCount)) +
-      QLatin1Char('\n') + tr("Spread %1 px").arg(number(estimate.spread, 1)));
+      QLatin1Char('\n') + tr("Spread %1 px").arg(numberText(estimate.spread, 1)));
 }
 
 void TargetPanel::editChosen(const QString& step,

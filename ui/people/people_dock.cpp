@@ -3,11 +3,11 @@
 
 #include "core/project/project.h"
 #include "core/project/project_people.h"
+#include "core/session/run/snapshot_state.h"
 #include "core/session/session.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/cameraview/camera_docks.h"
 #include "ui/cameraview/camera_view.h"
-#include "ui/cameraview/people_painter.h"
 #include "ui/document/document.h"
 #include "ui/jobs/background_job.h"
 #include "ui/people/add_person_tool.h"
@@ -125,7 +125,7 @@ void PeopleDock::correct(const QString& step, PersonCorrection correction) {
 
 void PeopleDock::selectSeenAt(int camera, const QPointF& pixel) {
   const TrackSnapshotPtr& shown = bench_.session.shown();
-  const int person = shown ? personSeenAt(*shown, camera, pixel) : -1;
+  const int person = shown ? personSeenAt(*shown, camera, {pixel.x(), pixel.y()}) : -1;
   if (person >= 0) {
     bench_.selection.selectTarget(person);
   }

@@ -4,8 +4,10 @@
 #include "ui/selection/selection.h"
 #include "ui/style/theme.h"
 #include "ui/text/people_text.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
 #include "ui/text/retranslation.h"
+#include "ui/widgets/named_widgets.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -38,18 +40,6 @@ enum Column : int {
   kColumns,
 };
 constexpr qint64 kRefreshMs = 150; ///< numbers that change faster are not read
-
-QIcon chip(const QColor& color) {
-  QPixmap pixmap(12, 12);
-  pixmap.fill(color);
-  return {pixmap};
-}
-
-QString number(double value, int decimals) {
-  const double step = std::pow(10.0, decimals);
-  // Rounded first: a minus before nothing but zeros says nothing.
-  return QLocale().toString(std::round(value * step) / step + 0.0, 'f', decimals);
-}
 
 } // namespace
 
@@ -207,17 +197,20 @@ void PeoplePanel::showRow(int row, const TargetSnapshot& target, const PersonEst
   QTableWidgetItem* first = table_->item(row, kPerson);
   if (first->data(Qt::UserRole).toInt() != person.identity) {
     first->setData(Qt::UserRole, person.identity);
-    first->setIcon(chip(targetColor(target.target.name, person.identity - 1)));
+    first->setIcon(colorChip(targetColor(target.target.name, person.identity - 1), 12));
     first->setData(Qt::AccessibleTextRole, QString::fromStdString(target.target.name));
   }
   put(row, kPlace,
-      QStringLiteral("%1  %2").arg(number(person.position.x(), 2), number(person.position.y(), 2)));
-  put(row, kHeight, person.height > 0.0 ? number(person.height, 2) : QString());
-  put(row, kSpeed, number(person.velocity.head<2>().norm(), 1));
+      QStringLiteral("%1  %2").arg(numberText(person.position.x(), 2, NumberForm::Rounded),
+                                   numberText(person.position.y(), 2, NumberForm::Rounded)));
+  put(row, kHeight,
+      person.height > 0.0 ? numberText(person.height, 2, NumberForm::Rounded) : QString());
+  put(row, kSpeed, numberText(person.velocity.head<2>().norm(), 1, NumberForm::Rounded));
   put(row, kCameras,
       QStringLiteral("%1/%2").arg(person.camerasSeeing).arg(snapshot_->peopleCameras.size()));
-  put(row, kVolume, target.shape ? number(target.shape->volume, 2) : QString());
-  put(row, kSince, number(person.age, 0));
+  put(row, kVolume,
+      target.shape ? numberText(target.shape->volume, 2, NumberForm::Rounded) : QString());
+  put(row, kSince, numberText(person.age, 0, NumberForm::Rounded));
   put(row, kNear, person.interacting ? QStringLiteral("●") : QString(),
       person.interacting ? tr("Somebody is near") : QString());
 }

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_csv.h"
 
-#include "ui/plots/csv_line.h"
+#include "core/trajectory/csv_line.h"
 #include "ui/plots/plot_row.h"
 
 namespace dewpoint::ui {
 
-QByteArray plotCsv(const std::vector<std::unique_ptr<PlotRow>>& rows, const PlotSeries& series,
-                   PlotAxis axis, const std::pair<double, double>& range) {
-  QByteArray text("iteration,frame,time_s");
+std::string plotCsv(const std::vector<std::unique_ptr<PlotRow>>& rows, const PlotSeries& series,
+                    PlotAxis axis, const std::pair<double, double>& range) {
+  std::string text = "iteration,frame,time_s";
   for (const auto& row : rows) {
     for (const CurveDeclaration& curve : row->declaration().curves) {
-      text.append(',').append(curve.csvName.toUtf8());
+      text.append(",").append(curve.csvName.toStdString());
     }
   }
-  text.append('\n');
+  text += '\n';
   const auto [first, last] = series.within(axis, range.first, range.second);
   for (std::size_t index = first; index < last; ++index) {
     if (!series.isDrawn(index, axis)) {

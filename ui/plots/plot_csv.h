@@ -3,9 +3,8 @@
 
 #include "ui/plots/plot_series.h"
 
-#include <QByteArray>
-
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,7 +14,7 @@ class PlotRow;
 
 /// The curves of these rows within a part of the axis, not thinned out for drawing: one line for
 /// each iteration or frame, in SI units but for lengths, which are in millimetres.
-QByteArray plotCsv(const std::vector<std::unique_ptr<PlotRow>>& rows, const PlotSeries& series,
-                   PlotAxis axis, const std::pair<double, double>& range);
+std::string plotCsv(const std::vector<std::unique_ptr<PlotRow>>& rows, const PlotSeries& series,
+                    PlotAxis axis, const std::pair<double, double>& range);
 
 } // namespace dewpoint::ui

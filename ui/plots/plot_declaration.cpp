@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_declaration.h"
 
+#include "ui/text/quantity_text.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <array>
@@ -14,50 +15,34 @@ namespace {
 
 constexpr double kLeastMm = 0.1; ///< a logarithmic axis has no zero
 
-QString say(const char* text) {
-  return QCoreApplication::translate("PlotQuantity", text);
-}
-
-QString number(double value, int decimals) {
-  return QLocale().toString(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
-}
-
-QString lengthText(double metres) {
-  const double millimetres = metres * 1000.0;
-  return std::abs(millimetres) < 10.0
-             ? say(QT_TRANSLATE_NOOP("PlotQuantity", "%1 mm")).arg(number(millimetres, 1))
-         : std::abs(millimetres) < 1000.0
-             ? say(QT_TRANSLATE_NOOP("PlotQuantity", "%1 mm")).arg(number(millimetres, 0))
-             : say(QT_TRANSLATE_NOOP("PlotQuantity", "%1 m")).arg(number(metres, 2));
-}
-
 } // namespace
 
 QString quantityText(PlotQuantity quantity, double value) {
   if (!std::isfinite(value)) {
     return QStringLiteral("–");
   }
+  const auto number = [value](int decimals) {
+    return numberText(value, decimals, NumberForm::Table);
+  };
   switch (quantity) {
   case PlotQuantity::Length:
     return lengthText(value);
   case PlotQuantity::Position:
-    return say(QT_TRANSLATE_NOOP("PlotQuantity", "%1 m")).arg(number(value, 3));
+    return QCoreApplication::translate("PlotQuantity", "%1 m").arg(number(3));
   case PlotQuantity::Speed:
-    return say(QT_TRANSLATE_NOOP("PlotQuantity", "%1 m/s")).arg(number(value, 2));
+    return QCoreApplication::translate("PlotQuantity", "%1 m/s").arg(number(2));
   case PlotQuantity::Duration:
-    return value < 10000.0
-               ? say(QT_TRANSLATE_NOOP("PlotQuantity", "%1 µs")).arg(number(value, 0))
-               : say(QT_TRANSLATE_NOOP("PlotQuantity", "%1 ms")).arg(number(value / 1000.0, 1));
+    return durationText(value);
   case PlotQuantity::Pixels:
-    return say(QT_TRANSLATE_NOOP("PlotQuantity", "%1 px")).arg(number(value, 1));
+    return pixelText(value);
   case PlotQuantity::LogLikelihood:
-    return number(value, 1);
+    return number(1);
   case PlotQuantity::Probability:
-    return number(value, 2);
+    return number(2);
   case PlotQuantity::Count:
     break;
   }
-  return number(value, 0);
+  return number(0);
 }
 
 QString axisUnit(PlotQuantity quantity) {

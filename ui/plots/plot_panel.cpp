@@ -7,6 +7,7 @@
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/run_plots.h"
 #include "ui/preferences/preferences.h"
+#include "ui/text/camera_names.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/file_choice.h"
 
@@ -203,11 +204,7 @@ void PlotPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
     clear();
     return;
   }
-  QStringList cameras;
-  for (std::size_t camera = 0; snapshot->rig && camera < snapshot->rig->size(); ++camera) {
-    const QString name = QString::fromStdString((*snapshot->rig)[camera].name);
-    cameras << (name.isEmpty() ? tr("Camera %1").arg(camera + 1) : name);
-  }
+  const QStringList cameras = snapshot->rig ? cameraNames(*snapshot->rig) : QStringList();
   const bool boxes = snapshot->family.targets == TargetsFrom::Box;
   if (cameras != cameras_ || !camerasKnown_ || boxes != boxes_) {
     camerasKnown_ = true;
@@ -241,7 +238,7 @@ int PlotPanel::shownIterations() const {
 }
 
 void PlotPanel::copyCsv() {
-  QGuiApplication::clipboard()->setText(QString::fromUtf8(stack_->csv()));
+  QGuiApplication::clipboard()->setText(QString::fromStdString(stack_->csv()));
   Q_EMIT notice(tr("The plots are on the clipboard as CSV."));
 }
 

@@ -6,6 +6,7 @@
 #include "ui/plots/plot_figure.h"
 #include "ui/plots/plot_pointer.h"
 #include "ui/plots/plot_row.h"
+#include "ui/text/quantity_text.h"
 
 #include <QEvent>
 #include <QLocale>
@@ -317,7 +318,7 @@ void PlotStack::applyPalette() {
   }
 }
 
-QByteArray PlotStack::csv() const {
+std::string PlotStack::csv() const {
   return series_ != nullptr ? plotCsv(rows_, *series_, axis(), shownRange())
                             : plotCsv(rows_, PlotSeries(), axis(), {});
 }
@@ -331,7 +332,7 @@ QString PlotStack::placeInWords() const {
   return tr("frame %1, iteration %2, %3 s") // people count frames from 1
       .arg(at.frame + 1)
       .arg(at.iteration)
-      .arg(QLocale().toString(at.time, 'f', 2));
+      .arg(numberText(at.time, 2));
 }
 
 QString PlotStack::valuesInWords() const {

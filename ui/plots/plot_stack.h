@@ -12,6 +12,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 class QCustomPlot;
@@ -67,7 +68,7 @@ public:
   bool showsAll() const { return range_.showsAll(); }
 
   /// Shown curves within the part shown, not thinned out for drawing: one line per row.
-  QByteArray csv() const;
+  std::string csv() const;
   /// By the ending of the name: SVG or PNG. False when it cannot be written.
   bool savePicture(const QString& file);
   /// All values at the cursor, in words and with units.

@@ -25,9 +25,9 @@ enum Column : std::size_t {
 };
 constexpr std::size_t kPerCamera = 2; ///< likelihood, existence
 
-QString say(const char* text) {
-  return QCoreApplication::translate("RunPlots", text);
-}
+class RunPlots {
+  Q_DECLARE_TR_FUNCTIONS(RunPlots)
+};
 
 /// For the name of a column: no commas, quotes or spaces.
 QString plainName(const QString& name) {
@@ -40,20 +40,17 @@ QString plainName(const QString& name) {
 
 PlotDeclaration sampleSizePlot() {
   return {QStringLiteral("sampleSize"),
-          say(QT_TRANSLATE_NOOP("RunPlots", "Effective sample size")),
+          RunPlots::tr("Effective sample size"),
           PlotQuantity::Count,
-          {{say(QT_TRANSLATE_NOOP("RunPlots", "effective")),
-            QStringLiteral("effective_sample_size"), kSampleSize, 0},
-           {say(QT_TRANSLATE_NOOP("RunPlots", "particles")), QStringLiteral("particles"),
-            kParticles, -1}}};
+          {{RunPlots::tr("effective"), QStringLiteral("effective_sample_size"), kSampleSize, 0},
+           {RunPlots::tr("particles"), QStringLiteral("particles"), kParticles, -1}}};
 }
 
 PlotDeclaration durationPlot() {
   return {QStringLiteral("duration"),
-          say(QT_TRANSLATE_NOOP("RunPlots", "Time per step")),
+          RunPlots::tr("Time per step"),
           PlotQuantity::Duration,
-          {{say(QT_TRANSLATE_NOOP("RunPlots", "one iteration")), QStringLiteral("iteration_us"),
-            kDuration, 3}}};
+          {{RunPlots::tr("one iteration"), QStringLiteral("iteration_us"), kDuration, 3}}};
 }
 
 std::vector<CurveDeclaration> cameraCurves(const QStringList& cameras, const QString& what,
@@ -70,27 +67,27 @@ std::vector<CurveDeclaration> cameraCurves(const QStringList& cameras, const QSt
 } // namespace
 
 std::vector<PlotDeclaration> runPlots(const QStringList& cameras) {
-  std::vector<CurveDeclaration> existence{{say(QT_TRANSLATE_NOOP("RunPlots", "all cameras")),
-                                           QStringLiteral("existence"), kExistence, -1}};
+  std::vector<CurveDeclaration> existence{
+      {RunPlots::tr("all cameras"), QStringLiteral("existence"), kExistence, -1}};
   for (CurveDeclaration& curve : cameraCurves(cameras, QStringLiteral("existence"), 1)) {
     existence.push_back(std::move(curve));
   }
   return {
       {QStringLiteral("spread"),
-       say(QT_TRANSLATE_NOOP("RunPlots", "Spread")),
+       RunPlots::tr("Spread"),
        PlotQuantity::Length,
        {{QStringLiteral("x"), QStringLiteral("spread_x_mm"), kSpreadX, 0},
         {QStringLiteral("y"), QStringLiteral("spread_y_mm"), kSpreadY, 1},
         {QStringLiteral("z"), QStringLiteral("spread_z_mm"), kSpreadZ, 2}}},
       sampleSizePlot(),
-      {QStringLiteral("likelihood"), say(QT_TRANSLATE_NOOP("RunPlots", "Log likelihood")),
-       PlotQuantity::LogLikelihood, cameraCurves(cameras, QStringLiteral("log_likelihood"), 0)},
-      {QStringLiteral("existence"), say(QT_TRANSLATE_NOOP("RunPlots", "Existence")),
-       PlotQuantity::Probability, std::move(existence)},
+      {QStringLiteral("likelihood"), RunPlots::tr("Log likelihood"), PlotQuantity::LogLikelihood,
+       cameraCurves(cameras, QStringLiteral("log_likelihood"), 0)},
+      {QStringLiteral("existence"), RunPlots::tr("Existence"), PlotQuantity::Probability,
+       std::move(existence)},
       {QStringLiteral("error"),
-       say(QT_TRANSLATE_NOOP("RunPlots", "Error against truth")),
+       RunPlots::tr("Error against truth"),
        PlotQuantity::Length,
-       {{say(QT_TRANSLATE_NOOP("RunPlots", "distance")), QStringLiteral("error_mm"), kError, 1}}},
+       {{RunPlots::tr("distance"), QStringLiteral("error_mm"), kError, 1}}},
       durationPlot(),
   };
 }
@@ -98,16 +95,14 @@ std::vector<PlotDeclaration> runPlots(const QStringList& cameras) {
 std::vector<PlotDeclaration> boxRunPlots() {
   return {
       {QStringLiteral("spread"),
-       say(QT_TRANSLATE_NOOP("RunPlots", "Spread")),
+       RunPlots::tr("Spread"),
        PlotQuantity::Pixels,
-       {{say(QT_TRANSLATE_NOOP("RunPlots", "particles")), QStringLiteral("spread_px"), kSpreadX,
-         0}}},
+       {{RunPlots::tr("particles"), QStringLiteral("spread_px"), kSpreadX, 0}}},
       sampleSizePlot(),
       {QStringLiteral("likelihood"),
-       say(QT_TRANSLATE_NOOP("RunPlots", "Similarity")),
+       RunPlots::tr("Similarity"),
        PlotQuantity::Probability,
-       {{say(QT_TRANSLATE_NOOP("RunPlots", "to the reference")), QStringLiteral("similarity"),
-         kExistence, 1}}},
+       {{RunPlots::tr("to the reference"), QStringLiteral("similarity"), kExistence, 1}}},
       durationPlot(),
   };
 }

@@ -1,44 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/new_project_page.h"
 
+#include "core/setup/footage.h"
 #include "core/tracking/catalog/method_catalog.h"
+#include "ui/text/camera_names.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/decimal_field.h"
 #include "ui/widgets/file_choice.h"
 
-#include <QCollator>
-#include <QDir>
-#include <QDirIterator>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
-#include <QMimeDatabase>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
+#include <utility>
 
 namespace dewpoint::ui {
 
 namespace {
-
-/// By name, "camera 2" before "camera 10": which one was clicked first means nothing, but cameras
-/// of a calibration may be taken in their order.
-QStringList inOrder(QStringList files) {
-  QCollator names{QLocale(QLocale::English)}; // the C locale does not know numbers in names
-  names.setNumericMode(true);
-  std::ranges::sort(files, [&](const QString& one, const QString& other) {
-    return names.compare(QFileInfo(one).fileName(), QFileInfo(other).fileName()) < 0;
-  });
-  return files;
-}
 
 constexpr int kWidth = 820;
 constexpr double kUsualRate = 30.0; ///< frames per second of image folders
@@ -47,42 +35,6 @@ enum Column { kName, kSource };
 
 bool isImages(const QString& location) {
   return guessedSource(location.toStdString()) == SourceKind::Images;
-}
-
-bool isOfKind(const QMimeType& type, const QString& kind) {
-  return type.name().startsWith(kind) ||
-         std::ranges::any_of(type.allAncestors(),
-                             [&](const QString& name) { return name.startsWith(kind); });
-}
-
-/// Whether a file can be what a camera recorded, by what it begins with and how it is called.
-bool isFootage(const QString& file) {
-  static const QStringList kUnknownToDesktops{
-      QStringLiteral("264"),  QStringLiteral("h264"), QStringLiteral("265"),
-      QStringLiteral("h265"), QStringLiteral("hevc"), QStringLiteral("ivf"),
-      QStringLiteral("y4m"),  QStringLiteral("mxf"),  QStringLiteral("mjpeg")};
-  const QMimeType type = QMimeDatabase().mimeTypeForFile(file);
-  return isOfKind(type, QStringLiteral("video/")) || isOfKind(type, QStringLiteral("image/")) ||
-         isOfKind(type, QStringLiteral("application/x-matroska")) ||
-         kUnknownToDesktops.contains(QFileInfo(file).suffix().toLower());
-}
-
-/// Whether a dropped file or folder can be a camera; what is missing is said when it is opened.
-bool showsImages(const QString& location) {
-  const QFileInfo info(location);
-  if (!info.isDir()) {
-    return !info.exists() || location.startsWith(QStringLiteral("/dev/")) || isFootage(location);
-  }
-  QDirIterator files(location, QDir::Files);
-  while (files.hasNext()) {
-    if (QMimeDatabase()
-            .mimeTypeForFile(files.next(), QMimeDatabase::MatchExtension)
-            .name()
-            .startsWith(QStringLiteral("image/"))) {
-      return true;
-    }
-  }
-  return false;
 }
 
 } // namespace
@@ -218,10 +170,13 @@ void NewProjectPage::begin(const QStringList& files) {
 
 void NewProjectPage::addFiles(const QStringList& files) {
   QStringList refused;
-  for (const QString& file : inOrder(files)) {
+  std::vector<std::string> names;
+  std::ranges::transform(files, std::back_inserter(names), &QString::toStdString);
+  for (const std::string& name : inNaturalOrder(std::move(names))) {
+    const QString file = QString::fromStdString(name);
     if (file.endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive)) {
       setCalibration(file);
-    } else if (!showsImages(file)) {
+    } else if (!showsImages(name)) {
       refused << QFileInfo(file).fileName();
     } else if (!isListed(file)) { // dropped twice it is still one camera
       add(file);
@@ -242,8 +197,8 @@ void NewProjectPage::add(const QString& location) {
   const int row = cameras_->rowCount();
   cameras_->insertRow(row);
   const bool isFile = QFileInfo::exists(location) && !location.startsWith(QStringLiteral("/dev/"));
-  const QString name =
-      isFile ? QFileInfo(location).completeBaseName() : tr("camera %1").arg(row + 1);
+  const QString name = isFile ? QFileInfo(location).completeBaseName()
+                              : cameraName(std::string(), static_cast<std::size_t>(row));
   cameras_->setItem(row, kName, new QTableWidgetItem(name));
   cameras_->setItem(row, kSource, new QTableWidgetItem(location));
   cameras_->resizeColumnToContents(kName);
@@ -279,12 +234,11 @@ void NewProjectPage::addAddress() {
 }
 
 void NewProjectPage::addConnectedCameras() {
-  const QStringList devices =
-      QDir(QStringLiteral("/dev")).entryList({QStringLiteral("video*")}, QDir::System, QDir::Name);
-  for (const QString& device : devices) {
-    add(QStringLiteral("/dev/") + device);
+  const std::vector<std::string> devices = connectedCameras();
+  for (const std::string& device : devices) {
+    add(QString::fromStdString(device));
   }
-  if (devices.isEmpty()) {
+  if (devices.empty()) {
     Q_EMIT failed(tr("No camera is connected to this computer. A network camera can be added by "
                      "its address."));
   }

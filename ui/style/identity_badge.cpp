@@ -9,6 +9,11 @@
 
 namespace dewpoint::ui {
 
+QColor personColor(int identity) {
+  const cv::Scalar color = identityColor(identity); // blue, green, red
+  return {static_cast<int>(color[2]), static_cast<int>(color[1]), static_cast<int>(color[0])};
+}
+
 QColor inkOn(const QColor& ground) {
   // Rec. 709 luma, without gamma: good enough to choose between two.
   const double luma = 0.2126 * ground.redF() + 0.7152 * ground.greenF() + 0.0722 * ground.blueF();
@@ -17,9 +22,7 @@ QColor inkOn(const QColor& ground) {
 
 void paintBadge(QPainter& painter, int identity, const QPointF& foot, const QRectF& room,
                 bool chosen) {
-  const cv::Scalar color = identityColor(identity); // blue, green, red
-  const QColor ground(static_cast<int>(color[2]), static_cast<int>(color[1]),
-                      static_cast<int>(color[0]));
+  const QColor ground = personColor(identity);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   QFont bold = painter.font();

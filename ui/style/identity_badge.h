@@ -11,6 +11,8 @@ class QPainter;
 
 namespace dewpoint::ui {
 
+/// The color of a person's identity.
+QColor personColor(int identity);
 /// Black or white, whichever reads on this ground.
 QColor inkOn(const QColor& ground);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/style/map_legend.h"
 
+#include "ui/text/quantity_text.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 #include <QPainter>
 #include <QPalette>
 #include <QRect>
@@ -37,8 +38,8 @@ std::vector<Entry> entries(const MapLook& look) {
       text = last ? QCoreApplication::translate("MapLegend", "%1 or more").arg(int(before) + 1)
                   : QString::number(int(one.bound));
     } else {
-      text = last ? QStringLiteral("> ") + shortLength(before)
-                  : QStringLiteral("≤ ") + shortLength(one.bound);
+      text = last ? QStringLiteral("> ") + lengthText(before, LengthForm::Short)
+                  : QStringLiteral("≤ ") + lengthText(one.bound, LengthForm::Short);
     }
     all.push_back({toColor(one.color), text});
     before = one.bound;
@@ -50,29 +51,6 @@ std::vector<Entry> entries(const MapLook& look) {
 }
 
 } // namespace
-
-QString shortLength(double metres) {
-  const QLocale locale;
-  const double millimetres = 1000.0 * metres;
-  if (millimetres >= 999.5) {
-    return locale.toString(metres, 'f', 2) + QStringLiteral(" m");
-  }
-  const int decimals = millimetres >= 9.95 ? 0 : millimetres >= 0.995 ? 1 : 2;
-  QString text = locale.toString(millimetres, 'f', decimals);
-  while (decimals > 0 && text.endsWith(u'0')) {
-    text.chop(1);
-  }
-  if (text.endsWith(locale.decimalPoint())) {
-    text.chop(1);
-  }
-  return text + QStringLiteral(" mm");
-}
-
-QString shareText(double share) {
-  const bool part = share > 0.0 && share < 1.0;
-  const double percent = part ? std::clamp(100.0 * share, 1.0, 99.0) : 100.0 * share;
-  return QLocale().toString(percent, 'f', 0) + QStringLiteral(" %");
-}
 
 void paintMapLegend(QPainter& painter, const QRect& area, const MapLook& look,
                     const QPalette& palette) {

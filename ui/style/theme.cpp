@@ -2,6 +2,7 @@
 #include "ui/style/theme.h"
 
 #include "core/session/people/people_overlay.h"
+#include "ui/style/identity_badge.h"
 
 #include <QApplication>
 #include <QCoreApplication>
@@ -157,8 +158,7 @@ QColor targetColor(int target) {
 
 QColor targetColor(const std::string& name, int target) {
   if (const auto identity = personIdentity(name)) {
-    const cv::Scalar color = identityColor(*identity); // blue, green, red
-    return {static_cast<int>(color[2]), static_cast<int>(color[1]), static_cast<int>(color[0])};
+    return personColor(*identity);
   }
   return targetColor(target);
 }

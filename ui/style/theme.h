@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/floors.h"
+#include "core/session/run/hold_state.h"
 
 #include <QColor>
 #include <QPalette>
@@ -10,23 +10,6 @@
 #include <string>
 
 namespace dewpoint::ui {
-
-/// The states a view can be in: each has a word, a color and a shape (desk rules: never color
-/// alone).
-enum class HoldState {
-  NoImages,
-  NoTarget,
-  NotTracked,
-  NoBox,
-  Held,
-  Hidden,
-  Searching,
-  Lost,
-  Missing,
-  Learning, ///< the empty room, before people are looked for
-  Nobody,   ///< people are looked for, and nobody is there
-  Gone,     ///< a person who has left, or is not there yet
-};
 
 /// The one palette of the window, in two tunings, on Qt's Fusion style.
 QPalette themePalette(bool dark);

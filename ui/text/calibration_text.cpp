@@ -3,9 +3,9 @@
 
 #include "core/setup/board_outcome.h"
 #include "core/setup/wand_refinement.h"
+#include "ui/text/quantity_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -17,26 +17,6 @@ namespace {
 class Words {
   Q_DECLARE_TR_FUNCTIONS(CalibrationWords)
 };
-
-QString figure(double value, int decimals) {
-  return QLocale().toString(value, 'f', decimals);
-}
-
-/// Three digits at most: a ratio of 1000 or of 1.08.
-QString ratio(double value) {
-  return QLocale().toString(value, 'g', 3);
-}
-
-/// Two digits that count, never as a power of ten.
-QString twoDigits(double value) {
-  const int decimals = value > 0.0 ? 1 - static_cast<int>(std::floor(std::log10(value))) : 0;
-  return figure(value, std::clamp(decimals, 0, 4));
-}
-
-QString lengthWords(double metres) {
-  return metres < 1.0 ? Words::tr("%1 mm").arg(twoDigits(1000.0 * metres))
-                      : Words::tr("%1 m").arg(twoDigits(metres));
-}
 
 QString cameraFault(const NamedFault& fault, const QString& first, const QString& second) {
   switch (fault.fault) {
@@ -50,11 +30,11 @@ QString cameraFault(const NamedFault& fault, const QString& first, const QString
                             "frames late. Synchronize the videos, or let time offsets be found.")
                 : Words::tr("%1 fits when its video is shifted: it likely shows everything %2 "
                             "frames early. Synchronize the videos, or let time offsets be found."))
-        .arg(first, figure(std::abs(fault.value), 0));
+        .arg(first, numberText(std::abs(fault.value), 0));
   case CalibrationFault::CameraMoved:
     return Words::tr("%1 fits one place before %2 s and another after: it was likely moved or "
                      "bumped then. Calibrate with the part after it.")
-        .arg(first, figure(fault.value, 1));
+        .arg(first, numberText(fault.value, 1));
   case CalibrationFault::VideoFlipped:
     return Words::tr("%1 fits only with flipped images: its video is likely mirrored or upside "
                      "down. Set how its images are turned and mirrored.")
@@ -62,22 +42,23 @@ QString cameraFault(const NamedFault& fault, const QString& first, const QString
   case CalibrationFault::ZoomChanged:
     return Words::tr("%1 fits with a focal length %2 times the given one: its zoom (or a crop) "
                      "was likely changed. Calibrate its lens again.")
-        .arg(first, ratio(fault.value));
+        .arg(first, ratioText(fault.value));
   default:
     return Words::tr("The lens data of %1 are likely for another resolution: its images are %2 "
                      "times as large. Convert them, or record at the calibrated size.")
-        .arg(first, ratio(fault.value));
+        .arg(first, ratioText(fault.value));
   }
 }
 
 } // namespace
 
 QString verdictWords(const CalibrationAccuracy& verdict) {
-  QString text = Words::tr("In this volume ±%1 (95 %)").arg(lengthWords(verdict.position95));
-  text += verdict.scale95 ? Words::tr(", scale ±%1 %").arg(twoDigits(100.0 * *verdict.scale95))
+  QString text = Words::tr("In this volume ±%1 (95 %)")
+                     .arg(lengthText(verdict.position95, LengthForm::TwoDigits));
+  text += verdict.scale95 ? Words::tr(", scale ±%1 %").arg(digitsText(100.0 * *verdict.scale95, 2))
                           : Words::tr(", scale unknown");
   text += verdict.up95
-              ? Words::tr(", up ±%1°").arg(twoDigits(*verdict.up95 * 180.0 / std::numbers::pi))
+              ? Words::tr(", up ±%1°").arg(digitsText(*verdict.up95 * 180.0 / std::numbers::pi, 2))
               : Words::tr(", up not measured");
   return text + QStringLiteral(".");
 }
@@ -95,39 +76,26 @@ QString faultWords(const NamedFault& fault, const QStringList& cameraNames) {
   case CalibrationFault::MillimetresMixed:
     return Words::tr("The given length is %1 times what the cameras see: millimetres and metres "
                      "are likely mixed up.")
-        .arg(ratio(fault.value));
+        .arg(ratioText(fault.value));
   case CalibrationFault::InchesMixed:
     return Words::tr("The given length is %1 times what the cameras see: it is likely in inches "
                      "(1 inch = 2.54 cm).")
-        .arg(ratio(fault.value));
+        .arg(ratioText(fault.value));
   case CalibrationFault::WrongSquareCount:
     return Words::tr("The corners form a board with %1 in a row: the number of squares is likely "
                      "wrong. Count them and correct the board.")
-        .arg(figure(fault.value, 0));
+        .arg(numberText(fault.value, 0));
   case CalibrationFault::WrongSquareSize:
     return Words::tr("The board's squares are given %1 times as large as the cameras see them: "
                      "measure a row with a ruler (prints are often rescaled).")
-        .arg(ratio(fault.value));
+        .arg(ratioText(fault.value));
   case CalibrationFault::HalfPixel:
     return Words::tr("The images fit when shifted by %1 px along both axes: a program likely "
                      "counts pixels from their corners. Convert the principal points.")
-        .arg(figure(fault.value, 1));
+        .arg(numberText(fault.value, 1));
   default:
     return cameraFault(fault, name(0), name(1));
   }
-}
-
-QString cameraName(const CameraRig& rig, std::size_t camera) {
-  const QString name = camera < rig.size() ? QString::fromStdString(rig[camera].name) : QString();
-  return name.isEmpty() ? Words::tr("camera %1").arg(camera + 1) : name;
-}
-
-QStringList cameraNames(const CameraRig& rig) {
-  QStringList names;
-  for (std::size_t k = 0; k < rig.size(); ++k) {
-    names << cameraName(rig, k);
-  }
-  return names;
 }
 
 } // namespace dewpoint::ui

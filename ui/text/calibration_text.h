@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/camera.h"
+#include "core/base/floors.h"
 
 #include <QString>
 #include <QStringList>
@@ -18,9 +18,5 @@ QString verdictWords(const CalibrationAccuracy& verdict);
 
 /// Likely cause of a fault and what to do, in the language of the window.
 QString faultWords(const NamedFault& fault, const QStringList& cameraNames);
-
-/// "camera 2" where a camera has no name.
-QString cameraName(const CameraRig& rig, std::size_t camera);
-QStringList cameraNames(const CameraRig& rig);
 
 } // namespace dewpoint::ui

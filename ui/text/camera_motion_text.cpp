@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/camera_motion_text.h"
 
+#include "ui/text/quantity_text.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <numbers>
 
@@ -23,8 +24,7 @@ QString bumpText(const CameraMotionReport* report) {
     return {};
   }
   const double degrees = report->event.turn.turn.norm() * 180.0 / std::numbers::pi;
-  return QCoreApplication::translate("Bump", "turned by %1°")
-      .arg(QLocale().toString(degrees, 'f', 2));
+  return QCoreApplication::translate("Bump", "turned by %1°").arg(numberText(degrees, 2));
 }
 
 } // namespace dewpoint::ui

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/people_text.h"
 
+#include "ui/text/quantity_text.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -26,12 +27,11 @@ std::optional<double> learningOf(const TrackSnapshot& snapshot, int camera) {
 
 QString learningText(double share) {
   return QCoreApplication::translate("People", "learning the empty room: %1 % · keep out of view")
-      .arg(QLocale().toString(static_cast<int>(std::lround(100.0 * share))));
+      .arg(percentText(share));
 }
 
 QString shortLearningText(double share) {
-  return QCoreApplication::translate("People", "learning: %1 %")
-      .arg(QLocale().toString(static_cast<int>(std::lround(100.0 * share))));
+  return QCoreApplication::translate("People", "learning: %1 %").arg(percentText(share));
 }
 
 QString peopleTrouble(const TrackSnapshot& snapshot, int camera) {
@@ -43,7 +43,7 @@ QString peopleTrouble(const TrackSnapshot& snapshot, int camera) {
     return {};
   }
   return QCoreApplication::translate("People", "%1 % of the image moves: not looked at")
-      .arg(QLocale().toString(static_cast<int>(std::lround(100.0 * state->foregroundShare))));
+      .arg(percentText(state->foregroundShare));
 }
 
 int peopleThere(const TrackSnapshot& snapshot) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/verdict_text.h"
 
+#include "ui/text/quantity_text.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 
 namespace dewpoint::ui {
@@ -16,11 +17,9 @@ class Words {
 /// Where in the image: nine whole phrases, because languages put them together differently.
 QString placeName(HorizontalPlace horizontal, VerticalPlace vertical) {
   static constexpr const char* kPlaces[3][3] = {
-      {QT_TRANSLATE_NOOP("Verdict", "at the top left"),
-       QT_TRANSLATE_NOOP("Verdict", "at the top"),
+      {QT_TRANSLATE_NOOP("Verdict", "at the top left"), QT_TRANSLATE_NOOP("Verdict", "at the top"),
        QT_TRANSLATE_NOOP("Verdict", "at the top right")},
-      {QT_TRANSLATE_NOOP("Verdict", "at the left"),
-       QT_TRANSLATE_NOOP("Verdict", "in the middle"),
+      {QT_TRANSLATE_NOOP("Verdict", "at the left"), QT_TRANSLATE_NOOP("Verdict", "in the middle"),
        QT_TRANSLATE_NOOP("Verdict", "at the right")},
       {QT_TRANSLATE_NOOP("Verdict", "at the bottom left"),
        QT_TRANSLATE_NOOP("Verdict", "at the bottom"),
@@ -29,11 +28,10 @@ QString placeName(HorizontalPlace horizontal, VerticalPlace vertical) {
 }
 
 QString separationSentence(int score) {
-  const char* text =
-      score >= 90   ? QT_TRANSLATE_NOOP("Verdict", "Stands out well: %1 of 100.")
-      : score >= 70 ? QT_TRANSLATE_NOOP("Verdict", "Stands out: %1 of 100.")
-      : score >= 40 ? QT_TRANSLATE_NOOP("Verdict", "Hard to tell apart: %1 of 100.")
-                    : QT_TRANSLATE_NOOP("Verdict", "Hardly stands out: %1 of 100.");
+  const char* text = score >= 90   ? QT_TRANSLATE_NOOP("Verdict", "Stands out well: %1 of 100.")
+                     : score >= 70 ? QT_TRANSLATE_NOOP("Verdict", "Stands out: %1 of 100.")
+                     : score >= 40 ? QT_TRANSLATE_NOOP("Verdict", "Hard to tell apart: %1 of 100.")
+                                   : QT_TRANSLATE_NOOP("Verdict", "Hardly stands out: %1 of 100.");
   return Words::tr(text).arg(score);
 }
 
@@ -63,41 +61,32 @@ QString suggestionSentence(Suggestion suggestion) {
   return {};
 }
 
-QString shareText(double share, int decimals) {
-  return QLocale().toString(100.0 * share, 'f', decimals);
-}
-
 /// What the score is made of: the target that does not match, the background that does.
 QString sharesSentence(const ColorVerdict& verdict) {
-  const QString background = shareText(verdict.backgroundShare, 2);
+  const QString background = percentText(verdict.backgroundShare, 2);
   if (!verdict.missesTarget()) {
     return Words::tr("%1 % of the background matches too.").arg(background);
   }
   const QString few = Words::tr("Only %1 % of the target and %2 % of the background match.")
-                          .arg(shareText(verdict.targetShare, 0), background);
+                          .arg(percentText(verdict.targetShare, 0), background);
   const double whole = verdict.backgroundShareOfWhole.value_or(0.0);
   return whole > verdict.backgroundShare
              ? few + QLatin1Char(' ') +
                    Words::tr("A range for all of the target would match %1 % of the background.")
-                       .arg(shareText(whole, 2))
+                       .arg(percentText(whole, 2))
              : few;
 }
 
 } // namespace
 
 QString colorName(ColorWord color) {
-  static constexpr const char* kNames[] = {QT_TRANSLATE_NOOP("Verdict", "black"),
-                                           QT_TRANSLATE_NOOP("Verdict", "gray"),
-                                           QT_TRANSLATE_NOOP("Verdict", "white"),
-                                           QT_TRANSLATE_NOOP("Verdict", "brown"),
-                                           QT_TRANSLATE_NOOP("Verdict", "red"),
-                                           QT_TRANSLATE_NOOP("Verdict", "orange"),
-                                           QT_TRANSLATE_NOOP("Verdict", "yellow"),
-                                           QT_TRANSLATE_NOOP("Verdict", "green"),
-                                           QT_TRANSLATE_NOOP("Verdict", "turquoise"),
-                                           QT_TRANSLATE_NOOP("Verdict", "blue"),
-                                           QT_TRANSLATE_NOOP("Verdict", "purple"),
-                                           QT_TRANSLATE_NOOP("Verdict", "pink")};
+  static constexpr const char* kNames[] = {
+      QT_TRANSLATE_NOOP("Verdict", "black"),     QT_TRANSLATE_NOOP("Verdict", "gray"),
+      QT_TRANSLATE_NOOP("Verdict", "white"),     QT_TRANSLATE_NOOP("Verdict", "brown"),
+      QT_TRANSLATE_NOOP("Verdict", "red"),       QT_TRANSLATE_NOOP("Verdict", "orange"),
+      QT_TRANSLATE_NOOP("Verdict", "yellow"),    QT_TRANSLATE_NOOP("Verdict", "green"),
+      QT_TRANSLATE_NOOP("Verdict", "turquoise"), QT_TRANSLATE_NOOP("Verdict", "blue"),
+      QT_TRANSLATE_NOOP("Verdict", "purple"),    QT_TRANSLATE_NOOP("Verdict", "pink")};
   return Words::tr(kNames[static_cast<int>(color)]);
 }
 
@@ -105,7 +94,7 @@ QString verdictText(const ColorVerdict& verdict, const std::vector<QString>& cam
   if (!verdict.targetKnown) {
     return Words::tr(
                "%1 % of the images match. Shift-click the target to learn how well it stands out.")
-        .arg(shareText(verdict.backgroundShare, 2));
+        .arg(percentText(verdict.backgroundShare, 2));
   }
   QStringList sentences{separationSentence(verdict.score()), sharesSentence(verdict)};
   if (verdict.sampleLeftOut) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/timeline/timeline_model.h"
 
+#include "core/trajectory/motion.h"
 #include "ui/style/theme.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
 
 #include <QCoreApplication>
@@ -11,8 +13,6 @@
 #include <iterator>
 
 namespace dewpoint::ui {
-
-namespace {} // namespace
 
 void TimelineModel::append(const std::vector<FrameRecord>& more, bool restarted) {
   if (restarted) {
@@ -36,7 +36,6 @@ void TimelineModel::append(const std::vector<FrameRecord>& more, bool restarted)
 }
 
 qint64 TimelineModel::endOf(std::size_t record) const {
-  constexpr std::int64_t kDropped = 8; // frames that live cameras may skip
   const std::int64_t frame = records[record].frame;
   if (record + 1 == records.size()) {
     return frame + 1;
@@ -44,7 +43,7 @@ qint64 TimelineModel::endOf(std::size_t record) const {
   const std::int64_t before = record > 0 ? frame - records[record - 1].frame : 1;
   const std::int64_t step = records[record + 1].frame - frame;
   // Old records stand in coarse steps that fall by halves.
-  return step <= std::max(kDropped, 2 * before) ? frame + step : frame + 1;
+  return step <= std::max(kMostSkipped, 2 * before) ? frame + step : frame + 1;
 }
 
 const FrameRecord* TimelineModel::at(qint64 frame) const {
@@ -71,7 +70,7 @@ double TimelineModel::secondsOf(qint64 frame) const {
 QString TimelineModel::describe(qint64 frame) const {
   const QLocale locale;
   QString text = QCoreApplication::translate("Timeline", "Frame %1, %2 s")
-                     .arg(locale.toString(frame + 1), locale.toString(secondsOf(frame), 'f', 2));
+                     .arg(locale.toString(frame + 1), numberText(secondsOf(frame), 2));
   const FrameRecord* record = at(frame);
   if (record == nullptr) {
     return text + QLatin1Char('\n') + QCoreApplication::translate("Timeline", "not tracked");
@@ -83,7 +82,7 @@ QString TimelineModel::describe(qint64 frame) const {
     }
     text += QStringLiteral("\n%1 %2 (%3)")
                 .arg(targets.value(static_cast<int>(k)), holdText(holdState(entry.status)),
-                     locale.toString(static_cast<double>(entry.existence), 'f', 2));
+                     numberText(static_cast<double>(entry.existence), 2));
     if (const QString reason = reasonText(entry.reasons, cameras); !reason.isEmpty()) {
       text += QStringLiteral(" – ") + reason;
     }

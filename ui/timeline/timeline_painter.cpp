@@ -2,11 +2,11 @@
 #include "ui/timeline/timeline_painter.h"
 
 #include "ui/style/theme.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
-#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -133,15 +133,13 @@ double roundStep(double pixelsPerSecond, double room) {
 }
 
 QString clock(double seconds, double step) {
-  const QLocale locale;
   const int decimals = step < 0.1 ? 2 : step < 1.0 ? 1 : 0;
   const int minutes = static_cast<int>(seconds / 60.0);
   if (minutes == 0) {
-    return QCoreApplication::translate("Timeline", "%1 s")
-        .arg(locale.toString(seconds, 'f', decimals));
+    return QCoreApplication::translate("Timeline", "%1 s").arg(numberText(seconds, decimals));
   }
   return QStringLiteral("%1:%2").arg(minutes).arg(
-      locale.toString(seconds - 60.0 * minutes, 'f', decimals)
+      numberText(seconds - 60.0 * minutes, decimals)
           .rightJustified(decimals > 0 ? 3 + decimals : 2, QLatin1Char('0')));
 }
 
@@ -293,9 +291,8 @@ void paintNames(QPainter& painter, const TimelineModel& model, const TimelineRow
 
 void paintFooter(QPainter& painter, const TimelineModel& model, const TimelineRows& rows,
                  const QPalette& palette) {
-  const QLocale locale;
   const auto megabytes = [&](std::size_t bytes) {
-    return locale.toString(static_cast<double>(bytes) / (1 << 20), 'f', 0);
+    return numberText(static_cast<double>(bytes) / (1 << 20), 0);
   };
   if (model.history.mostBytes == 0) {
     return;
@@ -305,8 +302,7 @@ void paintFooter(QPainter& painter, const TimelineModel& model, const TimelineRo
   QString text = QCoreApplication::translate("Timeline", "history %1 of %2 MB")
                      .arg(megabytes(model.history.bytes), megabytes(model.history.mostBytes));
   if (model.live && model.history.last >= 0) {
-    text += QCoreApplication::translate("Timeline", ", the last %1 s")
-                .arg(locale.toString(span, 'f', 0));
+    text += QCoreApplication::translate("Timeline", ", the last %1 s").arg(numberText(span, 0));
   }
   if (model.rerun) {
     text = QCoreApplication::translate("Timeline", "tracking again: frame %1 of %2 to %3")

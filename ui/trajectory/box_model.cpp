@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trajectory/box_model.h"
 
-#include <QLocale>
+#include "ui/text/quantity_text.h"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace dewpoint::ui {
 namespace {
 
 QString number(double value, int decimals) {
-  return QLocale().toString(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
+  return numberText(value, decimals, NumberForm::Table);
 }
 
 } // namespace

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trajectory/gap_list.h"
 
+#include "ui/text/quantity_text.h"
+
 #include <QEvent>
 #include <QHeaderView>
-#include <QLocale>
 #include <QSignalBlocker>
 
 #include <algorithm>
@@ -63,7 +64,7 @@ void GapList::fill() {
   setRowCount(static_cast<int>(gaps_.size()));
   for (int row = 0; row < rowCount(); ++row) {
     const TrajectoryGap& gap = gaps_[static_cast<std::size_t>(row)];
-    const QString seconds = QLocale().toString(gap.seconds(), 'f', 2);
+    const QString seconds = numberText(gap.seconds(), 2);
     const QStringList texts{tr("frame %1").arg(gap.firstFrame + 1),
                             tr("frame %1").arg(gap.lastFrame + 1),
                             tr("%1 s").arg(seconds) + QStringLiteral(" · ") +

@@ -43,12 +43,11 @@ void MotionSeries::update(const std::vector<MotionLog::Row>& rows, std::size_t f
 
 /// No line goes over frames that were never tracked.
 void MotionSeries::breakLineBefore(const TrajectorySample& sample) {
-  constexpr std::int64_t kDropped = 8; // frames that live cameras may skip
   if (series_.size() == 0) {
     return;
   }
   const PlotSeries::Row last = series_.row(series_.size() - 1);
-  if (sample.frame - last.frame > kDropped) {
+  if (isInterrupted(last.frame, sample.frame)) {
     std::array<float, kColumns> unknown{};
     unknown.fill(std::numeric_limits<float>::quiet_NaN());
     series_.append({last.iteration + 1, last.frame + 1, last.time}, unknown);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trajectory/trajectory_model.h"
 
-#include "ui/plots/csv_line.h"
 #include "ui/plots/plot_declaration.h"
-
-#include <QLocale>
+#include "ui/text/quantity_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +12,7 @@ namespace dewpoint::ui {
 namespace {
 
 QString number(double value, int decimals) {
-  return std::isfinite(value)
-             ? QLocale().toString(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212))
-             : QStringLiteral("–");
-}
-
-double sigma(const TrajectorySample& sample, int axis) {
-  return std::sqrt(std::max(0.0, sample.covariance(axis, axis)));
+  return numberText(value, decimals, NumberForm::Table);
 }
 
 } // namespace
@@ -94,7 +86,7 @@ QVariant TrajectoryModel::data(const QModelIndex& index, int role) const {
   case SigmaX:
   case SigmaY:
   case SigmaZ:
-    return number(1000.0 * sigma(sample, index.column() - SigmaX), 1);
+    return number(1000.0 * sigmaOf(sample, index.column() - SigmaX), 1);
   case Speed:
     return number(row.speed, 2);
   case Cameras:
@@ -143,24 +135,6 @@ QVariant TrajectoryModel::headerData(int section, Qt::Orientation orientation, i
   default:
     return {};
   }
-}
-
-QByteArray trajectoryCsv(const std::vector<MotionLog::Row>& rows) {
-  QByteArray text("time_s,frame,target,x_m,y_m,z_m,sigma_x_m,sigma_y_m,sigma_z_m,speed_m_s,cameras,"
-                  "existence,valid\n");
-  for (const MotionLog::Row& row : rows) {
-    const TrajectorySample& sample = row.sample;
-    CsvLine line(text);
-    line.put(sample.time).put(sample.frame).put(QByteArray::fromStdString(sample.target));
-    for (int axis = 0; axis < 3; ++axis) {
-      line.put(sample.position[axis]);
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-      line.put(sigma(sample, axis));
-    }
-    line.put(row.speed).put(sample.cameras).put(sample.existence).put(sample.valid ? 1 : 0);
-  }
-  return text;
 }
 
 } // namespace dewpoint::ui

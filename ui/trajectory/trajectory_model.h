@@ -50,7 +50,4 @@ private:
   int rows_ = 0; ///< of the log, that the views know of
 };
 
-/// Rows as CSV: the columns of the table, under the names that a trajectory's file has for them.
-QByteArray trajectoryCsv(const std::vector<MotionLog::Row>& rows);
-
 } // namespace dewpoint::ui

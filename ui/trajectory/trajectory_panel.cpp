@@ -3,6 +3,7 @@
 
 #include "core/session/run/snapshot.h"
 #include "core/tracking/catalog/method_catalog.h"
+#include "core/trajectory/motion_csv.h"
 #include "ui/actions/action_registry.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/text/retranslation.h"
@@ -261,7 +262,7 @@ void TrajectoryPanel::copyCsv() {
   }
   std::vector<MotionLog::Row> chosen(rows.begin() + first, rows.begin() + last);
   QThreadPool::globalInstance()->start([chosen = std::move(chosen), self = QPointer(this)] {
-    const QString text = QString::fromUtf8(trajectoryCsv(chosen));
+    const QString text = QString::fromStdString(motionCsv(chosen));
     const int count = static_cast<int>(chosen.size());
     QMetaObject::invokeMethod(qApp, [text, count, self] {
       QGuiApplication::clipboard()->setText(text);

@@ -3,6 +3,7 @@
 
 #include "core/calibration/planning/rig_map.h"
 #include "ui/style/map_legend.h"
+#include "ui/text/quantity_text.h"
 
 #include <QPainter>
 #include <QWidget>
@@ -39,9 +40,10 @@ QString MapOverlay::textAt(const ViewProjection& projection, QPointF position) c
   }
   const double sigma = double(map_->sigmas[*cell]);
   const int count = map_->counts[*cell];
-  return std::isnan(sigma)
-             ? tr("Cameras that see it: %1").arg(count)
-             : tr("±%1 (1 σ); cameras that see it: %2").arg(shortLength(sigma)).arg(count);
+  return std::isnan(sigma) ? tr("Cameras that see it: %1").arg(count)
+                           : tr("±%1 (1 σ); cameras that see it: %2")
+                                 .arg(lengthText(sigma, LengthForm::Short))
+                                 .arg(count);
 }
 
 void MapOverlay::paintLegend(QPainter& painter, const QWidget& view) const {

@@ -6,6 +6,7 @@
 #include "ui/document/document.h"
 #include "ui/jobs/background_job.h"
 #include "ui/preferences/preferences.h"
+#include "ui/text/camera_names.h"
 #include "ui/text/error_sentence.h"
 
 #include <QMetaObject>
@@ -17,14 +18,6 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr double kLookingShare = 0.85; ///< of the time that a recording takes
-
-/// Lenses of a live camera are found from all that was taken.
-BoardCalibrationRequest wishForLive(const BoardGuideRequest& wish, const BoardGuideState& state) {
-  BoardCalibrationRequest all = wish.board;
-  all.views = std::max(all.views, wish.lenses.mostViews);
-  all.worldFrame = state.floorFrame;
-  return all;
-}
 
 } // namespace
 
@@ -59,9 +52,7 @@ const Project& BoardCalibrator::project() const {
 
 QString BoardCalibrator::nameOf(std::size_t camera) const {
   const auto& cameras = project().cameras;
-  const QString name =
-      camera < cameras.size() ? QString::fromStdString(cameras[camera].camera.name) : QString();
-  return name.isEmpty() ? tr("camera %1").arg(camera + 1) : name;
+  return cameraName(camera < cameras.size() ? cameras[camera].camera.name : std::string(), camera);
 }
 
 void BoardCalibrator::setWish(const BoardGuideRequest& wish) {
@@ -137,8 +128,8 @@ void BoardCalibrator::adopt(const std::shared_ptr<Result<BoardOutcome>>& result,
     return;
   }
   outcome_ = std::make_shared<const BoardOutcome>(std::move(**result));
-  if (applyIt && !(outcome_->places && !outcome_->places->faults.empty())) {
-    apply(); // with a fault that has a name a person decides
+  if (applyIt && !isDoubtful(*outcome_)) {
+    apply();
   }
 }
 
@@ -150,10 +141,8 @@ void BoardCalibrator::calibrate() {
   compute(
       [open = open_, project = project(), wish = wish_](const CalibrationProgress& progress) {
         return open(project).and_then([&](const SessionInputs& inputs) {
-          return lookForBoards(inputs.project, *inputs.source, wish.board, progress)
-              .and_then([&](const SeenBoards& seen) {
-                return calibrateFromBoards(inputs.project, seen, wish.board, wish.goal, progress);
-              });
+          return calibrateFromBoards(inputs.project, *inputs.source, wish.board, wish.goal,
+                                     progress);
         });
       },
       true);
@@ -200,7 +189,7 @@ void BoardCalibrator::finish() {
   setWatching(false);
   const auto state = guide();
   compute(
-      [project = project(), seen = state->seen, wish = wishForLive(wish_, *state),
+      [project = project(), seen = state->seen, wish = wishForTaken(wish_, *state),
        goal = wish_.goal](const CalibrationProgress& progress) {
         return calibrateFromBoards(project, *seen, wish, goal, progress);
       },

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/board/board_form.h"
 
+#include "core/calibration/board/board_edit.h"
 #include "core/calibration/board/board_print.h"
 #include "ui/calibration/board/board_calibrator.h"
 #include "ui/text/retranslation.h"
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace dewpoint::ui {
 namespace {
@@ -32,7 +32,6 @@ const std::array<Unit, 4> kUnits{{{"mm", 0.001, {1.0, 2000.0, 1.0, 2}},
                                   {"cm", 0.01, {0.1, 200.0, 0.1, 3}},
                                   {"m", 1.0, {0.001, 2.0, 0.001, 5}},
                                   {"in", 0.0254, {0.04, 80.0, 0.05, 4}}}};
-constexpr double kMarkerPart = 0.75; ///< of a square, where it is not known yet
 
 QSpinBox* makeCount(const char* name, QWidget* parent) {
   auto* box = new QSpinBox(parent);
@@ -40,34 +39,6 @@ QSpinBox* makeCount(const char* name, QWidget* parent) {
   box->setRange(3, 60);
   box->setKeyboardTracking(false);
   return box;
-}
-
-/// Squares in a row or column, whatever the kind counts.
-int squares(int counted, BoardDescription::Kind kind) {
-  return kind == BoardDescription::Kind::Chessboard ? counted + 1 : counted;
-}
-int counted(int squares, BoardDescription::Kind kind) {
-  return kind == BoardDescription::Kind::Chessboard ? squares - 1 : squares;
-}
-
-/// Without the noise of units and ratios: 0.01875, not 0.018750000000000003.
-double rounded(double metres) {
-  constexpr double kPerMetre = 1e8;
-  return std::round(metres * kPerMetre) / kPerMetre;
-}
-
-/// The same squares as a board of the other kind.
-void changeKind(BoardDescription& board, BoardDescription::Kind kind) {
-  const int columns = squares(board.columns, board.kind);
-  const int rows = squares(board.rows, board.kind);
-  board.kind = kind;
-  board.columns = counted(columns, kind);
-  board.rows = counted(rows, kind);
-  const bool markers = kind == BoardDescription::Kind::Charuco;
-  board.markerSize = markers ? rounded(kMarkerPart * board.squareSize) : 0.0;
-  board.dictionary = markers ? "DICT_4X4_100" : "";
-  board.legacy = false;
-  board.inverted = false;
 }
 
 } // namespace
@@ -157,22 +128,23 @@ void BoardForm::connectFields() {
   using Board = BoardDescription;
   connect(&desk_, &BoardCalibrator::wishChanged, this, &BoardForm::refresh);
   connect(kind_, &QComboBox::activated, this, [this](int index) {
-    edit([index](Board& board) { changeKind(board, static_cast<Board::Kind>(index)); });
+    edit([index](Board& board) { board = withKind(board, static_cast<Board::Kind>(index)); });
   });
   connect(columns_, &QSpinBox::valueChanged, this, [this](int value) {
-    edit([value](Board& board) { board.columns = counted(value, board.kind); });
+    edit([value](Board& board) { board = withSquares(board, value, board.squareRows()); });
   });
   connect(rows_, &QSpinBox::valueChanged, this, [this](int value) {
-    edit([value](Board& board) { board.rows = counted(value, board.kind); });
+    edit([value](Board& board) { board = withSquares(board, board.squareColumns(), value); });
   });
   connect(size_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([metres = rounded(value * metresPerUnit())](Board& board) {
-      board.markerSize = rounded(board.markerSize * metres / board.squareSize);
-      board.squareSize = metres;
+    edit([metres = value * metresPerUnit()](Board& board) {
+      board = withSquareSize(board, metres);
     });
   });
   connect(marker_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([metres = rounded(value * metresPerUnit())](Board& board) { board.markerSize = metres; });
+    edit([metres = value * metresPerUnit()](Board& board) {
+      board = withMarkerSize(board, metres);
+    });
   });
   connect(unit_, &QComboBox::activated, this, &BoardForm::refresh);
   connect(dictionary_, &QComboBox::textActivated, this, [this](const QString& name) {
@@ -189,9 +161,9 @@ void BoardForm::edit(const std::function<void(BoardDescription&)>& change) {
   BoardGuideRequest wish = desk_.wish();
   BoardDescription board = wish.board.board;
   change(board);
-  const auto checked = parseBoard(boardText(board));
+  const Status checked = checkBoard(board);
   if (checked) {
-    wish.board.board = *checked;
+    wish.board.board = board;
     desk_.setWish(wish);
   }
   refresh(); // also when it was refused
@@ -253,8 +225,8 @@ void BoardForm::refresh() {
     box->setValue(value);
   };
   kind_->setCurrentIndex(static_cast<int>(board.kind));
-  count(columns_, squares(board.columns, board.kind));
-  count(rows_, squares(board.rows, board.kind));
+  count(columns_, board.squareColumns());
+  count(rows_, board.squareRows());
   const Unit& unit = kUnits.at(static_cast<std::size_t>(std::max(0, unit_->currentIndex())));
   const QString suffix = QLatin1Char(' ') + QLatin1String(unit.name);
   setRange(*size_, unit.range, suffix);

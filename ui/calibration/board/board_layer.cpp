@@ -3,6 +3,7 @@
 
 #include "ui/calibration/board/board_calibrator.h"
 #include "ui/cameraview/camera_view.h"
+#include "ui/style/halo.h"
 
 #include <QEvent>
 #include <QPainter>
@@ -14,7 +15,6 @@ namespace {
 
 constexpr int kLitMs = 350;
 const QColor kSeen("#00c78f"); // bluish green, lighter than Okabe-Ito's: on images
-const QColor kHalo(0, 0, 0, 170);
 
 } // namespace
 
@@ -68,7 +68,7 @@ void BoardLayer::paintEvent(QPaintEvent*) {
   }
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(kHalo, 5.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setPen(haloPen(3.0, kGridHalo));
   painter.drawPolygon(outline);
   painter.setPen(QPen(kSeen, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setBrush(lit_ ? QBrush(QColor(kSeen.red(), kSeen.green(), kSeen.blue(), 110))

@@ -5,6 +5,7 @@
 #include "ui/calibration/board/board_map.h"
 #include "ui/calibration/board/board_text.h"
 #include "ui/text/retranslation.h"
+#include "ui/widgets/named_widgets.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -18,12 +19,6 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr int kHeldSteps = 100;
-
-QPushButton* makeButton(const char* name, QWidget* parent) {
-  auto* button = new QPushButton(parent);
-  button->setObjectName(QLatin1String(name));
-  return button;
-}
 
 } // namespace
 

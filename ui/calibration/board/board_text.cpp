@@ -4,9 +4,9 @@
 #include "ui/calibration/board/board_calibrator.h"
 #include "ui/text/calibration_text.h"
 #include "ui/text/error_sentence.h"
+#include "ui/text/quantity_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 
 #include <algorithm>
@@ -21,19 +21,16 @@ class Words {
 
 constexpr double kPoorlyKnownPx = 5.0; ///< somewhere in the image: worth a warning
 
-QString figure(double value, int decimals) {
-  return QLocale().toString(value, 'f', decimals);
-}
-
 QString lensLine(const QString& name, const IntrinsicsResult& lens) {
   const auto used = std::ranges::count(lens.views, true, &ViewFit::used);
-  QString line = Words::tr("%1: rms %2 px, focal length %3 px, %4 pictures; known to %5 px")
-                     .arg(name, figure(lens.rmsPx, 3), figure(lens.camera.intrinsics.focalX, 1),
-                          QString::number(used), figure(lens.worstProjectionPx, 2));
+  QString line =
+      Words::tr("%1: rms %2 px, focal length %3 px, %4 pictures; known to %5 px")
+          .arg(name, numberText(lens.rmsPx, 3), numberText(lens.camera.intrinsics.focalX, 1),
+               QString::number(used), numberText(lens.worstProjectionPx, 2));
   if (lens.worstProjectionPx > kPoorlyKnownPx) {
     line += QStringLiteral("\n⚠ ") + Words::tr("Corners in only %1 % of its image: show the board "
                                                "in all of it, also tilted.")
-                                         .arg(figure(100.0 * lens.coverage.imagePart(), 0));
+                                         .arg(numberText(100.0 * lens.coverage.imagePart(), 0));
   }
   return line;
 }
@@ -42,11 +39,11 @@ QString placeLine(const QString& name, const CameraFit& fit) {
   if (fit.views.empty()) {
     return Words::tr("%1 keeps its place: it never saw the board.").arg(name);
   }
-  QString line = Words::tr("%1: rms %2 px").arg(name, figure(fit.rmsPx, 3));
+  QString line = Words::tr("%1: rms %2 px").arg(name, numberText(fit.rmsPx, 3));
   if (fit.centerSigma > 0.0) {
     line += Words::tr(", place ±%1 mm, direction ±%2°")
-                .arg(figure(1e3 * fit.centerSigma, 2),
-                     figure(fit.turnSigma * 180.0 / std::numbers::pi, 3));
+                .arg(numberText(1e3 * fit.centerSigma, 2),
+                     numberText(fit.turnSigma * 180.0 / std::numbers::pi, 3));
   }
   return line;
 }
@@ -70,7 +67,7 @@ void addPlaces(const BoardCalibrator& desk, const ExtrinsicsResult& places, QStr
     lines << QString();
   }
   lines << Words::tr("Places: rms %1 px over %2 positions of the board")
-               .arg(figure(places.rmsPx, 3), QString::number(places.places.size()));
+               .arg(numberText(places.rmsPx, 3), QString::number(places.places.size()));
   for (std::size_t k = 0; k < places.fits.size(); ++k) {
     lines << placeLine(desk.nameOf(k), places.fits[k]);
   }
@@ -146,7 +143,7 @@ QString sharpnessWords(const BoardGuideState::PerCamera& camera, const GuidanceS
   if (!camera.seen) {
     return Words::tr("no board in sight");
   }
-  const QString edges = figure(camera.seen->edgeWidthPx, 1);
+  const QString edges = numberText(camera.seen->edgeWidthPx, 1);
   return camera.seen->edgeWidthPx > settings.softEdgePart * camera.width
              ? Words::tr("⚠ soft, edges of %1 px").arg(edges)
              : Words::tr("sharp, edges of %1 px").arg(edges);
@@ -158,8 +155,8 @@ QString accuracyWords(const BoardGuideState::PerCamera& camera, const GuidanceSe
         .arg(QString::number(camera.lens.views), QString::number(settings.leastViews));
   }
   return Words::tr("%1 views, known to %2 px (wanted: %3 px)")
-      .arg(QString::number(camera.lens.views), figure(*camera.lens.projectionPx, 2),
-           figure(settings.requestedProjectionPx, 2));
+      .arg(QString::number(camera.lens.views), numberText(*camera.lens.projectionPx, 2),
+           numberText(settings.requestedProjectionPx, 2));
 }
 
 QString seenWords(const BoardGuideState::PerCamera& camera) {
@@ -171,7 +168,7 @@ QString seenWords(const BoardGuideState::PerCamera& camera) {
 QString placeWords(const BoardGuideState::PerCamera& camera) {
   const QString views = QString::number(camera.pairViews);
   return camera.placeSigma ? Words::tr("%1 views, place known to %2 mm")
-                                 .arg(views, figure(1e3 * *camera.placeSigma, 2))
+                                 .arg(views, numberText(1e3 * *camera.placeSigma, 2))
                            : Words::tr("%1 views with others").arg(views);
 }
 

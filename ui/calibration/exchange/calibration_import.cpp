@@ -3,6 +3,7 @@
 
 #include "ui/document/document.h"
 #include "ui/text/error_sentence.h"
+#include "ui/text/quantity_text.h"
 #include "ui/widgets/file_choice.h"
 #include "ui/widgets/number_field.h"
 
@@ -33,10 +34,6 @@ void setChoices(QComboBox& box, const Choices& choices) {
     box.addItem(text, data);
   }
   box.setCurrentIndex(std::min(chosen, box.count() - 1));
-}
-
-QString figure(double value, int decimals) {
-  return QLocale().toString(value, 'f', decimals);
 }
 
 } // namespace
@@ -223,8 +220,8 @@ void CalibrationImportDialog::adopt(const Result<CalibrationImport>& made) {
   for (const ImportedCamera& camera : made->cameras) {
     lines << tr("%1 (in the file: %2): %3 cm and %4° from where it is now")
                  .arg(QString::fromStdString(camera.name), QString::fromStdString(camera.fileName),
-                      figure(100.0 * camera.shift.metres, 1),
-                      figure(camera.shift.radians * 180.0 / std::numbers::pi, 2));
+                      numberText(100.0 * camera.shift.metres, 1),
+                      numberText(camera.shift.radians * 180.0 / std::numbers::pi, 2));
   }
   lines << tr("Largest reprojection difference to the file: %1 px")
                .arg(QLocale().toString(made->largestPixels, 'g', 2));

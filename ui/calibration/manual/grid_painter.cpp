@@ -2,6 +2,7 @@
 #include "ui/calibration/manual/grid_painter.h"
 
 #include "core/calibration/manual/click_aids.h"
+#include "ui/style/halo.h"
 
 #include <QPainter>
 #include <QPolygonF>
@@ -12,7 +13,6 @@
 namespace dewpoint::ui {
 namespace {
 
-const QColor kHalo(0, 0, 0, 170);
 const QColor kPin("#f0e442");   // Okabe-Ito yellow
 const QColor kPoint("#56b4e9"); // sky blue
 const QColor kWorst("#d55e00"); // vermilion
@@ -39,12 +39,8 @@ Stroke strokeOf(GridRole role) {
 }
 
 template <class Draw>
-void withHalo(QPainter& painter, const QColor& color, double width, const Draw& draw) {
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(kHalo, width + 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  draw();
-  painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  draw();
+void withGridHalo(QPainter& painter, const QColor& color, double width, const Draw& draw) {
+  withHalo(painter, color, width, draw, Qt::SolidLine, kGridHalo);
 }
 
 QRectF labelAt(const QPainter& painter, QPointF place, const QString& text) {
@@ -103,7 +99,9 @@ void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacemen
   for (const bool halo : {true, false}) {
     for (std::size_t k = 0; k < lines.size(); ++k) {
       const Stroke stroke = strokeOf(grid.strokes[k].role);
-      painter.setPen(halo ? QPen(kHalo, stroke.width + 2.0) : QPen(stroke.color, stroke.width));
+      painter.setPen(
+          halo ? QPen(haloPen(stroke.width, kGridHalo).color(), stroke.width + kGridHalo.extra)
+               : QPen(stroke.color, stroke.width));
       painter.drawPolyline(lines[k]);
     }
   }
@@ -114,7 +112,7 @@ void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacemen
 void paintPin(QPainter& painter, QPointF place) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  withHalo(painter, kPin, 2.0, [&] {
+  withGridHalo(painter, kPin, 2.0, [&] {
     painter.drawEllipse(place, 5.0, 5.0);
     painter.drawLine(place + QPointF(0.0, -5.0), place + QPointF(0.0, -16.0));
     painter.drawLine(place + QPointF(-4.0, -16.0), place + QPointF(4.0, -16.0));
@@ -125,7 +123,7 @@ void paintPin(QPainter& painter, QPointF place) {
 void paintGrip(QPainter& painter, QPointF place) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  withHalo(painter, Qt::white, 1.6, [&] {
+  withGridHalo(painter, Qt::white, 1.6, [&] {
     painter.drawEllipse(place, 8.0, 8.0);
     painter.drawPoint(place);
   });
@@ -138,13 +136,13 @@ void paintPoint(QPainter& painter, const PaintedPoint& point) {
   const QColor color = point.worst ? kWorst : kPoint;
   const double width = point.chosen ? 2.2 : 1.5;
   if (point.click && point.seen) {
-    withHalo(painter, color, 1.0, [&] { painter.drawLine(*point.click, *point.seen); });
+    withGridHalo(painter, color, 1.0, [&] { painter.drawLine(*point.click, *point.seen); });
   }
   if (point.seen) {
-    withHalo(painter, color, width, [&] { painter.drawEllipse(*point.seen, 6.0, 6.0); });
+    withGridHalo(painter, color, width, [&] { painter.drawEllipse(*point.seen, 6.0, 6.0); });
   }
   if (point.click) {
-    withHalo(painter, color, width, [&] {
+    withGridHalo(painter, color, width, [&] {
       painter.drawLine(*point.click + QPointF(-7, 0), *point.click + QPointF(7, 0));
       painter.drawLine(*point.click + QPointF(0, -7), *point.click + QPointF(0, 7));
     });

@@ -6,19 +6,15 @@
 #include "ui/calibration/manual_calibration.h"
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
-#include "ui/style/map_legend.h"
+#include "ui/text/camera_names.h"
 #include "ui/text/error_sentence.h"
-
-#include <QLocale>
+#include "ui/text/quantity_text.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace dewpoint::ui {
 namespace {
-
-constexpr std::size_t kMapCells = 8640; ///< a map of six cameras takes some milliseconds
 
 Camera withLens(const Camera& camera, const PlannedLens& lens) {
   Camera changed = idealCamera(camera.name, lens.width, lens.height, lens.fieldOfView);
@@ -160,31 +156,17 @@ QString RigPlanner::nextName() const {
     return std::ranges::any_of(
         all, [&](const Camera& one) { return QString::fromStdString(one.name) == name; });
   };
-  std::size_t number = document_.project().cameras.size() + 1;
-  while (taken(tr("camera %1").arg(number))) {
-    ++number;
+  std::size_t index = document_.project().cameras.size();
+  while (taken(cameraName(std::string(), index))) {
+    ++index;
   }
-  return tr("camera %1").arg(number);
+  return cameraName(std::string(), index);
 }
 
 void RigPlanner::add() {
   Camera camera = withLens({}, lens_);
   camera.name = nextName().toStdString();
-  Eigen::Vector3d best = volume_.max();
-  double farthest = -1.0;
-  for (int k = 4; k < 8; ++k) { // the upper corners
-    const Eigen::Vector3d corner = volume_.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k));
-    double nearest = std::numeric_limits<double>::max();
-    for (const Camera& other : rig()) {
-      nearest = std::min(nearest, (other.center() - corner).norm());
-    }
-    if (nearest > farthest) {
-      farthest = nearest;
-      best = corner;
-    }
-  }
-  camera.cameraFromWorld = lookAt(best, volume_.center());
-  planned_.push_back(camera);
+  planned_.push_back(inFarthestCorner(camera, rig(), volume_));
   choose(int(planned_.size()) - 1);
   ask();
   Q_EMIT said({});
@@ -235,21 +217,10 @@ void RigPlanner::findPlace() {
   settings.wallDistance = wallDistance_;
   settings.pixelSigma = pixelSigma_;
   settings.goodSigma = look_.goodSigma;
+  settings.reportedCells = kMapCells;
   search_.start([this, lens, settings, rig = rig()](const BackgroundJob::Progress& progress) {
-    auto found = placeCamera(rig, lens, settings,
-                             [&](CalibrationStage, double part) { return progress(part); });
-    if (found) { // on the cells of the map, so that the figures are the same
-      RigMapper mapper;
-      const VolumeGrid cells = gridOver(settings.volume, kMapCells);
-      CameraRig with = rig;
-      with.push_back(found->camera);
-      const auto within = [&](const CameraRig& cameras) {
-        const RigMap map = mapper.map(cells, settings.pixelSigma, cameras);
-        return summaryOf(map, settings.goodSigma).within;
-      };
-      found->withinBefore = within(rig);
-      found->withinAfter = within(with);
-    }
+    const auto found = placeCamera(rig, lens, settings,
+                                   [&](CalibrationStage, double part) { return progress(part); });
     return [this, found] { takePlacement(found); };
   });
   Q_EMIT said({});
@@ -264,14 +235,13 @@ void RigPlanner::takePlacement(const Result<Placement>& found) {
   choose(int(planned_.size()) - 1);
   ask();
   Q_EMIT changed();
-  const QLocale locale;
   const Eigen::Vector3d place = found->camera.center();
-  Q_EMIT said(tr("Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead "
-                 "of %7.")
-                  .arg(QString::fromStdString(found->camera.name),
-                       locale.toString(place.x(), 'f', 2), locale.toString(place.y(), 'f', 2),
-                       locale.toString(place.z(), 'f', 2), shareText(found->withinAfter),
-                       shortLength(look_.goodSigma), shareText(found->withinBefore)));
+  Q_EMIT said(
+      tr("Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead "
+         "of %7.")
+          .arg(QString::fromStdString(found->camera.name), numberText(place.x(), 2),
+               numberText(place.y(), 2), numberText(place.z(), 2), shareText(found->withinAfter),
+               lengthText(look_.goodSigma, LengthForm::Short), shareText(found->withinBefore)));
 }
 
 } // namespace dewpoint::ui

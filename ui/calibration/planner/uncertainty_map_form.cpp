@@ -2,7 +2,7 @@
 #include "ui/calibration/planner/uncertainty_map_form.h"
 
 #include "ui/calibration/planner/rig_planner.h"
-#include "ui/style/map_legend.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/number_field.h"
 
@@ -222,9 +222,10 @@ void UncertaintyMapForm::summarize() {
   QString text;
   if (plan_.isMapShown() && plan_.map()) {
     const RigMapSummary summary = summaryOf(*plan_.map(), plan_.look().goodSigma);
-    text = tr("%1 of the volume within %2, %3 seen by fewer than two cameras")
-               .arg(shareText(summary.within), shortLength(plan_.look().goodSigma),
-                    shareText(summary.tooFew));
+    text =
+        tr("%1 of the volume within %2, %3 seen by fewer than two cameras")
+            .arg(shareText(summary.within), lengthText(plan_.look().goodSigma, LengthForm::Short),
+                 shareText(summary.tooFew));
   }
   summary_->setText(text);
   summary_->setVisible(!text.isEmpty());

@@ -2,32 +2,17 @@
 #include "ui/calibration/points/point_calibrator.h"
 
 #include "core/session/run/tracking_run.h"
+#include "core/setup/calibrated_project.h"
 #include "ui/calibration/manual_calibration.h"
 #include "ui/document/document.h"
+#include "ui/text/quantity_text.h"
 
-#include <QLocale>
 #include <QStringList>
 
 #include <algorithm>
 #include <cmath>
 
 namespace dewpoint::ui {
-namespace {
-
-QString number(double value, int decimals) {
-  return QLocale().toString(value, 'f', decimals);
-}
-
-void setClickOf(MeasuredPoint& point, int camera, const Eigen::Vector2d& pixel) {
-  const auto there = std::ranges::find(point.clicks, camera, &PointClick::camera);
-  if (there != point.clicks.end()) {
-    there->pixel = pixel;
-  } else {
-    point.clicks.push_back({camera, pixel});
-  }
-}
-
-} // namespace
 
 QString symmetryText(const QString& camera, const ImageSymmetry& symmetry) {
   if (symmetry.mirrored && symmetry.rotateDegrees != 0) {
@@ -138,7 +123,7 @@ void PointCalibrator::setClick(int camera, const Eigen::Vector2d& pixel) {
   }
   const auto point = static_cast<std::size_t>(chosen_);
   edit(tr("Click %1 in %2").arg(QString::fromStdString(points()[point].name), hand_.nameOf(camera)),
-       [&](Project& project) { setClickOf(project.points[point], camera, pixel); });
+       [&](Project& project) { setClickIn(project.points[point], camera, pixel); });
 }
 
 void PointCalibrator::removeClick(int camera) {
@@ -181,16 +166,8 @@ void PointCalibrator::adopt(const PointSolution& solution) {
   forgetSolution();
   adopting_ = true;
   if (solution.anySolved()) {
-    edit(tr("Solve cameras from measured points"), [&](Project& project) {
-      for (const CameraFromPoints& found : solution.cameras) {
-        const auto index = static_cast<std::size_t>(found.camera);
-        ProjectCamera& camera = project.cameras[index];
-        if (!(camera.camera == solution.rig[index])) {
-          camera.camera = solution.rig[index];
-          camera.markAdjusted();
-        }
-      }
-    });
+    edit(tr("Solve cameras from measured points"),
+         [&](Project& project) { project = withCameras(std::move(project), solution.rig); });
   }
   adopting_ = false;
   QStringList lines;
@@ -215,7 +192,7 @@ QString PointCalibrator::sayCamera(const CameraFromPoints& camera) const {
   QString line;
   switch (camera.trouble) {
   case PoseStatus::None:
-    line = tr("%1: %2 px off on average").arg(name, number(camera.rmsPx, 2));
+    line = tr("%1: %2 px off on average").arg(name, numberText(camera.rmsPx, 2));
     break;
   case PoseStatus::TooFew:
     line = tr("%1: %2 points are too few, click four or more").arg(name).arg(camera.clicks);
@@ -225,7 +202,7 @@ QString PointCalibrator::sayCamera(const CameraFromPoints& camera) const {
     break;
   case PoseStatus::Ambiguous:
     line = tr("%1: %2 px, but a second pose fits as well: add a point outside the plane")
-               .arg(name, number(camera.rmsPx, 2));
+               .arg(name, numberText(camera.rmsPx, 2));
     break;
   case PoseStatus::NoPose:
     line = tr("%1: no pose shows the points there").arg(name);
@@ -233,11 +210,10 @@ QString PointCalibrator::sayCamera(const CameraFromPoints& camera) const {
   }
   if (camera.proposal) {
     const QString what = symmetryText(name, camera.proposal->symmetry);
-    line +=
-        QLatin1Char('\n') +
-        (camera.proposal->byUprightness
-             ? tr("%1, unless it was mounted so").arg(what)
-             : tr("%1: then its points fit to %2 px").arg(what, number(camera.proposal->rmsPx, 2)));
+    line += QLatin1Char('\n') + (camera.proposal->byUprightness
+                                     ? tr("%1, unless it was mounted so").arg(what)
+                                     : tr("%1: then its points fit to %2 px")
+                                           .arg(what, numberText(camera.proposal->rmsPx, 2)));
   }
   return line;
 }
@@ -255,9 +231,9 @@ QString PointCalibrator::sayWorst(const PointSolution& solution) const {
   const QString name = QString::fromStdString(points()[worst].name);
   return solution.worstExplains
              ? tr("%1 does not fit the rest (%2 px, %3 mm): measure or click it again")
-                   .arg(name, number(pixels, 1), number(1000.0 * metres, 1))
+                   .arg(name, numberText(pixels, 1), numberText(1000.0 * metres, 1))
              : tr("Worst: %1 (%2 px, %3 mm)")
-                   .arg(name, number(pixels, 2), number(1000.0 * metres, 1));
+                   .arg(name, numberText(pixels, 2), numberText(1000.0 * metres, 1));
 }
 
 std::optional<int> PointCalibrator::proposedCamera() const {
@@ -280,19 +256,7 @@ void PointCalibrator::acceptProposal() {
   }
   const Proposal proposal = *proposal_;
   edit(tr("Set how %1 lies").arg(hand_.nameOf(proposal.camera)), [&](Project& project) {
-    ProjectCamera& camera = project.cameras[static_cast<std::size_t>(proposal.camera)];
-    const Intrinsics before = camera.camera.intrinsics;
-    const ImageSymmetry source =
-        combined({camera.rotateDegrees, camera.mirrored}, proposal.symmetry);
-    camera.rotateDegrees = source.rotateDegrees;
-    camera.mirrored = source.mirrored;
-    camera.camera = transformed(proposal.symmetry, camera.camera);
-    for (MeasuredPoint& point : project.points) {
-      if (const PointClick* click = clickIn(point, proposal.camera)) {
-        setClickOf(point, proposal.camera,
-                   transformed(proposal.symmetry, click->pixel, before.width, before.height));
-      }
-    }
+    project = withImageSymmetry(std::move(project), proposal.camera, proposal.symmetry);
   });
   solve(false);
 }

@@ -4,7 +4,9 @@
 #include "ui/calibration/calibration_dock.h"
 #include "ui/calibration/manual_calibration.h"
 #include "ui/calibration/points/point_calibrator.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
+#include "ui/widgets/named_widgets.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -19,20 +21,6 @@
 #include <cmath>
 
 namespace dewpoint::ui {
-namespace {
-
-QPushButton* makeButton(const char* name, QWidget* parent) {
-  auto* button = new QPushButton(parent);
-  button->setObjectName(QLatin1String(name));
-  return button;
-}
-
-QString figure(double value, int decimals) {
-  return std::isfinite(value) ? QLocale().toString(value, 'f', decimals) : QStringLiteral("∞");
-}
-
-} // namespace
-
 PointsTable::PointsTable(PointCalibrator& points, ManualCalibration& hand, QWidget* parent)
     : QWidget(parent), points_(points), hand_(hand) {
   setObjectName(QStringLiteral("pointsTable"));
@@ -142,7 +130,7 @@ void PointsTable::fillRow(int row) {
   const QString name = QString::fromStdString(point.name);
   setCell(row, Name, worst ? QStringLiteral("▲ ") + name : name, true);
   for (int axis = 0; axis < 3; ++axis) {
-    setCell(row, X + axis, QLocale().toString(point.world[axis], 'f', 3), true);
+    setCell(row, X + axis, numberText(point.world[axis], 3), true);
   }
   setCell(row, Clicks, QStringLiteral("%1/%2").arg(point.clicks.size()).arg(hand_.cameraCount()),
           false);
@@ -166,12 +154,12 @@ void PointsTable::showResiduals() {
         pixels = std::max(pixels, residual.pixels);
         metres = std::max(metres, residual.metres);
         each << tr("%1: %2 px, %3 mm")
-                    .arg(hand_.nameOf(residual.camera), figure(residual.pixels, 2),
-                         figure(1000.0 * residual.metres, 1));
+                    .arg(hand_.nameOf(residual.camera), numberText(residual.pixels, 2),
+                         numberText(1000.0 * residual.metres, 1));
       }
     }
-    setCell(row, Pixels, pixels < 0.0 ? QStringLiteral("–") : figure(pixels, 2), false);
-    setCell(row, Millimetres, metres < 0.0 ? QStringLiteral("–") : figure(1000.0 * metres, 1),
+    setCell(row, Pixels, pixels < 0.0 ? QStringLiteral("–") : numberText(pixels, 2), false);
+    setCell(row, Millimetres, metres < 0.0 ? QStringLiteral("–") : numberText(1000.0 * metres, 1),
             false);
     for (const int column : {int(Clicks), int(Pixels), int(Millimetres)}) {
       table_->item(row, column)->setToolTip(each.join(QLatin1Char('\n')));

@@ -80,11 +80,7 @@ void WandCalibrator::takeMoment(TouchRole role) {
     return;
   }
   const TouchedMoment taken{shownFrame_, shownSeconds_, role};
-  std::erase_if(moments_, [&](const TouchedMoment& moment) {
-    return moment == taken || (role != TouchRole::Floor && moment.role == role);
-  });
-  moments_.push_back(taken);
-  std::ranges::stable_sort(moments_, {}, &TouchedMoment::seconds);
+  addMoment(moments_, taken);
   Q_EMIT changed();
 }
 
@@ -119,7 +115,7 @@ void WandCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
 
 void WandCalibrator::startWaving() {
   Session* session = around_.session();
-  const auto colors = wandColors(project(), toOptions(wish_, moments_, project(), {}));
+  const auto colors = wandColors(project(), toOptions(wish_, moments_, project()));
   if (session == nullptr) {
     return;
   }
@@ -181,7 +177,8 @@ void WandCalibrator::refine() {
   stopWaving();
   const auto collector = live_ ? collector_ : nullptr;
   const auto span = live_ ? std::nullopt : around_.selection.span();
-  const WandOptions options = toOptions(wish_, moments_, project(), span);
+  const auto selected = span ? std::optional(FrameStretch{span->first, span->last}) : std::nullopt;
+  const WandOptions options = toOptions(wish_, moments_, project(), selected);
   refinement_.reset();
   failure_.clear();
   applied_ = false;
@@ -209,9 +206,7 @@ void WandCalibrator::adopt(Result<WandRefinement> outcome) {
     failure_ = errorSentence(outcome.error());
   } else {
     refinement_ = std::make_shared<const WandRefinement>(std::move(*outcome));
-    // What a fault explains better, or is less sure than before, is not to be trusted: the person
-    // decides.
-    if (refinement_->result.faults.empty() && !saysTooLittle(*refinement_)) {
+    if (!isDoubtful(*refinement_)) {
       apply();
     }
   }

@@ -3,7 +3,7 @@
 
 #include "core/session/session.h"
 #include "core/setup/wand_collector.h"
-#include "ui/calibration/wand/wand_settings.h"
+#include "ui/calibration/wand/wand_text.h"
 
 #include <QObject>
 #include <QTimer>

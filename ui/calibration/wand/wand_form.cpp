@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "ui/calibration/wand/wand_calibrator.h"
 #include "ui/document/target_list_model.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/number_field.h"
 
@@ -12,7 +13,6 @@
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QSignalBlocker>
 
 #include <algorithm>
@@ -168,7 +168,7 @@ void WandForm::fillSizes() {
   const QString diameter =
       ball == targets.end()
           ? tr("the ball's diameter")
-          : tr("the ball's diameter, %1 cm").arg(QLocale().toString(200.0 * ball->radius, 'f', 1));
+          : tr("the ball's diameter, %1 cm").arg(numberText(200.0 * ball->radius, 1));
   setTexts(*size_, {tr("the cameras as they are"), diameter, tr("a distance touched")});
 }
 

@@ -12,10 +12,13 @@ class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 
+namespace dewpoint::session {
+struct WandSettings;
+} // namespace dewpoint::session
+
 namespace dewpoint::ui {
 
 class WandCalibrator;
-struct WandSettings;
 
 /// What is waved, what gives the size, and what is to be found, as fields.
 class WandForm : public QWidget {

@@ -2,13 +2,13 @@
 #include "ui/calibration/wand/wand_moments.h"
 
 #include "ui/calibration/wand/wand_calibrator.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/number_field.h"
 
 #include <QComboBox>
 #include <QGridLayout>
 #include <QListWidget>
-#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 
@@ -72,8 +72,7 @@ void WandMoments::refresh() {
     const QSignalBlocker quiet(list_);
     list_->clear();
     for (const TouchedMoment& moment : desk_.moments()) {
-      list_->addItem(
-          tr("%1 s – %2").arg(QLocale().toString(moment.seconds, 'f', 3), touchWords(moment.role)));
+      list_->addItem(tr("%1 s – %2").arg(numberText(moment.seconds, 3), touchWords(moment.role)));
     }
     list_->setCurrentRow(std::min(chosen, list_->count() - 1));
   }

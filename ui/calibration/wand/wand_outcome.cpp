@@ -4,14 +4,16 @@
 #include "ui/calibration/calibration_dock.h"
 #include "ui/calibration/wand/wand_calibrator.h"
 #include "ui/text/calibration_text.h"
+#include "ui/text/camera_names.h"
 #include "ui/text/error_sentence.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
+#include "ui/widgets/named_widgets.h"
 
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTableWidget>
@@ -25,26 +27,12 @@ namespace {
 
 enum Column { Name, Pixels, Moved, Turned, Offset, ColumnCount };
 
-QPushButton* makeButton(const char* name, QWidget* parent) {
-  auto* button = new QPushButton(parent);
-  button->setObjectName(QLatin1String(name));
-  return button;
-}
-
 QLabel* makeText(const char* name, QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setObjectName(QLatin1String(name));
   label->setWordWrap(true);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   return label;
-}
-
-QString figure(double value, int decimals) {
-  return QLocale().toString(value, 'f', decimals);
-}
-
-QString signedFigure(double value, int decimals) {
-  return (value > 0.0 ? QStringLiteral("+") : QString()) + figure(value, decimals);
 }
 
 } // namespace
@@ -187,7 +175,7 @@ void WandOutcome::showOutcome() {
     if (saysTooLittle(*found)) {
       notes << QStringLiteral("⚠ ") + tr("That is less sure than the cameras were (off by up to %1 "
                                          "cm): wave through more of the volume.")
-                                          .arg(figure(100.0 * found->options.roughPlace, 1));
+                                          .arg(numberText(100.0 * found->options.roughPlace, 1));
     }
     if (!desk_.isApplied()) {
       notes << tr("The cameras are as they were.");
@@ -195,11 +183,11 @@ void WandOutcome::showOutcome() {
     if (found->verdict && found->verdict->modelFactor > 1.0) {
       notes << tr("Solutions without a part of the recording differ %1 times more than noise "
                   "explains; the verdict includes that.")
-                   .arg(figure(found->verdict->modelFactor, 1));
+                   .arg(numberText(found->verdict->modelFactor, 1));
     }
     if (found->result.drop) {
       notes << tr("The fall says %1 m/s² (9.81 is expected).")
-                   .arg(figure(found->result.drop->gravity, 2));
+                   .arg(numberText(found->result.drop->gravity, 2));
     }
     if (found->options.findOffsets && desk_.isApplied()) {
       notes << tr("How late cameras are is kept in the project: images are put together by it from "
@@ -233,11 +221,11 @@ void WandOutcome::fillTable() {
   for (std::size_t k = 0; k < result.cameras.size(); ++k) {
     const PoseShift shift = poseShift(found.before[k], result.cameras[k]);
     set(k, Name, cameraName(found.before, k));
-    set(k, Pixels, figure(result.bundle.cameraRms[k], 2));
-    set(k, Moved, figure(100.0 * shift.metres, 1));
-    set(k, Turned, figure(shift.radians * 180.0 / std::numbers::pi, 2));
+    set(k, Pixels, numberText(result.bundle.cameraRms[k], 2));
+    set(k, Moved, numberText(100.0 * shift.metres, 1));
+    set(k, Turned, numberText(shift.radians * 180.0 / std::numbers::pi, 2));
     // True time is the camera's plus the offset: a late image has a negative one.
-    set(k, Offset, signedFigure(-1000.0 * result.offsets[k], 1));
+    set(k, Offset, numberText(-1000.0 * result.offsets[k], 1, NumberForm::Signed));
   }
   table_->resizeRowsToContents();
   int height = table_->horizontalHeader()->sizeHint().height() + 2 * table_->frameWidth();

@@ -4,12 +4,12 @@
 #include "core/project/project.h"
 #include "ui/calibration/wand/coverage_map.h"
 #include "ui/calibration/wand/wand_calibrator.h"
-#include "ui/text/calibration_text.h"
+#include "ui/text/camera_names.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
 
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -100,7 +100,7 @@ void WandWaving::showCameras() {
             .arg(good ? QStringLiteral("✓") : QStringLiteral("…"), cameraName(rig, k))
             .arg(static_cast<qulonglong>(seen.count)));
   }
-  QString text = tr("%1 s collected.").arg(QLocale().toString(collected->seconds, 'f', 1));
+  QString text = tr("%1 s collected.").arg(numberText(collected->seconds, 1));
   text += QLatin1Char(' ') +
           (enough ? tr("Every camera saw enough: stop, or refine.")
                   : tr("Go on: each camera should see the ball 150 times, in half of its image."));

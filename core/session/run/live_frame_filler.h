@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace dewpoint::ui {
+namespace dewpoint::session {
 
 /// Live cameras that run freely do not all have an image in each set of frames. A view that went
 /// blank for each one would flicker, and nobody could click in it: so views show the last image of
@@ -23,4 +23,4 @@ private:
   std::vector<cv::Mat> masks_;
 };
 
-} // namespace dewpoint::ui
+} // namespace dewpoint::session

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/live_frame_filler.h"
+#include "core/session/run/live_frame_filler.h"
 
-namespace dewpoint::ui {
+namespace dewpoint::session {
 
 TrackSnapshotPtr LiveFrameFiller::filled(const TrackSnapshotPtr& snapshot) {
   const bool live = snapshot && snapshot->frames && !snapshot->frameCount && !snapshot->past;
@@ -39,4 +39,4 @@ TrackSnapshotPtr LiveFrameFiller::filled(const TrackSnapshotPtr& snapshot) {
   return copy;
 }
 
-} // namespace dewpoint::ui
+} // namespace dewpoint::session

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+namespace dewpoint::session {
+
+/// How it stands with a target, a camera or all of a moment: what a view shows in one word.
+enum class HoldState {
+  NoImages,
+  NoTarget,
+  NotTracked,
+  NoBox,
+  Held,
+  Hidden,
+  Searching,
+  Lost,
+  Missing,
+  Learning, ///< the empty room, before people are looked for
+  Nobody,   ///< people are looked for, and nobody is there
+  Gone,     ///< a person who has left, or is not there yet
+};
+
+} // namespace dewpoint::session

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run/snapshot_state.h"
+
+#include "core/geometry/convex_hull.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace dewpoint::session {
+
+namespace {
+
+/// Null where the snapshot has no such camera.
+const Camera* cameraOf(const TrackSnapshot& snapshot, int camera) {
+  const auto index = static_cast<std::size_t>(camera);
+  const bool known = snapshot.rig && camera >= 0 && index < snapshot.rig->size();
+  return known ? &(*snapshot.rig)[index] : nullptr;
+}
+
+/// Whether an outline goes around a point: a line to the left crosses it an odd number of times.
+bool isWithin(const std::vector<Eigen::Vector2d>& outline, const Eigen::Vector2d& point) {
+  bool within = false;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const Eigen::Vector2d& from = outline[k];
+    const Eigen::Vector2d& to = outline[(k + 1) % outline.size()];
+    const bool crosses = (from.y() <= point.y()) != (to.y() <= point.y());
+    if (crosses && from.x() + (point.y() - from.y()) / (to.y() - from.y()) * (to.x() - from.x()) <=
+                       point.x()) {
+      within = !within;
+    }
+  }
+  return within;
+}
+
+} // namespace
+
+HoldState holdState(TargetStatus status) {
+  return status == TargetStatus::Held   ? HoldState::Held
+         : status == TargetStatus::Lost ? HoldState::Lost
+         : status == TargetStatus::Gone ? HoldState::Gone
+                                        : HoldState::Searching;
+}
+
+HoldState holdState(const TargetSnapshot& target, TargetsFrom targets) {
+  if (targets != TargetsFrom::Box) {
+    return holdState(target.status);
+  }
+  if (target.box() == nullptr) {
+    return HoldState::NoBox;
+  }
+  return target.status == TargetStatus::Searching ? HoldState::Hidden : holdState(target.status);
+}
+
+namespace {
+
+HoldState stateOfPeople(const TrackSnapshot& snapshot) {
+  if (std::ranges::any_of(snapshot.peopleCameras,
+                          [](const auto& camera) { return camera.learned < 1.0; })) {
+    return HoldState::Learning;
+  }
+  HoldState state = HoldState::Nobody;
+  for (const TargetSnapshot& target : snapshot.targets) {
+    if (target.status == TargetStatus::Searching) {
+      return HoldState::Searching;
+    }
+    state = target.status == TargetStatus::Held ? HoldState::Held : state;
+  }
+  return state;
+}
+
+/// Of the targets that count; without any of them there is no box.
+template <class Counts> HoldState worstState(const TrackSnapshot& snapshot, const Counts& counts) {
+  if (!snapshot.frames) {
+    return HoldState::NoImages;
+  }
+  if (snapshot.targets.empty() && !snapshot.family.findsTargets()) {
+    return HoldState::NoTarget;
+  }
+  if (snapshot.past && !snapshot.tracked) {
+    return HoldState::NotTracked;
+  }
+  if (snapshot.family.findsTargets()) {
+    return stateOfPeople(snapshot);
+  }
+  for (const HoldState state :
+       {HoldState::Lost, HoldState::Searching, HoldState::Hidden, HoldState::Held}) {
+    if (std::ranges::any_of(snapshot.targets, [&](const TargetSnapshot& target) {
+          return counts(target) && holdState(target, snapshot.family.targets) == state;
+        })) {
+      return state;
+    }
+  }
+  return HoldState::NoBox;
+}
+
+} // namespace
+
+HoldState holdState(const TrackSnapshot& snapshot) {
+  return worstState(snapshot, [](const TargetSnapshot&) { return true; });
+}
+
+HoldState holdState(const TrackSnapshot& snapshot, int camera) {
+  if (snapshot.family.targets != TargetsFrom::Box) {
+    return holdState(snapshot);
+  }
+  return worstState(snapshot, [camera](const TargetSnapshot& target) {
+    const BoxEstimate* box = target.box();
+    return box != nullptr ? box->camera == camera
+                          : target.target.box && target.target.box->camera == camera;
+  });
+}
+
+const TargetSnapshot* targetToExplain(const TrackSnapshot& snapshot, int preferred) {
+  const auto& targets = snapshot.targets;
+  if (targets.empty()) {
+    return nullptr;
+  }
+  if (preferred >= 0 && preferred < static_cast<int>(targets.size())) {
+    return &targets[static_cast<std::size_t>(preferred)];
+  }
+  const auto lost = std::ranges::find_if(targets, [](const auto& target) {
+    return target.status != TargetStatus::Held && target.status != TargetStatus::Gone;
+  });
+  const auto held = std::ranges::find(targets, TargetStatus::Held, &TargetSnapshot::status);
+  return lost != targets.end() ? &*lost : held != targets.end() ? &*held : &targets.front();
+}
+
+const TargetSnapshot* heldTargetInView(const TrackSnapshot& snapshot, int camera) {
+  const Camera* its = cameraOf(snapshot, camera);
+  if (its == nullptr) {
+    return nullptr;
+  }
+  const Projector projector(*its);
+  const auto isInView = [&](const TargetSnapshot& target) {
+    if (target.status != TargetStatus::Held) {
+      return false;
+    }
+    if (const BoxEstimate* box = target.box()) {
+      return box->camera == camera;
+    }
+    const auto position = positionOf(target.estimate);
+    const auto pixel = position ? projector.project(position->mean) : std::nullopt;
+    return pixel && pixel->x() >= 0.0 && pixel->x() <= its->intrinsics.width && pixel->y() >= 0.0 &&
+           pixel->y() <= its->intrinsics.height;
+  };
+  const auto found = std::ranges::find_if(snapshot.targets, isInView);
+  return found == snapshot.targets.end() ? nullptr : &*found;
+}
+
+int personSeenAt(const TrackSnapshot& snapshot, int camera, const Eigen::Vector2d& pixel) {
+  const Camera* its = cameraOf(snapshot, camera);
+  if (its == nullptr) {
+    return -1;
+  }
+  const Projector projector(*its);
+  int found = -1;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
+    const TargetSnapshot& target = snapshot.targets[k];
+    const PersonEstimate* person = target.person();
+    if (person == nullptr || !target.shape) {
+      continue;
+    }
+    const double distance = (person->position - its->center()).norm();
+    if (distance < nearest && isWithin(projectedHull(projector, target.shape->hull), pixel)) {
+      nearest = distance;
+      found = static_cast<int>(k);
+    }
+  }
+  return found;
+}
+
+} // namespace dewpoint::session

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run/snapshot_state.h"
+#include "tests/session/fake_recording.h"
+
+#include <gtest/gtest.h>
+
+namespace dewpoint::tests {
+namespace {
+
+/// A tracked moment of two cameras with one target per status, near the ball.
+TrackSnapshot snapshotOf(const std::vector<TargetStatus>& statuses) {
+  TrackSnapshot snapshot;
+  snapshot.rig = std::make_shared<const CameraRig>(test::twoCameras());
+  snapshot.frames = std::make_shared<const FrameSet>();
+  snapshot.tracked = true;
+  for (const TargetStatus status : statuses) {
+    TargetSnapshot& target = snapshot.targets.emplace_back();
+    target.target.name = std::to_string(snapshot.targets.size());
+    target.status = status;
+    SphereEstimate sphere;
+    sphere.mean = test::kBall;
+    target.estimate = sphere;
+  }
+  return snapshot;
+}
+
+/// Somebody whose hull is a cube of 10 cm around `center`.
+void addPerson(TrackSnapshot& snapshot, const Eigen::Vector3d& center) {
+  std::vector<Eigen::Vector3d> corners;
+  for (int k = 0; k < 8; ++k) {
+    corners.push_back(center + 0.05 * Eigen::Vector3d((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1,
+                                                      (k & 4) != 0 ? 1 : -1));
+  }
+  TargetSnapshot& target = snapshot.targets.emplace_back();
+  PersonEstimate person;
+  person.position = center;
+  target.estimate = person;
+  PersonShape shape;
+  shape.hull = convexHull(corners);
+  target.shape = std::make_shared<const PersonShape>(std::move(shape));
+}
+
+TEST(SnapshotState, WithoutImagesTargetsOrTrackingThereIsNothingToJudge) {
+  TrackSnapshot snapshot = snapshotOf({TargetStatus::Held});
+  snapshot.frames = nullptr;
+  EXPECT_EQ(holdState(snapshot), HoldState::NoImages);
+  EXPECT_EQ(holdState(snapshotOf({})), HoldState::NoTarget);
+  TrackSnapshot past = snapshotOf({TargetStatus::Held});
+  past.past = true;
+  past.tracked = false;
+  EXPECT_EQ(holdState(past), HoldState::NotTracked);
+}
+
+TEST(SnapshotState, TheWorstTargetSpeaksForAll) {
+  using enum TargetStatus;
+  EXPECT_EQ(holdState(snapshotOf({Held, Held})), HoldState::Held);
+  EXPECT_EQ(holdState(snapshotOf({Held, Searching})), HoldState::Searching);
+  EXPECT_EQ(holdState(snapshotOf({Searching, Lost, Held})), HoldState::Lost);
+}
+
+TEST(SnapshotState, ABoxIsHiddenOrMissingAndOfOneCamera) {
+  TrackSnapshot snapshot = snapshotOf({TargetStatus::Held, TargetStatus::Searching});
+  snapshot.family.targets = TargetsFrom::Box;
+  EXPECT_EQ(holdState(snapshot.targets[0], snapshot.family.targets), HoldState::NoBox);
+  EXPECT_EQ(holdState(snapshot), HoldState::NoBox);
+  for (int k = 0; k < 2; ++k) {
+    BoxEstimate box;
+    box.camera = k;
+    snapshot.targets[static_cast<std::size_t>(k)].estimate = box;
+  }
+  EXPECT_EQ(holdState(snapshot.targets[1], snapshot.family.targets), HoldState::Hidden);
+  EXPECT_EQ(holdState(snapshot), HoldState::Hidden);
+  EXPECT_EQ(holdState(snapshot, 0), HoldState::Held);
+  EXPECT_EQ(holdState(snapshot, 1), HoldState::Hidden);
+  EXPECT_EQ(holdState(snapshot, 2), HoldState::NoBox);
+}
+
+TEST(SnapshotState, PeopleAreLearnedFirst) {
+  TrackSnapshot snapshot = snapshotOf({});
+  snapshot.family.targets = TargetsFrom::Images;
+  snapshot.peopleCameras.resize(2);
+  snapshot.peopleCameras[0].learned = 1.0;
+  snapshot.peopleCameras[1].learned = 0.5;
+  EXPECT_EQ(holdState(snapshot), HoldState::Learning);
+  snapshot.peopleCameras[1].learned = 1.0;
+  EXPECT_EQ(holdState(snapshot), HoldState::Nobody);
+  snapshot.targets = snapshotOf({TargetStatus::Gone, TargetStatus::Held}).targets;
+  EXPECT_EQ(holdState(snapshot), HoldState::Held);
+  snapshot.targets[0].status = TargetStatus::Searching;
+  EXPECT_EQ(holdState(snapshot), HoldState::Searching);
+}
+
+TEST(SnapshotState, TheTargetToExplainIsTheChosenOneOrTheFirstInTrouble) {
+  using enum TargetStatus;
+  EXPECT_EQ(targetToExplain(snapshotOf({}), 0), nullptr);
+  const auto nameOf = [](const TrackSnapshot& snapshot, int preferred) {
+    return targetToExplain(snapshot, preferred)->target.name;
+  };
+  const TrackSnapshot mixed = snapshotOf({Gone, Held, Lost, Searching});
+  EXPECT_EQ(nameOf(mixed, 1), "2");
+  EXPECT_EQ(nameOf(mixed, -1), "3");
+  EXPECT_EQ(nameOf(mixed, 9), "3"); // chosen in another project
+  EXPECT_EQ(nameOf(snapshotOf({Gone, Held}), -1), "2");
+  EXPECT_EQ(nameOf(snapshotOf({Gone}), -1), "1");
+}
+
+TEST(SnapshotState, OnlyAHeldTargetWithinTheImageIsInView) {
+  TrackSnapshot snapshot = snapshotOf({TargetStatus::Searching, TargetStatus::Held});
+  ASSERT_NE(heldTargetInView(snapshot, 0), nullptr);
+  EXPECT_EQ(heldTargetInView(snapshot, 0)->target.name, "2");
+  EXPECT_EQ(heldTargetInView(snapshot, 2), nullptr);
+  SphereEstimate behind;
+  behind.mean = Eigen::Vector3d(0.0, -0.8, 0.1); // of the left camera
+  snapshot.targets[1].estimate = behind;
+  EXPECT_EQ(heldTargetInView(snapshot, 0), nullptr);
+  BoxEstimate box;
+  box.camera = 1; // a box is in its own camera only
+  snapshot.targets[1].estimate = box;
+  EXPECT_EQ(heldTargetInView(snapshot, 0), nullptr);
+  EXPECT_NE(heldTargetInView(snapshot, 1), nullptr);
+}
+
+TEST(SnapshotState, AClickMeetsTheNearestPersonWhoseHullIsThere) {
+  TrackSnapshot snapshot = snapshotOf({});
+  snapshot.family.targets = TargetsFrom::Images;
+  addPerson(snapshot, test::kBall + Eigen::Vector3d(0.0, 0.3, 0.0)); // behind, for the left camera
+  addPerson(snapshot, test::kBall);
+  const Eigen::Vector2d center(79.5, 59.5); // where both cameras look
+  EXPECT_EQ(personSeenAt(snapshot, 0, center), 1);
+  EXPECT_EQ(personSeenAt(snapshot, 1, center), 1);
+  // Seen from the left side the first one stands beside the ball: 0.3 m at 0.6 m.
+  EXPECT_EQ(personSeenAt(snapshot, 1, {79.5 - 75.0, 59.5}), 0);
+  EXPECT_EQ(personSeenAt(snapshot, 0, {2.0, 2.0}), -1);
+  EXPECT_EQ(personSeenAt(snapshot, 7, center), -1);
+}
+
+} // namespace
+} // namespace dewpoint::tests

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/wand_settings.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace dewpoint::ui {
+
+/// In a person's words: "touches the floor".
+QString touchWords(TouchRole role);
+
+/// What keeps the wish from being fulfilled (obstacleOf()), as a sentence; empty when nothing does.
+QString validationMessage(const WandSettings& wish, const std::vector<TouchedMoment>& moments,
+                          const Project& project);
+
+} // namespace dewpoint::ui

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/quantity_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::ui {
+namespace {
+
+class Quantity {
+  Q_DECLARE_TR_FUNCTIONS(Quantity)
+};
+
+QString millimetres(const QString& number) {
+  return Quantity::tr("%1 mm").arg(number);
+}
+
+QString metresText(const QString& number) {
+  return Quantity::tr("%1 m").arg(number);
+}
+
+QString readout(double metres) {
+  const double size = std::abs(metres);
+  return size < 1.0
+             ? millimetres(numberText(1000.0 * metres, size < 0.01 ? 1 : 0, NumberForm::Table))
+             : metresText(numberText(metres, 2, NumberForm::Table));
+}
+
+QString withoutTrailingZeros(QString text) {
+  const QString point = QLocale().decimalPoint();
+  if (text.contains(point)) {
+    while (text.endsWith(u'0')) {
+      text.chop(1);
+    }
+    if (text.endsWith(point)) {
+      text.chop(point.size());
+    }
+  }
+  return text;
+}
+
+QString shortLength(double metres) {
+  const double size = 1000.0 * metres;
+  if (size >= 999.5) {
+    return metresText(numberText(metres, 2));
+  }
+  const int decimals = size >= 9.95 ? 0 : size >= 0.995 ? 1 : 2;
+  return millimetres(withoutTrailingZeros(numberText(size, decimals)));
+}
+
+} // namespace
+
+QString numberText(double value, int decimals, NumberForm form) {
+  if (!std::isfinite(value)) {
+    return form == NumberForm::Table ? QStringLiteral("–")
+           : std::isinf(value)       ? QStringLiteral("∞")
+                                     : QLocale().toString(value);
+  }
+  if (form == NumberForm::Rounded) {
+    const double step = std::pow(10.0, decimals);
+    value = std::round(value * step) / step + 0.0;
+  }
+  QString text = QLocale().toString(value, 'f', decimals);
+  if (form == NumberForm::Table) {
+    text.replace(QLatin1Char('-'), QChar(0x2212));
+  }
+  return form == NumberForm::Signed && value > 0.0 ? QStringLiteral("+") + text : text;
+}
+
+QString digitsText(double value, int digits) {
+  const int decimals =
+      value > 0.0 ? digits - 1 - static_cast<int>(std::floor(std::log10(value))) : 0;
+  return numberText(value, std::clamp(decimals, 0, 4));
+}
+
+QString ratioText(double value) {
+  return QLocale().toString(value, 'g', 3);
+}
+
+QString lengthText(double metres, LengthForm form) {
+  switch (form) {
+  case LengthForm::Readout:
+    break;
+  case LengthForm::Short:
+    return shortLength(metres);
+  case LengthForm::TwoDigits:
+    return metres < 1.0 ? millimetres(digitsText(1000.0 * metres, 2))
+                        : metresText(digitsText(metres, 2));
+  }
+  return readout(metres);
+}
+
+QString shareText(double share) {
+  const bool part = share > 0.0 && share < 1.0;
+  const double percent = part ? std::clamp(100.0 * share, 1.0, 99.0) : 100.0 * share;
+  return numberText(percent, 0) + QStringLiteral(" %");
+}
+
+QString percentText(double share, int decimals) {
+  return numberText(100.0 * share, decimals);
+}
+
+QString millisecondsText(double milliseconds) {
+  return Quantity::tr("%1 ms").arg(numberText(milliseconds, 1));
+}
+
+QString durationText(double microseconds) {
+  return microseconds < 10000.0 ? Quantity::tr("%1 µs").arg(numberText(microseconds, 0))
+                                : millisecondsText(microseconds / 1000.0);
+}
+
+QString pixelText(double pixels) {
+  return Quantity::tr("%1 px").arg(numberText(pixels, 1));
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QString>
+
+namespace dewpoint::ui {
+
+// How numbers and quantities are written in the language of the window: one function for each.
+
+/// What a number looks like that is negative, zero or not finite.
+enum class NumberForm {
+  Plain,   ///< as the language has it
+  Signed,  ///< "+" before what is above zero
+  Rounded, ///< rounded first: no minus before nothing but zeros
+  Table    ///< with a true minus sign; "–" for what is not finite
+};
+/// With so many decimals; "∞" for what is infinite.
+QString numberText(double value, int decimals, NumberForm form = NumberForm::Plain);
+/// With so many digits that count, at most four decimals and never as a power of ten.
+QString digitsText(double value, int digits);
+/// Three digits at most: a ratio of 1000 or of 1.08.
+QString ratioText(double value);
+
+/// How exactly a length is written, with its unit.
+enum class LengthForm {
+  Readout,  ///< "4.2 mm", "123 mm", "1.23 m": of something that changes all the time
+  Short,    ///< "0.4 mm", "12 mm", "1.20 m": as short as it is exact enough
+  TwoDigits ///< "0.35 mm", "12 mm", "1.2 m": an accuracy
+};
+QString lengthText(double metres, LengthForm form = LengthForm::Readout);
+
+/// A share (0 to 1) in percent: 100 only when nothing is left, 0 only when there is nothing.
+QString shareText(double share);
+/// A share in percent, the number alone.
+QString percentText(double share, int decimals = 0);
+
+/// "12.3 ms"
+QString millisecondsText(double milliseconds);
+/// "850 µs", from 10 ms on "12.3 ms"
+QString durationText(double microseconds);
+
+/// "12.3 px"
+QString pixelText(double pixels);
+
+} // namespace dewpoint::ui

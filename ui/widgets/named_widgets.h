@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QIcon>
+#include <QLatin1String>
+#include <QPixmap>
+#include <QPushButton>
+
+namespace dewpoint::ui {
+
+/// A button with an object name; its texts come with the language.
+inline QPushButton* makeButton(const char* name, QWidget* parent) {
+  auto* button = new QPushButton(parent);
+  button->setObjectName(QLatin1String(name));
+  return button;
+}
+
+/// A square of one color, for lists.
+inline QIcon colorChip(const QColor& color, int size) {
+  QPixmap pixmap(size, size);
+  pixmap.fill(color);
+  return {pixmap};
+}
+
+} // namespace dewpoint::ui
