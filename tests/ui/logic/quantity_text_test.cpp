@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/quantity_text.h"
+
+#include <QLocale>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace dewpoint::tests {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+TEST(QuantityText, ANumberHasItsForm) {
+  EXPECT_EQ(numberText(1234.567, 2), QStringLiteral("1,234.57"));
+  EXPECT_EQ(numberText(-0.5, 1), QStringLiteral("-0.5"));
+  EXPECT_EQ(numberText(0.5, 1, NumberForm::Signed), QStringLiteral("+0.5"));
+  EXPECT_EQ(numberText(-0.5, 1, NumberForm::Signed), QStringLiteral("-0.5"));
+  EXPECT_EQ(numberText(-0.0004, 3), QStringLiteral("-0.000"));
+  EXPECT_EQ(numberText(-0.0004, 3, NumberForm::Rounded), QStringLiteral("0.000"));
+  EXPECT_EQ(numberText(-0.5, 1, NumberForm::Table), QStringLiteral("−0.5"));
+  EXPECT_EQ(numberText(kUnknown, 1, NumberForm::Table), QStringLiteral("–"));
+  EXPECT_EQ(numberText(kEndless, 1), QStringLiteral("∞"));
+}
+
+TEST(QuantityText, NumbersAreOfTheLanguage) {
+  QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+  EXPECT_EQ(numberText(1.5, 2), QStringLiteral("1,50"));
+  EXPECT_EQ(lengthText(0.0012, LengthForm::Short), QStringLiteral("1,2 mm"));
+  QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
+}
+
+TEST(QuantityText, AReadoutHasADecimalOnlyWhereItSaysSomething) {
+  EXPECT_EQ(lengthText(0.00424), QStringLiteral("4.2 mm"));
+  EXPECT_EQ(lengthText(0.0424), QStringLiteral("42 mm"));
+  EXPECT_EQ(lengthText(1.2345), QStringLiteral("1.23 m"));
+  EXPECT_EQ(lengthText(-0.002), QStringLiteral("−2.0 mm"));
+}
+
+TEST(QuantityText, AShortLengthHasNoZerosAtItsEnd) {
+  EXPECT_EQ(lengthText(0.0004, LengthForm::Short), QStringLiteral("0.4 mm"));
+  EXPECT_EQ(lengthText(0.00025, LengthForm::Short), QStringLiteral("0.25 mm"));
+  EXPECT_EQ(lengthText(0.005, LengthForm::Short), QStringLiteral("5 mm"));
+  EXPECT_EQ(lengthText(0.1, LengthForm::Short), QStringLiteral("100 mm")); // zeros that count
+  EXPECT_EQ(lengthText(0.9996, LengthForm::Short), QStringLiteral("1.00 m"));
+}
+
+TEST(QuantityText, AnAccuracyHasTwoDigits) {
+  EXPECT_EQ(lengthText(0.00035, LengthForm::TwoDigits), QStringLiteral("0.35 mm"));
+  EXPECT_EQ(lengthText(0.0031, LengthForm::TwoDigits), QStringLiteral("3.1 mm"));
+  EXPECT_EQ(lengthText(0.0123, LengthForm::TwoDigits), QStringLiteral("12 mm"));
+  EXPECT_EQ(lengthText(1.23, LengthForm::TwoDigits), QStringLiteral("1.2 m"));
+  EXPECT_EQ(digitsText(0.0, 2), QStringLiteral("0"));
+  EXPECT_EQ(ratioText(1000.0), QStringLiteral("1,000"));
+  EXPECT_EQ(ratioText(1.0833), QStringLiteral("1.08"));
+}
+
+TEST(QuantityText, AShareIsAllOrNothingOnlyWhenItIs) {
+  EXPECT_EQ(shareText(0.0), QStringLiteral("0 %"));
+  EXPECT_EQ(shareText(0.0001), QStringLiteral("1 %"));
+  EXPECT_EQ(shareText(0.9999), QStringLiteral("99 %"));
+  EXPECT_EQ(shareText(1.0), QStringLiteral("100 %"));
+  EXPECT_EQ(percentText(0.0012, 2), QStringLiteral("0.12"));
+}
+
+TEST(QuantityText, DurationsAndPixelsHaveTheirUnits) {
+  EXPECT_EQ(durationText(850.4), QStringLiteral("850 µs"));
+  EXPECT_EQ(durationText(12345.0), QStringLiteral("12.3 ms"));
+  EXPECT_EQ(millisecondsText(0.26), QStringLiteral("0.3 ms"));
+  EXPECT_EQ(pixelText(12.34), QStringLiteral("12.3 px"));
+}
+
+} // namespace
+} // namespace dewpoint::tests

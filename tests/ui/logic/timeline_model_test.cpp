@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/timeline/timeline_model.h"
+
+#include <gtest/gtest.h>
+
+namespace dewpoint::tests {
+namespace {
+
+FrameRecord record(std::int64_t frame, TargetStatus status = TargetStatus::Held) {
+  FrameRecord record;
+  record.frame = frame;
+  record.time = static_cast<double>(frame) / 25.0;
+  record.targets.resize(1);
+  record.targets[0].status = status;
+  record.targets[0].existence = 0.99F;
+  return record;
+}
+
+TimelineModel modelOf(const std::vector<std::int64_t>& frames) {
+  TimelineModel model;
+  model.targets = {QStringLiteral("ball")};
+  model.cameras = {QStringLiteral("left"), QStringLiteral("right")};
+  std::vector<FrameRecord> records;
+  for (const std::int64_t frame : frames) {
+    records.push_back(record(frame));
+  }
+  model.append(records, true);
+  return model;
+}
+
+TEST(TimelineModel, AFrameThatComesAgainReplacesWhatFollowedIt) {
+  TimelineModel model = modelOf({0, 1, 2, 3});
+  model.append({record(2, TargetStatus::Lost)}, false);
+  ASSERT_EQ(model.records.size(), 3U);
+  EXPECT_EQ(model.records.back().targets[0].status, TargetStatus::Lost);
+  model.append({record(7)}, true);
+  EXPECT_EQ(model.records.size(), 1U);
+}
+
+TEST(TimelineModel, SkippedFramesBelongToTheRecordBeforeThem) {
+  const TimelineModel model = modelOf({0, 1, 9, 18, 40});
+  EXPECT_EQ(model.endOf(1), 9);  // eight skipped: a live camera does that
+  EXPECT_EQ(model.endOf(2), 18); // in coarse steps as before
+  EXPECT_EQ(model.endOf(3), 19); // 22 frames were never tracked (twice 9 would be 18)
+  EXPECT_EQ(model.endOf(4), 41); // the newest
+  EXPECT_EQ(model.at(5)->frame, 1);
+  EXPECT_EQ(model.at(30), nullptr);
+  EXPECT_EQ(model.at(40)->frame, 40);
+  EXPECT_EQ(model.at(41), nullptr); // not tracked yet
+  EXPECT_EQ(TimelineModel().at(0), nullptr);
+}
+
+TEST(TimelineModel, TheRateIsThatOfTheTimeStamps) {
+  TimelineModel model = modelOf({10, 11, 12});
+  EXPECT_DOUBLE_EQ(model.framesPerSecond, 25.0);
+  EXPECT_DOUBLE_EQ(model.secondsOf(11), 0.44);
+  EXPECT_DOUBLE_EQ(model.secondsOf(62), 2.48); // from the newest one on
+  EXPECT_DOUBLE_EQ(TimelineModel().secondsOf(60), 2.0);
+}
+
+TEST(TimelineModel, DropoutsAreKnownUntilTheRunBeginsAnew) {
+  TimelineModel model = modelOf({0});
+  FrameRecord without = record(1);
+  without.missingCameras = 2; // the second camera
+  model.append({without}, false);
+  EXPECT_FALSE(model.hasDropouts(0));
+  EXPECT_TRUE(model.hasDropouts(1));
+  model.append({record(0)}, true);
+  EXPECT_FALSE(model.hasDropouts(1));
+}
+
+TEST(TimelineModel, AFrameIsDescribedWithTargetAndReason) {
+  TimelineModel model = modelOf({0, 1});
+  FrameRecord lost = record(2, TargetStatus::Lost);
+  lost.targets[0].existence = 0.1F;
+  lost.targets[0].reasons = {{CameraStatus::Hidden, 0.0}, {CameraStatus::None, 0.0}};
+  model.append({lost}, false);
+  EXPECT_EQ(model.describe(1), QStringLiteral("Frame 2, 0.04 s\nball ● held (0.99)"));
+  const QString text = model.describe(2);
+  EXPECT_TRUE(text.endsWith(QStringLiteral("lost (0.10) – left: hidden"))) << text.toStdString();
+  EXPECT_TRUE(model.describe(5).endsWith(QStringLiteral("not tracked")));
+}
+
+} // namespace
+} // namespace dewpoint::tests

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project.h"
+#include "ui/calibration/wand/wand_text.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace dewpoint::tests {
+namespace {
+
+TEST(WandText, EveryObstacleIsASentenceOfItsOwn) {
+  Project project;
+  WandSettings wish;
+  std::set<QString> sentences;
+  const auto note = [&](const std::vector<TouchedMoment>& moments = {}) {
+    sentences.insert(validationMessage(wish, moments, project));
+  };
+  note(); // no camera
+  project.cameras.resize(2);
+  note(); // no ball
+  project.targets.resize(1);
+  project.targets[0].name = "ball";
+  EXPECT_TRUE(validationMessage(wish, {}, project).isEmpty());
+  note({{10, 0.4, TouchRole::FallBegins}});
+  wish.size = WandSize::Distance;
+  note();
+  wish.stick = true;
+  note(); // one ball
+  project.targets.resize(2);
+  wish.other = "ball";
+  note(); // twice the same
+  EXPECT_EQ(sentences.size(), 6U);
+  EXPECT_FALSE(sentences.contains(QString()));
+}
+
+TEST(WandText, EveryMomentHasItsWords) {
+  std::set<QString> words;
+  for (int role = 0; role < kTouchRoles; ++role) {
+    words.insert(touchWords(static_cast<TouchRole>(role)));
+  }
+  EXPECT_EQ(words.size(), static_cast<std::size_t>(kTouchRoles));
+}
+
+} // namespace
+} // namespace dewpoint::tests
