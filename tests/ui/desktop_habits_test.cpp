@@ -4,6 +4,7 @@
 #include "app/wiring/open_project.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/session.h"
+#include "tests/ui/wait.h"
 #include "ui/actions/action_id.h"
 #include "ui/actions/action_registry.h"
 #include "ui/document/document.h"
@@ -39,11 +40,7 @@
 
 namespace dewpoint::tests {
 
-namespace {
-constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
-} // namespace
-
-class DesktopHabitsTest : public QObject {
+class DesktopHabitsTest : public QObject, private test::Waiting {
   Q_OBJECT
 private Q_SLOTS:
   void init();
@@ -59,7 +56,6 @@ private Q_SLOTS:
   void theFilterUsesAsManyThreadsAsChosen();
 
 private:
-  bool waitFor(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatienceMs); }
   QAction* action(const char* name) { return window_->findChild<QAction*>(QLatin1String(name)); }
   void openDemo();
   void makeWindow();

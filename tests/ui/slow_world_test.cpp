@@ -7,6 +7,7 @@
 #include "core/session/run/snapshot.h"
 #include "core/session/session.h"
 #include "tests/ui/gate.h"
+#include "tests/ui/wait.h"
 #include "ui/document/document.h"
 #include "ui/document/project_saver.h"
 #include "ui/jobs/job_thread.h"
@@ -33,7 +34,6 @@ using test::Gate;
 
 namespace {
 
-constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
 constexpr int kFramesBeforeItHangs = 5;
 
 /// A recording whose images stop coming, and whose reader does not return until the gate opens.
@@ -60,7 +60,7 @@ private:
 
 } // namespace
 
-class SlowWorldTest : public QObject {
+class SlowWorldTest : public QObject, private test::Waiting {
   Q_OBJECT
 private Q_SLOTS:
   void init();
@@ -71,7 +71,6 @@ private Q_SLOTS:
   void aDeadStreamDoesNotHoldUpTheNextProject();
 
 private:
-  bool waitFor(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatienceMs); }
   std::filesystem::path place(const char* name) const {
     return folder_->filePath(QLatin1String(name)).toStdString();
   }
