@@ -2,8 +2,8 @@
 #include "ui/people/people_dock.h"
 
 #include "core/project/project.h"
-#include "core/project/project_people.h"
 #include "core/session/run/snapshot_state.h"
+#include "core/session/run/snapshot.h"
 #include "core/session/session.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/cameraview/camera_docks.h"
