@@ -39,11 +39,12 @@ std::optional<Eigen::Vector2d> placeOfPerson(const TrackSnapshotPtr& snapshot, i
     return std::nullopt;
   }
   const auto found = std::ranges::find_if(snapshot->targets, [&](const TargetSnapshot& target) {
-    return target.person && target.person->identity == identity;
+    const PersonEstimate* person = target.person();
+    return person != nullptr && person->identity == identity;
   });
   return found == snapshot->targets.end()
              ? std::nullopt
-             : std::optional<Eigen::Vector2d>(found->person->position.head<2>());
+             : std::optional<Eigen::Vector2d>(found->person()->position.head<2>());
 }
 
 } // namespace
