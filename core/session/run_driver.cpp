@@ -326,15 +326,25 @@ void RunDriver::setEmptyRooms(const command::SetEmptyRooms& wish) {
 
 void RunDriver::setPeople(const std::vector<PersonCorrection>& people) {
   const auto from = firstDifference(definition_->people, people);
-  if (!from) {
-    return;
-  }
+  const auto added = additions(definition_->people, people);
   RunDefinition wanted = *definition_;
   wanted.people = people;
   change(std::move(wanted));
-  if (run_->capability<PersonPlacing>() != nullptr && *from <= head()) {
-    rerun(*from, true);
+  if (!from || *from > head() || run_->capability<PersonPlacing>() == nullptr) {
+    return;
   }
+  if (*from < head() || !added || playback_.head() != Playback::Head::Recorded) {
+    rerun(*from, true);
+    return;
+  }
+  for (const PersonCorrection& correction : *added) { // the head needs no tracking again
+    const PeopleChange said =
+        correction.frame == head() ? run_->changeBy(correction) : PeopleChange{};
+    run_->apply(said);
+    travel_->changed(*run_, said);
+  }
+  std::ranges::move(run_->takeRefusals(), std::back_inserter(errors_));
+  record();
 }
 
 void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {

@@ -27,5 +27,8 @@ PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFindin
 /// The first frame for which other corrections hold; nothing when they are the same.
 std::optional<std::int64_t> firstDifference(const std::vector<PersonCorrection>& before,
                                             const std::vector<PersonCorrection>& after);
+/// What `after` says besides `before`, with which it begins; nothing when it does not.
+std::optional<std::vector<PersonCorrection>> additions(const std::vector<PersonCorrection>& before,
+                                                       const std::vector<PersonCorrection>& after);
 
 } // namespace dewpoint::session

@@ -180,15 +180,18 @@ double TrackingRun::iterate() {
 }
 
 void TrackingRun::correctPeople() {
-  const auto* const finding = capability<PeopleFinding>();
-  if (finding == nullptr || !frames_) {
-    return;
-  }
   for (const PersonCorrection& correction : definition_->people) {
-    if (correction.frame == frames_->index) {
-      apply(peopleChange(correction, *finding, rig(), definition_->parameters, refusals_));
+    if (frames_ && correction.frame == frames_->index) {
+      apply(changeBy(correction));
     }
   }
+}
+
+PeopleChange TrackingRun::changeBy(const PersonCorrection& correction) {
+  const auto* const finding = capability<PeopleFinding>();
+  return finding != nullptr
+             ? peopleChange(correction, *finding, rig(), definition_->parameters, refusals_)
+             : PeopleChange{};
 }
 
 std::size_t TrackingRun::trackedCount() const {

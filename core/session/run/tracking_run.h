@@ -86,6 +86,8 @@ public:
   /// the last one of a frame, what was said of people in it comes true.
   double iterate();
 
+  /// What a correction means in the current frame; nothing unless the method finds people.
+  PeopleChange changeBy(const PersonCorrection& correction);
   /// What was said of people and could not be granted since the last call.
   std::vector<Error> takeRefusals() { return std::exchange(refusals_, {}); }
 
