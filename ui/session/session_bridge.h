@@ -9,6 +9,7 @@
 #include <memory>
 
 namespace dewpoint::session {
+class LiveFrameFiller;
 class Session;
 struct SessionInputs;
 struct TrackSnapshot;
@@ -16,7 +17,6 @@ struct TrackSnapshot;
 
 namespace dewpoint::ui {
 
-class LiveFrameFiller;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
 /// Owns a Session and turns its wake-ups, which come from the tracking thread, into one queued and

@@ -3,7 +3,9 @@
 
 #include "core/session/session.h"
 #include "core/setup/wand_collector.h"
+#include "core/setup/wand_refinement.h"
 #include "ui/calibration/wand/wand_text.h"
+#include "ui/selection/selection.h"
 
 #include <QObject>
 #include <QTimer>

@@ -12,9 +12,9 @@ class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 
-namespace dewpoint::session {
+namespace dewpoint::setup {
 struct WandSettings;
-} // namespace dewpoint::session
+} // namespace dewpoint::setup
 
 namespace dewpoint::ui {
 
