@@ -56,7 +56,6 @@ private:
     find<QAction>("actionImportCalibration")->trigger();
     return window_->findChild<CalibrationImportDialog*>();
   }
-  QTemporaryDir folder_;
 };
 
 void CalibrationImportTest::init() {

@@ -57,7 +57,6 @@ private:
   /// A project file with two stream cameras of the scene, at these addresses.
   std::filesystem::path savedProject(const std::string& first, const std::string& second) const;
 
-  QTemporaryDir folder_;
   Scene scene_ = demoScene();
   std::array<cv::Mat, 2> pictures_;
 };
