@@ -44,7 +44,7 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
       {"calibration",
        {{"bundle", {}},
         {"formats", {}},
-        {"manual", {}},
+        {"manual", {"bundle"}},
         {"board", {"bundle"}},
         {"wand", {"bundle"}},
         {"planning", {"bundle"}},

@@ -8,7 +8,7 @@
 
 namespace dewpoint::ui {
 
-Scene3d::Scene3d() : parts_(std::make_unique<Parts>()) {
+Scene3d::Scene3d() : parts_(std::make_unique<SceneParts>()) {
   parts_->coverGround();
   parts_->applyPalette();
 }
@@ -34,7 +34,7 @@ void Scene3d::setPixelRatio(double ratio) {
 }
 
 void Scene3d::show(const TrackSnapshot& snapshot) {
-  Parts& parts = *parts_;
+  SceneParts& parts = *parts_;
   if (snapshot.rig != parts.rig) {
     parts.showRig(snapshot.rig);
   }
@@ -64,7 +64,7 @@ void Scene3d::highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes
 }
 
 void Scene3d::showMap(std::shared_ptr<const RigMap> map, const MapLook& look) {
-  Parts& parts = *parts_;
+  SceneParts& parts = *parts_;
   const Eigen::AlignedBox3d before = parts.map.volume();
   parts.map.show(std::move(map), look);
   const Eigen::AlignedBox3d now = parts.map.volume();
@@ -141,7 +141,7 @@ void Scene3d::zoom(double factor) {
 }
 
 void Scene3d::prepareFrame(int width, int height) {
-  Parts& parts = *parts_;
+  SceneParts& parts = *parts_;
   const bool resized = width != parts.width || height != parts.height;
   parts.width = width;
   parts.height = height;

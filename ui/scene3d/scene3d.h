@@ -14,6 +14,8 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
+class SceneParts;
+
 /// The room as a scene: ground grid and axes, cameras, particles, estimates, tails, truths.
 /// VTK without Qt: whoever owns a render window adds `renderer()` to it. World frame, metres, Z up.
 /// Not thread safe; creating it needs no OpenGL context, rendering does.
@@ -79,8 +81,7 @@ public:
   double metresPerPixel() const;
 
 private:
-  class Parts;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<SceneParts> parts_;
 };
 
 } // namespace dewpoint::ui

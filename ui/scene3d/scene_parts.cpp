@@ -92,7 +92,7 @@ bool areAdjusted(const CameraRig& before, const CameraRig& now,
 
 } // namespace
 
-void Scene3d::Parts::applyPalette() {
+void SceneParts::applyPalette() {
   const SceneColor& background = palette().background;
   renderer->SetBackground(background.x(), background.y(), background.z());
   ground.setPalette(palette());
@@ -105,13 +105,13 @@ void Scene3d::Parts::applyPalette() {
   }
 }
 
-ScenePalette Scene3d::Parts::plannedPalette() const {
+ScenePalette SceneParts::plannedPalette() const {
   ScenePalette colors = palette();
   colors.camera = targetColor(2); // no target is drawn as a pyramid
   return colors;
 }
 
-void Scene3d::Parts::showRig(const std::shared_ptr<const CameraRig>& shown) {
+void SceneParts::showRig(const std::shared_ptr<const CameraRig>& shown) {
   const CameraRig none;
   const CameraRig& before = rig ? *rig : none;
   const CameraRig& cameras = shown ? *shown : none;
@@ -127,7 +127,7 @@ void Scene3d::Parts::showRig(const std::shared_ptr<const CameraRig>& shown) {
 }
 
 /// Lets the framed room grow with the estimates, but not after one that has run away.
-void Scene3d::Parts::include(const TrackSnapshot& snapshot) {
+void SceneParts::include(const TrackSnapshot& snapshot) {
   const Eigen::AlignedBox3d before = content;
   const double reach = rigBox.isEmpty() ? 100.0 : 3.0 * std::max(1.0, rigBox.diagonal().norm());
   const Eigen::Vector3d middle =
@@ -152,7 +152,7 @@ void Scene3d::Parts::include(const TrackSnapshot& snapshot) {
   }
 }
 
-void Scene3d::Parts::coverGround() {
+void SceneParts::coverGround() {
   Eigen::AlignedBox3d shown = content;
   shown.extend(map.volume());
   Eigen::AlignedBox2d area;
@@ -174,7 +174,7 @@ void Scene3d::Parts::coverGround() {
 }
 
 /// Puts floor and content into the picture, as large as they fit.
-void Scene3d::Parts::frame() {
+void SceneParts::frame() {
   const Eigen::AlignedBox3d box = room();
   const Eigen::Vector3d side = view == View::Above   ? Eigen::Vector3d(Eigen::Vector3d::UnitZ())
                                : view == View::Front ? Eigen::Vector3d(-Eigen::Vector3d::UnitY())
@@ -224,7 +224,7 @@ void Scene3d::Parts::frame() {
   uprightPosition = position;
 }
 
-Eigen::AlignedBox3d Scene3d::Parts::room() const {
+Eigen::AlignedBox3d SceneParts::room() const {
   Eigen::AlignedBox3d box = content;
   box.extend(map.volume());
   box.extend(Eigen::Vector3d(ground.extent().min().x(), ground.extent().min().y(), 0.0));
@@ -233,7 +233,7 @@ Eigen::AlignedBox3d Scene3d::Parts::room() const {
 }
 
 /// Orbiting keeps the horizon level and stops short of the pole, where "up" would flip.
-void Scene3d::Parts::keepUpright() {
+void SceneParts::keepUpright() {
   if (view != View::Free) {
     return;
   }
@@ -248,7 +248,7 @@ void Scene3d::Parts::keepUpright() {
   uprightPosition = toEigen(camera->GetPosition());
 }
 
-void Scene3d::Parts::setClipping() {
+void SceneParts::setClipping() {
   const Eigen::Vector3d eye = toEigen(camera->GetPosition());
   const Eigen::Vector3d direction = toEigen(camera->GetDirectionOfProjection());
   double farthest = 1.0;
@@ -261,7 +261,7 @@ void Scene3d::Parts::setClipping() {
   camera->SetClippingRange(view == View::Free ? std::max(0.01, 0.002 * far) : 0.01, far);
 }
 
-void Scene3d::Parts::measure() {
+void SceneParts::measure() {
   const Eigen::Vector3d focal = toEigen(camera->GetFocalPoint());
   scale.eye = toEigen(camera->GetPosition());
   scale.direction = toEigen(camera->GetDirectionOfProjection());

@@ -19,9 +19,10 @@
 namespace dewpoint::ui {
 
 /// What a Scene3d consists of, and how it is framed.
-class Scene3d::Parts {
+class SceneParts {
 public:
-  Parts() : ground(renderer), frusta(renderer), planned(renderer), map(renderer), span(renderer) {
+  SceneParts()
+      : ground(renderer), frusta(renderer), planned(renderer), map(renderer), span(renderer) {
     renderer->SetActiveCamera(camera);
     // Cullers ask for bounds that a cloud of bare points does not have.
     renderer->UseFXAAOn();
