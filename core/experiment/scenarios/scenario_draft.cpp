@@ -35,6 +35,11 @@ std::uint32_t hashOf(const std::string& text) {
   return hash;
 }
 
+/// Each scenario has numbers of its own, the same in both grades.
+Draws drawsOf(std::uint64_t seed, const std::string& scenario) {
+  return Draws(RandomStream(derivedSeed(seed, hashOf(scenario)), 0, 0, RandomPurpose::Start));
+}
+
 void addDistortion(CameraRig& rig) {
   for (Camera& camera : rig) {
     camera.distortion[0] = kRadialDistortion;
@@ -132,7 +137,7 @@ ScenarioRun runOf(ScenarioDraft draft) {
   run.trueRig = draft.rig;
   run.rig = draft.rig;
   if (draft.grade == Grade::Room) {
-    Draws faults(draft.seed, draft.name + " room");
+    Draws faults = drawsOf(draft.seed, draft.name + " room");
     run.rig = withCalibrationNoise(draft.rig, faults);
     roughen(draft.stage, faults);
   }
@@ -153,10 +158,7 @@ ScenarioRun runOf(ScenarioDraft draft) {
 
 Result<ScenarioRun> runOf(const ScenarioRecipe& recipe, simulation::ViewCache& cache,
                           std::uint64_t seed, Grade grade) {
-  ScenarioDraft draft{
-      recipe.name, grade, seed,
-      Draws(RandomStream(derivedSeed(seed, hashOf(recipe.name)), 0, 0, RandomPurpose::Start)),
-      recipe.rig};
+  ScenarioDraft draft{recipe.name, grade, seed, drawsOf(seed, recipe.name), recipe.rig};
   if (grade == Grade::Room) {
     addDistortion(draft.rig);
   }
