@@ -6,6 +6,18 @@
 
 namespace dewpoint::experiment {
 
+std::uint32_t hashOf(const std::string& text) {
+  // FNV-1a, 32 bits.
+  std::uint32_t hash = 2166136261U;
+  for (const char letter : text) {
+    hash = (hash ^ static_cast<std::uint8_t>(letter)) * 16777619U;
+  }
+  return hash;
+}
+
+Draws::Draws(std::uint64_t seed, const std::string& name)
+    : stream_(derivedSeed(seed, hashOf(name)), 0, 0, RandomPurpose::Start) {}
+
 double Draws::uniform(double low, double high) {
   return low + (high - low) * stream_.uniform(next_++);
 }

@@ -6,13 +6,19 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <string>
 
 namespace dewpoint::experiment {
+
+/// The same number for the same text, everywhere (FNV-1a).
+std::uint32_t hashOf(const std::string& text);
 
 /// Numbers that a seed decides, drawn one after the other: what a scenario is made of.
 class Draws {
 public:
   explicit Draws(const RandomStream& stream) : stream_(stream) {}
+  /// Numbers of its own for each name, such as a scenario's.
+  Draws(std::uint64_t seed, const std::string& name);
 
   double uniform(double low, double high);
   double normal(double sigma);

@@ -26,20 +26,6 @@ constexpr double kSideLight = 0.12; // at most, per direction
 
 constexpr std::uint32_t kNoisePart = 0x5EED;
 
-std::uint32_t hashOf(const std::string& text) {
-  // FNV-1a, 32 bits.
-  std::uint32_t hash = 2166136261U;
-  for (const char letter : text) {
-    hash = (hash ^ static_cast<std::uint8_t>(letter)) * 16777619U;
-  }
-  return hash;
-}
-
-/// Each scenario has numbers of its own, the same in both grades.
-Draws drawsOf(std::uint64_t seed, const std::string& scenario) {
-  return Draws(RandomStream(derivedSeed(seed, hashOf(scenario)), 0, 0, RandomPurpose::Start));
-}
-
 void addDistortion(CameraRig& rig) {
   for (Camera& camera : rig) {
     camera.distortion[0] = kRadialDistortion;
@@ -137,7 +123,7 @@ ScenarioRun runOf(ScenarioDraft draft) {
   run.trueRig = draft.rig;
   run.rig = draft.rig;
   if (draft.grade == Grade::Room) {
-    Draws faults = drawsOf(draft.seed, draft.name + " room");
+    Draws faults(draft.seed, draft.name + " room");
     run.rig = withCalibrationNoise(draft.rig, faults);
     roughen(draft.stage, faults);
   }
@@ -158,7 +144,7 @@ ScenarioRun runOf(ScenarioDraft draft) {
 
 Result<ScenarioRun> runOf(const ScenarioRecipe& recipe, simulation::ViewCache& cache,
                           std::uint64_t seed, Grade grade) {
-  ScenarioDraft draft{recipe.name, grade, seed, drawsOf(seed, recipe.name), recipe.rig};
+  ScenarioDraft draft{recipe.name, grade, seed, Draws(seed, recipe.name), recipe.rig};
   if (grade == Grade::Room) {
     addDistortion(draft.rig);
   }

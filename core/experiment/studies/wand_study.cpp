@@ -2,7 +2,7 @@
 #include "core/experiment/studies/wand_study.h"
 
 #include "core/calibration/wand/wand_gauge.h"
-#include "core/experiment/scenarios/scenario_draft.h"
+#include "core/experiment/scenarios/random_draws.h"
 #include "core/setup/wand_views.h"
 #include "core/simulation/rigs.h"
 #include "core/simulation/stage.h"
@@ -192,7 +192,7 @@ private:
                    trial.offsetError <= kOffsetBar && trial.solveSeconds <= kSolveBar;
   }
 
-  scenarios::Draws draws_;
+  Draws draws_;
   double framesPerSecond_;
   Wave wave_;
   CameraRig rig_;
