@@ -3,6 +3,7 @@
 
 #include "core/calibration/wand/wand_gauge.h"
 #include "core/experiment/scenarios/random_draws.h"
+#include "core/experiment/scenarios/scenario_draft.h"
 #include "core/setup/wand_views.h"
 #include "core/simulation/rigs.h"
 #include "core/simulation/stage.h"
