@@ -21,6 +21,8 @@ namespace dewpoint::ui {
 /// What a Scene3d consists of, and how it is framed.
 class SceneParts {
 public:
+  using View = Scene3d::View;
+
   SceneParts()
       : ground(renderer), frusta(renderer), planned(renderer), map(renderer), span(renderer) {
     renderer->SetActiveCamera(camera);
