@@ -131,6 +131,7 @@ const Names& windowHeaders() {
                                  "core/experiment/studies/figure_experiments.h",
                                  "core/project/project.h",
                                  "core/project/project_changes.h",
+                                 "core/tracking/boxes/box_filter.h",
                                  "core/tracking/catalog/method_catalog.h",
                                  "core/tracking/parameters.h",
                                  "core/trajectory/trajectory.h",

@@ -2,6 +2,7 @@
 #include "ui/color/box_picker.h"
 
 #include "core/project/project.h"
+#include "core/tracking/boxes/box_filter.h"
 #include "ui/color/fresh_target.h"
 #include "ui/document/document.h"
 #include "ui/text/error_sentence.h"
