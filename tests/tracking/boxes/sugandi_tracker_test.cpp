@@ -2,6 +2,7 @@
 #include "core/tracking/boxes/sugandi_parameters.h"
 #include "core/tracking/boxes/sugandi_tracker.h"
 #include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/tracker.h"
 #include "tests/tracking/moving_patch.h"
 
 #include <gtest/gtest.h>
