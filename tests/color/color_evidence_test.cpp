@@ -32,11 +32,15 @@ cv::Mat wallWith(const std::vector<std::pair<cv::Rect, BgrColor>>& squares) {
   return image;
 }
 
-const cv::Rect kSquare(10, 8, 10, 10); ///< 100 pixels
+const cv::Rect kSquare(10, 8, 10, 10);
 
-/// A square of 10 pixels, grown by an ellipse of 3 pixels all around: 16 x 16 without the corners;
-/// in the rows one, two and three pixels above and below it 3, 2 and 0 pixels more on each side.
-constexpr int kWidened = 10 * 16 + 2 * (16 + 14 + 10);
+/// What a click on the square finds: a region is grown in the image after a median of 3 x 3, which
+/// takes the corners (4 of their 9 neighbors are of the square).
+constexpr int kRegion = 100 - 4;
+
+/// That region, grown by an ellipse of 3 pixels all around (rows of 1, 5, 7, 7, 7, 5 and 1 pixels):
+/// 16 pixels in each of its 10 rows, and 14, 12 and 8 in those above and below.
+constexpr int kWidened = 10 * 16 + 2 * (14 + 12 + 8);
 
 ColorSample clickOn(const cv::Mat& image, cv::Point at, int camera = 0) {
   ColorSample place;
@@ -95,10 +99,10 @@ TEST(ColorEvidence, WithoutASampleAllIsRest) {
 TEST(ColorEvidence, TheClickedRegionAndItsRimAreNoBackground) {
   const cv::Mat image = wallWith({{kSquare, kRed}});
   const ColorSample sample = clickOn(image, {14, 12});
-  ASSERT_EQ(sample.area, 100); // the region is the square
+  ASSERT_EQ(sample.area, kRegion);
   const ColorEvidence evidence = colorEvidence({sample}, {image});
-  EXPECT_EQ(evidence.targetArea, 100.0);
-  EXPECT_NEAR(evidence.imageShare, 100.0 / 1200.0, 1e-12);
+  EXPECT_EQ(evidence.targetArea, kRegion);
+  EXPECT_NEAR(evidence.imageShare, kRegion / 1200.0, 1e-12);
   EXPECT_EQ(cv::countNonZero(evidence.targetMasks[0]), kWidened);
   EXPECT_EQ(evidence.restWeight, 1200.0 - kWidened);
   EXPECT_EQ(weightOf(evidence.rest, kRed), 0.0);
@@ -110,7 +114,7 @@ TEST(ColorEvidence, InOtherImagesTheOneThingOfItsColorIsTheTarget) {
   const cv::Mat clicked = wallWith({{kSquare, kRed}});
   const cv::Mat other = wallWith({{{20, 5, 15, 10}, kRed}, {{2, 2, 6, 6}, kGreen}});
   const ColorEvidence evidence = colorEvidence({clickOn(clicked, {14, 12})}, {clicked, other});
-  EXPECT_NEAR(evidence.targetWeight, 200.0, 1e-9);
+  EXPECT_NEAR(evidence.targetWeight, 2.0 * kRegion, 1e-9);
   ASSERT_EQ(evidence.targetMasks.size(), 2U);
   // 15 x 10 pixels, widened likewise: 10 rows of 21, and 21, 19 and 15 above and below.
   constexpr int kOther = 10 * 21 + 2 * (21 + 19 + 15);
@@ -148,7 +152,7 @@ TEST(ColorEvidence, ACameraWithoutAnImageSaysNothing) {
   ASSERT_EQ(evidence.targetMasks.size(), 2U);
   EXPECT_TRUE(evidence.targetMasks[0].empty());
   EXPECT_EQ(cv::countNonZero(evidence.targetMasks[1]), kWidened);
-  EXPECT_NEAR(evidence.targetWeight, 100.0, 1e-9); // one image
+  EXPECT_NEAR(evidence.targetWeight, kRegion, 1e-9); // one image
 }
 
 // Shading makes a thing of one color many: what touches the target and matches the range that was

@@ -57,15 +57,16 @@ TEST(RangeFit, HuesGoRoundThroughZero) {
   EXPECT_NEAR(found.hueMax, 5.5, 1e-9);
 }
 
-// Nine tenths of the target at hue 10, one tenth at 40, something else at 25. Of 50 pixels there,
+// Nine tenths of the target at hue 10, one tenth at 40, something else at 25, and much at 200, so
+// that no range goes the other way around. Of 50 pixels at 25,
 // all of the target costs too much: 2 * 90 / (100 + 90) = 0.95 against 2 * 100 / (100 + 100 + 50) =
 // 0.8. Of 5 it does not: 0.95 against 200 / 205 = 0.98.
 TEST(RangeFit, APartIsGivenUpWhereItCostsMoreThanItWins) {
   const std::vector<HsiColors> target{cell(10, 90), cell(40, 10)};
-  const ColorRange part = fitRange(target, {cell(25, 50)});
+  const ColorRange part = fitRange(target, {cell(25, 50), cell(200, 1000)});
   EXPECT_NEAR(part.hueMin, 9.5, 1e-9);
   EXPECT_NEAR(part.hueMax, 10.5, 1e-9);
-  const ColorRange whole = fitRange(target, {cell(25, 5)});
+  const ColorRange whole = fitRange(target, {cell(25, 5), cell(200, 1000)});
   EXPECT_NEAR(whole.hueMin, 9.5, 1e-9);
   EXPECT_NEAR(whole.hueMax, 40.5, 1e-9);
 }
