@@ -222,7 +222,10 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   session.setPeople(said);
   ASSERT_TRUE(eventually([&] { return session.newest()->notices.size() == 2; }));
   EXPECT_EQ(present(*session.newest()), 2);
-  const Eigen::Vector2d first = session.newest()->targets.at(0).estimate.mean.head<2>();
+  const auto firstPlace = [&] {
+    return Eigen::Vector2d(positionOf(session.newest()->targets.at(0).estimate)->mean.head<2>());
+  };
+  const Eigen::Vector2d first = firstPlace();
   said.push_back({.frame = kFrames - 1, .place = first, .present = false});
   session.setPeople(said);
   ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 1; }));
@@ -231,7 +234,7 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   said.pop_back();
   session.setPeople(said);
   ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 2; }));
-  EXPECT_EQ(session.newest()->targets.at(0).estimate.mean.head<2>(), first);
+  EXPECT_EQ(firstPlace(), first);
   session.setPeople({});
   ASSERT_TRUE(eventually([&] {
     return present(*session.newest()) == 0 && session.newest()->history.head == kFrames - 1 &&

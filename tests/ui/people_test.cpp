@@ -216,7 +216,8 @@ void PeopleTest::peopleAreTakenAwayAndPlacedByKeys() {
   action("actionUndo")->trigger();
   QVERIFY(waitFor([&] { return there() == 1 && !window_->shown()->rerun; }));
   action("actionUndo")->trigger();
-  QVERIFY(waitFor([&] { return there() == 2 && window_->shown()->targets.at(0).person; }));
+  QVERIFY(
+      waitFor([&] { return there() == 2 && window_->shown()->targets.at(0).person() != nullptr; }));
   QVERIFY(window_->document().project().people.empty());
   action("actionRedo")->trigger();
   QVERIFY(waitFor([&] { return there() == 1; }));
