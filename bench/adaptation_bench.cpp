@@ -213,7 +213,7 @@ void benchRun(const BallColor& color, const Ramp& ramp, std::uint64_t seed, doub
 } // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
-  using namespace dewpoint;
+  using namespace dewpoint::bench;
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 2;
   const double timeConstant = argc > 2 ? std::atof(argv[2]) : 2.0;
   fmt::print(

@@ -254,7 +254,7 @@ void benchSimulation(const std::string& name, const Eigen::Vector3d& bgr) {
 } // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
-  using namespace dewpoint;
+  using namespace dewpoint::bench;
   const char* variable = std::getenv("DEWPOINT_DATA");
   const std::string data = argc > 1 ? argv[1] : variable ? variable : "../shared/data";
   fmt::print("Median pixel F1 over the other frames{:10}strict   whole    near\n", "");

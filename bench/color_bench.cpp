@@ -91,7 +91,7 @@ BENCHMARK(product)
 } // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
-  using namespace dewpoint;
+  using namespace dewpoint::bench;
   std::vector<Ratio> ratios;
   for (const std::string size : {"/640/480", "/1920/1080"}) {
     for (const std::string set : {"/0", "/1", "/2"}) {

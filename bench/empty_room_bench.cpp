@@ -160,7 +160,7 @@ void benchBall(const std::string& name, const std::map<int, cv::Mat>& images, co
 } // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
-  using namespace dewpoint;
+  using namespace dewpoint::bench;
   const char* variable = std::getenv("DEWPOINT_DATA");
   const std::string data = argc > 1 ? argv[1] : variable ? variable : "../shared/data";
   const std::string folder = data + "/throws_pinkball/";

@@ -74,7 +74,7 @@ std::string nameOf(int particles, int cameras) {
 } // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
-  using namespace dewpoint;
+  using namespace dewpoint::bench;
   constexpr double kMillion = 1e6;
   std::vector<Cost> costs;
   for (const int particles : {1000, 10000, 100000, 1000000}) {

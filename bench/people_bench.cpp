@@ -112,7 +112,7 @@ void wholeFrame(benchmark::State& state, const char* method, double background, 
 } // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
-  using namespace dewpoint;
+  using namespace dewpoint::bench;
   const auto add = [](const char* name, const auto& body) {
     benchmark::RegisterBenchmark(name, body)->Unit(benchmark::kMillisecond);
   };

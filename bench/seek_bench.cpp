@@ -21,7 +21,7 @@
 
 namespace {
 
-using namespace dewpoint;
+using namespace dewpoint::bench;
 using Clock = std::chrono::steady_clock;
 
 double millisecondsSince(Clock::time_point begin) {

@@ -226,7 +226,7 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
     return Eigen::Vector2d(positionOf(session.newest()->targets.at(0).estimate)->mean.head<2>());
   };
   const Eigen::Vector2d first = firstPlace();
-  said.push_back({.frame = kFrames - 1, .place = there, .present = false});
+  said.push_back({.frame = kFrames - 1, .place = first, .present = false});
   session.setPeople(said);
   ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 1; }));
   EXPECT_EQ(session.newest()->targets.at(0).status, TargetStatus::Gone); // and not lost
