@@ -29,6 +29,8 @@
 namespace dewpoint::bench {
 namespace {
 
+using tests::EventLoopProbe;
+
 constexpr int kCameras = 4;
 constexpr int kFrames = 300;
 constexpr int kSettleMs = 3000;

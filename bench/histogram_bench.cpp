@@ -17,6 +17,10 @@
 namespace dewpoint::bench {
 namespace {
 
+using tests::MovingPatch;
+using tests::naiveHistogram;
+using tests::naiveSimilarity;
+
 constexpr int kSide = 30;
 
 /// One image, and particles about the target (10 px per axis, the method's default).
