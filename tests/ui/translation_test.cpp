@@ -29,8 +29,9 @@ namespace dewpoint::tests {
 
 namespace {
 
-constexpr int kPatienceMs = kPatienceMs; ///< software OpenGL, a loaded machine, a sanitizer
-const QChar kMark(0x2020);               ///< a dagger: no text of ours has one
+constexpr int kPatienceMs =
+    DEWPOINT_PATIENCE_MS;  ///< software OpenGL, a loaded machine, a sanitizer
+const QChar kMark(0x2020); ///< a dagger: no text of ours has one
 
 /// Marks every text that is not Qt's own, and remembers what it was asked for.
 class MarkingTranslator : public QTranslator {
