@@ -63,7 +63,7 @@ protected:
     const auto shown = window_->shown();
     return shown && !shown->targets.empty() ? &shown->targets.front() : nullptr;
   }
-  bool hasBox() const { return first() != nullptr && first()->box.has_value(); }
+  bool hasBox() const { return first() != nullptr && first()->box() != nullptr; }
 
   std::filesystem::path video_;
 };
