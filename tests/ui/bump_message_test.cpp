@@ -83,7 +83,6 @@ private:
     auto* button = window_->findChild<QPushButton*>("messageAnswer0");
     return button != nullptr && button->isVisible() ? button : nullptr;
   }
-  static
 };
 
 void BumpMessageTest::init() {
