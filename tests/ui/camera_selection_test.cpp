@@ -144,8 +144,9 @@ void CameraSelectionTest::targetsComeAndGoInTheirList() {
   QVERIFY(!targets.index(before).data(Qt::DecorationRole).isNull());
   document.undoStack()->undo();
   QCOMPARE(targets.rowCount(), before);
-  QVERIFY(document.edit(QStringLiteral("no name"),
-                        [](Project& project) { project.cameras[1].camera.name.clear(); }));
+  Project nameless = project();
+  nameless.cameras[1].camera.name.clear();
+  document.replace(nameless);
   QCOMPARE(cameras.index(1).data().toString(), QStringLiteral("camera 2"));
 }
 
