@@ -52,6 +52,9 @@ ParameterValues parametersOf(bool births) {
   return values;
 }
 
+/// Existence is exact to this: time stamps are whole nanoseconds, of 0.6 s.
+constexpr double kExact = 1e-8;
+
 /// The first frame counts 1/30 s, because there is none before it, every other one 1/15 s.
 class PeopleLifeTest : public ::testing::Test {
 protected:
@@ -90,7 +93,7 @@ TEST_F(PeopleLifeTest, WhomNobodySeesFadesEvenlyAndGoes) {
   for (int n = 1; n <= 9; ++n) {
     step({});
     ASSERT_EQ(count(), 1U) << n;
-    EXPECT_NEAR(person(0).existence, 1.0 - (1.0 / 30.0 + (n - 1) / 15.0) / 0.6, 1e-9) << n;
+    EXPECT_NEAR(person(0).existence, 1.0 - (1.0 / 30.0 + (n - 1) / 15.0) / 0.6, kExact) << n;
     EXPECT_EQ(person(0).camerasSeeing, 0);
   }
   EXPECT_TRUE(life_.goneOnes.empty());
@@ -106,13 +109,13 @@ TEST_F(PeopleLifeTest, WhoIsSeenAgainWinsBackTwiceAsFast) {
   for (int n = 0; n < 4; ++n) {
     step({});
   }
-  EXPECT_NEAR(person(0).existence, 1.0 - (7.0 / 30.0) / 0.6, 1e-9);
+  EXPECT_NEAR(person(0).existence, 1.0 - (7.0 / 30.0) / 0.6, kExact);
   step({kPlace});
-  EXPECT_NEAR(person(0).existence, 1.0 - (3.0 / 30.0) / 0.6, 1e-9);
+  EXPECT_NEAR(person(0).existence, 1.0 - (3.0 / 30.0) / 0.6, kExact);
   EXPECT_EQ(person(0).camerasSeeing, 4);
   step({kPlace});
   EXPECT_EQ(person(0).existence, 1.0);
-  EXPECT_NEAR(person(0).age, 1.0 / 30.0 + 5.0 / 15.0, 1e-9);
+  EXPECT_NEAR(person(0).age, 1.0 / 30.0 + 5.0 / 15.0, kExact);
 }
 
 TEST_F(PeopleLifeTest, WithoutAnyImageNothingChanges) {
@@ -153,9 +156,9 @@ TEST_F(PeopleLifeTest, WhoIsRemovedTakesNothingFromTheOthers) {
   EXPECT_EQ(life_.bornOnes, (std::vector<int>{1, 2, 3, 4}));
   step({kPlace});
   EXPECT_EQ(person(0).existence, 1.0);
-  EXPECT_NEAR(person(1).existence, 1.0 - (3.0 / 30.0) / 0.6, 1e-9); // both frames
-  EXPECT_NEAR(person(2).existence, 1.0 - (2.0 / 30.0) / 0.6, 1e-9); // the second only
-  life_.removePerson(99);                                           // nobody
+  EXPECT_NEAR(person(1).existence, 1.0 - (3.0 / 30.0) / 0.6, kExact); // both frames
+  EXPECT_NEAR(person(2).existence, 1.0 - (2.0 / 30.0) / 0.6, kExact); // the second only
+  life_.removePerson(99);                                             // nobody
   EXPECT_EQ(count(), 3U);
   life_.restart(1);
   EXPECT_EQ(count(), 0U);
@@ -200,7 +203,7 @@ TEST_F(OneBehindTheOther, WhoIsHiddenFadesSlowly) {
   EXPECT_EQ(person(0).camerasSeeing, 2);
   EXPECT_EQ(person(0).existence, 1.0);
   EXPECT_EQ(person(1).camerasSeeing, 1);
-  EXPECT_NEAR(person(1).existence, 1.0 - (1.0 / 120.0) / 0.6, 1e-9);
+  EXPECT_NEAR(person(1).existence, 1.0 - (1.0 / 120.0) / 0.6, kExact);
 }
 
 TEST_F(OneBehindTheOther, AMethodThatSharesNoMasksSeesBoth) {
@@ -214,7 +217,7 @@ TEST_F(OneBehindTheOther, AMethodThatSharesNoMasksSeesBoth) {
 TEST_F(OneBehindTheOther, WhoIsSeenNowhereFadesAsFastAsAnybody) {
   step({kFront});
   EXPECT_EQ(person(1).camerasSeeing, 0);
-  EXPECT_NEAR(person(1).existence, 1.0 - (1.0 / 30.0) / 0.6, 1e-9);
+  EXPECT_NEAR(person(1).existence, 1.0 - (1.0 / 30.0) / 0.6, kExact);
 }
 
 class PeopleLifeWithBirths : public PeopleLifeTest {
