@@ -292,6 +292,9 @@ void DocumentTest::whatIsSavedOrGivenUpLeavesNothingBehind() {
   const std::filesystem::path place = folder.path().toStdString();
   const auto copies = [&] {
     int count = 0;
+    if (!std::filesystem::exists(place / "recovery")) {
+      return count; // it is made beside the window
+    }
     for (const auto& entry : std::filesystem::directory_iterator(place / "recovery")) {
       count += entry.path().extension() == ".toml" ? 1 : 0;
     }

@@ -184,7 +184,8 @@ void ProjectController::askSaveAs() {
   }
 }
 
-void ProjectController::saveTo(const std::filesystem::path& file) {
+// NOLINTNEXTLINE(performance-unnecessary-value-param): storing the layout replaces the project
+void ProjectController::saveTo(std::filesystem::path file) {
   bench_.docks.storeLayout();
   saver_->save(file);
 }

@@ -57,7 +57,7 @@ private:
   void askOpen();
   void askSaveAs();
   void save();
-  void saveTo(const std::filesystem::path& file);
+  void saveTo(std::filesystem::path file); ///< by value: it may be the project's own
   void close();
   /// Asks about unsaved changes. True: go on. False: not now; `saved` runs once they are saved, if
   /// that was the answer.
