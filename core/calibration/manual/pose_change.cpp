@@ -128,11 +128,9 @@ double rmsOfPoints(const Eigen::VectorXd& residuals) {
 
 std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>& anchors,
                                  bool alsoFocal) {
-  const PoseChange around(camera, meanDistance(camera, anchors));
-  ChangeVector change = ChangeVector::Zero();
-  ceres::Problem problem;
-  problem.AddResidualBlock(new PoseCost(around, anchors, alsoFocal ? 7 : 6), nullptr,
-                           change.data());
+  // A change is a small rotation; from where it led, the next one is small again.
+  constexpr int kMostRounds = 10;
+  constexpr double kGain = 1e-9; // of the sum of squares: more rounds win nothing
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = 60;
@@ -141,15 +139,27 @@ std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>&
   options.gradient_tolerance = 1e-14;
   options.parameter_tolerance = 1e-13;
   options.logging_type = ceres::SILENT;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  const auto residuals =
-      summary.IsSolutionUsable() ? around.residuals(change, anchors) : std::nullopt;
-  if (!residuals) {
-    return std::nullopt;
+  std::optional<double> rms;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const PoseChange around(camera, meanDistance(camera, anchors));
+    ChangeVector change = ChangeVector::Zero();
+    ceres::Problem problem;
+    problem.AddResidualBlock(new PoseCost(around, anchors, alsoFocal ? 7 : 6), nullptr,
+                             change.data());
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &problem, &summary);
+    const auto residuals =
+        summary.IsSolutionUsable() ? around.residuals(change, anchors) : std::nullopt;
+    if (!residuals) {
+      return rms;
+    }
+    camera = around.changed(change);
+    rms = rmsOfPoints(*residuals);
+    if (summary.final_cost >= (1.0 - kGain) * summary.initial_cost) {
+      break;
+    }
   }
-  camera = around.changed(change);
-  return rmsOfPoints(*residuals);
+  return rms;
 }
 
 PoseShift poseShift(const Camera& before, const Camera& after) {
