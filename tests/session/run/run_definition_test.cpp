@@ -30,7 +30,8 @@ constexpr std::int64_t kFrames = 40;
 /// What the cameras of the recording show without the ball.
 std::vector<cv::Mat> emptyRooms() {
   std::vector<cv::Mat> rooms;
-  for (const FramePtr& frame : drawn::framesOf(DrawnRecording::rig(), {}, 0)->frames) {
+  const FrameSetPtr frames = drawn::framesOf(DrawnRecording::rig(), {}, 0);
+  for (const FramePtr& frame : frames->frames) {
     rooms.push_back(frame->image);
   }
   return rooms;
