@@ -133,7 +133,7 @@ void SnapshotBuilder::show(const TrackedFrame& moment, const TrackingRun& run,
   for (std::size_t k = 0; k < moment.targets.size(); ++k) {
     snapshot.targets.push_back(snapshotOf(moment.targets[k], (*moment.definitions)[k]));
     if (history != nullptr) {
-      snapshot.targets.back().tail = history->tail(k, tailEnd);
+      snapshot.targets.back().tail = history->tail(k, snapshot.frame, tailEnd);
     }
   }
   addOthers(run, snapshot);

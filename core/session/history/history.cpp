@@ -198,12 +198,13 @@ const TrackedFrame* History::after(std::int64_t frame) const {
   return place != moments_.end() ? &*place : nullptr;
 }
 
-std::vector<Eigen::Vector3d> History::tail(std::size_t target, std::int64_t frame) const {
+std::vector<Eigen::Vector3d> History::tail(std::size_t target, std::int64_t frame,
+                                           std::int64_t end) const {
   const auto begins = tailBegins_.upper_bound(frame);
   const auto first =
       begins != tailBegins_.begin() ? lowerBound(*std::prev(begins)) : moments_.begin();
   std::vector<Eigen::Vector3d> tail;
-  for (auto moment = lowerBound(frame + 1); moment != first && tail.size() < kTailLength;) {
+  for (auto moment = lowerBound(end + 1); moment != first && tail.size() < kTailLength;) {
     --moment;
     if (target >= moment->targets.size() || !positionOf(moment->targets[target].estimate)) {
       break;

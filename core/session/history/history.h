@@ -63,9 +63,10 @@ public:
   const TrackedFrame* after(std::int64_t frame) const;
   /// Places in a tail, at most.
   static constexpr std::size_t kTailLength = 256;
-  /// The tailPlace() of a target up to and with this frame, the last kTailLength of them, oldest
+  /// The tailPlace() of a target up to and with the frame `end`, of the tail that `frame` (`end`,
+  /// or the next one, which is not recorded yet) belongs to: the last kTailLength of them, oldest
   /// first; nothing of targets that are boxes, or gone.
-  std::vector<Eigen::Vector3d> tail(std::size_t target, std::int64_t frame) const;
+  std::vector<Eigen::Vector3d> tail(std::size_t target, std::int64_t frame, std::int64_t end) const;
 
   /// A state of the run from which a frame can be reached by tracking on.
   struct Checkpoint {
