@@ -95,8 +95,9 @@ void BadInputTest::openGood(const std::filesystem::path& file) {
 }
 
 void BadInputTest::expectSentence(const QStringList& words) {
+  // Files are read and written beside the window.
+  QVERIFY(waitFor([this] { return window_->findChild<QLabel*>("messageText")->isVisible(); }));
   qInfo("%s", qPrintable(messageText()));
-  QVERIFY(window_->findChild<QLabel*>("messageText")->isVisible());
   QVERIFY2(!messageText().contains(QLatin1Char('\n')) && !stammers(messageText()),
            qPrintable(messageText()));
   for (const QString& word : words) {
