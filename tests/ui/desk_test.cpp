@@ -202,7 +202,7 @@ void DeskTest::workLeftBehindIsOffered() {
   project.name = "half done";
   QVERIFY(saveProject(project, recovery / "0123.toml"));
   window_->useRecovery(recovery);
-  QVERIFY(find<QLabel>("messageText")->text().contains(QStringLiteral("half done")));
+  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("half done")); }));
   QTest::mouseClick(find<QPushButton>("messageAnswer0"), Qt::LeftButton);
   QVERIFY(isOpen(2));
   QCOMPARE(window_->document().project().name, std::string("half done"));

@@ -108,12 +108,13 @@ void ReachTest::thePaletteFindsViewsAndLanguages() {
 
 void ReachTest::aNoticeMovesNothingAndGoes() {
   openDemo();
-  const QRect before = find<QDockWidget>("birdsEyeDock")->geometry();
   Project project = window_->document().project();
   QVERIFY(saveProject(project, file("kept.toml").toStdString()));
   window_->openProject(file("kept.toml").toStdString());
   QVERIFY(waitFor([this] { return !window_->document().project().file.empty(); }));
   QVERIFY(isOpen(2));
+  QVERIFY(draws(*window_));
+  const QRect before = find<QDockWidget>("birdsEyeDock")->geometry();
   action("actionSave")->trigger();
   auto* message = find<QLabel>("messageText");
   QVERIFY(waitFor([&] { return message->isVisible(); }));
