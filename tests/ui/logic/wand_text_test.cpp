@@ -28,6 +28,7 @@ TEST(WandText, EveryObstacleIsASentenceOfItsOwn) {
   wish.stick = true;
   note(); // one ball
   project.targets.resize(2);
+  project.targets[1].name = "second";
   wish.other = "ball";
   note(); // twice the same
   EXPECT_EQ(sentences.size(), 6U);
