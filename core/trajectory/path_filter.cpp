@@ -19,23 +19,20 @@ constexpr double kFirstSigmas[kMostPathOrder] = {10.0, 10.0, 50.0, 500.0, 5000.0
 /// Looks that only begin a path: they determine its derivatives.
 constexpr int kBeginning = kMostPathOrder;
 
-/// Place and derivatives of all axes: x y z vx vy vz ax ay az ...
-template <int Order> struct State {
-  static constexpr int kSize = 3 * Order;
-  using Vector = Eigen::Matrix<double, kSize, 1>;
-  using Matrix = Eigen::Matrix<double, kSize, kSize>;
-  Vector mean = Vector::Zero();
-  Matrix covariance = Matrix::Zero();
+/// Position and derivatives of all axes: x y z vx vy vz ax ay az ... Of any size, because a fixed
+/// size for each order takes the compiler five times as long.
+struct State {
+  Eigen::VectorXd mean;
+  Eigen::MatrixXd covariance;
 };
 
-template <int Order> using Small = Eigen::Matrix<double, Order, Order>;
-
 /// The same matrix for each axis.
-template <int Order> typename State<Order>::Matrix forAllAxes(const Small<Order>& one) {
-  typename State<Order>::Matrix all = State<Order>::Matrix::Zero();
-  for (int i = 0; i < Order; ++i) {
-    for (int j = 0; j < Order; ++j) {
-      all.template block<3, 3>(3 * i, 3 * j).diagonal().setConstant(one(i, j));
+Eigen::MatrixXd forAllAxes(const Eigen::MatrixXd& one) {
+  const Eigen::Index order = one.rows();
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(3 * order, 3 * order);
+  for (Eigen::Index i = 0; i < order; ++i) {
+    for (Eigen::Index j = 0; j < order; ++j) {
+      all.block<3, 3>(3 * i, 3 * j).diagonal().setConstant(one(i, j));
     }
   }
   return all;
@@ -47,37 +44,38 @@ constexpr double factorial(int n) {
 
 /// Motion in a unit of time of its own, about that between two instants: otherwise powers of a
 /// short time would make matrices of numbers of very different size.
-template <int Order> class Motion {
+class Motion {
 public:
   Motion(std::span<const PathPoint> path, const PathModel& model)
-      : unit_(path.size() > 1
+      : order_(std::clamp(model.order, 2, kMostPathOrder)),
+        unit_(path.size() > 1
                   ? (path.back().time - path.front().time) / static_cast<double>(path.size() - 1)
                   : 1.0) {
-    strength_ = model.strength * std::pow(unit_, 2 * Order - 1);
+    strength_ = model.strength * std::pow(unit_, 2 * order_ - 1);
   }
 
-  State<Order> first(const Eigen::Vector3d& place) const {
-    State<Order> state;
-    state.mean.template head<3>() = place;
-    for (int i = 0; i < Order; ++i) {
+  State first(const Eigen::Vector3d& place) const {
+    State state{Eigen::VectorXd::Zero(3 * order_), Eigen::MatrixXd::Zero(3 * order_, 3 * order_)};
+    state.mean.head<3>() = place;
+    for (int i = 0; i < order_; ++i) {
       const double sigma = kFirstSigmas[i] * std::pow(unit_, i);
-      state.covariance.template block<3, 3>(3 * i, 3 * i).diagonal().setConstant(sigma * sigma);
+      state.covariance.block<3, 3>(3 * i, 3 * i).diagonal().setConstant(sigma * sigma);
     }
     return state;
   }
 
-  typename State<Order>::Matrix transition(double seconds) const {
+  Eigen::MatrixXd transition(double seconds) const {
     const double t = seconds / unit_;
-    Small<Order> one = Small<Order>::Zero();
-    for (int i = 0; i < Order; ++i) {
-      for (int j = i; j < Order; ++j) {
+    Eigen::MatrixXd one = Eigen::MatrixXd::Zero(order_, order_);
+    for (int i = 0; i < order_; ++i) {
+      for (int j = i; j < order_; ++j) {
         one(i, j) = std::pow(t, j - i) / factorial(j - i);
       }
     }
-    return forAllAxes<Order>(one);
+    return forAllAxes(one);
   }
 
-  void predict(State<Order>& state, double seconds) const {
+  void predict(State& state, double seconds) const {
     const auto step = transition(seconds);
     state.mean = step * state.mean;
     state.covariance = step * state.covariance * step.transpose() + noise(seconds / unit_);
@@ -86,19 +84,20 @@ public:
 private:
   /// What white noise in the highest derivative adds: the integral over s from 0 to t of strength
   /// s^(a+b) / (a! b!), where a and b are how often it is integrated.
-  typename State<Order>::Matrix noise(double t) const {
-    Small<Order> one;
-    for (int i = 0; i < Order; ++i) {
-      for (int j = 0; j < Order; ++j) {
-        const int a = Order - 1 - i;
-        const int b = Order - 1 - j;
+  Eigen::MatrixXd noise(double t) const {
+    Eigen::MatrixXd one(order_, order_);
+    for (int i = 0; i < order_; ++i) {
+      for (int j = 0; j < order_; ++j) {
+        const int a = order_ - 1 - i;
+        const int b = order_ - 1 - j;
         one(i, j) =
             strength_ * std::pow(t, a + b + 1) / ((a + b + 1) * factorial(a) * factorial(b));
       }
     }
-    return forAllAxes<Order>(one);
+    return forAllAxes(one);
   }
 
+  int order_;
   double unit_; ///< seconds
   double strength_;
 };
@@ -111,25 +110,23 @@ struct Innovation {
 
 /// The update of a Kalman filter in Joseph's form, which keeps the covariance positive. Beyond the
 /// gate the state stays as it is.
-template <int Order>
-Innovation update(State<Order>& state, const PositionMeasurement& seen, double noiseFactor,
-                  double gate) {
+Innovation update(State& state, const PositionMeasurement& seen, double noiseFactor, double gate) {
   const Eigen::Matrix3d noise = noiseFactor * seen.covariance;
-  const Eigen::Matrix3d spread = state.covariance.template topLeftCorner<3, 3>() + noise;
+  const Eigen::Matrix3d spread = state.covariance.topLeftCorner<3, 3>() + noise;
   const Eigen::LLT<Eigen::Matrix3d> factor(spread);
-  const Eigen::Vector3d off = seen.position - state.mean.template head<3>();
+  const Eigen::Vector3d off = seen.position - state.mean.head<3>();
   Innovation result;
   result.squaredDistance = off.dot(factor.solve(off));
   result.logDeterminant = 2.0 * factor.matrixLLT().diagonal().array().log().sum();
   if (result.squaredDistance > gate) {
     return result;
   }
-  using Matrix = typename State<Order>::Matrix;
-  const Eigen::Matrix<double, State<Order>::kSize, 3> gain =
-      factor.solve(state.covariance.template topRows<3>()).transpose();
+  const Eigen::Matrix<double, Eigen::Dynamic, 3> gain =
+      factor.solve(state.covariance.topRows<3>()).transpose();
   state.mean += gain * off;
-  Matrix remaining = Matrix::Identity();
-  remaining.template leftCols<3>() -= gain;
+  const Eigen::Index size = state.mean.size();
+  Eigen::MatrixXd remaining = Eigen::MatrixXd::Identity(size, size);
+  remaining.leftCols<3>() -= gain;
   state.covariance =
       remaining * state.covariance * remaining.transpose() + gain * noise * gain.transpose();
   state.covariance = 0.5 * (state.covariance + state.covariance.transpose().eval());
@@ -140,15 +137,15 @@ constexpr double kNoGate = std::numeric_limits<double>::infinity();
 
 /// Calls `look(index, innovation, begins)` for each seen place until it returns false; those that
 /// only begin the path are told as such.
-template <int Order, class Look>
+template <class Look>
 void forward(std::span<const PathPoint> path, const PathModel& model, double gate, Look look) {
   const auto found =
       std::ranges::find_if(path, [](const auto& point) { return point.seen.has_value(); });
   if (found == path.end()) {
     return;
   }
-  const Motion<Order> motion(path, model);
-  State<Order> state = motion.first(found->seen->position);
+  const Motion motion(path, model);
+  State state = motion.first(found->seen->position);
   double time = found->time;
   int looks = 0;
   for (auto k = static_cast<std::size_t>(found - path.begin()); k < path.size(); ++k) {
@@ -171,57 +168,6 @@ bool wanted(std::size_t k, const std::function<bool()>& goesOn) {
   return k % 1000 != 0 || !goesOn || goesOn();
 }
 
-template <int Order>
-std::vector<PathEstimate> smooth(std::span<const PathPoint> path, const PathModel& model,
-                                 const std::function<bool()>& goesOn) {
-  const std::size_t count = path.size();
-  const Motion<Order> motion(path, model);
-  std::vector<State<Order>> filtered(count);
-  std::vector<State<Order>> predicted(count);
-  State<Order> state = motion.first(path.front().seen->position);
-  for (std::size_t k = 0; k < count && wanted(k, goesOn); ++k) {
-    if (k > 0) {
-      motion.predict(state, path[k].time - path[k - 1].time);
-    }
-    predicted[k] = state;
-    if (path[k].seen) {
-      update(state, *path[k].seen, model.noiseFactor, kNoGate);
-    }
-    filtered[k] = state;
-  }
-  // Särkkä (2013), theorem 8.2.
-  for (std::size_t k = count - 1; k-- > 0 && wanted(k, goesOn);) {
-    const auto step = motion.transition(path[k + 1].time - path[k].time);
-    State<Order>& here = filtered[k];
-    const typename State<Order>::Matrix gain =
-        predicted[k + 1].covariance.ldlt().solve(step * here.covariance).transpose();
-    here.mean += gain * (filtered[k + 1].mean - predicted[k + 1].mean);
-    here.covariance +=
-        gain * (filtered[k + 1].covariance - predicted[k + 1].covariance) * gain.transpose();
-    here.covariance = 0.5 * (here.covariance + here.covariance.transpose().eval());
-  }
-  std::vector<PathEstimate> result(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    result[k] = {filtered[k].mean.template head<3>(),
-                 filtered[k].covariance.template topLeftCorner<3, 3>()};
-  }
-  return result;
-}
-
-/// Calls what is given with the order as a constant.
-template <class Task> auto withOrder(int order, Task task) {
-  switch (order) {
-  case 2:
-    return task.template operator()<2>();
-  case 3:
-    return task.template operator()<3>();
-  case 4:
-    return task.template operator()<4>();
-  default:
-    return task.template operator()<5>();
-  }
-}
-
 } // namespace
 
 double pathLogLikelihood(std::span<const PathPoint> path, const PathModel& model, double gate) {
@@ -233,7 +179,7 @@ double pathLogLikelihood(std::span<const PathPoint> path, const PathModel& model
     }
     return true;
   };
-  withOrder(model.order, [&]<int Order>() { forward<Order>(path, model, gate, add); });
+  forward(path, model, gate, add);
   return sum;
 }
 
@@ -242,7 +188,7 @@ void eachPathSurprise(std::span<const PathPoint> path, const PathModel& model, d
   const auto look = [&](std::size_t k, const Innovation& innovation, bool begins) {
     return tell(k, begins ? 0.0 : innovation.squaredDistance);
   };
-  withOrder(model.order, [&]<int Order>() { forward<Order>(path, model, gate, look); });
+  forward(path, model, gate, look);
 }
 
 std::vector<double> pathSurprises(std::span<const PathPoint> path, const PathModel& model,
@@ -257,7 +203,37 @@ std::vector<double> pathSurprises(std::span<const PathPoint> path, const PathMod
 
 std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const PathModel& model,
                                      const std::function<bool()>& goesOn) {
-  return withOrder(model.order, [&]<int Order>() { return smooth<Order>(path, model, goesOn); });
+  const std::size_t count = path.size();
+  const Motion motion(path, model);
+  std::vector<State> filtered(count);
+  std::vector<State> predicted(count);
+  State state = motion.first(path.front().seen->position);
+  for (std::size_t k = 0; k < count && wanted(k, goesOn); ++k) {
+    if (k > 0) {
+      motion.predict(state, path[k].time - path[k - 1].time);
+    }
+    predicted[k] = state;
+    if (path[k].seen) {
+      update(state, *path[k].seen, model.noiseFactor, kNoGate);
+    }
+    filtered[k] = state;
+  }
+  // Särkkä (2013), theorem 8.2.
+  for (std::size_t k = count - 1; k-- > 0 && wanted(k, goesOn);) {
+    const auto step = motion.transition(path[k + 1].time - path[k].time);
+    State& here = filtered[k];
+    const Eigen::MatrixXd gain =
+        predicted[k + 1].covariance.ldlt().solve(step * here.covariance).transpose();
+    here.mean += gain * (filtered[k + 1].mean - predicted[k + 1].mean);
+    here.covariance +=
+        gain * (filtered[k + 1].covariance - predicted[k + 1].covariance) * gain.transpose();
+    here.covariance = 0.5 * (here.covariance + here.covariance.transpose().eval());
+  }
+  std::vector<PathEstimate> result(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    result[k] = {filtered[k].mean.head<3>(), filtered[k].covariance.topLeftCorner<3, 3>()};
+  }
+  return result;
 }
 
 std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const PathModel& model,

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board/intrinsics_covariance.h"
 
+#include "core/geometry/linear_algebra.h"
 #include "core/geometry/ray.h"
-
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -129,8 +127,8 @@ Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera
       continue;
     }
     const Eigen::MatrixXd cross = pose.transpose() * lens;
-    normal +=
-        lens.transpose() * lens - cross.transpose() * (pose.transpose() * pose).ldlt().solve(cross);
+    normal += lens.transpose() * lens -
+              cross.transpose() * geometry::solveSymmetric(pose.transpose() * pose, cross);
     for (const Eigen::Vector2d& residual : view.residuals) {
       squares += residual.squaredNorm();
     }
@@ -139,13 +137,12 @@ Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera
   // Scaled to a unit diagonal: focal lengths and k3 differ by many powers of ten.
   const Eigen::VectorXd scale = normal.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
-  const Eigen::LLT<Eigen::MatrixXd> factor(scaled);
-  if (freedom <= 0 || !scaled.allFinite() || factor.info() != Eigen::Success) {
+  const auto inverse = geometry::inversePositive(scaled);
+  if (freedom <= 0 || !scaled.allFinite() || !inverse) {
     return {};
   }
-  const Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(size, size));
   return squares / static_cast<double>(freedom) *
-         Eigen::MatrixXd(scale.asDiagonal() * inverse * scale.asDiagonal());
+         Eigen::MatrixXd(scale.asDiagonal() * *inverse * scale.asDiagonal());
 }
 
 double projectionSigma(const Camera& camera, const IntrinsicsParameters& parameters,
@@ -170,7 +167,7 @@ double projectionSigma(const Camera& camera, const IntrinsicsParameters& paramet
   if (covariance.size() == 0 || rays.empty() || !lens.allFinite() || !turn.allFinite()) {
     return std::numeric_limits<double>::infinity();
   }
-  const Eigen::MatrixXd rest = lens - turn * turn.colPivHouseholderQr().solve(lens);
+  const Eigen::MatrixXd rest = lens - turn * geometry::leastSquares(turn, lens);
   const Eigen::MatrixXd variance = rest * covariance * rest.transpose();
   double worst = 0.0;
   for (Eigen::Index k = 0; k < variance.rows(); k += 2) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/bundle/bundle_covariance.h"
 
-#include <Eigen/Eigenvalues>
+#include "core/geometry/linear_algebra.h"
+
 #include <Eigen/SparseCholesky>
 
 #include <array>
@@ -45,16 +46,16 @@ std::optional<Eigen::MatrixXd> reducedCovariance(const Eigen::SparseMatrix<doubl
                                                     .cwiseSqrt()
                                                     .cwiseInverse());
   const Eigen::MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (scaled + scaled.transpose()));
-  if (eigen.info() != Eigen::Success || gaugeFreedoms > cameraColumns) {
+  const auto eigen = geometry::symmetricEigen(0.5 * (scaled + scaled.transpose()));
+  if (!eigen.converged || gaugeFreedoms > cameraColumns) {
     return std::nullopt;
   }
   const Eigen::Index kept = cameraColumns - gaugeFreedoms;
-  const Eigen::VectorXd values = eigen.eigenvalues().tail(kept);
+  const Eigen::VectorXd values = eigen.values.tail(kept);
   if (kept > 0 && !(values[0] > kLeastShare * values[kept - 1])) {
     return std::nullopt;
   }
-  const Eigen::MatrixXd directions = scale.asDiagonal() * eigen.eigenvectors().rightCols(kept);
+  const Eigen::MatrixXd directions = scale.asDiagonal() * eigen.vectors.rightCols(kept);
   return directions * values.cwiseInverse().asDiagonal() * directions.transpose();
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // dragPoint() of hand_adjustment.h.
 #include "core/calibration/manual/interactive_pose.h"
+#include "core/geometry/linear_algebra.h"
 #include "core/geometry/ray.h"
-
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -94,17 +93,17 @@ public:
   }
 
 private:
-  using Svd = Eigen::JacobiSVD<Eigen::MatrixXd>;
+  using Svd = geometry::SingularValues;
 
   static bool isWeak(const Svd& svd, Eigen::Index rank) {
-    return !(svd.singularValues()[rank - 1] > kRank * svd.singularValues()[0]);
+    return !(svd.values()[rank - 1] > kRank * svd.values()[0]);
   }
 
   /// Of all that satisfy the linearized constraints, the smallest change from the beginning of the
   /// drag: q = J+ (J q0 - e), the fixed point of which is the least change that satisfies them.
   static Eigen::VectorXd leastChange(const Eigen::MatrixXd& slope, const Eigen::VectorXd& error,
                                      const Eigen::VectorXd& at, DragLimit& limit) {
-    const Svd svd(slope, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Svd svd(slope, Svd::Vectors::Thin);
     if (isWeak(svd, std::min(slope.rows(), slope.cols()))) {
       limit = DragLimit::OneRay;
       return at;
@@ -115,7 +114,7 @@ private:
   /// A Gauss-Newton step that brings the wished point nearer in what the constraints leave free.
   Eigen::VectorXd nearest(const Eigen::MatrixXd& slope, const Eigen::VectorXd& error,
                           const Eigen::VectorXd& at, DragLimit& limit) const {
-    const Svd svd(slope, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Svd svd(slope, Svd::Vectors::Full);
     const auto miss = change_.residuals(full(at), wished_);
     const auto wish = change_.jacobian(full(at), wished_);
     const Eigen::Index rank = slope.rows();
@@ -130,7 +129,7 @@ private:
     const Eigen::VectorXd back = -svd.solve(error);
     const Eigen::MatrixXd free = svd.matrixV().rightCols(slope.cols() - rank);
     const Eigen::MatrixXd effect = *wish * basis_ * free;
-    const Svd along(effect, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Svd along(effect, Svd::Vectors::Thin);
     return at + back - free * along.solve(*miss + *wish * basis_ * back);
   }
 

@@ -2,10 +2,10 @@
 #include "core/calibration/manual/point_pose.h"
 
 #include "core/calibration/manual/interactive_pose.h"
+#include "core/geometry/linear_algebra.h"
 #include "core/geometry/ray.h"
 #include "core/geometry/rotation_check.h"
 
-#include <Eigen/SVD>
 #include <opencv2/calib3d.hpp>
 
 #include <algorithm>
@@ -29,9 +29,10 @@ Eigen::Vector3d extents(const std::vector<ImageAnchor>& anchors) {
   }
   const Eigen::Vector3d mean = all.rowwise().mean();
   all.colwise() -= mean;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(all);
+  using geometry::SingularValues;
+  const SingularValues svd(all, SingularValues::Vectors::None);
   Eigen::Vector3d result = Eigen::Vector3d::Zero();
-  result.head(svd.singularValues().size()) = svd.singularValues();
+  result.head(svd.values().size()) = svd.values();
   return result;
 }
 

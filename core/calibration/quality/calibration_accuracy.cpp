@@ -5,6 +5,7 @@
 #include "core/base/statistics.h"
 #include "core/calibration/quality/position_error.h"
 #include "core/calibration/wand/wand_gauge.h"
+#include "core/geometry/linear_algebra.h"
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
@@ -107,8 +108,8 @@ double changeRatio(const Eigen::MatrixXd& perCamera, const Eigen::MatrixXd& cova
 
 /// A matrix whose product with its transpose is the covariance.
 Eigen::MatrixXd root(const Eigen::MatrixXd& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  const auto eigen = geometry::symmetricEigen(covariance);
+  return eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
 /// The distance that 95 % of the drawn errors keep below.

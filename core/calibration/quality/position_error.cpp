@@ -2,9 +2,9 @@
 #include "core/calibration/quality/position_error.h"
 
 #include "core/calibration/bundle/bundle_cost.h"
+#include "core/geometry/linear_algebra.h"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 
@@ -177,7 +177,7 @@ Eigen::MatrixXd removeRigidMotion(const std::vector<Eigen::Vector3d>& places,
       rows.col(6) = arm;
     }
   }
-  return errors - motions * motions.colPivHouseholderQr().solve(errors);
+  return errors - motions * geometry::leastSquares(motions, errors);
 }
 
 Eigen::RowVectorXd sizeChange(const std::vector<Eigen::Vector3d>& places,

@@ -3,9 +3,8 @@
 
 #include "core/base/statistics.h"
 #include "core/calibration/wand/wand_bundle.h"
+#include "core/geometry/linear_algebra.h"
 #include "core/geometry/ray.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
@@ -108,7 +107,7 @@ double unexplained(const std::vector<Passing>& samples) {
         at.x() * at.y(), at.y() * at.z(), at.z() * at.x();
     gaps[i] = one.gap;
   }
-  const Eigen::VectorXd left = gaps - terms * terms.colPivHouseholderQr().solve(gaps);
+  const Eigen::VectorXd left = gaps - terms * geometry::leastSquares(terms, gaps);
   std::vector<double> sizes(static_cast<std::size_t>(count));
   for (Eigen::Index i = 0; i < count; ++i) {
     sizes[static_cast<std::size_t>(i)] = std::abs(left[i]);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/wand/wand_gauge.h"
 
+#include "core/geometry/linear_algebra.h"
 #include "core/geometry/sphere_image.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -114,7 +114,7 @@ Result<WandDrop> fall(const std::array<double, 2>& when, const BundleResult& now
     powers.row(i) << 1.0, t, t * t;
     places.row(i) = state.ends[0].transpose();
   }
-  const Eigen::MatrixXd fitted = powers.colPivHouseholderQr().solve(places);
+  const Eigen::MatrixXd fitted = geometry::leastSquares(powers, places);
   acceleration = 2.0 * fitted.row(2).transpose();
   const double freedoms = static_cast<double>(3 * std::max<Eigen::Index>(rows - 3, 1));
   const double variance = (powers * fitted - places).squaredNorm() / freedoms;
