@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/tracking/dewpoint/candidate_search.h"
-#include "core/tracking/dewpoint/hypothesis.h"
 #include "core/tracking/dewpoint/hypothesis_masses.h"
+#include "core/tracking/dewpoint/track_hypothesis.h"
 #include "core/tracking/start_parameters.h"
 #include "core/tracking/target.h"
 #include "core/tracking/track_estimate.h"

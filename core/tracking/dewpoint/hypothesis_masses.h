@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tracking/dewpoint/hypothesis.h"
+#include "core/tracking/dewpoint/track_hypothesis.h"
 
 #include <Eigen/Core>
 

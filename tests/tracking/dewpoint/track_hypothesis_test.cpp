@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filter/estimate.h"
 #include "core/observation/sphere/sphere_evidence.h"
-#include "core/tracking/dewpoint/hypothesis.h"
+#include "core/tracking/dewpoint/track_hypothesis.h"
 #include "tests/observation/drawn_spheres.h"
 
 #include <Eigen/Eigenvalues>
@@ -16,9 +16,10 @@ using drawn::Ball;
 
 /// Two cameras and a hypothesis about a ball near the middle of the desk: 1 cm and 0.5 m/s
 /// uncertain, place and velocity correlated.
-class HypothesisTest : public ::testing::Test {
+class TrackHypothesisTest : public ::testing::Test {
 protected:
-  HypothesisTest() : rig_(drawn::rigAround(2, 2)), backgrounds_(2), images_(2), observation_(rig_) {
+  TrackHypothesisTest()
+      : rig_(drawn::rigAround(2, 2)), backgrounds_(2), images_(2), observation_(rig_) {
     for (std::size_t k = 0; k < rig_.size(); ++k) {
       for (int frame = 0; frame < 20; ++frame) {
         backgrounds_[k].learn(drawn::wall(rig_[k]), {});
@@ -55,7 +56,7 @@ protected:
 
 // Without images the evidence is flat: what the wider proposal draws, weighted, has the moments of
 // the belief. Five standard errors with the effective number of particles.
-TEST_F(HypothesisTest, ParticlesStandForTheBelief) {
+TEST_F(TrackHypothesisTest, ParticlesStandForTheBelief) {
   constexpr Eigen::Index kCount = 50000;
   drawParticles(hypothesis_, observation_, kCount, key_, team_);
   ASSERT_EQ(hypothesis_.states.rows(), kCount);
@@ -76,7 +77,7 @@ TEST_F(HypothesisTest, ParticlesStandForTheBelief) {
   }
 }
 
-TEST_F(HypothesisTest, ParticlesDoNotDependOnThreadsButOnTheStream) {
+TEST_F(TrackHypothesisTest, ParticlesDoNotDependOnThreadsButOnTheStream) {
   show({Ball{drawn::kMiddle}});
   drawParticles(hypothesis_, observation_, 1000, key_, team_);
   TrackHypothesis other = hypothesis_;
@@ -89,7 +90,7 @@ TEST_F(HypothesisTest, ParticlesDoNotDependOnThreadsButOnTheStream) {
   EXPECT_FALSE((other.states == hypothesis_.states).all());
 }
 
-TEST_F(HypothesisTest, ALookFindsTheBallAndConditionsTheBelief) {
+TEST_F(TrackHypothesisTest, ALookFindsTheBallAndConditionsTheBelief) {
   const Eigen::Vector3d truth = drawn::kMiddle + Eigen::Vector3d(0.008, -0.006, 0.004);
   show({Ball{truth}});
   const Gaussian6 before = hypothesis_.belief;
@@ -109,7 +110,7 @@ TEST_F(HypothesisTest, ALookFindsTheBallAndConditionsTheBelief) {
   EXPECT_LT((hypothesis_.belief.covariance.topLeftCorner<3, 3>()).trace(), 1e-5);
 }
 
-TEST_F(HypothesisTest, ALookAtNothingSpeaksAgainst) {
+TEST_F(TrackHypothesisTest, ALookAtNothingSpeaksAgainst) {
   drawParticles(hypothesis_, observation_, 500, key_, team_);
   show({});
   const double factor = look(hypothesis_, observation_, 500, key_, team_);
@@ -118,7 +119,7 @@ TEST_F(HypothesisTest, ALookAtNothingSpeaksAgainst) {
   EXPECT_NEAR(hypothesis_.weights.sum(), 1.0, 1e-9);
 }
 
-TEST_F(HypothesisTest, WithoutImagesALookChangesNothing) {
+TEST_F(TrackHypothesisTest, WithoutImagesALookChangesNothing) {
   drawParticles(hypothesis_, observation_, 500, key_, team_);
   const TrackHypothesis before = hypothesis_;
   EXPECT_NEAR(look(hypothesis_, observation_, 500, key_, team_), 0.0, 1e-9);
@@ -129,7 +130,7 @@ TEST_F(HypothesisTest, WithoutImagesALookChangesNothing) {
 }
 
 // An outline ten centimeters off, ten standard deviations, is another thing's.
-TEST_F(HypothesisTest, AnOutlineFarAwayIsAnotherThings) {
+TEST_F(TrackHypothesisTest, AnOutlineFarAwayIsAnotherThings) {
   drawParticles(hypothesis_, observation_, 500, key_, team_);
   show({Ball{drawn::kMiddle + Eigen::Vector3d(0.1, 0.0, 0.0)}});
   EXPECT_LT(look(hypothesis_, observation_, 500, key_, team_), 0.0);
@@ -139,7 +140,7 @@ TEST_F(HypothesisTest, AnOutlineFarAwayIsAnotherThings) {
 
 // Half of the ball is behind something that looks like the wall: at a place away from it more
 // samples show the color, but the outline knows better.
-TEST_F(HypothesisTest, AFewSamplesLessDoNotRefuseAnOutline) {
+TEST_F(TrackHypothesisTest, AFewSamplesLessDoNotRefuseAnOutline) {
   show({Ball{drawn::kMiddle}});
   const int middle = images_[1].cols / 2; // where both cameras see the middle
   const int edge = middle - 2;            // so that one line of samples lies behind it
@@ -158,7 +159,7 @@ TEST_F(HypothesisTest, AFewSamplesLessDoNotRefuseAnOutline) {
   EXPECT_LT((hypothesis_.place() - drawn::kMiddle).norm(), 4e-3);
 }
 
-TEST_F(HypothesisTest, AnUnknownRadiusIsLearnedLookByLook) {
+TEST_F(TrackHypothesisTest, AnUnknownRadiusIsLearnedLookByLook) {
   const Eigen::Vector3d truth = drawn::kMiddle;
   show({Ball{truth}});
   hypothesis_.radius = 0.031;

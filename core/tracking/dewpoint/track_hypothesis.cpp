@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tracking/dewpoint/hypothesis.h"
+#include "core/tracking/dewpoint/track_hypothesis.h"
 
 #include "core/filter/estimate.h"
 #include "core/filter/prepared_gaussian.h"
