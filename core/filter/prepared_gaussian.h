@@ -13,7 +13,7 @@ public:
   explicit PreparedGaussian3(const Gaussian3& gaussian);
 
   /// The place that a standard normal vector stands for.
-  Eigen::Vector3d place(const Eigen::Vector3d& standardNormal) const {
+  Eigen::Vector3d fromStandardNormal(const Eigen::Vector3d& standardNormal) const {
     return mean_ + factor_ * standardNormal;
   }
   /// Squared Mahalanobis distance.

@@ -94,8 +94,8 @@ std::vector<ProposedOutline> proposedOutlines(const TrackSnapshot& snapshot, int
     return outlines;
   }
   const SphereProjector projector((*snapshot.rig)[static_cast<std::size_t>(camera)]);
-  for (const ProposedPosition& proposed : target.proposals) {
-    if (const auto outline = projector.project(proposed.place, proposed.radius)) {
+  for (const CandidatePosition& proposed : target.proposals) {
+    if (const auto outline = projector.project(proposed.position, proposed.radius)) {
       outlines.push_back({outline->center, outline->radius, proposed.kind, proposed.probability});
     }
   }

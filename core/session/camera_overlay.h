@@ -33,7 +33,7 @@ struct CameraOverlay {
 struct ProposedOutline {
   Eigen::Vector2d center;
   double radius = 0.0; ///< pixels
-  ProposedPosition::Kind kind = ProposedPosition::Kind::Believed;
+  CandidatePosition::Kind kind = CandidatePosition::Kind::Existing;
   double probability = 0.0;
 };
 std::vector<ProposedOutline> proposedOutlines(const TrackSnapshot& snapshot, int camera,

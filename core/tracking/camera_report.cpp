@@ -17,7 +17,7 @@ constexpr int kDarkLevel = 24;
 constexpr double kBrightShare = 0.002;
 
 std::string words(const CameraReport& report) {
-  switch (report.trouble) {
+  switch (report.status) {
   case CameraStatus::None:
     break;
   case CameraStatus::NoImage:
@@ -32,7 +32,7 @@ std::string words(const CameraReport& report) {
     return "partly hidden";
   case CameraStatus::Hidden:
     return "hidden";
-  case CameraStatus::LookAlike:
+  case CameraStatus::Distractor:
     return report.pixels >= 1.0 ? fmt::format("{:.0f} px beside a look-alike", report.pixels)
                                 : "at a look-alike";
   case CameraStatus::NoColor:

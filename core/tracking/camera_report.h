@@ -24,7 +24,7 @@ enum class CameraStatus {
   OutOfView,    ///< the expected place lies outside the image
   PartlyHidden, ///< something else covers a part of the target, of which the rest is seen
   Hidden,       ///< something else is seen where the target is expected
-  LookAlike,    ///< something that looks the same is at or beside the expected place; `pixels`
+  Distractor,   ///< something that looks the same is at or beside the expected place; `pixels`
   NoColor,      ///< no pixel of the image has the target's color
   Elsewhere,    ///< the nearest pixel of the target's color is `pixels` beside the expected place
   Unclear,      ///< its color is seen, but nothing of the target's shape and size
@@ -32,7 +32,7 @@ enum class CameraStatus {
 
 /// One camera's part in why a target is held or not.
 struct CameraReport {
-  CameraStatus trouble = CameraStatus::None;
+  CameraStatus status = CameraStatus::None;
   double pixels = 0.0; ///< gap between the outlines, or to the color; 0 when they touch
 };
 

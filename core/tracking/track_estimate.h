@@ -27,7 +27,7 @@ struct SphereEstimate {
   double radius = 0.0;    ///< meters, of the target as known or as estimated; 0 when neither
   /// Position (m, m²) measured in the images of this frame alone, with errors of its own; nothing
   /// if the target was not found in them, or the method does not tell.
-  std::optional<Gaussian3> seen;
+  std::optional<Gaussian3> measurement;
   bool degenerate = false; ///< no particle had a usable weight; all were kept as equal
   /// What each camera says about the mean, in the order of the rig; empty when the method cannot
   /// tell, or has no position to ask about.

@@ -4,10 +4,10 @@
 #include "core/base/error.h"
 #include "core/geometry/camera.h"
 #include "core/tracking/camera_report.h"
-#include "core/tracking/insight.h"
 #include "core/tracking/people_state.h"
 #include "core/tracking/target_box.h"
 #include "core/tracking/tracker.h"
+#include "core/tracking/tracker_diagnostics.h"
 
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
@@ -85,7 +85,7 @@ class PositionProposing {
 public:
   virtual ~PositionProposing() = default;
   /// Those considered at the last iteration.
-  virtual std::vector<ProposedPosition> proposals(std::size_t track) const = 0;
+  virtual std::vector<CandidatePosition> proposals(std::size_t track) const = 0;
 };
 
 /// Has a likelihood for every pixel of every camera.

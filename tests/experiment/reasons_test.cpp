@@ -62,7 +62,7 @@ Troubles troublesOf(const ScenarioRun& run, std::int64_t frames) {
   track(run, frames, [&](const TrackedFrame& moment) {
     std::vector<CameraStatus>& all = troubles.emplace_back();
     for (const CameraReport& report : moment.targets[0].reasons) {
-      all.push_back(report.trouble);
+      all.push_back(report.status);
     }
   });
   return troubles;
@@ -111,9 +111,9 @@ TEST(Reasons, ATargetTakenAwayIsNotHeldAndEveryCameraSaysSo) {
   const TrackedTarget& late = moments.back().targets[0];
   EXPECT_EQ(late.status, TargetStatus::Lost);
   for (const CameraReport& report : late.reasons) {
-    EXPECT_NE(report.trouble, CameraStatus::None);
-    EXPECT_NE(report.trouble, CameraStatus::Dark);
-    EXPECT_NE(report.trouble, CameraStatus::NoImage);
+    EXPECT_NE(report.status, CameraStatus::None);
+    EXPECT_NE(report.status, CameraStatus::Dark);
+    EXPECT_NE(report.status, CameraStatus::NoImage);
   }
   EXPECT_FALSE(reasonSentence(late.reasons, {"left", "right"}).empty());
 }

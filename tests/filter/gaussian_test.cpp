@@ -124,7 +124,8 @@ TEST(PreparedGaussian3, PlacesHaveTheMomentsOfTheGaussian) {
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
   for (std::uint32_t i = 0; i < kDraws; ++i) {
     const auto normal = stream.normal4(i);
-    const Eigen::Vector3d off = prepared.place({normal[0], normal[1], normal[2]}) - gaussian.mean;
+    const Eigen::Vector3d off =
+        prepared.fromStandardNormal({normal[0], normal[1], normal[2]}) - gaussian.mean;
     sum += off;
     products += off * off.transpose();
   }

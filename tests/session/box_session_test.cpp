@@ -251,7 +251,7 @@ TEST(BoxSession, AHiddenTargetIsHeldAndSaysSo) {
   EXPECT_FALSE(hidden.box()->visible);
   EXPECT_EQ(hidden.status, TargetStatus::Searching);
   ASSERT_EQ(hidden.reasons.size(), 1U);
-  EXPECT_EQ(hidden.reasons[0].trouble, CameraStatus::Hidden);
+  EXPECT_EQ(hidden.reasons[0].status, CameraStatus::Hidden);
   stepTo(session, 40);
   EXPECT_EQ(session.newest()->targets[0].status, TargetStatus::Held);
 }

@@ -36,7 +36,7 @@ TEST(Session, TheLogIsReadInPiecesAndKnowsRestarts) {
   for (const CameraEvidence& camera : record.cameras) {
     // The start lies on the disc, whose image is larger than the window: all 25 pixels match, so
     // the likelihood is 25/25 and the odds against chance (1/25) are 25 to 1.
-    EXPECT_TRUE(camera.looked);
+    EXPECT_TRUE(camera.inView);
     EXPECT_DOUBLE_EQ(camera.visible, 1.0);
     EXPECT_DOUBLE_EQ(camera.logLikelihood, 0.0);
     EXPECT_NEAR(camera.existence, 25.0 / 26.0, 1e-12);

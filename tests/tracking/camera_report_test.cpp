@@ -21,7 +21,7 @@ Ball cover(const Camera& camera, double radius = 0.05) {
 std::vector<CameraStatus> troubles(DrawnRun& run) {
   std::vector<CameraStatus> all;
   for (const CameraReport& report : run.tracker().explain(0)) {
-    all.push_back(report.trouble);
+    all.push_back(report.status);
   }
   return all;
 }
@@ -69,7 +69,7 @@ TEST_F(CameraReportTest, BesideALookAlike) {
   run_.show({other});
   const auto reports = run_.tracker().explain(0);
   for (std::size_t k = 0; k < 2; ++k) {
-    EXPECT_EQ(reports[k].trouble, CameraStatus::LookAlike);
+    EXPECT_EQ(reports[k].status, CameraStatus::Distractor);
     const SphereProjector projector(run_.rig()[k]);
     const auto a = projector.project(kTarget.center, kTarget.radius).value();
     const auto b = projector.project(other.center, other.radius).value();
@@ -93,7 +93,7 @@ TEST_F(CameraReportTest, OutOfView) {
     place += 0.02 * right;
     run_.show({{place}});
   }
-  EXPECT_EQ(run_.tracker().explain(0)[0].trouble, CameraStatus::OutOfView);
+  EXPECT_EQ(run_.tracker().explain(0)[0].status, CameraStatus::OutOfView);
 }
 
 TEST(BarreraReports, SayWhereTheColorIs) {
@@ -113,7 +113,7 @@ TEST(BarreraReports, SayWhereTheColorIs) {
   (*tracker)->iterate(team);
   for (std::size_t k = 0; k < 2; ++k) {
     const CameraReport report = capability<CameraExplaining>(**tracker)->explain(0)[k];
-    EXPECT_EQ(report.trouble, CameraStatus::Elsewhere);
+    EXPECT_EQ(report.status, CameraStatus::Elsewhere);
     const Projector projector(rig[k]);
     const auto middle = projector.project(sphereOf(**tracker).mean).value();
     const auto ball = SphereProjector(rig[k]).project(far.center, far.radius).value();
@@ -121,11 +121,11 @@ TEST(BarreraReports, SayWhereTheColorIs) {
   }
   (*tracker)->beginFrame(drawn::framesOf(rig, {}, 11));
   (*tracker)->iterate(team);
-  EXPECT_EQ(capability<CameraExplaining>(**tracker)->explain(0)[1].trouble, CameraStatus::NoColor);
+  EXPECT_EQ(capability<CameraExplaining>(**tracker)->explain(0)[1].status, CameraStatus::NoColor);
 }
 
 TEST(ReasonSentence, NamesCamerasAndRounds) {
-  EXPECT_EQ(reasonSentence({{CameraStatus::LookAlike, 3.4}, {CameraStatus::Hidden, 0.0}}, {"a"}),
+  EXPECT_EQ(reasonSentence({{CameraStatus::Distractor, 3.4}, {CameraStatus::Hidden, 0.0}}, {"a"}),
             "camera a: 3 px beside a look-alike; camera 2: hidden");
   EXPECT_EQ(reasonSentence({}, {}), "");
 }

@@ -196,7 +196,7 @@ void TimelineTest::titleSaysWhy() {
     const auto* reason =
         window_->findChild<QLabel*>(QStringLiteral("cameraDock%1TitleReason").arg(k));
     QVERIFY(reason != nullptr);
-    QCOMPARE(reason->text().isEmpty(), target.reasons[k].trouble == CameraStatus::None);
+    QCOMPARE(reason->text().isEmpty(), target.reasons[k].status == CameraStatus::None);
   }
 }
 

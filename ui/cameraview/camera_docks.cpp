@@ -104,7 +104,7 @@ void CameraDocks::explain() {
     // That a box is hidden is its state already.
     const bool known =
         target != nullptr && k < target->reasons.size() &&
-        (target->box() == nullptr || target->reasons[k].trouble != CameraStatus::Hidden);
+        (target->box() == nullptr || target->reasons[k].status != CameraStatus::Hidden);
     const QString bump = bumpText(bumpOf(*snapshot, static_cast<int>(k)));
     docks_[k]->title().setReason(!bump.isEmpty() ? bump
                                  : known         ? troubleText(target->reasons[k])

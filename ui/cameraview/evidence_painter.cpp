@@ -44,10 +44,10 @@ QImage picture(const LikelihoodMap& map) {
   return image;
 }
 
-Qt::PenStyle styleOf(ProposedPosition::Kind kind) {
-  return kind == ProposedPosition::Kind::Believed ? Qt::SolidLine
-         : kind == ProposedPosition::Kind::New    ? Qt::DashLine
-                                                  : Qt::DotLine;
+Qt::PenStyle styleOf(CandidatePosition::Kind kind) {
+  return kind == CandidatePosition::Kind::Existing ? Qt::SolidLine
+         : kind == CandidatePosition::Kind::New    ? Qt::DashLine
+                                                   : Qt::DotLine;
 }
 
 } // namespace

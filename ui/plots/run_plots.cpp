@@ -129,7 +129,7 @@ void appendTo(PlotSeries& series, const IterationRecord& record) {
   for (std::size_t camera = 0; camera < record.cameras.size(); ++camera) {
     const CameraEvidence& evidence = record.cameras[camera];
     const std::size_t column = kFirstCamera + kPerCamera * camera;
-    if (evidence.looked && column + 1 < values.size()) {
+    if (evidence.inView && column + 1 < values.size()) {
       put(column, evidence.logLikelihood);
       put(column + 1, evidence.existence);
     }

@@ -20,7 +20,7 @@ class Reason {
 
 QString troubleText(const CameraReport& report) {
   const int pixels = std::max(1, static_cast<int>(std::lround(report.pixels)));
-  switch (report.trouble) {
+  switch (report.status) {
   case CameraStatus::None:
     break;
   case CameraStatus::NoImage:
@@ -35,7 +35,7 @@ QString troubleText(const CameraReport& report) {
     return Reason::tr("partly hidden");
   case CameraStatus::Hidden:
     return Reason::tr("hidden");
-  case CameraStatus::LookAlike:
+  case CameraStatus::Distractor:
     return report.pixels < 1.0 ? Reason::tr("at a look-alike")
                                : Reason::tr("%1 px beside a look-alike").arg(pixels);
   case CameraStatus::NoColor:

@@ -18,8 +18,9 @@ smoothedEstimates(const std::vector<std::vector<SphereEstimate>>& live, double f
       sample.position = estimate.mean;
       sample.covariance = estimate.covariance;
       sample.valid = estimate.valid;
-      if (estimate.seen) {
-        sample.seen = PositionMeasurement{estimate.seen->mean, estimate.seen->covariance};
+      if (estimate.measurement) {
+        sample.seen =
+            PositionMeasurement{estimate.measurement->mean, estimate.measurement->covariance};
       }
     }
   }

@@ -9,7 +9,7 @@ namespace dewpoint::observation {
 
 /// What one camera alone says about a target being at one place.
 struct CameraEvidence {
-  bool looked = false;        ///< there is an image, and the place lies within it
+  bool inView = false;        ///< there is an image, and the place lies within it
   double logLikelihood = 0.0; ///< by the method's own observation model; 0 when it did not look
   double existence = 0.5; ///< that the target is there, by this camera alone and even odds before
   double visible = 0.0;   ///< share of the target's outline (or window) in its color, 0 to 1

@@ -153,7 +153,7 @@ std::vector<CameraEvidence> SphereObservation::evidence(const Eigen::Vector3d& c
     const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
     if (!view.labels.empty() && outline && outline->radius < kLargestRadiusPx) {
       view.labels.require(areaOf(*outline, SphereEvidence::kReach));
-      cameras[k].looked = insideImage(*outline, view.labels.size());
+      cameras[k].inView = insideImage(*outline, view.labels.size());
       cameras[k].logLikelihood = SphereEvidence::logLikelihoodRatio(view.labels, *outline);
       cameras[k].existence = probabilityFrom(cameras[k].logLikelihood);
       cameras[k].visible = SphereEvidence::matchShare(view.labels, *outline);

@@ -29,7 +29,7 @@ struct TrackedTarget {
   TrackEstimate estimate;
   Eigen::ArrayXXf particles; ///< rows x y z, metres
   Eigen::ArrayXf weights;    ///< one per row, linear
-  std::vector<ProposedPosition> proposals;
+  std::vector<CandidatePosition> proposals;
   std::vector<CameraReport> reasons; ///< per camera, why it does not confirm the target
   TargetStatus status = TargetStatus::Searching;
   BoxParticles boxParticles;                                  ///< of a BoxEstimate

@@ -30,7 +30,7 @@ struct TargetSnapshot {
   BoxParticles boxParticles; ///< of a BoxEstimate
   /// Per camera, why it does not confirm the target (reasonSentence); may be empty.
   std::vector<CameraReport> reasons;
-  std::vector<ProposedPosition> proposals;  ///< places considered in this frame; may be empty
+  std::vector<CandidatePosition> proposals; ///< places considered in this frame; may be empty
   std::vector<LikelihoodMap> maps;          ///< per camera; empty unless wanted
   std::shared_ptr<const PersonShape> shape; ///< of a person; null unless wanted
 

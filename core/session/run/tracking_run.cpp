@@ -207,8 +207,9 @@ std::vector<TrajectorySample> TrackingRun::samples() const {
       samples.push_back({seconds(frames_->time), frames_->index, targets()[k].name, sphere->mean,
                          sphere->covariance, sphere->effectiveSampleSize, sphere->camerasSeeing,
                          sphere->valid, std::nullopt, sphere->existence});
-      if (sphere->seen) {
-        samples.back().seen = PositionMeasurement{sphere->seen->mean, sphere->seen->covariance};
+      if (sphere->measurement) {
+        samples.back().seen =
+            PositionMeasurement{sphere->measurement->mean, sphere->measurement->covariance};
       }
     } else if (const auto* const person = std::get_if<PersonEstimate>(&estimate)) {
       samples.push_back(sampleOf(*person, frames_->index, seconds(frames_->time)));

@@ -31,7 +31,7 @@ CameraReport BarreraTracker::explain(std::size_t camera) const {
     return {CameraStatus::Dark, 0.0};
   }
   const auto expected = projectors_[camera].project(estimate_.mean);
-  if (!expected || !known || !estimate_.cameras[camera].looked) {
+  if (!expected || !known || !estimate_.cameras[camera].inView) {
     return {CameraStatus::OutOfView, 0.0};
   }
   const auto distance = distanceToNearest(matchImage(image, classifier_), *expected);

@@ -53,7 +53,7 @@ std::vector<CameraEvidence> BarreraTracker::evidence(const Eigen::Vector3d& poin
   for (std::size_t k = 0; k < cameras.size(); ++k) {
     if (const auto count = observation_.matchCount(k, point)) {
       const int counted = std::max(*count, 1);
-      cameras[k].looked = true;
+      cameras[k].inView = true;
       cameras[k].visible = static_cast<double>(*count) / WindowCounts::kPixels;
       cameras[k].logLikelihood = std::log(static_cast<double>(counted) / WindowCounts::kPixels);
       cameras[k].existence = probabilityFrom(std::log(static_cast<double>(counted)));

@@ -4,8 +4,8 @@
 #include "core/observation/sphere/color_window.h"
 #include "core/tracking/barrera/random_walk_tracker.h"
 #include "core/tracking/camera_report.h"
-#include "core/tracking/insight.h"
 #include "core/tracking/target.h"
+#include "core/tracking/tracker_diagnostics.h"
 
 #include <vector>
 

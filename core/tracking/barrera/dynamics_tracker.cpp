@@ -54,7 +54,7 @@ SphereEstimate DynamicsTracker::iterate(ThreadTeam& team) {
   SphereEstimate result = step(PositionLikelihood{measured_, sigma}, team);
   result.cameras.resize(unprojectors_.size());
   for (std::size_t camera = 0; camera < seen_.size(); ++camera) {
-    result.cameras[camera].looked = !imageOf(camera).empty();
+    result.cameras[camera].inView = !imageOf(camera).empty();
     result.cameras[camera].visible = seen_[camera] ? 1.0 : 0.0;
     result.cameras[camera].existence = result.cameras[camera].visible;
   }
@@ -62,7 +62,7 @@ SphereEstimate DynamicsTracker::iterate(ThreadTeam& team) {
   result.valid = measured_.has_value();
   result.existence = result.valid ? 1.0 : 0.0; // the filter has no opinion of its own
   if (measured_) {
-    result.seen = Gaussian3{*measured_, sigma * sigma * Eigen::Matrix3d::Identity()};
+    result.measurement = Gaussian3{*measured_, sigma * sigma * Eigen::Matrix3d::Identity()};
   }
   estimate_ = result;
   return result;
@@ -72,10 +72,10 @@ std::vector<CameraReport> DynamicsTracker::explain() const {
   std::vector<CameraReport> reports(unprojectors_.size());
   for (std::size_t camera = 0; camera < reports.size(); ++camera) {
     const cv::Mat image = imageOf(camera);
-    reports[camera].trouble = image.empty()   ? CameraStatus::NoImage
-                              : seen_[camera] ? CameraStatus::None
-                              : isDark(image) ? CameraStatus::Dark
-                                              : CameraStatus::NoColor;
+    reports[camera].status = image.empty()   ? CameraStatus::NoImage
+                             : seen_[camera] ? CameraStatus::None
+                             : isDark(image) ? CameraStatus::Dark
+                                             : CameraStatus::NoColor;
   }
   return reports;
 }

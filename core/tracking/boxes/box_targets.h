@@ -195,7 +195,7 @@ template <BoxFilter F> std::vector<CameraReport> BoxTargets<F>::explain(std::siz
   std::vector<CameraReport> reports;
   if (one.filter && frames_) {
     reports.resize(frames_->frames.size()); // the other cameras do not look for it
-    reports.at(static_cast<std::size_t>(one.box->camera)).trouble =
+    reports.at(static_cast<std::size_t>(one.box->camera)).status =
         imageOf(*one.box) == nullptr ? CameraStatus::NoImage
         : isHeld(one.estimate)       ? CameraStatus::None
         : one.estimate.visible       ? CameraStatus::OutOfView

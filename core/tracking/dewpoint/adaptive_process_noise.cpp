@@ -10,20 +10,20 @@ namespace dewpoint::tracking {
 namespace {
 
 /// No hand is calmer, m/s²; below, the filter would smooth more than its errors are independent.
-constexpr double kCalmest = 1.0;
+constexpr double kMinAccelerationSigma = 1.0;
 /// How fast the acceleration follows how well the target was predicted.
 constexpr double kLearningRate = 0.15;
-constexpr double kGreatestSurprise = 9.0;
+constexpr double kMaxInnovation = 9.0;
 /// An acceleration that lasts is seen in how far the velocity runs ahead of its mean over this
 /// time, seconds.
-constexpr double kSlowness = 0.25;
-constexpr double kCalmestLasting = 0.3; ///< m/s²
-constexpr double kUsualLasting = 2.0;   ///< m/s², before anything is known
-constexpr double kUsualCounts = 3.0;    ///< looks that this is worth
-constexpr double kRemembered = 30.0;    ///< looks
+constexpr double kVelocityAverageTime = 0.25;
+constexpr double kMinLastingAcceleration = 0.3;   ///< m/s²
+constexpr double kPriorLastingAcceleration = 2.0; ///< m/s², before anything is known
+constexpr double kPriorUpdates = 3.0;             ///< looks that this is worth
+constexpr double kRemembered = 30.0;              ///< looks
 /// The motion allowed for goes on from a velocity that is no surer than after one step of it.
-constexpr double kAllowance = 1.4;
-constexpr double kLeastInformation = 1.0; ///< 1/m²: a meter, so that it can be inverted
+constexpr double kGateInflation = 1.4;
+constexpr double kMinInformation = 1.0; ///< 1/m²: a meter, so that it can be inverted
 
 } // namespace
 
@@ -31,27 +31,28 @@ ConstantVelocity AdaptiveProcessNoise::next(const ConstantVelocity& allowed) {
   most_ = allowed.accelerationSigma;
   interval_ = allowed.interval;
   const double known = sigma_ > 0.0 ? sigma_ : most_;
-  double sigma = std::clamp(known, std::min(kCalmest, most_), most_);
-  if (unseen_ > 0) {
+  double sigma = std::clamp(known, std::min(kMinAccelerationSigma, most_), most_);
+  if (unseenSteps_ > 0) {
     // The k-th step of a lasting acceleration a adds a² t² (2 k - 1) to the velocity's variance.
-    const double lasting = learned_ > 0.0 ? std::sqrt(lastingVariance_) : kUsualLasting;
-    sigma = std::min(most_, std::max(lasting, kCalmestLasting) * std::sqrt(2.0 * unseen_ + 1.0));
+    const double lasting = learned_ > 0.0 ? std::sqrt(lastingVariance_) : kPriorLastingAcceleration;
+    sigma = std::min(most_, std::max(lasting, kMinLastingAcceleration) *
+                                std::sqrt(2.0 * unseenSteps_ + 1.0));
   }
   const ConstantVelocity expected{allowed.interval, sigma};
-  const ConstantVelocity largest{allowed.interval, kAllowance * most_};
+  const ConstantVelocity largest{allowed.interval, kGateInflation * most_};
   Gaussian6 wide;
-  wide.covariance = margin_;
+  wide.covariance = gatingCovariance_;
   largest.predict(wide);
   Gaussian6 narrow;
   narrow.covariance.setZero();
   expected.predict(narrow);
-  margin_ = wide.covariance - narrow.covariance;
+  gatingCovariance_ = wide.covariance - narrow.covariance;
   return expected;
 }
 
-void AdaptiveProcessNoise::seen() {
-  unseen_ = 0;
-  margin_.setZero();
+void AdaptiveProcessNoise::recordSeen() {
+  unseenSteps_ = 0;
+  gatingCovariance_.setZero();
 }
 
 void AdaptiveProcessNoise::learn(double squaredDistance, const Eigen::Vector3d& velocity) {
@@ -59,19 +60,20 @@ void AdaptiveProcessNoise::learn(double squaredDistance, const Eigen::Vector3d& 
     slowVelocity_ = velocity;
     return;
   }
-  const double surprise = std::min(squaredDistance / 3.0, kGreatestSurprise);
+  const double surprise = std::min(squaredDistance / 3.0, kMaxInnovation);
   const double known = sigma_ > 0.0 ? sigma_ : most_;
   sigma_ = std::clamp(known * std::exp(0.5 * kLearningRate * (surprise - 1.0)),
-                      std::min(kCalmest, most_), most_);
+                      std::min(kMinAccelerationSigma, most_), most_);
   // An acceleration a makes the velocity run ahead of its mean over the time T by a T.
   if (learned_ == 0.0) {
     slowVelocity_ = velocity;
-    lastingVariance_ = kUsualLasting * kUsualLasting;
+    lastingVariance_ = kPriorLastingAcceleration * kPriorLastingAcceleration;
   }
-  slowVelocity_ += std::min(1.0, interval_ / kSlowness) * (velocity - slowVelocity_);
-  const double ahead = (velocity - slowVelocity_).squaredNorm() / (3.0 * kSlowness * kSlowness);
+  slowVelocity_ += std::min(1.0, interval_ / kVelocityAverageTime) * (velocity - slowVelocity_);
+  const double ahead = (velocity - slowVelocity_).squaredNorm() /
+                       (3.0 * kVelocityAverageTime * kVelocityAverageTime);
   learned_ += 1.0;
-  const double rate = 1.0 / std::min(learned_ + kUsualCounts, kRemembered);
+  const double rate = 1.0 / std::min(learned_ + kPriorUpdates, kRemembered);
   lastingVariance_ += rate * (ahead - lastingVariance_);
 }
 
@@ -80,7 +82,7 @@ InformationForm InformationForm::between(const Gaussian3& before, const Gaussian
   const Eigen::Matrix3d known = after.covariance.inverse();
   Eigen::Matrix3d own = known - before.covariance.inverse();
   own = 0.5 * (own + own.transpose().eval());
-  own.diagonal().array() += kLeastInformation;
+  own.diagonal().array() += kMinInformation;
   // (own^-1 + variance I)^-1
   const Eigen::Matrix3d shrink = (Eigen::Matrix3d::Identity() + variance * own).inverse();
   const Eigen::Matrix3d information = shrink * own;
@@ -88,7 +90,7 @@ InformationForm InformationForm::between(const Gaussian3& before, const Gaussian
           shrink * (known * (after.mean - before.mean))};
 }
 
-Gaussian3 InformationForm::alone(const Eigen::Vector3d& predicted) const {
+Gaussian3 InformationForm::asGaussian(const Eigen::Vector3d& predicted) const {
   Gaussian3 result;
   const Eigen::Matrix3d covariance = information.inverse();
   result.covariance = 0.5 * (covariance + covariance.transpose());
@@ -96,7 +98,7 @@ Gaussian3 InformationForm::alone(const Eigen::Vector3d& predicted) const {
   return result;
 }
 
-Gaussian3 InformationForm::after(const Gaussian3& before) const {
+Gaussian3 InformationForm::posterior(const Gaussian3& before) const {
   Gaussian3 result;
   const Eigen::Matrix3d covariance = (before.covariance.inverse() + information).inverse();
   result.covariance = 0.5 * (covariance + covariance.transpose());

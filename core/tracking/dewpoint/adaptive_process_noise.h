@@ -18,9 +18,9 @@ public:
   /// that the error of the place grows with the square of the time. Never more than `allowed`.
   ConstantVelocity next(const ConstantVelocity& allowed);
   /// Another step without sight is made, or the target is seen again.
-  void notSeen() { ++unseen_; }
-  void seen();
-  int unseen() const { return unseen_; }
+  void recordUnseen() { ++unseenSteps_; }
+  void recordSeen();
+  int unseenSteps() const { return unseenSteps_; }
 
   /// Learns from a look whose place was off by this many standard deviations, squared and summed
   /// over the three axes, and after which the velocity is this (m/s).
@@ -28,7 +28,7 @@ public:
 
   /// To be added to the predicted covariance for gating: with it the prediction has the whole
   /// acceleration that the user allows, since the target was seen last.
-  const Gaussian6::Matrix& margin() const { return margin_; }
+  const Gaussian6::Matrix& gatingCovariance() const { return gatingCovariance_; }
 
 private:
   double sigma_ = 0.0; ///< m/s² from frame to frame; 0: nothing known
@@ -37,8 +37,8 @@ private:
   double lastingVariance_ = 0.0;
   double learned_ = 0.0; ///< looks that it was learned from
   Eigen::Vector3d slowVelocity_ = Eigen::Vector3d::Zero();
-  int unseen_ = 0;
-  Gaussian6::Matrix margin_ = Gaussian6::Matrix::Zero();
+  int unseenSteps_ = 0;
+  Gaussian6::Matrix gatingCovariance_ = Gaussian6::Matrix::Zero();
 };
 
 /// What a look says of the place alone: information (inverse covariance) and information vector,
@@ -51,16 +51,16 @@ struct InformationForm {
   /// `variance` (m²) along each axis is added to the look's own.
   static InformationForm between(const Gaussian3& before, const Gaussian3& after, double variance);
   /// The same relative to a place that lies `offset` from the predicted one.
-  InformationForm seenFrom(const Eigen::Vector3d& offset) const {
+  InformationForm relativeTo(const Eigen::Vector3d& offset) const {
     return {information, vector - information * offset};
   }
   /// The same with `factor` times the covariance.
-  InformationForm widened(double factor) const { return {information / factor, vector / factor}; }
+  InformationForm inflated(double factor) const { return {information / factor, vector / factor}; }
   /// What is known after the look if nothing was before: the place as the look alone shows it, for
   /// the predicted one that the evidence is relative to.
-  Gaussian3 alone(const Eigen::Vector3d& predicted) const;
+  Gaussian3 asGaussian(const Eigen::Vector3d& predicted) const;
   /// What is known after the look, if `before` was known.
-  Gaussian3 after(const Gaussian3& before) const;
+  Gaussian3 posterior(const Gaussian3& before) const;
   /// Squared Mahalanobis distance of the look from what was known before.
   double squaredDistance(const Eigen::Matrix3d& before) const;
 };

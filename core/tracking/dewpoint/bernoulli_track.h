@@ -17,9 +17,9 @@
 namespace dewpoint::tracking {
 
 /// How a belief behaves.
-struct BeliefSettings {
-  Eigen::Index mostParticles = 500;
-  Eigen::Index fewestParticles = 100;
+struct BernoulliTrackSettings {
+  Eigen::Index maxParticles = 500;
+  Eigen::Index minParticles = 100;
   double kldError = 0.1;          ///< 0: always the most
   double accelerationSigma = 8.0; ///< m/s²
   double survivalTime = 5.0;      ///< seconds
@@ -28,8 +28,8 @@ struct BeliefSettings {
 
 /// Finds places where the target may be in the images of an observation: as
 /// CandidateSearch::find().
-using PlaceSearch = std::function<std::vector<Candidate>(SphereObservation& observation,
-                                                         bool radiusKnown, std::size_t limit)>;
+using CandidateSource = std::function<std::vector<Candidate>(SphereObservation& observation,
+                                                             bool radiusKnown, std::size_t limit)>;
 
 /// What is believed about one target: whether it is there at all, and where it may be. A Bernoulli
 /// filter (Ristic, Vo, Vo and Farina 2013) over the hypotheses: each frame they survive, are looked
@@ -40,7 +40,7 @@ class BernoulliTrack {
 public:
   explicit BernoulliTrack(const Target& target);
 
-  void configure(const BeliefSettings& settings) { settings_ = settings; }
+  void configure(const BernoulliTrackSettings& settings) { settings_ = settings; }
   /// A belief that does not search is gone when its hypotheses are.
   void setSearching(bool searching) { searching_ = searching; }
   void setTarget(const Target& target);
@@ -51,20 +51,20 @@ public:
   void predict(double interval, const RandomKey& key);
   /// One iteration on the images of the frame; a further one on the same frame does not count the
   /// same evidence twice.
-  void update(SphereObservation& observation, const PlaceSearch& search,
+  void update(SphereObservation& observation, const CandidateSource& search,
               const std::vector<OccupiedSphere>& occupied, const RandomKey& key, ThreadTeam& team);
   /// Believes in this place from now on.
-  void adopt(const Eigen::Vector3d& place, double radius, SphereObservation& observation,
-             const RandomKey& key, ThreadTeam& team);
+  void initializeAt(const Eigen::Vector3d& position, double radius, SphereObservation& observation,
+                    const RandomKey& key, ThreadTeam& team);
   /// Gives up every place that others occupy, unless it is likelier than not.
   void removeOccupied(const std::vector<OccupiedSphere>& occupied);
   /// Settles for the likeliest of several places that are all well seen for some frames: the images
   /// will never tell which it is. The doubt stays, in the probability that estimate() gives, unless
   /// the target has `identicalTargets`: other targets that look the same, so that any of the places
   /// is right.
-  void decide(bool identicalTargets);
+  void resolveIdentity(bool identicalTargets);
   /// Makes the likeliest place far less likely: another target was found to be there.
-  void yield();
+  void suppressBest();
 
   const Target& target() const { return target_; }
   /// The likeliest hypothesis; null when there is none.
@@ -89,20 +89,20 @@ private:
 
   void drawSearchCloud(const RandomKey& key);
   void stepSearchCloud(SphereObservation& observation, const RandomKey& key, ThreadTeam& team);
-  void lookAtAll(SphereObservation& observation, const RandomKey& key, ThreadTeam& team,
-                 std::vector<double>& logMasses);
-  void giveBirth(SphereObservation& observation, const PlaceSearch& search,
+  void updateHypotheses(SphereObservation& observation, const RandomKey& key, ThreadTeam& team,
+                        std::vector<double>& logMasses);
+  void addBirths(SphereObservation& observation, const CandidateSource& search,
                  const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
                  ThreadTeam& team, std::vector<double>& logMasses);
   /// Of the first hypotheses all evidence counts, without that of their neighbors, and their size.
-  void compareNewborn(SphereObservation& observation, std::vector<double>& logMasses) const;
-  TrackHypothesis born(const OutlineFit& fit, SphereObservation& observation, const RandomKey& key,
-                       ThreadTeam& team);
+  void scoreInitialHypotheses(SphereObservation& observation, std::vector<double>& logMasses) const;
+  TrackHypothesis createHypothesis(const OutlineFit& fit, SphereObservation& observation,
+                                   const RandomKey& key, ThreadTeam& team);
   double birthDensity(const Eigen::Vector3d& place) const;
   Eigen::Index particleCount(const TrackHypothesis& hypothesis) const;
 
   Target target_;
-  BeliefSettings settings_;
+  BernoulliTrackSettings settings_;
   StartVolume start_;
   Gaussian3 searchPrior_;          ///< where it is looked for first
   double identityAmbiguity_ = 0.0; ///< probability that decide() chose wrongly

@@ -35,14 +35,14 @@ double probabilityWithin(const Eigen::Matrix3d& covariance, double radius) {
 
 /// Probability that the place of a hypothesis still holds, if the target is there at all.
 double probabilityWithinRadius(const TrackHypothesis& hypothesis) {
-  return hypothesis.agility.unseen() == 0
+  return hypothesis.processNoise.unseenSteps() == 0
              ? 1.0
-             : probabilityWithin(hypothesis.belief.covariance.topLeftCorner<3, 3>(),
+             : probabilityWithin(hypothesis.gaussian.covariance.topLeftCorner<3, 3>(),
                                  std::max(kNearby, hypothesis.radius));
 }
 
 bool isUseful(const TrackHypothesis& hypothesis) {
-  const double variance = hypothesis.belief.covariance.diagonal().head<3>().maxCoeff();
+  const double variance = hypothesis.gaussian.covariance.diagonal().head<3>().maxCoeff();
   const double sigma = std::max(kUsefulSigma, kUsefulRadii * hypothesis.radius);
   return variance < sigma * sigma;
 }
@@ -66,9 +66,9 @@ SphereEstimate BernoulliTrack::estimate(SphereObservation& observation) const {
   if (searching) {
     return result;
   }
-  result.covariance = likeliest->belief.covariance.topLeftCorner<3, 3>();
-  if (likeliest->measured) {
-    result.seen = likeliest->seen;
+  result.covariance = likeliest->gaussian.covariance.topLeftCorner<3, 3>();
+  if (likeliest->outlineFound) {
+    result.measurement = likeliest->measurement;
   }
   const double near = probabilityWithinRadius(*likeliest);
   result.existence = std::min(1.0, likeliest->probability) * (1.0 - identityAmbiguity_) * near;
@@ -83,7 +83,7 @@ SphereEstimate BernoulliTrack::estimate(SphereObservation& observation) const {
 std::optional<OccupiedSphere> BernoulliTrack::expected() const {
   const TrackHypothesis* likeliest = best();
   if (likeliest != nullptr) {
-    return OccupiedSphere{likeliest->place(), likeliest->radius};
+    return OccupiedSphere{likeliest->position(), likeliest->radius};
   }
   const double sigma = std::sqrt(searchPrior_.covariance.trace() / 3.0);
   if (!everSeen_ || sigma > kExpectedSigma) {

@@ -10,11 +10,11 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr std::size_t kMostSpots = 24;   ///< per camera, the largest
-constexpr double kSmallestSpotPx = 1.2;  ///< inscribed radius
-constexpr double kSizeTolerance = 2.2;   ///< factor between seen and expected size: parts hide
-constexpr double kUnknownGap = 0.1;      ///< metres between rays when the size is not known
-constexpr std::size_t kMostScored = 200; ///< candidates looked at closely
+constexpr std::size_t kMaxSpots = 24;   ///< per camera, the largest
+constexpr double kSmallestSpotPx = 1.2; ///< inscribed radius
+constexpr double kSizeTolerance = 2.2;  ///< factor between seen and expected size: parts hide
+constexpr double kUnknownGap = 0.1;     ///< metres between rays when the size is not known
+constexpr std::size_t kMaxScored = 200; ///< candidates looked at closely
 
 /// Farther apart than this in seen size, two spots are not the same thing of known radius.
 bool sizeFits(double seenPx, double expectedPx) {
@@ -75,7 +75,7 @@ std::vector<CandidateSearch::Spot> CandidateSearch::spotsOf(std::size_t camera,
       return std::hypot(other.column - peak.column, other.row - peak.row) < 0.5 * other.radius;
     });
     const auto ray = unprojectors_[camera].ray({peak.column, peak.row});
-    if (!again && ray && spots.size() < kMostSpots) {
+    if (!again && ray && spots.size() < kMaxSpots) {
       taken.push_back(peak);
       spots.push_back({*ray, peak.radius});
     }
@@ -93,12 +93,12 @@ std::vector<Candidate> CandidateSearch::find(SphereObservation& observation, boo
       spots[camera] = spotsOf(camera, labels);
     }
   }
-  return placesOf(spots, observation, radiusKnown, limit);
+  return triangulate(spots, observation, radiusKnown, limit);
 }
 
-std::vector<Candidate> CandidateSearch::placesOf(const std::vector<std::vector<Spot>>& spots,
-                                                 SphereObservation& observation, bool radiusKnown,
-                                                 std::size_t limit) const {
+std::vector<Candidate> CandidateSearch::triangulate(const std::vector<std::vector<Spot>>& spots,
+                                                    SphereObservation& observation,
+                                                    bool radiusKnown, std::size_t limit) const {
   const std::size_t cameras = spots.size();
   const double known = observation.radius();
   struct Raw {
@@ -139,7 +139,7 @@ std::vector<Candidate> CandidateSearch::placesOf(const std::vector<std::vector<S
   }
   std::stable_sort(raws.begin(), raws.end(),
                    [](const Raw& a, const Raw& b) { return a.misfit < b.misfit; });
-  raws.resize(std::min(raws.size(), kMostScored));
+  raws.resize(std::min(raws.size(), kMaxScored));
   std::vector<Candidate> scored;
   for (const Raw& raw : raws) {
     observation.setRadius(raw.radius);

@@ -37,9 +37,9 @@ public:
   /// The first part of it: what is round in one camera's image, all of whose labels are made.
   std::vector<Spot> spotsOf(std::size_t camera, const LabelImage& labels) const;
   /// The second part: the places, from one list of spots per camera.
-  std::vector<Candidate> placesOf(const std::vector<std::vector<Spot>>& spots,
-                                  SphereObservation& observation, bool radiusKnown,
-                                  std::size_t limit) const;
+  std::vector<Candidate> triangulate(const std::vector<std::vector<Spot>>& spots,
+                                     SphereObservation& observation, bool radiusKnown,
+                                     std::size_t limit) const;
 
 private:
   std::vector<Unprojector> unprojectors_;

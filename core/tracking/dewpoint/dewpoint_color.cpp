@@ -8,11 +8,12 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr double kSureExistence = 0.95;
-constexpr double kMostSpread = 0.5; ///< of the particles, in radii: the outline is where it is said
-constexpr double kFewestAlike = 0.1; ///< effective sample size, as a share of the particles
-constexpr double kSmallest = 3.0;    ///< radius in pixels: less is mostly rim
-constexpr double kApart = 1.2;       ///< radii between outlines that do not blur into each other
+constexpr double kMinExistence = 0.95;
+constexpr double kMaxSpreadRadii =
+    0.5; ///< of the particles, in radii: the outline is where it is said
+constexpr double kMinEffectiveShare = 0.1; ///< effective sample size, as a share of the particles
+constexpr double kMinRadiusPx = 3.0;       ///< radius in pixels: less is mostly rim
+constexpr double kMinSeparation = 1.2; ///< radii between outlines that do not blur into each other
 
 bool liesWithin(const SphereImage& outline, const cv::Size& size) {
   const Eigen::Array2d corner(size.width - 1, size.height - 1);
@@ -25,10 +26,10 @@ bool liesWithin(const SphereImage& outline, const cv::Size& size) {
 bool DewpointTracker::isSurelyThere(std::size_t target) const {
   const SphereEstimate& estimate = estimates_[target];
   const TrackHypothesis* best = tracked_[target].belief.best();
-  return best != nullptr && best->wellSeen() && estimate.valid && !estimate.degenerate &&
-         estimate.existence >= kSureExistence &&
-         estimate.spread() <= kMostSpread * estimate.radius &&
-         estimate.effectiveSampleSize >= kFewestAlike * estimate.particleCount;
+  return best != nullptr && best->isSaturated() && estimate.valid && !estimate.degenerate &&
+         estimate.existence >= kMinExistence &&
+         estimate.spread() <= kMaxSpreadRadii * estimate.radius &&
+         estimate.effectiveSampleSize >= kMinEffectiveShare * estimate.particleCount;
 }
 
 std::vector<SphereImage> DewpointTracker::outlinesOfOthers(std::size_t target, std::size_t camera,
@@ -42,7 +43,7 @@ std::vector<SphereImage> DewpointTracker::outlinesOfOthers(std::size_t target, s
       continue;
     }
     if (const auto outline =
-            own.observation.projector(camera).project(other->place(), other->radius)) {
+            own.observation.projector(camera).project(other->position(), other->radius)) {
       outlines.push_back(*outline);
     }
   }
@@ -52,14 +53,15 @@ std::vector<SphereImage> DewpointTracker::outlinesOfOthers(std::size_t target, s
 bool DewpointTracker::showsWhole(std::size_t target, std::size_t camera,
                                  const SphereImage& outline) const {
   const auto& cameras = estimates_[target].cameras;
-  if (camera >= cameras.size() || !cameras[camera].looked ||
-      cameras[camera].visible < kWholeShare || outline.radius < kSmallest ||
+  if (camera >= cameras.size() || !cameras[camera].inView ||
+      cameras[camera].visible < kWholeShare || outline.radius < kMinRadiusPx ||
       !liesWithin(outline, frameOf(camera)->image.size())) {
     return false;
   }
   const auto others = outlinesOfOthers(target, camera, false);
   return std::ranges::none_of(others, [&](const SphereImage& other) {
-    return (other.center - outline.center).norm() < kApart * (other.radius + outline.radius);
+    return (other.center - outline.center).norm() <
+           kMinSeparation * (other.radius + outline.radius);
   });
 }
 

@@ -8,18 +8,15 @@ namespace dewpoint::tracking {
 namespace {
 
 /// Look-alikes are looked for every so many frames, soon after the start for the first time.
-constexpr std::int64_t kLookAroundEvery = 4;
-constexpr std::int64_t kLookAroundPhase = 1;
-constexpr std::size_t kMostLookAlikes = 8;
+constexpr std::int64_t kDistractorSearchPeriod = 4;
+constexpr std::int64_t kDistractorSearchPhase = 1;
+constexpr std::size_t kMaxDistractors = 8;
 /// Evidence, as a share of the best, that makes a thing a look-alike.
-constexpr double kLookAlikeShare = 0.6;
-constexpr double kSureOfTarget = 0.9;
-/// A look-alike that has less than this share of the best evidence, after some looks, is dropped:
-/// it was two things seen crosswise, or went behind another.
-constexpr double kFaint = 0.25;
-constexpr int kLooksOfGrace = 3;
+constexpr double kDistractorShare = 0.6;
+constexpr double kCertainProbability = 0.9;
+constexpr int kGraceUpdates = 3;
 /// Within a budget so many places of a search are looked at: each costs an outline fit.
-constexpr std::size_t kMostPlacesOnBudget = 4;
+constexpr std::size_t kMaxCandidatesOnBudget = 4;
 
 } // namespace
 
@@ -27,8 +24,8 @@ bool DewpointTracker::allTargetsSure() const {
   return std::all_of(tracked_.begin(), tracked_.begin() + static_cast<std::ptrdiff_t>(targetCount_),
                      [](const Tracked& tracked) {
                        const TrackHypothesis* best = tracked.belief.best();
-                       return best != nullptr && best->probability > kSureOfTarget &&
-                              best->logLikelihoodRatio > TrackHypothesis::kPlainlySeen *
+                       return best != nullptr && best->probability > kCertainProbability &&
+                              best->logLikelihoodRatio > TrackHypothesis::kMostlyVisibleShare *
                                                              best->fullyVisibleLogLikelihoodRatio;
                      });
 }
@@ -36,8 +33,9 @@ bool DewpointTracker::allTargetsSure() const {
 void DewpointTracker::forgetLostLookAlikes() {
   for (std::size_t k = tracked_.size(); k-- > targetCount_;) {
     const TrackHypothesis* seen = tracked_[k].belief.confident();
-    const bool faint = seen != nullptr && seen->looks > kLooksOfGrace &&
-                       seen->logLikelihoodRatio < kFaint * seen->fullyVisibleLogLikelihoodRatio;
+    const bool faint = seen != nullptr && seen->updateCount > kGraceUpdates &&
+                       seen->logLikelihoodRatio < TrackHypothesis::kPartlyVisibleShare *
+                                                      seen->fullyVisibleLogLikelihoodRatio;
     if (seen == nullptr || faint) {
       tracked_.erase(tracked_.begin() + static_cast<std::ptrdiff_t>(k));
       streams_.erase(streams_.begin() + static_cast<std::ptrdiff_t>(k));
@@ -60,13 +58,13 @@ void DewpointTracker::watchLookAlikes(ThreadTeam& team) {
   forgetLostLookAlikes();
   for (std::size_t k = 0; k < targetCount_; ++k) {
     tracked_[k].belief.removeOccupied(occupiedByOthers(k));
-    tracked_[k].belief.decide(hasTwins(k));
+    tracked_[k].belief.resolveIdentity(hasTwins(k));
   }
   if (budget_.limited()) {
     lookAroundInSlices(team);
     return;
   }
-  if (frameCount_ % kLookAroundEvery != kLookAroundPhase || targetCount_ == 0 ||
+  if (frameCount_ % kDistractorSearchPeriod != kDistractorSearchPhase || targetCount_ == 0 ||
       !allTargetsSure()) {
     return;
   }
@@ -102,7 +100,7 @@ bool DewpointTracker::isNewLookAlike(const Candidate& candidate, SphereObservati
   const bool taken = std::any_of(occupied.begin(), occupied.end(), [&](const auto& sphere) {
     return (sphere.center - candidate.center).norm() < sphere.radius + candidate.radius;
   });
-  return !taken && logLikelihoodRatio >= kLookAlikeShare * best;
+  return !taken && logLikelihoodRatio >= kDistractorShare * best;
 }
 
 void DewpointTracker::addLookAlike(Tracked thing, const Candidate& place, ThreadTeam& team) {
@@ -110,12 +108,12 @@ void DewpointTracker::addLookAlike(Tracked thing, const Candidate& place, Thread
   tracked_.push_back(std::move(thing));
   Tracked& added = tracked_.back();
   showImages(added.observation, added.color); // without what the search had explained by others
-  added.belief.adopt(place.center, place.radius, added.observation, keyOf(tracked_.size() - 1),
-                     team);
+  added.belief.initializeAt(place.center, place.radius, added.observation,
+                            keyOf(tracked_.size() - 1), team);
 }
 
 void DewpointTracker::findLookAlikes(std::size_t target, ThreadTeam& team) {
-  if (tracked_.size() >= targetCount_ + kMostLookAlikes) {
+  if (tracked_.size() >= targetCount_ + kMaxDistractors) {
     return;
   }
   const double radius = tracked_[target].belief.target().radius;
@@ -124,7 +122,7 @@ void DewpointTracker::findLookAlikes(std::size_t target, ThreadTeam& team) {
   explainOthers(probe.observation, probe); // else two things seen crosswise would make a third
   probe.observation.setRadius(radius);
   for (const Candidate& candidate :
-       search_.find(probe.observation, radius > 0.0, kMostLookAlikes)) {
+       search_.find(probe.observation, radius > 0.0, kMaxDistractors)) {
     if (isNewLookAlike(candidate, probe.observation, candidate.logLikelihoodRatio)) {
       addLookAlike(std::move(probe), candidate, team);
       return; // one at a time
@@ -142,7 +140,7 @@ std::unique_ptr<SlicedSearch> DewpointTracker::beginSearch(const Tracked& own) {
 
 std::vector<Candidate> DewpointTracker::goOn(std::unique_ptr<SlicedSearch>& search,
                                              std::size_t limit, bool urgent) {
-  if (!search->advance(search_, budget_, std::min(limit, kMostPlacesOnBudget), urgent)) {
+  if (!search->advance(search_, budget_, std::min(limit, kMaxCandidatesOnBudget), urgent)) {
     return {};
   }
   auto places = search->places();
@@ -151,7 +149,7 @@ std::vector<Candidate> DewpointTracker::goOn(std::unique_ptr<SlicedSearch>& sear
 }
 
 void DewpointTracker::lookAroundInSlices(ThreadTeam& team) {
-  const bool full = tracked_.size() >= targetCount_ + kMostLookAlikes;
+  const bool full = tracked_.size() >= targetCount_ + kMaxDistractors;
   if (full || targetCount_ == 0 || !allTargetsSure()) {
     lookAround_.reset();
     return;
@@ -160,13 +158,13 @@ void DewpointTracker::lookAroundInSlices(ThreadTeam& team) {
     if (frameCount_ < nextLookAround_) {
       return;
     }
-    nextLookAround_ = frameCount_ + kLookAroundEvery;
+    nextLookAround_ = frameCount_ + kDistractorSearchPeriod;
     do { // the next target, of those that do not share their color with an earlier one
       lookAroundFor_ = (lookAroundFor_ + 1) % targetCount_;
     } while (!isFirstOfItsColor(lookAroundFor_));
     lookAround_ = beginSearch(thingLike(lookAroundFor_));
   }
-  const auto places = goOn(lookAround_, kMostLookAlikes, false);
+  const auto places = goOn(lookAround_, kMaxDistractors, false);
   if (places.empty()) {
     return;
   }

@@ -84,7 +84,7 @@ std::optional<double> DewpointTracker::gapToLookAlike(std::size_t target, std::s
   const SphereProjector& projector = own.observation.projector(camera);
   std::optional<double> nearest;
   const auto consider = [&](const TrackHypothesis& other, double farthest) {
-    const auto seen = projector.project(other.place(), other.radius);
+    const auto seen = projector.project(other.position(), other.radius);
     const double gap = seen ? gapBetween(outline, *seen) : farthest + 1.0;
     if (gap <= farthest && (!nearest || gap < *nearest)) {
       nearest = gap;
@@ -99,7 +99,7 @@ std::optional<double> DewpointTracker::gapToLookAlike(std::size_t target, std::s
   if (!estimates_[target].valid) { // rivals of one's own, wherever they are
     const auto& hypotheses = own.belief.hypotheses();
     for (std::size_t k = 1; k < hypotheses.size(); ++k) {
-      if (hypotheses[k].wellSeen()) {
+      if (hypotheses[k].isSaturated()) {
         consider(hypotheses[k], 1e9);
       }
     }
@@ -127,7 +127,7 @@ CameraReport DewpointTracker::explain(std::size_t target, std::size_t camera,
                              ? gapToLookAlike(target, camera, *outline)
                              : std::nullopt;
   if (lookAlike) {
-    return {CameraStatus::LookAlike, *lookAlike};
+    return {CameraStatus::Distractor, *lookAlike};
   }
   if (seen) {
     const bool partly = estimate.cameras[camera].visible < kWholeShare && outline &&
@@ -165,21 +165,21 @@ std::vector<CameraReport> DewpointTracker::explain(std::size_t target) const {
   return reports;
 }
 
-std::vector<ProposedPosition> DewpointTracker::proposals(std::size_t target) const {
-  std::vector<ProposedPosition> all;
-  const auto add = [&all](const TrackHypothesis& hypothesis, ProposedPosition::Kind kind) {
-    all.push_back({kind, hypothesis.place(), hypothesis.radius, hypothesis.probability,
+std::vector<CandidatePosition> DewpointTracker::proposals(std::size_t target) const {
+  std::vector<CandidatePosition> all;
+  const auto add = [&all](const TrackHypothesis& hypothesis, CandidatePosition::Kind kind) {
+    all.push_back({kind, hypothesis.position(), hypothesis.radius, hypothesis.probability,
                    hypothesis.logLikelihoodRatio});
   };
   for (const TrackHypothesis& hypothesis : tracked_.at(target).belief.hypotheses()) {
-    add(hypothesis,
-        hypothesis.looks > 0 ? ProposedPosition::Kind::Believed : ProposedPosition::Kind::New);
+    add(hypothesis, hypothesis.updateCount > 0 ? CandidatePosition::Kind::Existing
+                                               : CandidatePosition::Kind::New);
   }
   for (std::size_t k = 0; k < tracked_.size(); ++k) {
     const TrackHypothesis* other = k != target ? tracked_[k].belief.confident() : nullptr;
     if (other != nullptr &&
         tracked_[k].belief.target().color == tracked_[target].belief.target().color) {
-      add(*other, ProposedPosition::Kind::LookAlike);
+      add(*other, CandidatePosition::Kind::Distractor);
     }
   }
   return all;

@@ -16,7 +16,7 @@ constexpr double kNotLearnedRadii = 1.4;
 constexpr double kOutlineMargin = 1.05;
 
 bool overlap(const TrackHypothesis& a, const TrackHypothesis& b) {
-  return (a.place() - b.place()).norm() <= kTouching * (a.radius + b.radius);
+  return (a.position() - b.position()).norm() <= kTouching * (a.radius + b.radius);
 }
 
 } // namespace
@@ -32,15 +32,14 @@ DewpointTracker::DewpointTracker(const ParameterValues& parameters, const Camera
   restart(0);
 }
 
-BeliefSettings DewpointTracker::settings() const {
-  BeliefSettings settings;
-  settings.mostParticles = static_cast<Eigen::Index>(parameters_.at("particles"));
+BernoulliTrackSettings DewpointTracker::settings() const {
+  BernoulliTrackSettings settings;
+  settings.maxParticles = static_cast<Eigen::Index>(parameters_.at("particles"));
   if (const auto affordable = budget_.particles()) {
-    settings.mostParticles =
-        std::min(static_cast<Eigen::Index>(*affordable), settings.mostParticles);
+    settings.maxParticles = std::min(static_cast<Eigen::Index>(*affordable), settings.maxParticles);
   }
-  settings.fewestParticles = std::min(static_cast<Eigen::Index>(parameters_.at("fewest_particles")),
-                                      settings.mostParticles);
+  settings.minParticles = std::min(static_cast<Eigen::Index>(parameters_.at("fewest_particles")),
+                                   settings.maxParticles);
   settings.kldError = parameters_.at("kld_error");
   settings.accelerationSigma = parameters_.at("acceleration_sigma");
   settings.survivalTime = parameters_.at("survival_time");
@@ -180,7 +179,7 @@ std::vector<OccupiedSphere> DewpointTracker::occupiedByOthers(std::size_t index)
   for (std::size_t k = 0; k < tracked_.size(); ++k) {
     const TrackHypothesis* other = k != index ? tracked_[k].belief.confident() : nullptr;
     if (other != nullptr) {
-      occupied.push_back({other->place(), other->radius});
+      occupied.push_back({other->position(), other->radius});
     }
   }
   return occupied;
@@ -192,21 +191,21 @@ void DewpointTracker::explainOthers(SphereObservation& observation, const Tracke
     const TrackHypothesis* other = &tracked != &own ? tracked.belief.confident() : nullptr;
     // Only what is plainly there itself explains anything.
     const bool plain = other != nullptr && other->measured &&
-                       other->logLikelihoodRatio >
-                           TrackHypothesis::kPlainlySeen * other->fullyVisibleLogLikelihoodRatio &&
+                       other->logLikelihoodRatio > TrackHypothesis::kMostlyVisibleShare *
+                                                       other->fullyVisibleLogLikelihoodRatio &&
                        tracked.belief.target().color == own.belief.target().color;
     for (std::size_t camera = 0; plain && camera < backgrounds_.size(); ++camera) {
       LabelImage& labels = observation.labels(camera);
       const SphereProjector& projector = observation.projector(camera);
-      const auto outline = projector.project(other->place(), other->radius);
+      const auto outline = projector.project(other->position(), other->radius);
       if (labels.empty() || !outline) {
         continue;
       }
       // What lies in front of the other stays this target's own.
       LabelImage::Circle kept;
       const auto ownOutline =
-          mine != nullptr ? projector.project(mine->place(), mine->radius) : std::nullopt;
-      if (ownOutline && projector.depth(mine->place()) < projector.depth(other->place())) {
+          mine != nullptr ? projector.project(mine->position(), mine->radius) : std::nullopt;
+      if (ownOutline && projector.depth(mine->position()) < projector.depth(other->position())) {
         kept = {ownOutline->center, kOutlineMargin * ownOutline->radius};
       }
       labels.explain({outline->center, kOutlineMargin * outline->radius + 1.0}, kept);
@@ -233,7 +232,7 @@ void DewpointTracker::iterate(ThreadTeam& team) {
     updateBelief(k, team);
   }
   resolveConflicts();
-  budget_.endOfLooks(parameters_.at("particles"));
+  budget_.endOfUpdates(parameters_.at("particles"));
   if (key_.iteration == 0) {
     watchLookAlikes(team);
     ++frameCount_;
@@ -265,7 +264,8 @@ void DewpointTracker::updateBelief(std::size_t index, ThreadTeam& team) {
     }
     return goOn(tracked.search, limit, true);
   };
-  const PlaceSearch search = budget_.limited() ? PlaceSearch(findInSlices) : PlaceSearch(findNow);
+  const CandidateSource search =
+      budget_.limited() ? CandidateSource(findInSlices) : CandidateSource(findNow);
   tracked.belief.update(tracked.observation, search, occupiedByOthers(index), keyOf(index), team);
   if (!searched) {
     tracked.search.reset(); // what a search found in old images is of no use later
@@ -281,8 +281,8 @@ void DewpointTracker::yieldToTargets(Tracked& lookAlike) {
     const TrackHypothesis* target = tracked_[k].belief.confident();
     // Plainly seen a moment ago: it is still there. (One that is hidden may be believed in the
     // wrong place.)
-    if (target != nullptr && target->wellSeen() && overlap(*place, *target)) {
-      lookAlike.belief.yield();
+    if (target != nullptr && target->isSaturated() && overlap(*place, *target)) {
+      lookAlike.belief.suppressBest();
       place = nullptr;
     }
   }
@@ -297,7 +297,7 @@ void DewpointTracker::resolveConflicts() {
         continue;
       }
       (first->logLikelihoodRatio >= second->logLikelihoodRatio ? tracked_[b] : tracked_[a])
-          .belief.yield();
+          .belief.suppressBest();
     }
   }
 }
@@ -323,7 +323,7 @@ void DewpointTracker::learnBackgrounds() {
         continue;
       }
       const auto outline =
-          tracked.observation.projector(camera).project(best->place(), best->radius);
+          tracked.observation.projector(camera).project(best->position(), best->radius);
       if (outline) {
         hidden.push_back({outline->center, kNotLearnedRadii * outline->radius + 2.0});
       }

@@ -49,7 +49,7 @@ public:
   std::unique_ptr<Tracker> clone() const override;
   std::size_t memoryBytes() const override;
   std::vector<CameraReport> explain(std::size_t target) const override;
-  std::vector<ProposedPosition> proposals(std::size_t target) const override;
+  std::vector<CandidatePosition> proposals(std::size_t target) const override;
   std::vector<LikelihoodMap> likelihoodMaps(std::size_t target, int reach) const override;
 
 private:
@@ -66,7 +66,7 @@ private:
   /// A copy; its labels are made anew when they are needed.
   DewpointTracker(const DewpointTracker& other);
 
-  BeliefSettings settings() const;
+  BernoulliTrackSettings settings() const;
   double secondsSinceLastFrame() const;
   /// Null when there is none.
   FramePtr frameOf(std::size_t camera) const;

@@ -8,12 +8,12 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr std::size_t kMostHypotheses = 6;
-constexpr double kLeastProbability = 1e-8;
-constexpr double kLeastAbsence = 1e-9;
-constexpr double kSure = 0.98;
+constexpr std::size_t kMaxHypotheses = 6;
+constexpr double kMinProbability = 1e-8;
+constexpr double kMinAbsence = 1e-9;
+constexpr double kNoSearchProbability = 0.98;
 /// Frames after which one of several things that all look just like the target is taken for it.
-constexpr int kLooksToDecide = 5;
+constexpr int kUpdatesToResolve = 5;
 
 } // namespace
 
@@ -22,13 +22,13 @@ double absenceProbability(const std::vector<TrackHypothesis>& hypotheses) {
   for (const TrackHypothesis& hypothesis : hypotheses) {
     present += hypothesis.probability;
   }
-  return std::max(kLeastAbsence, 1.0 - present);
+  return std::max(kMinAbsence, 1.0 - present);
 }
 
 double evidenceBeyondSaturation(const TrackHypothesis& hypothesis) {
   return std::max(0.0,
-                  hypothesis.logLikelihoodRatio -
-                      TrackHypothesis::kSaturation * hypothesis.fullyVisibleLogLikelihoodRatio);
+                  hypothesis.logLikelihoodRatio - TrackHypothesis::kSaturationShare *
+                                                      hypothesis.fullyVisibleLogLikelihoodRatio);
 }
 
 double shareOfLargest(std::span<const double> logMasses, double absence) {
@@ -47,9 +47,9 @@ bool mustSearch(const std::vector<TrackHypothesis>& hypotheses,
     return true;
   }
   const TrackHypothesis& hypothesis = hypotheses[static_cast<std::size_t>(top - logMasses.begin())];
-  return shareOfLargest(logMasses, absenceProbability(hypotheses)) < kSure ||
+  return shareOfLargest(logMasses, absenceProbability(hypotheses)) < kNoSearchProbability ||
          hypothesis.logLikelihoodRatio <
-             TrackHypothesis::kPlainlySeen * hypothesis.fullyVisibleLogLikelihoodRatio ||
+             TrackHypothesis::kMostlyVisibleShare * hypothesis.fullyVisibleLogLikelihoodRatio ||
          hypothesis.fullyVisibleLogLikelihoodRatio <= 0.0;
 }
 
@@ -75,11 +75,11 @@ void mergeAndPrune(std::vector<TrackHypothesis>& hypotheses) {
   std::vector<TrackHypothesis> kept;
   for (TrackHypothesis& hypothesis : hypotheses) {
     const auto same = std::find_if(kept.begin(), kept.end(), [&](const TrackHypothesis& other) {
-      return (other.place() - hypothesis.place()).norm() < 0.5 * other.radius;
+      return (other.position() - hypothesis.position()).norm() < 0.5 * other.radius;
     });
     if (same != kept.end()) {
       same->probability += hypothesis.probability;
-    } else if (kept.size() < kMostHypotheses && hypothesis.probability > kLeastProbability) {
+    } else if (kept.size() < kMaxHypotheses && hypothesis.probability > kMinProbability) {
       kept.push_back(std::move(hypothesis));
     }
   }
@@ -94,15 +94,15 @@ bool isOccupied(const Eigen::Vector3d& position, double radius,
 }
 
 std::optional<double> resolveAmbiguity(std::vector<TrackHypothesis>& hypotheses) {
-  if (hypotheses.size() < 2 || hypotheses.front().looks < kLooksToDecide ||
-      !hypotheses.front().wellSeen()) {
+  if (hypotheses.size() < 2 || hypotheses.front().updateCount < kUpdatesToResolve ||
+      !hypotheses.front().isSaturated()) {
     return std::nullopt;
   }
   const double chosen = hypotheses.front().probability;
   double rivals = 0.0;
   std::vector<TrackHypothesis> kept{hypotheses.front()};
   for (std::size_t k = 1; k < hypotheses.size(); ++k) {
-    if (hypotheses[k].wellSeen() && hypotheses[k].looks >= kLooksToDecide) {
+    if (hypotheses[k].isSaturated() && hypotheses[k].updateCount >= kUpdatesToResolve) {
       rivals += hypotheses[k].probability;
     } else {
       kept.push_back(hypotheses[k]);

@@ -27,7 +27,7 @@ struct OccupiedSphere {
 double absenceProbability(const std::vector<TrackHypothesis>& hypotheses);
 
 /// Evidence beyond which one well seen position is as good as another; it counts for nothing. See
-/// TrackHypothesis::kSaturation.
+/// TrackHypothesis::kSaturationShare.
 double evidenceBeyondSaturation(const TrackHypothesis& hypothesis);
 
 /// Probability of the likeliest of some hypotheses, which compete with each other and with "not

@@ -50,8 +50,8 @@ bool SlicedSearch::advance(const CandidateSearch& search, TimeBudget& budget, st
   }
   observation_.setRadius(radius_);
   return budget.spend(
-      TimeBudget::Part::Places,
-      [&] { places_ = search.placesOf(spots_, observation_, radius_ > 0.0, limit); }, must);
+      TimeBudget::Part::Candidates,
+      [&] { places_ = search.triangulate(spots_, observation_, radius_ > 0.0, limit); }, must);
 }
 
 } // namespace dewpoint::tracking

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kRemembered = 15; ///< times of a part
 /// Share of the budget that particles may fill: the rest is for what can wait, and for surprises.
-constexpr double kLooksShare = 0.6;
+constexpr double kUpdateShare = 0.6;
 /// Nothing is begun that is expected to end later than this share of the budget.
 constexpr double kFullShare = 0.8;
 /// Down at once, up slowly: a budget is to be kept, not met on average.
@@ -50,8 +50,8 @@ bool TimeBudget::affords(Part part) {
   History& history = histories_[static_cast<std::size_t>(part)];
   const double expected = upperMedian(history.times);
   const bool fits = elapsed() + expected <= kFullShare * limit_;
-  history.putOff = fits ? 0 : history.putOff + 1;
-  return fits || history.putOff > kMostPutOff;
+  history.deferrals = fits ? 0 : history.deferrals + 1;
+  return fits || history.deferrals > kMaxDeferrals;
 }
 
 void TimeBudget::record(Part part, double milliseconds) {
@@ -59,7 +59,7 @@ void TimeBudget::record(Part part, double milliseconds) {
     return;
   }
   History& history = histories_[static_cast<std::size_t>(part)];
-  history.putOff = 0;
+  history.deferrals = 0;
   optional_ += milliseconds;
   if (history.times.size() < kRemembered) {
     history.times.push_back(milliseconds);
@@ -69,13 +69,13 @@ void TimeBudget::record(Part part, double milliseconds) {
   history.next = (history.next + 1) % kRemembered;
 }
 
-void TimeBudget::endOfLooks(double most) {
+void TimeBudget::endOfUpdates(double most) {
   const double taken = elapsed() - optional_;
   if (taken <= 0.0) {
     return;
   }
   const double now = particles_ > 0.0 ? std::min(particles_, most) : most;
-  const double factor = std::clamp(kLooksShare * limit_ / taken, kFastestFall, kFastestRise);
+  const double factor = std::clamp(kUpdateShare * limit_ / taken, kFastestFall, kFastestRise);
   particles_ = std::clamp(now * factor, kFewestParticles, std::max(most, kFewestParticles));
 }
 

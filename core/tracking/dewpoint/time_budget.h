@@ -18,11 +18,11 @@ namespace dewpoint::tracking {
 class TimeBudget {
 public:
   /// Work that can wait.
-  enum class Part { Labels, Spots, Places, Learning };
+  enum class Part { Labels, Spots, Candidates, Learning };
   static constexpr std::size_t kPartCount = 4;
   /// After being put off so often work is done anyway: a budget that leaves no time for it slows it
   /// down, but does not stop it.
-  static constexpr int kMostPutOff = 30;
+  static constexpr int kMaxDeferrals = 30;
 
   /// Milliseconds per iteration; 0 is no limit. A change forgets what was measured.
   void set(double milliseconds);
@@ -43,7 +43,7 @@ public:
   }
 
   /// The work that cannot wait is done: adapts the number of particles to the time it took.
-  void endOfLooks(double most);
+  void endOfUpdates(double most);
   /// Particles per target that fit, at least ten; none without a limit.
   std::optional<double> particles() const;
 
@@ -52,7 +52,7 @@ private:
   struct History {
     std::vector<double> times;
     std::size_t next = 0;
-    int putOff = 0;
+    int deferrals = 0;
   };
 
   bool affords(Part part);

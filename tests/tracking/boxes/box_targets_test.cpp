@@ -158,11 +158,10 @@ TEST_P(BoxTargetsTest, ACameraThatDeliversNothingHidesTheTarget) {
   tracker->iterate(team);
   EXPECT_FALSE(isHeldBy(*tracker, 0));
   ASSERT_TRUE(boxOf(*tracker, 0));
-  EXPECT_EQ(capability<CameraExplaining>(*tracker)->explain(0).at(1).trouble,
-            CameraStatus::NoImage);
+  EXPECT_EQ(capability<CameraExplaining>(*tracker)->explain(0).at(1).status, CameraStatus::NoImage);
   go(*tracker, 5, 5);
   EXPECT_TRUE(isHeldBy(*tracker, 0));
-  EXPECT_EQ(capability<CameraExplaining>(*tracker)->explain(0).at(1).trouble, CameraStatus::None);
+  EXPECT_EQ(capability<CameraExplaining>(*tracker)->explain(0).at(1).status, CameraStatus::None);
 }
 
 TEST_P(BoxTargetsTest, ABoxBesideTheImageIsNotFollowed) {

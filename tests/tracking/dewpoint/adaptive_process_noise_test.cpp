@@ -13,97 +13,97 @@ constexpr double kFrame = 1.0 / 30.0;
 constexpr ConstantVelocity kAllowed{kFrame, 8.0};
 
 /// The standard deviation along X after so many steps from a place and velocity known exactly.
-double spreadAfter(AdaptiveProcessNoise& agility, int steps) {
+double spreadAfter(AdaptiveProcessNoise& processNoise, int steps) {
   Gaussian6 belief;
   belief.covariance.setZero();
   for (int step = 0; step < steps; ++step) {
-    agility.next(kAllowed).predict(belief);
-    agility.notSeen();
+    processNoise.next(kAllowed).predict(belief);
+    processNoise.recordUnseen();
   }
   return std::sqrt(belief.covariance(0, 0));
 }
 
 TEST(AdaptiveProcessNoise, AllowsEverythingAtFirst) {
-  AdaptiveProcessNoise agility;
-  EXPECT_EQ(agility.next(kAllowed).accelerationSigma, 8.0);
-  EXPECT_EQ(agility.next(kAllowed).interval, kFrame);
-  EXPECT_EQ(agility.unseen(), 0);
+  AdaptiveProcessNoise processNoise;
+  EXPECT_EQ(processNoise.next(kAllowed).accelerationSigma, 8.0);
+  EXPECT_EQ(processNoise.next(kAllowed).interval, kFrame);
+  EXPECT_EQ(processNoise.unseenSteps(), 0);
 }
 
 TEST(AdaptiveProcessNoise, LearnsCalmWithinASecondAndUnrestAtOnce) {
-  AdaptiveProcessNoise agility;
-  agility.next(kAllowed);
+  AdaptiveProcessNoise processNoise;
+  processNoise.next(kAllowed);
   for (int frame = 0; frame < 30; ++frame) { // predicted to a third of what was expected
-    agility.learn(0.3, {0.1, 0.0, 0.0});
+    processNoise.learn(0.3, {0.1, 0.0, 0.0});
   }
-  EXPECT_LT(agility.next(kAllowed).accelerationSigma, 2.5);
+  EXPECT_LT(processNoise.next(kAllowed).accelerationSigma, 2.5);
   for (int frame = 0; frame < 300; ++frame) {
-    agility.learn(0.3, {0.1, 0.0, 0.0});
+    processNoise.learn(0.3, {0.1, 0.0, 0.0});
   }
-  EXPECT_GE(agility.next(kAllowed).accelerationSigma, 0.5); // no hand is that calm
+  EXPECT_GE(processNoise.next(kAllowed).accelerationSigma, 0.5); // no hand is that calm
   for (int frame = 0; frame < 4; ++frame) {
-    agility.learn(100.0, {0.1, 0.0, 0.0});
+    processNoise.learn(100.0, {0.1, 0.0, 0.0});
   }
-  EXPECT_GT(agility.next(kAllowed).accelerationSigma, 6.0);
-  EXPECT_LE(agility.next(kAllowed).accelerationSigma, 8.0); // never more than allowed
+  EXPECT_GT(processNoise.next(kAllowed).accelerationSigma, 6.0);
+  EXPECT_LE(processNoise.next(kAllowed).accelerationSigma, 8.0); // never more than allowed
 }
 
 TEST(AdaptiveProcessNoise, WhatIsAsUncertainAsStatedStaysAsItIs) {
-  AdaptiveProcessNoise agility;
-  agility.next({kFrame, 3.0});
+  AdaptiveProcessNoise processNoise;
+  processNoise.next({kFrame, 3.0});
   for (int frame = 0; frame < 100; ++frame) {
-    agility.learn(3.0, Eigen::Vector3d::Zero()); // the mean of chi-square with three degrees
+    processNoise.learn(3.0, Eigen::Vector3d::Zero()); // the mean of chi-square with three degrees
   }
-  EXPECT_NEAR(agility.next(kAllowed).accelerationSigma, 3.0, 1e-9);
+  EXPECT_NEAR(processNoise.next(kAllowed).accelerationSigma, 3.0, 1e-9);
 }
 
 // A velocity that grows by 2 m/s every second along each axis: after half a second without sight
 // the place is off by 2 t² / 2 = 0.25 m. The sum over steps gives 0.8 of that.
 TEST(AdaptiveProcessNoise, WithoutSightAnAccelerationThatWasSeenLasts) {
-  AdaptiveProcessNoise agility;
-  agility.next(kAllowed);
+  AdaptiveProcessNoise processNoise;
+  processNoise.next(kAllowed);
   for (int frame = 0; frame < 120; ++frame) {
-    agility.learn(3.0, Eigen::Vector3d::Constant(2.0 * kFrame * frame));
+    processNoise.learn(3.0, Eigen::Vector3d::Constant(2.0 * kFrame * frame));
   }
-  agility.next(kAllowed);
-  agility.notSeen();
-  EXPECT_NEAR(spreadAfter(agility, 15), 0.25, 0.1);
+  processNoise.next(kAllowed);
+  processNoise.recordUnseen();
+  EXPECT_NEAR(spreadAfter(processNoise, 15), 0.25, 0.1);
 }
 
 TEST(AdaptiveProcessNoise, WithoutSightACalmTargetStaysPredictable) {
-  AdaptiveProcessNoise agility;
-  agility.next(kAllowed);
+  AdaptiveProcessNoise processNoise;
+  processNoise.next(kAllowed);
   for (int frame = 0; frame < 120; ++frame) {
-    agility.learn(1.0, {0.2, 0.0, 0.1});
+    processNoise.learn(1.0, {0.2, 0.0, 0.1});
   }
-  agility.next(kAllowed);
-  agility.notSeen();
-  EXPECT_LT(spreadAfter(agility, 10), 0.03);
+  processNoise.next(kAllowed);
+  processNoise.recordUnseen();
+  EXPECT_LT(spreadAfter(processNoise, 10), 0.03);
 }
 
 TEST(AdaptiveProcessNoise, TheMarginMakesUpForWhatIsAllowed) {
-  AdaptiveProcessNoise agility;
-  agility.next(kAllowed);
+  AdaptiveProcessNoise processNoise;
+  processNoise.next(kAllowed);
   for (int frame = 0; frame < 300; ++frame) {
-    agility.learn(0.3, {0.2, 0.0, 0.1});
+    processNoise.learn(0.3, {0.2, 0.0, 0.1});
   }
-  agility.seen();
+  processNoise.recordSeen();
   Gaussian6 belief;
   belief.covariance.setZero();
   Gaussian6 allowed = belief;
   for (int step = 0; step < 10; ++step) {
-    agility.next(kAllowed).predict(belief);
+    processNoise.next(kAllowed).predict(belief);
     kAllowed.predict(allowed);
-    agility.notSeen();
-    const Gaussian6::Matrix total = belief.covariance + agility.margin();
+    processNoise.recordUnseen();
+    const Gaussian6::Matrix total = belief.covariance + processNoise.gatingCovariance();
     EXPECT_GE(total(0, 0), allowed.covariance(0, 0)) << step;
     EXPECT_LT(total(0, 0), 3.0 * allowed.covariance(0, 0)) << step;
     const Eigen::SelfAdjointEigenSolver<Gaussian6::Matrix> eigen(total);
     EXPECT_GT(eigen.eigenvalues()[0], -1e-12) << step;
   }
-  agility.seen();
-  EXPECT_EQ(agility.unseen(), 0);
-  EXPECT_TRUE(agility.margin().isZero());
+  processNoise.recordSeen();
+  EXPECT_EQ(processNoise.unseenSteps(), 0);
+  EXPECT_TRUE(processNoise.gatingCovariance().isZero());
 }
 
 /// A place known to 10 mm and then, by a look of 1 mm that was off by 5 mm along X, better.
@@ -122,7 +122,7 @@ TEST_F(PlaceEvidenceTest, IsWhatALookAdds) {
   const InformationForm evidence = InformationForm::between(known(), learned(), 0.0);
   EXPECT_NEAR(evidence.information(0, 0), 1e6, 1e6 * 1e-5);
   EXPECT_NEAR(evidence.vector.x(), 5e3, 1e-2);
-  const Gaussian3 again = evidence.after(known());
+  const Gaussian3 again = evidence.posterior(known());
   EXPECT_LT((again.mean - learned().mean).norm(), 1e-8);
   EXPECT_LT((again.covariance - learned().covariance).norm(), 1e-11);
   // Off by 5 mm where 1 mm and 10 mm are expected.
@@ -136,7 +136,7 @@ TEST_F(PlaceEvidenceTest, MoreNoiseMakesItWeaker) {
 }
 
 TEST_F(PlaceEvidenceTest, WidenedSaysTheSameLessSurely) {
-  const InformationForm evidence = InformationForm::between(known(), learned(), 0.0).widened(4.0);
+  const InformationForm evidence = InformationForm::between(known(), learned(), 0.0).inflated(4.0);
   EXPECT_NEAR(evidence.information(0, 0), 1e6 / 4.0, 10.0); // 2 mm instead of 1 mm
   EXPECT_NEAR(evidence.vector.x() / evidence.information(0, 0), 5e-3, 1e-7);
 }
@@ -144,15 +144,15 @@ TEST_F(PlaceEvidenceTest, WidenedSaysTheSameLessSurely) {
 TEST_F(PlaceEvidenceTest, IsTheSameFromElsewhere) {
   const Eigen::Vector3d offset(2e-3, -1e-3, 3e-3);
   const InformationForm evidence =
-      InformationForm::between(known(), learned(), 0.0).seenFrom(offset);
+      InformationForm::between(known(), learned(), 0.0).relativeTo(offset);
   Gaussian3 vague{known().mean + offset, Eigen::Matrix3d::Identity()}; // a meter
   const Eigen::Vector3d look = known().mean + Eigen::Vector3d(5e-3, 0.0, 0.0);
-  EXPECT_LT((evidence.after(vague).mean - look).norm(), 1e-6);
+  EXPECT_LT((evidence.posterior(vague).mean - look).norm(), 1e-6);
 }
 
 TEST_F(PlaceEvidenceTest, ALookThatSaysNothingChangesNothing) {
   const InformationForm evidence = InformationForm::between(known(), known(), 1e-8);
-  const Gaussian3 after = evidence.after(known());
+  const Gaussian3 after = evidence.posterior(known());
   EXPECT_LT((after.mean - known().mean).norm(), 1e-9);
   EXPECT_LT((after.covariance - known().covariance).norm(), 1e-7);
   EXPECT_LT(evidence.squaredDistance(known().covariance), 1e-6);

@@ -18,17 +18,17 @@ constexpr double kFrame = 1.0 / 30.0; ///< seconds
 
 /// A belief in front of two cameras that have no image until show(): then what is believed changes
 /// by the passing of time alone, because evidence of nothing is flat.
-class TargetBeliefTest : public ::testing::Test {
+class BernoulliTrackTest : public ::testing::Test {
 protected:
-  TargetBeliefTest()
+  BernoulliTrackTest()
       : rig_(drawn::rigAround(2, 2)), backgrounds_(2), images_(2), observation_(rig_),
-        belief_(Target{"ball", kRadius, drawn::kRed}) {
+        track_(Target{"ball", kRadius, drawn::kRed}) {
     for (std::size_t k = 0; k < rig_.size(); ++k) {
       for (int frame = 0; frame < 20; ++frame) {
         backgrounds_[k].learn(drawn::wall(rig_[k]), {});
       }
     }
-    belief_.restart(StartVolume{kThere, Eigen::Vector3d::Constant(0.5)}, 1);
+    track_.restart(StartVolume{kThere, Eigen::Vector3d::Constant(0.5)}, 1);
   }
   void show(const std::vector<Ball>& balls) {
     for (std::size_t k = 0; k < rig_.size(); ++k) {
@@ -36,11 +36,11 @@ protected:
       observation_.setImage(k, images_[k], 0.0, backgrounds_[k], classifier_);
     }
   }
-  void adopt(const Eigen::Vector3d& place = kThere) {
-    belief_.adopt(place, kRadius, observation_, key_, team_);
+  void initializeAt(const Eigen::Vector3d& position = kThere) {
+    track_.initializeAt(position, kRadius, observation_, key_, team_);
   }
   void predict(double interval) {
-    belief_.predict(interval, key_);
+    track_.predict(interval, key_);
     ++key_.frame;
   }
   /// Another frame, in which the search finds `candidates`.
@@ -50,16 +50,16 @@ protected:
       ++searches_;
       return candidates;
     };
-    belief_.update(observation_, search, occupied, key_, team_);
+    track_.update(observation_, search, occupied, key_, team_);
   }
-  double probability() const { return belief_.best()->probability; }
+  double probability() const { return track_.best()->probability; }
 
   CameraRig rig_;
   ColorClassifier classifier_{drawn::kRed};
   std::vector<BackgroundModel> backgrounds_;
   std::vector<cv::Mat> images_;
   SphereObservation observation_;
-  BernoulliTrack belief_;
+  BernoulliTrack track_;
   ThreadTeam team_;
   RandomKey key_{11, 0, 0};
   int searches_ = 0;
@@ -67,36 +67,36 @@ protected:
 
 // What is adopted has 0.98. After 1 s of a survival time of 5 s, e^-0.2 of it is left; a
 // measurement without images changes nothing: absence takes the rest.
-TEST_F(TargetBeliefTest, WithoutImagesExistenceDecaysWithTheSurvivalTime) {
-  adopt();
+TEST_F(BernoulliTrackTest, WithoutImagesExistenceDecaysWithTheSurvivalTime) {
+  initializeAt();
   EXPECT_EQ(probability(), 0.98);
   predict(1.0);
   EXPECT_NEAR(probability(), 0.98 * std::exp(-0.2), 1e-12);
   update();
   EXPECT_NEAR(probability(), 0.98 * std::exp(-0.2), 1e-9);
-  EXPECT_NE(belief_.confident(), nullptr);
+  EXPECT_NE(track_.confident(), nullptr);
   // A second iteration on the same frame counts nothing twice.
   update();
   EXPECT_NEAR(probability(), 0.98 * std::exp(-0.2), 1e-9);
   predict(2.5); // 3.5 s in all: e^-0.7, less than one half
   update();
   EXPECT_NEAR(probability(), 0.98 * std::exp(-0.7), 1e-9);
-  EXPECT_EQ(belief_.confident(), nullptr);
+  EXPECT_EQ(track_.confident(), nullptr);
 }
 
-TEST_F(TargetBeliefTest, WhatNobodyCanSeeIsSearchedFor) {
-  adopt();
+TEST_F(BernoulliTrackTest, WhatNobodyCanSeeIsSearchedFor) {
+  initializeAt();
   predict(kFrame);
   update();
   EXPECT_EQ(searches_, 1);
-  belief_.setSearching(false);
+  track_.setSearching(false);
   update();
   EXPECT_EQ(searches_, 1);
 }
 
-TEST_F(TargetBeliefTest, WhatIsFullySeenIsNotSearchedFor) {
+TEST_F(BernoulliTrackTest, WhatIsFullySeenIsNotSearchedFor) {
   show({Ball{kThere}});
-  adopt();
+  initializeAt();
   predict(kFrame);
   update();
   EXPECT_EQ(searches_, 0);
@@ -105,57 +105,57 @@ TEST_F(TargetBeliefTest, WhatIsFullySeenIsNotSearchedFor) {
 
 // 0.98 e^-0.2 = 0.80 is likelier than not, 0.98 e^-0.8 = 0.44 is not. Radii of 35 mm and 0.7 of
 // their sum: 49 mm.
-TEST_F(TargetBeliefTest, AnOccupiedPlaceIsGivenUpUnlessItIsLikelierThanNot) {
+TEST_F(BernoulliTrackTest, AnOccupiedPlaceIsGivenUpUnlessItIsLikelierThanNot) {
   const auto besideBy = [](double distance) {
     return std::vector{OccupiedSphere{kThere + Eigen::Vector3d(distance, 0.0, 0.0), kRadius}};
   };
-  adopt();
+  initializeAt();
   predict(1.0);
-  belief_.removeOccupied(besideBy(0.0));
-  EXPECT_NE(belief_.best(), nullptr);
-  adopt();
+  track_.removeOccupied(besideBy(0.0));
+  EXPECT_NE(track_.best(), nullptr);
+  initializeAt();
   predict(4.0);
-  belief_.removeOccupied(besideBy(0.050));
-  ASSERT_NE(belief_.best(), nullptr);
-  belief_.removeOccupied(besideBy(0.048));
-  EXPECT_EQ(belief_.best(), nullptr);
+  track_.removeOccupied(besideBy(0.050));
+  ASSERT_NE(track_.best(), nullptr);
+  track_.removeOccupied(besideBy(0.048));
+  EXPECT_EQ(track_.best(), nullptr);
   update(); // what was predicted for this frame is given up too
-  EXPECT_EQ(belief_.best(), nullptr);
+  EXPECT_EQ(track_.best(), nullptr);
 }
 
-TEST_F(TargetBeliefTest, WhatYieldsHasAThousandthLeft) {
-  adopt();
-  belief_.yield();
+TEST_F(BernoulliTrackTest, WhatYieldsHasAThousandthLeft) {
+  initializeAt();
+  track_.suppressBest();
   EXPECT_NEAR(probability(), 0.98e-3, 1e-15);
-  belief_.restart({}, 2);
-  belief_.yield(); // nothing to yield
-  EXPECT_EQ(belief_.best(), nullptr);
+  track_.restart({}, 2);
+  track_.suppressBest(); // nothing to yield
+  EXPECT_EQ(track_.best(), nullptr);
 }
 
 // Nothing is believed, the target appears with 0.2 within a frame, and a fully seen ball has by far
 // more evidence than any volume takes away.
-TEST_F(TargetBeliefTest, IsBornWhereTheSearchFindsIt) {
+TEST_F(BernoulliTrackTest, IsBornWhereTheSearchFindsIt) {
   show({Ball{kThere}});
   predict(kFrame);
   update({{kThere + Eigen::Vector3d(0.004, 0.0, 0.0), kRadius, 0.0}});
-  ASSERT_NE(belief_.confident(), nullptr);
-  EXPECT_LT((belief_.best()->place() - kThere).norm(), 1e-3);
-  EXPECT_TRUE(belief_.expected());
+  ASSERT_NE(track_.confident(), nullptr);
+  EXPECT_LT((track_.best()->position() - kThere).norm(), 1e-3);
+  EXPECT_TRUE(track_.expected());
 }
 
-TEST_F(TargetBeliefTest, IsNotBornInAnOccupiedPlaceNorTwiceInOne) {
+TEST_F(BernoulliTrackTest, IsNotBornInAnOccupiedPlaceNorTwiceInOne) {
   show({Ball{kThere}});
   const Candidate here{kThere, kRadius, 0.0};
   predict(kFrame);
   update({here}, {{kThere, kRadius}});
-  EXPECT_EQ(belief_.best(), nullptr);
+  EXPECT_EQ(track_.best(), nullptr);
   update({here, here});
-  EXPECT_EQ(belief_.hypotheses().size(), 1U);
+  EXPECT_EQ(track_.hypotheses().size(), 1U);
 }
 
 /// Two equal balls side by side, as far from the middle of the start volume: nothing tells which is
 /// the target.
-class TwoEqualBalls : public TargetBeliefTest {
+class TwoEqualBalls : public BernoulliTrackTest {
 protected:
   TwoEqualBalls() {
     show({Ball{kLeft}, Ball{kRight}});
@@ -170,34 +170,34 @@ protected:
 
 // The doubt is the share that the rival had; the estimate's existence is what is left of the sum.
 TEST_F(TwoEqualBalls, AreDecidedAndTheDoubtStays) {
-  ASSERT_EQ(belief_.hypotheses().size(), 2U);
-  const double first = belief_.hypotheses()[0].probability;
-  const double second = belief_.hypotheses()[1].probability;
-  belief_.decide(false);
-  ASSERT_EQ(belief_.hypotheses().size(), 1U);
+  ASSERT_EQ(track_.hypotheses().size(), 2U);
+  const double first = track_.hypotheses()[0].probability;
+  const double second = track_.hypotheses()[1].probability;
+  track_.resolveIdentity(false);
+  ASSERT_EQ(track_.hypotheses().size(), 1U);
   EXPECT_NEAR(probability(), first + second, 1e-12);
-  const SphereEstimate estimate = belief_.estimate(observation_);
+  const SphereEstimate estimate = track_.estimate(observation_);
   EXPECT_NEAR(estimate.existence, first, 1e-9); // (first + second) (1 - second / (first + second))
   EXPECT_TRUE(estimate.valid);
   update(); // the rival is gone for good
-  EXPECT_EQ(belief_.hypotheses().size(), 1U);
+  EXPECT_EQ(track_.hypotheses().size(), 1U);
 }
 
 TEST_F(TwoEqualBalls, AreBothRightWhereBothAreTargets) {
-  const double both = belief_.hypotheses()[0].probability + belief_.hypotheses()[1].probability;
-  belief_.decide(true);
-  ASSERT_EQ(belief_.hypotheses().size(), 1U);
-  EXPECT_NEAR(belief_.estimate(observation_).existence, both, 1e-9);
+  const double both = track_.hypotheses()[0].probability + track_.hypotheses()[1].probability;
+  track_.resolveIdentity(true);
+  ASSERT_EQ(track_.hypotheses().size(), 1U);
+  EXPECT_NEAR(track_.estimate(observation_).existence, both, 1e-9);
 }
 
-TEST_F(TargetBeliefTest, ForgetsEverythingAtARestart) {
-  adopt();
+TEST_F(BernoulliTrackTest, ForgetsEverythingAtARestart) {
+  initializeAt();
   predict(kFrame);
-  EXPECT_TRUE(belief_.expected());
-  belief_.restart({}, 3);
-  EXPECT_TRUE(belief_.hypotheses().empty());
-  EXPECT_FALSE(belief_.expected());
-  EXPECT_FALSE(belief_.estimate(observation_).valid);
+  EXPECT_TRUE(track_.expected());
+  track_.restart({}, 3);
+  EXPECT_TRUE(track_.hypotheses().empty());
+  EXPECT_FALSE(track_.expected());
+  EXPECT_FALSE(track_.estimate(observation_).valid);
 }
 
 } // namespace

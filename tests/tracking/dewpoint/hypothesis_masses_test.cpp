@@ -11,15 +11,15 @@ namespace {
 constexpr double kRadius = 0.04;
 
 /// A hypothesis on the x axis, fully seen: its evidence is all it can be.
-TrackHypothesis at(double x, double probability, int looks = 5) {
+TrackHypothesis at(double x, double probability, int updateCount = 5) {
   TrackHypothesis hypothesis;
-  hypothesis.belief.mean << x, 0.0, 0.0, 0.0, 0.0, 0.0;
+  hypothesis.gaussian.mean << x, 0.0, 0.0, 0.0, 0.0, 0.0;
   hypothesis.radius = kRadius;
   hypothesis.probability = probability;
-  hypothesis.measured = true;
+  hypothesis.outlineFound = true;
   hypothesis.logLikelihoodRatio = 100.0;
   hypothesis.fullyVisibleLogLikelihoodRatio = 100.0;
-  hypothesis.looks = looks;
+  hypothesis.updateCount = updateCount;
   return hypothesis;
 }
 
@@ -135,10 +135,10 @@ TEST(HypothesisMasses, TheLikeliestIsFirstAndEqualOnesKeepTheirOrder) {
   std::vector<TrackHypothesis> all{at(0, 0.1), at(1, 0.3), at(2, 0.1), at(3, 0.4)};
   mergeAndPrune(all);
   ASSERT_EQ(all.size(), 4U);
-  EXPECT_EQ(all[0].place().x(), 3.0);
-  EXPECT_EQ(all[1].place().x(), 1.0);
-  EXPECT_EQ(all[2].place().x(), 0.0);
-  EXPECT_EQ(all[3].place().x(), 2.0);
+  EXPECT_EQ(all[0].position().x(), 3.0);
+  EXPECT_EQ(all[1].position().x(), 1.0);
+  EXPECT_EQ(all[2].position().x(), 0.0);
+  EXPECT_EQ(all[3].position().x(), 2.0);
 }
 
 // Half a radius is 2 cm.
@@ -146,7 +146,7 @@ TEST(HypothesisMasses, PlacesCloserThanHalfARadiusAreOne) {
   std::vector<TrackHypothesis> near{at(0.019, 0.2), at(0, 0.6)};
   mergeAndPrune(near);
   ASSERT_EQ(near.size(), 1U);
-  EXPECT_EQ(near[0].place().x(), 0.0); // of the likelier one
+  EXPECT_EQ(near[0].position().x(), 0.0); // of the likelier one
   EXPECT_NEAR(near[0].probability, 0.8, 1e-15);
   std::vector<TrackHypothesis> apart{at(0.021, 0.2), at(0, 0.6)};
   mergeAndPrune(apart);
@@ -160,11 +160,11 @@ TEST(HypothesisMasses, SixPlacesAreKeptAndNoneThatIsAsGoodAsImpossible) {
   }
   mergeAndPrune(many);
   ASSERT_EQ(many.size(), 6U);
-  EXPECT_EQ(many.back().place().x(), 2.0); // 0 and 1 were the least likely
+  EXPECT_EQ(many.back().position().x(), 2.0); // 0 and 1 were the least likely
   std::vector<TrackHypothesis> faint{at(0, 0.9), at(1, 1e-8), at(2, 1.1e-8), at(0.001, 1e-9)};
   mergeAndPrune(faint);
   ASSERT_EQ(faint.size(), 2U);
-  EXPECT_EQ(faint[1].place().x(), 2.0);
+  EXPECT_EQ(faint[1].position().x(), 2.0);
   EXPECT_EQ(faint[0].probability, 0.9 + 1e-9); // what is merged counts, however little
 }
 
@@ -187,8 +187,8 @@ TEST(HypothesisMasses, OfPlacesThatAreFullySeenForLongTheLikeliestIsChosen) {
   EXPECT_NEAR(*ambiguity, 1.0 / 3.0, 1e-12);
   ASSERT_EQ(all.size(), 3U);
   EXPECT_NEAR(all[0].probability, 0.9, 1e-12);
-  EXPECT_EQ(all[1].place().x(), 2.0);
-  EXPECT_EQ(all[2].place().x(), 3.0);
+  EXPECT_EQ(all[1].position().x(), 2.0);
+  EXPECT_EQ(all[2].position().x(), 3.0);
 }
 
 TEST(HypothesisMasses, NothingIsChosenTooEarlyOrWithoutARival) {
@@ -197,12 +197,12 @@ TEST(HypothesisMasses, NothingIsChosenTooEarlyOrWithoutARival) {
   std::vector<TrackHypothesis> early{at(0, 0.6, 4), at(1, 0.3)};
   EXPECT_FALSE(resolveAmbiguity(early));
   std::vector<TrackHypothesis> hidden{at(0, 0.6), at(1, 0.3)};
-  hidden[0].measured = false;
+  hidden[0].outlineFound = false;
   EXPECT_FALSE(resolveAmbiguity(hidden));
   EXPECT_EQ(probabilitiesOf(hidden), (std::vector<double>{0.6, 0.3}));
   // Others that are hidden are no rivals: sure, and nothing is dropped.
   std::vector<TrackHypothesis> clear{at(0, 0.6), at(1, 0.3)};
-  clear[1].measured = false;
+  clear[1].outlineFound = false;
   EXPECT_EQ(resolveAmbiguity(clear), 0.0);
   EXPECT_EQ(clear.size(), 2U);
 }

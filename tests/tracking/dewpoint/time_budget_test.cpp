@@ -23,7 +23,7 @@ TEST(TimeBudget, WithoutALimitEverythingIsDone) {
   for (int k = 0; k < 100; ++k) {
     EXPECT_TRUE(budget.spend(Part::Labels, [&] { ++done; }));
   }
-  budget.endOfLooks(2000.0);
+  budget.endOfUpdates(2000.0);
   EXPECT_EQ(done, 100);
   EXPECT_FALSE(budget.limited());
   EXPECT_FALSE(budget.particles());
@@ -41,7 +41,7 @@ TEST(TimeBudget, WhatFitsIsDone) {
 TEST(TimeBudget, WhatDoesNotFitIsPutOffButNotForGood) {
   TimeBudget budget = begun(kFemtosecond);
   int done = 0;
-  for (int k = 0; k < TimeBudget::kMostPutOff; ++k) {
+  for (int k = 0; k < TimeBudget::kMaxDeferrals; ++k) {
     EXPECT_FALSE(budget.spend(Part::Learning, [&] { ++done; }));
   }
   EXPECT_TRUE(budget.spend(Part::Learning, [&] { ++done; }));
@@ -54,34 +54,34 @@ TEST(TimeBudget, UrgentWorkIsDoneAtOnce) {
   TimeBudget budget = begun(kFemtosecond);
   bool done = false;
   EXPECT_TRUE(budget.spend(
-      Part::Places, [&] { done = true; }, true));
+      Part::Candidates, [&] { done = true; }, true));
   EXPECT_TRUE(done);
 }
 
 TEST(TimeBudget, ParticlesFallAtOnceDownToTen) {
   TimeBudget budget = begun(kFemtosecond);
   EXPECT_FALSE(budget.particles()); // nothing is known yet
-  budget.endOfLooks(2000.0);
+  budget.endOfUpdates(2000.0);
   EXPECT_EQ(budget.particles(), 500.0); // by four at most
-  budget.endOfLooks(2000.0);
+  budget.endOfUpdates(2000.0);
   EXPECT_EQ(budget.particles(), 125.0);
   for (int k = 0; k < 3; ++k) {
-    budget.endOfLooks(2000.0);
+    budget.endOfUpdates(2000.0);
   }
   EXPECT_EQ(budget.particles(), 10.0);
 }
 
 TEST(TimeBudget, ParticlesRiseSlowlyToTheMost) {
   TimeBudget budget = begun(kDay);
-  budget.endOfLooks(100.0);
+  budget.endOfUpdates(100.0);
   EXPECT_EQ(budget.particles(), 100.0);
-  budget.endOfLooks(2000.0);
+  budget.endOfUpdates(2000.0);
   EXPECT_DOUBLE_EQ(*budget.particles(), 110.0);
 }
 
 TEST(TimeBudget, AnotherLimitForgetsTheOld) {
   TimeBudget budget = begun(kFemtosecond);
-  budget.endOfLooks(2000.0);
+  budget.endOfUpdates(2000.0);
   budget.set(kFemtosecond);
   EXPECT_TRUE(budget.particles()); // the same again changes nothing
   budget.set(kDay);

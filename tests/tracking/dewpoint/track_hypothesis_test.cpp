@@ -28,13 +28,13 @@ protected:
     hypothesis_.radius = 0.035;
     hypothesis_.stream = 3;
     hypothesis_.probability = 0.5;
-    hypothesis_.belief.mean << drawn::kMiddle, 0.2, -0.1, 0.05;
-    hypothesis_.belief.covariance.setZero();
+    hypothesis_.gaussian.mean << drawn::kMiddle, 0.2, -0.1, 0.05;
+    hypothesis_.gaussian.covariance.setZero();
     for (int axis = 0; axis < 3; ++axis) {
-      hypothesis_.belief.covariance(axis, axis) = 1e-4;
-      hypothesis_.belief.covariance(axis + 3, axis + 3) = 0.25;
-      hypothesis_.belief.covariance(axis, axis + 3) = 3e-3;
-      hypothesis_.belief.covariance(axis + 3, axis) = 3e-3;
+      hypothesis_.gaussian.covariance(axis, axis) = 1e-4;
+      hypothesis_.gaussian.covariance(axis + 3, axis + 3) = 0.25;
+      hypothesis_.gaussian.covariance(axis, axis + 3) = 3e-3;
+      hypothesis_.gaussian.covariance(axis + 3, axis) = 3e-3;
     }
   }
   void show(const std::vector<Ball>& balls) {
@@ -64,11 +64,12 @@ TEST_F(TrackHypothesisTest, ParticlesStandForTheBelief) {
   EXPECT_NEAR(hypothesis_.weights.sum(), 1.0, 1e-9);
   const StateEstimate moments = estimate(hypothesis_.states, hypothesis_.weights);
   EXPECT_GT(moments.effectiveSampleSize, 0.5 * kCount);
-  const auto& covariance = hypothesis_.belief.covariance;
+  const auto& covariance = hypothesis_.gaussian.covariance;
   for (int row = 0; row < 6; ++row) {
     const double variance = covariance(row, row);
     const double count = moments.effectiveSampleSize;
-    EXPECT_NEAR(moments.mean[row], hypothesis_.belief.mean[row], 5.0 * std::sqrt(variance / count));
+    EXPECT_NEAR(moments.mean[row], hypothesis_.gaussian.mean[row],
+                5.0 * std::sqrt(variance / count));
     for (int column = 0; column < 6; ++column) {
       EXPECT_NEAR(moments.covariance(row, column), covariance(row, column),
                   5.0 * std::sqrt(2.0 * variance * covariance(column, column) / count))
@@ -93,28 +94,28 @@ TEST_F(TrackHypothesisTest, ParticlesDoNotDependOnThreadsButOnTheStream) {
 TEST_F(TrackHypothesisTest, ALookFindsTheBallAndConditionsTheBelief) {
   const Eigen::Vector3d truth = drawn::kMiddle + Eigen::Vector3d(0.008, -0.006, 0.004);
   show({Ball{truth}});
-  const Gaussian6 before = hypothesis_.belief;
-  const double factor = look(hypothesis_, observation_, 500, key_, team_);
-  EXPECT_TRUE(hypothesis_.measured);
+  const Gaussian6 before = hypothesis_.gaussian;
+  const double factor = measurementUpdate(hypothesis_, observation_, 500, key_, team_);
+  EXPECT_TRUE(hypothesis_.outlineFound);
   EXPECT_GT(factor, 3.0); // 20 times likelier at least
-  EXPECT_LT((hypothesis_.place() - truth).norm(), 1e-3);
+  EXPECT_LT((hypothesis_.position() - truth).norm(), 1e-3);
   EXPECT_EQ(hypothesis_.states.rows(), 500);
   EXPECT_NEAR(hypothesis_.fullyVisibleLogLikelihoodRatio, 2.0 * SphereEvidence::best(), 1e-9);
   EXPECT_GT(hypothesis_.logLikelihoodRatio, 0.9 * hypothesis_.fullyVisibleLogLikelihoodRatio);
   // The velocity follows the place by the covariance 3e-3 over the variance 1e-4.
   const Eigen::Vector3d expected =
-      before.mean.tail<3>() + 30.0 * (hypothesis_.place() - before.mean.head<3>());
+      before.mean.tail<3>() + 30.0 * (hypothesis_.position() - before.mean.head<3>());
   EXPECT_LT((hypothesis_.velocity() - expected).norm(), 1e-9);
-  const Eigen::SelfAdjointEigenSolver<Gaussian6::Matrix> eigen(hypothesis_.belief.covariance);
+  const Eigen::SelfAdjointEigenSolver<Gaussian6::Matrix> eigen(hypothesis_.gaussian.covariance);
   EXPECT_GT(eigen.eigenvalues()[0], 0.0);
-  EXPECT_LT((hypothesis_.belief.covariance.topLeftCorner<3, 3>()).trace(), 1e-5);
+  EXPECT_LT((hypothesis_.gaussian.covariance.topLeftCorner<3, 3>()).trace(), 1e-5);
 }
 
 TEST_F(TrackHypothesisTest, ALookAtNothingSpeaksAgainst) {
   drawParticles(hypothesis_, observation_, 500, key_, team_);
   show({});
-  const double factor = look(hypothesis_, observation_, 500, key_, team_);
-  EXPECT_FALSE(hypothesis_.measured);
+  const double factor = measurementUpdate(hypothesis_, observation_, 500, key_, team_);
+  EXPECT_FALSE(hypothesis_.outlineFound);
   EXPECT_LT(factor, -3.0);
   EXPECT_NEAR(hypothesis_.weights.sum(), 1.0, 1e-9);
 }
@@ -122,10 +123,10 @@ TEST_F(TrackHypothesisTest, ALookAtNothingSpeaksAgainst) {
 TEST_F(TrackHypothesisTest, WithoutImagesALookChangesNothing) {
   drawParticles(hypothesis_, observation_, 500, key_, team_);
   const TrackHypothesis before = hypothesis_;
-  EXPECT_NEAR(look(hypothesis_, observation_, 500, key_, team_), 0.0, 1e-9);
-  EXPECT_FALSE(hypothesis_.measured);
-  EXPECT_EQ(hypothesis_.belief.mean, before.belief.mean);
-  EXPECT_EQ(hypothesis_.belief.covariance, before.belief.covariance);
+  EXPECT_NEAR(measurementUpdate(hypothesis_, observation_, 500, key_, team_), 0.0, 1e-9);
+  EXPECT_FALSE(hypothesis_.outlineFound);
+  EXPECT_EQ(hypothesis_.gaussian.mean, before.gaussian.mean);
+  EXPECT_EQ(hypothesis_.gaussian.covariance, before.gaussian.covariance);
   EXPECT_TRUE((hypothesis_.states == before.states).all());
 }
 
@@ -133,9 +134,9 @@ TEST_F(TrackHypothesisTest, WithoutImagesALookChangesNothing) {
 TEST_F(TrackHypothesisTest, AnOutlineFarAwayIsAnotherThings) {
   drawParticles(hypothesis_, observation_, 500, key_, team_);
   show({Ball{drawn::kMiddle + Eigen::Vector3d(0.1, 0.0, 0.0)}});
-  EXPECT_LT(look(hypothesis_, observation_, 500, key_, team_), 0.0);
-  EXPECT_FALSE(hypothesis_.measured);
-  EXPECT_LT((hypothesis_.place() - drawn::kMiddle).norm(), 0.05); // nearer to where it was
+  EXPECT_LT(measurementUpdate(hypothesis_, observation_, 500, key_, team_), 0.0);
+  EXPECT_FALSE(hypothesis_.outlineFound);
+  EXPECT_LT((hypothesis_.position() - drawn::kMiddle).norm(), 0.05); // nearer to where it was
 }
 
 // Half of the ball is behind something that looks like the wall: at a place away from it more
@@ -149,14 +150,14 @@ TEST_F(TrackHypothesisTest, AFewSamplesLessDoNotRefuseAnOutline) {
   observation_.setImage(1, images_[1], 0.0, backgrounds_[1], classifier_);
   const Eigen::Vector3d left =
       rig_[1].cameraFromWorld.linear().transpose() * Eigen::Vector3d(-1.0, 0.0, 0.0);
-  hypothesis_.belief.mean.head<3>() = drawn::kMiddle + 0.006 * left;
+  hypothesis_.gaussian.mean.head<3>() = drawn::kMiddle + 0.006 * left;
   observation_.setRadius(0.035);
   const Eigen::Vector3d rest = Eigen::Vector3d::Zero();
-  ASSERT_GT(observation_.logLikelihoodRatio(hypothesis_.place(), rest),
+  ASSERT_GT(observation_.logLikelihoodRatio(hypothesis_.position(), rest),
             observation_.logLikelihoodRatio(drawn::kMiddle, rest) + 4.0);
-  look(hypothesis_, observation_, 500, key_, team_);
-  EXPECT_TRUE(hypothesis_.measured);
-  EXPECT_LT((hypothesis_.place() - drawn::kMiddle).norm(), 4e-3);
+  measurementUpdate(hypothesis_, observation_, 500, key_, team_);
+  EXPECT_TRUE(hypothesis_.outlineFound);
+  EXPECT_LT((hypothesis_.position() - drawn::kMiddle).norm(), 4e-3);
 }
 
 TEST_F(TrackHypothesisTest, AnUnknownRadiusIsLearnedLookByLook) {
@@ -164,7 +165,7 @@ TEST_F(TrackHypothesisTest, AnUnknownRadiusIsLearnedLookByLook) {
   show({Ball{truth}});
   hypothesis_.radius = 0.031;
   hypothesis_.logRadiusVariance = 0.04;
-  look(hypothesis_, observation_, 500, key_, team_);
+  measurementUpdate(hypothesis_, observation_, 500, key_, team_);
   EXPECT_NEAR(hypothesis_.radius, 0.035, 0.03 * 0.035);
   EXPECT_LT(hypothesis_.logRadiusVariance, 0.04);
   EXPECT_GT(hypothesis_.logRadiusVariance, 0.0);

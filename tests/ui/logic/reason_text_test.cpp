@@ -26,8 +26,8 @@ TEST(ReasonText, EveryTroubleHasItsWords) {
 }
 
 TEST(ReasonText, PixelsAreRoundedAndNeverZero) {
-  EXPECT_EQ(text(CameraStatus::LookAlike, 2.6), "3 px beside a look-alike");
-  EXPECT_EQ(text(CameraStatus::LookAlike, 0.9), "at a look-alike");
+  EXPECT_EQ(text(CameraStatus::Distractor, 2.6), "3 px beside a look-alike");
+  EXPECT_EQ(text(CameraStatus::Distractor, 0.9), "at a look-alike");
   EXPECT_EQ(text(CameraStatus::Elsewhere, 0.2), "its color is 1 px away");
 }
 

@@ -9,17 +9,17 @@
 namespace dewpoint::tracking {
 
 /// A place that a method considered for a target.
-struct ProposedPosition {
+struct CandidatePosition {
   enum class Kind {
-    Believed,  ///< a place it believed in before
-    New,       ///< proposed by the images of this frame
-    LookAlike, ///< another thing of the same looks: another target, or none
+    Existing,   ///< tracked before this frame
+    New,        ///< found in the images of this frame
+    Distractor, ///< another object that looks the same: another target, or none
   };
-  Kind kind = Kind::Believed;
-  Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< metres, world
-  double radius = 0.0;                             ///< metres
-  double probability = 0.0;                        ///< that the target is here
-  double logLikelihoodRatio = 0.0;                 ///< evidence of all cameras
+  Kind kind = Kind::Existing;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< metres, world
+  double radius = 0.0;                                ///< metres
+  double probability = 0.0;                           ///< that the target is here
+  double logLikelihoodRatio = 0.0;                    ///< evidence of all cameras
 };
 
 /// What one camera says about places around a target: the log likelihood of a target whose middle
