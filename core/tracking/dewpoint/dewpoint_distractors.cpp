@@ -87,7 +87,7 @@ DewpointTracker::Tracked DewpointTracker::thingLike(std::size_t target) const {
   Tracked thing{BernoulliTrack(tracked_[target].belief.target()), SphereObservation(rig_),
                 tracked_[target].color, nullptr};
   thing.belief.configure(settings());
-  thing.belief.setSearching(false);
+  thing.belief.setBirths(false);
   return thing;
 }
 

@@ -157,7 +157,7 @@ CameraReport DewpointTracker::explain(std::size_t target, std::size_t camera,
 }
 
 std::vector<CameraReport> DewpointTracker::explain(std::size_t target) const {
-  const auto expected = tracked_.at(target).belief.expected();
+  const auto expected = tracked_.at(target).belief.expectedSphere();
   std::vector<CameraReport> reports;
   for (std::size_t camera = 0; camera < rig_.size(); ++camera) {
     reports.push_back(explain(target, camera, expected));

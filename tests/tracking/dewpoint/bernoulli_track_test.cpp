@@ -89,7 +89,7 @@ TEST_F(BernoulliTrackTest, WhatNobodyCanSeeIsSearchedFor) {
   predict(kFrame);
   update();
   EXPECT_EQ(searches_, 1);
-  track_.setSearching(false);
+  track_.setBirths(false);
   update();
   EXPECT_EQ(searches_, 1);
 }
@@ -140,7 +140,7 @@ TEST_F(BernoulliTrackTest, IsBornWhereTheSearchFindsIt) {
   update({{kThere + Eigen::Vector3d(0.004, 0.0, 0.0), kRadius, 0.0}});
   ASSERT_NE(track_.confident(), nullptr);
   EXPECT_LT((track_.best()->position() - kThere).norm(), 1e-3);
-  EXPECT_TRUE(track_.expected());
+  EXPECT_TRUE(track_.expectedSphere());
 }
 
 TEST_F(BernoulliTrackTest, IsNotBornInAnOccupiedPlaceNorTwiceInOne) {
@@ -193,10 +193,10 @@ TEST_F(TwoEqualBalls, AreBothRightWhereBothAreTargets) {
 TEST_F(BernoulliTrackTest, ForgetsEverythingAtARestart) {
   initializeAt();
   predict(kFrame);
-  EXPECT_TRUE(track_.expected());
+  EXPECT_TRUE(track_.expectedSphere());
   track_.restart({}, 3);
   EXPECT_TRUE(track_.hypotheses().empty());
-  EXPECT_FALSE(track_.expected());
+  EXPECT_FALSE(track_.expectedSphere());
   EXPECT_FALSE(track_.estimate(observation_).valid);
 }
 
