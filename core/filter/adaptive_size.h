@@ -14,7 +14,8 @@ namespace dewpoint::filter {
 /// Fox 2003, equation 13, by the Wilson-Hilferty approximation). At least 1.
 Eigen::Index kldSampleSize(std::int64_t occupiedBins, double error);
 
-/// How many cubes of edge `binSize` (metres) the first three columns of `states` fall into.
+/// Number of cubes with edges of `binSize` meters that the first three columns of `states` (x, y,
+/// z) fall into.
 std::int64_t occupiedBins(const Eigen::ArrayXXd& states, double binSize);
 
 } // namespace dewpoint::filter

@@ -148,10 +148,10 @@ Assignment assignMinimumCost(const Eigen::MatrixXd& cost) {
   const bool tall = cost.rows() > cost.cols();
   const Eigen::MatrixXd wide = tall ? Eigen::MatrixXd(cost.transpose()) : cost;
   const std::vector<Eigen::Index> partners = ShortestPathSolver(wide).solve();
-  for (std::size_t place = 0; place < partners.size(); ++place) {
-    const auto here = static_cast<Eigen::Index>(place);
-    const Eigen::Index row = tall ? here : partners[place];
-    const Eigen::Index column = tall ? partners[place] : here;
+  for (std::size_t own = 0; own < partners.size(); ++own) {
+    const auto here = static_cast<Eigen::Index>(own);
+    const Eigen::Index row = tall ? here : partners[own];
+    const Eigen::Index column = tall ? partners[own] : here;
     if (row == kUnassigned || column == kUnassigned || !std::isfinite(cost(row, column)))
       continue;
     result.columnOfRow[static_cast<std::size_t>(row)] = column;

@@ -9,13 +9,13 @@
 
 namespace dewpoint::filter {
 
-/// Stands for "no column" in an Assignment.
+/// The value for "no column" in an Assignment.
 inline constexpr Eigen::Index kUnassigned = -1;
 
-/// Which column each row got. A column is given at most once.
+/// The column assigned to each row. A column is assigned at most once.
 struct Assignment {
-  std::vector<Eigen::Index> columnOfRow; ///< one entry per row; kUnassigned where it got none
-  Eigen::Index pairCount = 0;            ///< rows that got a column
+  std::vector<Eigen::Index> columnOfRow; ///< one entry per row; kUnassigned for none
+  Eigen::Index pairCount = 0;            ///< rows with a column
   double cost = 0.0;                     ///< sum over the pairs, in the unit of the costs
 };
 

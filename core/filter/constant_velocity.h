@@ -11,7 +11,7 @@
 
 namespace dewpoint::filter {
 
-/// Nearly constant velocity: states are x y z vx vy vz (metres, metres per second); a constant,
+/// Nearly constant velocity: states are x y z vx vy vz (meters, meters per second); a constant,
 /// random acceleration acts from one step to the next (Bar-Shalom, Li and Kirubarajan 2001, section
 /// 6.3.2: the discrete white noise acceleration model).
 struct ConstantVelocity {
@@ -30,20 +30,20 @@ struct ConstantVelocity {
     }
   }
 
-  /// What predict() does to a Gaussian.
-  void predict(Gaussian6& belief) const {
+  /// The prediction of a Gaussian (Kalman filter).
+  void predict(Gaussian6& state) const {
     using Matrix6 = Gaussian6::Matrix;
     Matrix6 transition = Matrix6::Identity();
     transition.topRightCorner<3, 3>().diagonal().setConstant(interval);
-    belief.mean = transition * belief.mean;
-    belief.covariance = transition * belief.covariance * transition.transpose();
+    state.mean = transition * state.mean;
+    state.covariance = transition * state.covariance * transition.transpose();
     const double variance = accelerationSigma * accelerationSigma;
     const double t = interval;
     for (int axis = 0; axis < 3; ++axis) {
-      belief.covariance(axis, axis) += 0.25 * t * t * t * t * variance;
-      belief.covariance(axis, axis + 3) += 0.5 * t * t * t * variance;
-      belief.covariance(axis + 3, axis) += 0.5 * t * t * t * variance;
-      belief.covariance(axis + 3, axis + 3) += t * t * variance;
+      state.covariance(axis, axis) += 0.25 * t * t * t * t * variance;
+      state.covariance(axis, axis + 3) += 0.5 * t * t * t * variance;
+      state.covariance(axis + 3, axis) += 0.5 * t * t * t * variance;
+      state.covariance(axis + 3, axis + 3) += t * t * variance;
     }
   }
 };

@@ -8,13 +8,13 @@
 
 namespace dewpoint::filter {
 
-/// What a weighted particle set says about the state, in the state's own units.
+/// Moments of a weighted particle set, in the units of the state.
 struct StateEstimate {
   Eigen::VectorXd mean;             ///< weighted mean (MMSE)
   Eigen::MatrixXd covariance;       ///< weighted, about the mean, divisor 1
   Eigen::Index bestIndex = 0;       ///< particle of highest weight (MAP); the first of equals
   double effectiveSampleSize = 0.0; ///< 1 / sum of squared weights
-  bool degenerate = false;          ///< no usable weight: all particles were counted as equal
+  bool degenerate = false;          ///< no finite log weight: all particles were counted as equal
 };
 
 /// The same for a whole set whose moments are known; its weights sum to 1.

@@ -9,8 +9,8 @@
 
 namespace dewpoint::filter {
 
-/// At most `limit` particles of a set, evenly picked, as they are shown: the first `columns` of
-/// their states, with weights that are those in the whole set. `Weights` has an operator[].
+/// Picks at most `limit` particles of a set, evenly spaced in its order, to be shown: the first
+/// `columns` of their states, with their weights in the whole set. `Weights` has an operator[].
 template <class States, class Weights>
 void pickEvenly(const States& states, const Weights& weights, int limit, Eigen::Index columns,
                 Eigen::ArrayXXd& shownStates, Eigen::ArrayXd& shownWeights) {

@@ -18,9 +18,9 @@ using Gaussian3 = Gaussian<3>;
 /// Position and velocity: x y z vx vy vz.
 using Gaussian6 = Gaussian<6>;
 
-/// Replaces what a belief says about the place by a better informed one; the velocity follows as
-/// far as it is correlated with the place (the update of a Kalman filter, written for a posterior
-/// of the observed part).
-void condition(Gaussian6& belief, const Gaussian3& place);
+/// Replaces the position of a state by its posterior; the velocity changes as far as it is
+/// correlated with the position (the update of a Kalman filter, written for the posterior of the
+/// observed part).
+void condition(Gaussian6& state, const Gaussian3& position);
 
 } // namespace dewpoint::filter

@@ -15,7 +15,7 @@ namespace dewpoint::filter {
 /// Random walk of x, y and z, no direction privileged (Barrera et al. 2005, equations 1 to 3):
 /// each coordinate += N(0, sigma). Further state coordinates stay as they are.
 struct IsotropicMotion {
-  double sigma = 0.03; ///< metres per iteration
+  double sigma = 0.03; ///< meters per iteration; Barrera et al. 2005 use 0.03
 
   struct StepKernel {
     DEWPOINT_KERNEL void run(std::int64_t count, const double* __restrict step, double sigma,

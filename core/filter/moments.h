@@ -19,7 +19,7 @@ struct Moments {
   Eigen::VectorXd mean;    ///< empty where all weights are zero
   Eigen::MatrixXd scatter; ///< sum of weight * deviation * deviation', lower triangle
 
-  /// Adds those of further particles, whose weights are multiplied by `factor` first.
+  /// Adds the moments of further particles, whose weights are multiplied by `factor` first.
   void add(const Moments& other, double factor = 1.0);
 };
 

@@ -20,7 +20,7 @@
 
 namespace dewpoint::filter {
 
-/// Which random numbers an iteration draws.
+/// Identifies the random numbers of an iteration: equal keys give equal numbers.
 struct RandomKey {
   std::uint64_t seed = 0;
   std::uint32_t frame = 0;
@@ -45,7 +45,7 @@ struct RandomKey {
 /// weighs them and sums them up, all while a block of them is in the cache.
 class ParticleFilter {
 public:
-  /// Begins anew with these states, all equally likely. At least one.
+  /// Restarts with these states, at least one, all equally likely.
   void start(Eigen::ArrayXXd states) {
     assert(states.rows() > 0);
     states_ = std::move(states);

@@ -23,15 +23,15 @@ struct PersonMotion {
     const bool hasColor = rows.cols() >= 8;
     for (Eigen::Index row = 0; row < rows.rows(); ++row) {
       const auto index = firstIndex + static_cast<std::uint32_t>(row);
-      const auto place = stream.normal4(index, 0);
+      const auto positionNoise = stream.normal4(index, 0);
       const auto velocity = stream.normal4(index, 1);
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<std::size_t>(axis);
-        rows(row, axis) += interval * rows(row, axis + 3) + positionSigma * place[k];
+        rows(row, axis) += interval * rows(row, axis + 3) + positionSigma * positionNoise[k];
         rows(row, axis + 3) += velocitySigma * velocity[k];
       }
       if (hasColor) {
-        const double hue = rows(row, 6) + colorSigma * place[3];
+        const double hue = rows(row, 6) + colorSigma * positionNoise[3];
         rows(row, 6) = hue - std::floor(hue);
         rows(row, 7) = std::clamp(rows(row, 7) + colorSigma * velocity[3], 0.0, 1.0);
       }
@@ -40,7 +40,7 @@ struct PersonMotion {
 };
 
 /// A person on the floor: x y vx vy (m, m/s) and the height (m). A constant, random acceleration
-/// acts from one step to the next; the height hardly changes, and is drawn to what is usual.
+/// acts from one step to the next; the height hardly changes, and returns slowly to the usual one.
 struct WalkingMotion {
   double interval = 0.0;          ///< seconds from the last step to this one
   double accelerationSigma = 3.0; ///< m/s², along each axis

@@ -7,21 +7,22 @@
 
 namespace dewpoint::filter {
 
-/// A normal distribution of a place, ready to be drawn from and evaluated many times.
+/// A normal distribution of a position with its matrix factors computed once, for drawing and
+/// evaluating many times.
 class PreparedGaussian3 {
 public:
   explicit PreparedGaussian3(const Gaussian3& gaussian);
 
-  /// The place that a standard normal vector stands for.
+  /// Transforms a standard normal vector to a sample of this distribution.
   Eigen::Vector3d fromStandardNormal(const Eigen::Vector3d& standardNormal) const {
     return mean_ + factor_ * standardNormal;
   }
-  /// Squared Mahalanobis distance.
-  double squaredDistance(const Eigen::Vector3d& place) const {
-    return (inverseFactor_ * (place - mean_)).squaredNorm();
+  /// Squared Mahalanobis distance from the mean.
+  double squaredDistance(const Eigen::Vector3d& position) const {
+    return (inverseFactor_ * (position - mean_)).squaredNorm();
   }
-  double logDensity(const Eigen::Vector3d& place) const {
-    return logPeak_ - 0.5 * squaredDistance(place);
+  double logDensity(const Eigen::Vector3d& position) const {
+    return logPeak_ - 0.5 * squaredDistance(position);
   }
 
 private:

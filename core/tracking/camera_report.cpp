@@ -12,9 +12,11 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr int kGrid = 8; ///< pixels between those looked at for the brightness
-constexpr int kDarkLevel = 24;
-constexpr double kBrightShare = 0.002;
+// Origin of the values not recorded.
+
+constexpr int kGrid = 8;               ///< pixels between those whose brightness is measured
+constexpr int kDarkLevel = 24;         ///< gray level, 0 to 255, above which a pixel is bright
+constexpr double kBrightShare = 0.002; ///< share of bright pixels up to which an image is dark
 
 std::string words(const CameraReport& report) {
   switch (report.status) {

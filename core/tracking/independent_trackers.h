@@ -13,7 +13,7 @@
 
 namespace dewpoint::tracking {
 
-/// A filter for one target that knows nothing of any other. Copies go on with the same bits.
+/// A filter for one target, independent of all others. A copy continues with the same bits.
 template <class F>
 concept TargetFilter = std::copy_constructible<F> &&
     std::constructible_from<F, ParameterValues, CameraRig, Target> &&
@@ -32,13 +32,13 @@ concept TargetFilter = std::copy_constructible<F> &&
   { finished.memoryBytes() } -> std::same_as<std::size_t>;
 };
 
-/// A filter that can say how likely its target is at every pixel.
+/// A filter with likelihood maps.
 template <class F>
 concept MappingFilter = TargetFilter<F> && requires(const F& finished) {
   { finished.likelihoodMaps(0) } -> std::same_as<std::vector<LikelihoodMap>>;
 };
 
-/// One filter per target, none knowing of the others. Target k starts from derivedSeed(seed, k).
+/// One independent filter per target. Target k starts from derivedSeed(seed, k).
 template <TargetFilter F>
 class IndependentTrackers : public Tracker,
                             public TargetFollowing,
@@ -121,7 +121,7 @@ private:
   std::vector<SphereEstimate> estimates_;
 };
 
-/// The same of filters that have likelihood maps.
+/// The same for filters with likelihood maps.
 template <MappingFilter F>
 class IndependentMappers final : public IndependentTrackers<F>, public LikelihoodMapping {
 public:

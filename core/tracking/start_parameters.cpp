@@ -64,15 +64,15 @@ StartVolume startVolume(const ParameterValues& parameters) {
 
 Eigen::ArrayXXd drawUniformly(const StartVolume& volume, Eigen::Index count,
                               const RandomStream& stream) {
-  Eigen::ArrayXXd places(count, 3);
+  Eigen::ArrayXXd positions(count, 3);
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto unit = stream.uniform3(static_cast<std::uint32_t>(i));
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      places(i, axis) = volume.center[axis] +
-                        volume.half[axis] * (2.0 * unit[static_cast<std::size_t>(axis)] - 1.0);
+      positions(i, axis) = volume.center[axis] +
+                           volume.half[axis] * (2.0 * unit[static_cast<std::size_t>(axis)] - 1.0);
     }
   }
-  return places;
+  return positions;
 }
 
 } // namespace dewpoint::tracking

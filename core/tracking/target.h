@@ -11,14 +11,14 @@
 
 namespace dewpoint::tracking {
 
-/// What is tracked.
+/// The definition of a target.
 struct Target {
   std::string name;
   double radius = 0.0; ///< meters; 0 when unknown
   ColorRange color;
-  /// What the color was learned from, if it was; the trackers go by `color` alone.
+  /// The samples that the color was learned from, if it was; trackers use `color` alone.
   std::vector<ColorSample> samples{};
-  /// What the methods that follow boxes go by, in place of a color.
+  /// The first box, for methods that track boxes in images; they do not use the color.
   std::optional<TargetBox> box{};
 
   bool operator==(const Target&) const = default;

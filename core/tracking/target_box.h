@@ -7,7 +7,7 @@
 
 namespace dewpoint::tracking {
 
-/// Where the methods that follow boxes learn what a target looks like, and begin to follow it.
+/// The first box of an image target: methods that track boxes learn the target's colors there.
 struct TargetBox {
   int camera = 0; ///< in the order of the project
   std::int64_t frame = 0;

@@ -14,7 +14,7 @@
 
 namespace dewpoint::tracking {
 
-/// What is believed of a colored sphere after one filter iteration. World frame, meters.
+/// The estimate of a colored sphere after one filter iteration. World frame, meters.
 struct SphereEstimate {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();       ///< weighted mean (MMSE)
   Eigen::Vector3d best = Eigen::Vector3d::Zero();       ///< particle of highest weight (MAP)
@@ -25,12 +25,12 @@ struct SphereEstimate {
   bool valid = false;     ///< seen by two cameras (by the only one, if there is one)
   double existence = 0.0; ///< probability that the target is where the estimate says
   double radius = 0.0;    ///< meters, of the target as known or as estimated; 0 when neither
-  /// Position (m, m²) measured in the images of this frame alone, with errors of its own; nothing
-  /// if the target was not found in them, or the method does not tell.
+  /// Position (m, m²) measured in the images of this frame alone, without the prediction; nothing
+  /// if the target was not found in them, or the method does not measure it.
   std::optional<Gaussian3> measurement;
   bool degenerate = false; ///< no particle had a usable weight; all were kept as equal
-  /// What each camera says about the mean, in the order of the rig; empty when the method cannot
-  /// tell, or has no position to ask about.
+  /// Evidence of each camera for the mean, in the order of the rig; empty when the method has none,
+  /// or no position.
   std::vector<CameraEvidence> cameras;
   /// The color range in use in each camera where it follows the light; empty while all cameras use
   /// the target's own.
@@ -39,21 +39,21 @@ struct SphereEstimate {
   double spread() const;
 };
 
-/// What is believed of a box after one image of one camera. Pixels from the upper left corner.
+/// The estimate of a bounding box after one image of one camera. Pixels from the upper left corner.
 struct BoxEstimate {
   ImageBox box;
-  double similarity = 0.0; ///< how alike the colors in the box are to the reference, [0, 1]
+  double similarity = 0.0; ///< of the colors in the box to the reference, [0, 1]
   double spread = 0.0;     ///< root mean square distance of the particles to their mean, px
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
-  bool visible = true;     ///< false while a hidden target is held where it is thought to be
+  bool visible = true;     ///< false while the target is assumed to be hidden there
   bool degenerate = false; ///< no particle had a usable weight; all were kept as equal
   int camera = 0;          ///< in whose images, in the order of the rig
 };
 
-/// What is believed of one person after a frame. World frame, meters.
+/// The estimate of one person after a frame. World frame, meters.
 struct PersonEstimate {
-  int identity = 0;                                     ///< from 1 on, never given twice in a run
+  int identity = 0;                                     ///< from 1 on, never reused in a run
   Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< mean of the occupied volume
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< of the occupied volume, m²
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();   ///< m/s
@@ -61,7 +61,7 @@ struct PersonEstimate {
   int particleCount = 0;
   int camerasSeeing = 0;    ///< cameras with foreground of this person
   double existence = 1.0;   ///< falls from 1 to 0 while no camera sees the person
-  double age = 0.0;         ///< seconds since the birth
+  double age = 0.0;         ///< seconds since the track was created
   bool interacting = false; ///< near another person: what cannot be told apart is not learned
   double height = 0.0;      ///< meters; 0: the method does not estimate it
   /// Hue and saturation of the person, in [0, 1], if the method has them.
@@ -71,8 +71,8 @@ struct PersonEstimate {
 /// The track is not there: a person who has left, a box before the frame in which it was given.
 struct AbsentEstimate {};
 
-/// What is believed of one track, whatever it is a track of. Another kind of target is another
-/// alternative: the compiler then names every place that has to say something about it.
+/// The estimate of a track of any kind. Another kind of target is another alternative: the compiler
+/// then reports every visitor that has to handle it.
 using TrackEstimate = std::variant<SphereEstimate, BoxEstimate, PersonEstimate, AbsentEstimate>;
 
 bool isAbsent(const TrackEstimate& estimate);
@@ -85,7 +85,7 @@ double effectiveSampleSizeOf(const TrackEstimate& estimate);
 int particleCountOf(const TrackEstimate& estimate);
 /// Mean and covariance in the world (m, m²); nothing for what is known in an image only.
 std::optional<Gaussian3> positionOf(const TrackEstimate& estimate);
-/// What each camera says about the position; empty when the method cannot tell.
+/// Evidence of each camera for the position; empty when the method has none.
 const std::vector<CameraEvidence>& cameraEvidenceOf(const TrackEstimate& estimate);
 /// Per camera the color range in use where it follows the light; else empty.
 const std::vector<ColorRange>& colorsOf(const TrackEstimate& estimate);

@@ -13,26 +13,26 @@
 
 namespace dewpoint::tracking {
 
-/// A method at work on all that it tracks in one run. `beginFrame` once per frame set, then
+/// A method and the tracks of one run. `beginFrame` once per frame set, then
 /// `iterate` any number of times. Not thread safe; the same seed gives the same bits for any size
 /// of the ThreadTeam.
 ///
-/// This is what every method can do. What only some can do, each for its own reason, stands in
-/// tracker_capabilities.h and is asked for by type: capability<LikelihoodMapping>(tracker).
+/// This is the interface of every method. What only some methods can do is declared in
+/// tracker_capabilities.h and asked for by type: capability<LikelihoodMapping>(tracker).
 class Tracker {
 public:
   virtual ~Tracker() = default;
   /// Other parameters of the same method, from the next iteration on.
   virtual void configure(const ParameterValues& parameters) = 0;
-  /// Forgets what it believes and starts anew; what it was told about the background stays.
+  /// Removes all tracks and starts from scratch; background images stay.
   virtual void restart(std::uint64_t seed) = 0;
   virtual int iterationsPerFrame() const = 0;
-  /// Null lets go of the images of the last frame.
+  /// Null releases the images of the last frame.
   virtual void beginFrame(FrameSetPtr frames) = 0;
   virtual void iterate(ThreadTeam& team) = 0;
   /// Targets that are followed, or those that were found so far. A track keeps its index.
   virtual std::size_t trackCount() const = 0;
-  /// What is believed now of a track below trackCount().
+  /// The current estimate of a track below trackCount().
   virtual TrackEstimate estimate(std::size_t track) const = 0;
 
 protected:

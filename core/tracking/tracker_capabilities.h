@@ -21,7 +21,7 @@
 // whoever needs one asks for it by type and does without when it is null: see capability().
 namespace dewpoint::tracking {
 
-/// Follows the targets that a project names.
+/// Tracks the targets that a project names.
 class TargetFollowing {
 public:
   virtual ~TargetFollowing() = default;
@@ -31,21 +31,21 @@ public:
   virtual bool takesAnyNumber() const = 0;
 };
 
-/// Knows where in the room things are, by calibrated cameras.
+/// Estimates positions in the world by calibrated cameras.
 class CameraCalibrated {
 public:
   virtual ~CameraCalibrated() = default;
-  /// Another calibration of the same cameras, from the next iteration on; beliefs stay.
+  /// Another calibration of the same cameras, from the next iteration on; tracks stay.
   virtual void setCameras(const CameraRig& rig) = 0;
 };
 
-/// Makes use of images of the room without anything to track in it.
+/// Uses images of the scene without targets.
 class BackgroundImages {
 public:
   virtual ~BackgroundImages() = default;
-  /// One image per camera (CV_8UC3, in the order of the rig), empty where it is not known. Acts at
-  /// once on spheres, from the next restart on with people, who then need no learning phase.
-  virtual void setEmptyRooms(const std::vector<cv::Mat>& rooms) = 0;
+  /// One image per camera (CV_8UC3, in the order of the rig), empty where it is not known. Takes
+  /// effect at the next restart; methods for people then need no learning phase.
+  virtual void setBackgroundImages(const std::vector<cv::Mat>& images) = 0;
 };
 
 /// Can be copied in the middle of a run, so that the run can go back.
@@ -61,7 +61,7 @@ public:
   virtual std::size_t memoryBytes() const = 0;
 };
 
-/// Has points in space that stand for where a track may be.
+/// Represents the position of a track by weighted points.
 class ParticleCloud {
 public:
   virtual ~ParticleCloud() = default;
@@ -71,7 +71,7 @@ public:
                          Eigen::ArrayXd& weights) const = 0;
 };
 
-/// Says of each camera why it does, or does not, confirm a track.
+/// Reports for each camera whether, and if not why, it does not confirm a track.
 class CameraExplaining {
 public:
   virtual ~CameraExplaining() = default;
@@ -80,7 +80,7 @@ public:
   virtual std::vector<CameraReport> explain(std::size_t track) const = 0;
 };
 
-/// Considers several positions for one track.
+/// Reports the positions that it considered for a track.
 class PositionProposing {
 public:
   virtual ~PositionProposing() = default;
@@ -88,7 +88,7 @@ public:
   virtual std::vector<CandidatePosition> proposals(std::size_t track) const = 0;
 };
 
-/// Has a likelihood for every pixel of every camera.
+/// Maps the likelihood of a track over the pixels of every camera.
 class LikelihoodMapping {
 public:
   virtual ~LikelihoodMapping() = default;
@@ -103,7 +103,7 @@ struct BoxParticles {
   Eigen::ArrayXf weights;
 };
 
-/// Follows boxes in images, each in those of one camera, without any calibration.
+/// Tracks bounding boxes, each in the images of one camera, without any calibration.
 class BoxFollowing {
 public:
   virtual ~BoxFollowing() = default;
@@ -115,13 +115,13 @@ public:
   virtual BoxParticles boxParticles(std::size_t target, int limit) const = 0;
 };
 
-/// Finds by itself who is there. Identity N is track N - 1, from birth on.
+/// Creates tracks of people by itself. Identity N is track N - 1, from its creation on.
 class PeopleFinding {
 public:
   virtual ~PeopleFinding() = default;
-  /// Everybody who is there after the last frame, in the order of their identities.
+  /// All people who are tracked after the last frame, in the order of their identities.
   virtual const std::vector<PersonEstimate>& people() const = 0;
-  /// Everybody who has been there: "person 1", "person 2", ...
+  /// All people who have been tracked: "person 1", "person 2", ...
   virtual const std::vector<Target>& everybody() const = 0;
   /// The body of a person of people(), empty for any other identity.
   virtual BodyCloud body(int identity) const = 0;
@@ -131,14 +131,14 @@ public:
   virtual cv::Mat foreground(std::size_t camera) const = 0;
 };
 
-/// Takes a user's word for who is there.
+/// Lets the user add and remove people.
 class PersonPlacing {
 public:
   virtual ~PersonPlacing() = default;
-  /// Somebody stands here (meters, world; the center of the body), whatever the masks say. Returns
-  /// the new identity. Effective with the next frame.
+  /// Creates a track of a person whose body has its center here (meters, world), whatever the masks
+  /// show. Returns the new identity. Effective with the next frame.
   virtual int addPerson(const Eigen::Vector3d& center) = 0;
-  /// Forgets a person.
+  /// Removes the track of a person.
   virtual void removePerson(int identity) = 0;
 };
 

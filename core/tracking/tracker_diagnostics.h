@@ -8,7 +8,7 @@
 
 namespace dewpoint::tracking {
 
-/// A place that a method considered for a target.
+/// A position that a method considered for a target.
 struct CandidatePosition {
   enum class Kind {
     Existing,   ///< tracked before this frame
@@ -16,19 +16,19 @@ struct CandidatePosition {
     Distractor, ///< another object that looks the same: another target, or none
   };
   Kind kind = Kind::Existing;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< metres, world
-  double radius = 0.0;                                ///< metres
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< meters, world
+  double radius = 0.0;                                ///< meters
   double probability = 0.0;                           ///< that the target is here
-  double logLikelihoodRatio = 0.0;                    ///< evidence of all cameras
+  double logLikelihoodRatio = 0.0;                    ///< sum over all cameras
 };
 
-/// What one camera says about places around a target: the log likelihood of a target whose middle
-/// is seen at each pixel, at the distance of the estimate.
+/// The evidence of one camera around a target: the log likelihood of a target whose center is seen
+/// at each pixel, at the distance of the estimate.
 struct LikelihoodMap {
   cv::Rect area;         ///< part of the image, pixels; empty when the target is not in view
   cv::Mat logLikelihood; ///< CV_32F, one per pixel of the area
-  double least = 0.0;    ///< what stands for "surely not here"
-  double most = 0.0;     ///< what a fully visible target would have
+  double least = 0.0;    ///< value for "certainly not here"
+  double most = 0.0;     ///< value of a fully visible target
 };
 
 } // namespace dewpoint::tracking

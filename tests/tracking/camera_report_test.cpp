@@ -18,7 +18,7 @@ Ball cover(const Camera& camera, double radius = 0.05) {
   return {camera.center() + 0.5 * (kTarget.center - camera.center()), radius, {140, 140, 140}};
 }
 
-std::vector<CameraStatus> troubles(DrawnRun& run) {
+std::vector<CameraStatus> statuses(DrawnRun& run) {
   std::vector<CameraStatus> all;
   for (const CameraReport& report : run.tracker().explain(0)) {
     all.push_back(report.status);
@@ -40,13 +40,13 @@ protected:
 };
 
 TEST_F(CameraReportTest, NoTroubleWhileItIsSeen) {
-  EXPECT_EQ(troubles(run_), (All{CameraStatus::None, CameraStatus::None}));
+  EXPECT_EQ(statuses(run_), (All{CameraStatus::None, CameraStatus::None}));
   EXPECT_EQ(reasonSentence(run_.tracker().explain(0), {"left", "right"}), "");
 }
 
 TEST_F(CameraReportTest, HiddenFromOneCamera) {
   run_.show({kTarget, cover(run_.rig()[1])});
-  EXPECT_EQ(troubles(run_), (All{CameraStatus::None, CameraStatus::Hidden}));
+  EXPECT_EQ(statuses(run_), (All{CameraStatus::None, CameraStatus::Hidden}));
   EXPECT_EQ(reasonSentence(run_.tracker().explain(0), {"left", "right"}), "camera right: hidden");
 }
 
@@ -56,10 +56,10 @@ TEST_F(CameraReportTest, NoImageAndTooDark) {
   black->image = cv::Mat(240, 320, CV_8UC3, cv::Scalar(9, 4, 7)); // all below 24
   set->frames[1] = black;
   run_.showSet(set);
-  EXPECT_EQ(troubles(run_), (All{CameraStatus::NoImage, CameraStatus::Dark}));
+  EXPECT_EQ(statuses(run_), (All{CameraStatus::NoImage, CameraStatus::Dark}));
 }
 
-TEST_F(CameraReportTest, BesideALookAlike) {
+TEST_F(CameraReportTest, BesideADistractor) {
   // Seen from both cameras the other ball is 8 cm away; it is watched before the target goes.
   const Ball other{kTarget.center + Eigen::Vector3d(0.0, 0.0, 0.085)};
   for (int frame = 0; frame < 20; ++frame) {
@@ -82,7 +82,7 @@ TEST_F(CameraReportTest, GoneWithoutATraceAndNoColorAtAll) {
   for (int frame = 0; frame < 100; ++frame) {
     run_.show({});
   }
-  EXPECT_EQ(troubles(run_), (All{CameraStatus::NoColor, CameraStatus::NoColor}));
+  EXPECT_EQ(statuses(run_), (All{CameraStatus::NoColor, CameraStatus::NoColor}));
 }
 
 TEST_F(CameraReportTest, OutOfView) {

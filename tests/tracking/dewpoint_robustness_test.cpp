@@ -290,7 +290,7 @@ TEST(DewpointRobustness, ATargetIsFoundWithoutTimeAsWell) {
 
 // A budget of a second is never reached; searches take the other way nevertheless, and keep a ball
 // apart from a look-alike that it passes.
-TEST(DewpointRobustness, LookAlikesAreFoundWithinABudget) {
+TEST(DewpointRobustness, DistractorsAreFoundWithinABudget) {
   const auto passing = [](int frame) { // 45 cm in 90 frames, through the place of the other
     return Eigen::Vector3d(drawn::kMiddle + Eigen::Vector3d(-0.2 + 0.005 * frame, 0.0, 0.0));
   };

@@ -3,6 +3,9 @@
 
 #include "core/base/vector_kernel.h"
 #include "core/observation/background/label_image.h"
+#include "core/observation/background/light_change.h"
+
+#include <opencv2/core.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +15,11 @@
 namespace dewpoint::observation {
 namespace {
 
+// Judgments (docs/method-dewpoint.md, section 2).
+
 constexpr int kRowPhases = 4; ///< every frame learns every fourth row
 constexpr int kLearned = BackgroundModel::kLearned;
-constexpr int kMostConfident = 16; ///< and that are remembered at most
+constexpr int kMostConfident = 16; ///< agreeing observations, remembered at most
 constexpr int kReplaceAfter = 24;  ///< observations of something new that replace the old
 
 /// The mean goes half the way to a new value while it is young, later an eighth.
@@ -79,8 +84,8 @@ struct LabelKernel {
 };
 
 struct FamiliarKernel {
-  /// Overwrites Target by Explained where the empty room is seen: `agree` is 1 there and `familiar`
-  /// 255.
+  /// Overwrites Target by Explained where the background image is seen: `agree` is 1 there and
+  /// `familiar` 255.
   DEWPOINT_KERNEL void run(const std::uint8_t* familiar, const std::uint8_t* agree,
                            std::int64_t count, std::uint8_t* label) {
     constexpr auto kExplained = static_cast<std::uint8_t>(PixelLabel::Explained);
@@ -162,7 +167,7 @@ struct MoveKernel {
 
 BackgroundModel::BackgroundModel(const BackgroundModel& other)
     : mean_(other.mean_.clone()), confidence_(other.confidence_.clone()),
-      novel_(other.novel_.clone()), emptyRoom_(other.emptyRoom_),
+      novel_(other.novel_.clone()), backgroundImage_(other.backgroundImage_),
       familiar_(other.familiar_.clone()), lightIsNew_(other.lightIsNew_), phase_(other.phase_),
       known_(other.known_), new_(other.new_), moves_(other.moves_), news_(other.news_),
       novelShare_(other.novelShare_), light_(other.light_) {}
@@ -171,7 +176,7 @@ BackgroundModel& BackgroundModel::operator=(BackgroundModel other) noexcept {
   std::swap(mean_, other.mean_);
   std::swap(confidence_, other.confidence_);
   std::swap(novel_, other.novel_);
-  std::swap(emptyRoom_, other.emptyRoom_);
+  std::swap(backgroundImage_, other.backgroundImage_);
   std::swap(familiar_, other.familiar_);
   lightIsNew_ = other.lightIsNew_;
   phase_ = other.phase_;
@@ -196,11 +201,24 @@ void BackgroundModel::reset() {
   phase_ = 0;
   familiar_ = cv::Mat();
   lightIsNew_ = false;
-  if (emptyRoom_.type() == CV_8UC3 && !emptyRoom_.empty()) {
-    start(emptyRoom_);
+  if (backgroundImage_.type() == CV_8UC3 && !backgroundImage_.empty()) {
+    start(backgroundImage_);
     confidence_.setTo(kMostConfident);
-    familiar_ = cv::Mat(emptyRoom_.size(), CV_8UC1, cv::Scalar(255));
+    familiar_ = cv::Mat(backgroundImage_.size(), CV_8UC1, cv::Scalar(255));
     lightIsNew_ = true;
+  }
+}
+
+void BackgroundModel::followLight(const cv::Mat& image) {
+  if (!mean_.empty() && mean_.size() == image.size() && image.type() == CV_8UC3) {
+    if (const auto gain = estimateLightChange(image, mean_, confidence_, light_)) {
+      cv::multiply(mean_, cv::Scalar((*gain)[0], (*gain)[1], (*gain)[2]), mean_);
+      light_ = *gain * light_;
+    }
+  }
+  if (lightIsNew_) { // the reference is the light of now, not that of the background image
+    resetReferenceLight();
+    lightIsNew_ = false;
   }
 }
 

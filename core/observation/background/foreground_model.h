@@ -32,7 +32,7 @@ struct ForegroundSettings {
 class ForegroundModel {
 public:
   virtual ~ForegroundModel() = default;
-  /// Learns an image (CV_8UC3) of the place without anybody; the same size every time.
+  /// Learns an image (CV_8UC3) of the scene without people; the same size every time.
   virtual void learn(const cv::Mat& image) = 0;
   /// The mask of an image (CV_8UC1: 255 where something moved in, else 0; shadows are 0), and
   /// learns slowly from it: not where `keep` (CV_8UC1, or empty) is nonzero.

@@ -11,9 +11,10 @@ namespace dewpoint::observation {
 namespace {
 
 constexpr int kBlock = 32; ///< columns
-/// Less light, more light or a tint by less than this leaves a color within its range.
+/// Relative change of light, in any channel, up to which a color stays within its range. A judgment
+/// (docs/method-dewpoint.md, section 2).
 constexpr double kOtherLight = 0.1;
-constexpr int kGainBits = 8;
+constexpr int kGainBits = 8; ///< of the fraction of a fixed-point gain
 
 struct RelightKernel {
   /// relit = pixel x gain (blue, green, red; in 1/256), cut at 255.

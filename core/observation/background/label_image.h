@@ -12,36 +12,36 @@
 
 namespace dewpoint::observation {
 
-/// What a pixel says about the target. `Unknown` neither matches nor shows what used to be there:
-/// something may hide the target, so it is no evidence either way, like what lies outside the image
-/// or is explained by another target.
+/// The evidence of a pixel for a target. `Unknown` neither matches nor agrees with the background:
+/// something may hide the target, so it is no evidence either way, like a pixel outside the image
+/// or one that is explained by another target.
 enum class PixelLabel : std::uint8_t {
-  Unlearned,  ///< does not match; what is usually there is not known yet
-  Background, ///< does not match and shows what is usually there
+  Unlearned,  ///< does not match; the background is not known yet
+  Background, ///< does not match and agrees with the background
   Unknown,    ///< does not match and shows something new
-  Explained,  ///< matches, but belongs to another target or to the empty room
+  Explained,  ///< matches, but belongs to another target or to the background image
   Target,     ///< matches the target's color
 };
 inline constexpr std::size_t kPixelLabelCount = 5;
 
-/// One camera's image with its labels, made where they are asked for.
+/// One camera's image with its labels, which are made where they are required.
 class LabelImage {
 public:
-  /// A new image (CV_8UC3) with the model of what is usually there; all outlive the labels.
-  /// `usual` is the color in the usual light.
+  /// Starts with a new image (CV_8UC3); image, background and classifiers must outlive the labels.
+  /// `usual` is the color in the reference light.
   void begin(const cv::Mat& image, const BackgroundModel& background,
              const ColorClassifier& classifier, const ColorClassifier& usual);
   void begin(const cv::Mat& image, const BackgroundModel& background,
              const ColorClassifier& classifier) {
     begin(image, background, classifier, classifier);
   }
-  /// No image from this camera.
+  /// Removes the image: the camera has none.
   void clear();
 
   bool empty() const { return image_.empty(); }
   cv::Size size() const { return image_.size(); }
 
-  /// Makes the labels of this part of the image (cut to the image); cheap when they are there.
+  /// Makes the labels of this part of the image (cut to the image); does nothing where they are.
   void require(const cv::Rect& area);
   void requireAll() { require({0, 0, image_.cols, image_.rows}); }
   /// The part whose labels are made.
@@ -83,7 +83,7 @@ private:
   cv::Rect covered_;
   cv::Mat labels_;
   std::vector<Explanation> explained_;
-  /// Marks what matches in `row` as it would look in the usual light, where matched_ is 0.
+  /// Marks what matches in `row` converted to the reference light, where matched_ is 0.
   void matchInUsualLight(const std::uint8_t* row, int count);
 
   std::vector<std::uint8_t> matched_; ///< scratch, one row

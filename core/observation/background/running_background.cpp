@@ -12,12 +12,15 @@
 namespace dewpoint::observation {
 namespace {
 
+// Origin of the values not recorded.
+
 constexpr float kLeastDeviation = 3.0F; ///< gray levels, of the sum of three channels
-constexpr float kFirstDeviation = 9.0F;
-constexpr float kDeviations = 3.5F;  ///< beyond so many of them a pixel is something new
-constexpr float kSlack = 14.0F;      ///< and beyond these gray levels, three channels together
-constexpr float kShadowTint = 0.08F; ///< by how much the channels of a shadow may differ in ratio
-constexpr float kBrightest = 1.06F;  ///< share of what is usual up to which it is one
+constexpr float kFirstDeviation = 9.0F; ///< gray levels, before anything is learned
+/// A pixel is new beyond this many deviations and these gray levels of the sum of three channels.
+constexpr float kDeviations = 3.5F;
+constexpr float kSlack = 14.0F;
+constexpr float kShadowTint = 0.08F; ///< largest difference of ratio between a shadow's channels
+constexpr float kBrightest = 1.06F;  ///< largest brightness of a shadow, as a share of the mean
 
 float distanceTo(float value, float mean) {
   return value > mean ? value - mean : mean - value;
@@ -122,7 +125,7 @@ void RunningBackground::subtract(const cv::Mat& image, const cv::Mat& keep, cv::
   }
   takePlanes(image);
   mask.create(size_, CV_8UC1);
-  constexpr float kRate = 0.02F; // what is background follows the light within some seconds
+  constexpr float kRate = 0.02F; // per frame: the mean follows the light within some seconds
   const auto slow = static_cast<float>(0.7 / std::max(1.0, settings_.memoryFrames));
   if (keep.empty()) {
     nothing_.assign(image.total(), 0);

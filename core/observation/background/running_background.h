@@ -10,9 +10,9 @@
 namespace dewpoint::observation {
 
 /// One Gaussian per pixel (Wren et al. 1997, "Pfinder"), with a mean per channel and a deviation
-/// for the three of them together, and shadows told by their color (as Horprasert et al. 1999: all
-/// channels darker by about the same factor). Simple on purpose: it costs a small part of a
-/// mixture.
+/// for the three of them together, and shadows recognized by their color (as Horprasert et al.
+/// 1999: all channels darker by about the same factor). Simple on purpose: it costs a small part of
+/// a mixture.
 class RunningBackground final : public ForegroundModel {
 public:
   explicit RunningBackground(const ForegroundSettings& settings) : settings_(settings) {}

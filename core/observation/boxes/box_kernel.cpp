@@ -8,9 +8,9 @@
 namespace dewpoint::observation {
 namespace {
 
-constexpr double kSum = 2147483648.0; // 2^31: half of what an accumulator holds
+constexpr double kSum = 2147483648.0; // 2^31: half the range of an accumulator
 constexpr double kFinest = 16777216.0;
-constexpr double kFar = 1e8; // pixels; keeps places within int
+constexpr double kFar = 1e8; // pixels; keeps positions within int
 
 } // namespace
 
@@ -35,18 +35,18 @@ BoxKernel::BoxKernel(int width, int height) : width_(width), height_(height) {
   }
 }
 
-KernelPlace placeKernel(const BoxKernel& kernel, double x, double y, int columns, int rows) {
-  KernelPlace place;
+KernelPlacement placeKernel(const BoxKernel& kernel, double x, double y, int columns, int rows) {
+  KernelPlacement placement;
   const auto whole = [](double value) {
     return static_cast<int>(std::floor(std::clamp(value, -kFar, kFar) + 0.5));
   };
-  place.left = whole(x - 0.5 * kernel.width());
-  place.top = whole(y - 0.5 * kernel.height());
-  place.firstColumn = std::max(0, -place.left);
-  place.endColumn = std::min(kernel.width(), columns - place.left);
-  place.firstRow = std::max(0, -place.top);
-  place.endRow = std::min(kernel.height(), rows - place.top);
-  return place;
+  placement.left = whole(x - 0.5 * kernel.width());
+  placement.top = whole(y - 0.5 * kernel.height());
+  placement.firstColumn = std::max(0, -placement.left);
+  placement.endColumn = std::min(kernel.width(), columns - placement.left);
+  placement.firstRow = std::max(0, -placement.top);
+  placement.endRow = std::min(kernel.height(), rows - placement.top);
+  return placement;
 }
 
 } // namespace dewpoint::observation

@@ -37,8 +37,8 @@ private:
   double sum_ = 0.0;
 };
 
-/// A kernel laid over an image at a place: what of it lies within the image.
-struct KernelPlace {
+/// The part of a kernel, laid over an image, that lies within the image.
+struct KernelPlacement {
   int left = 0; ///< of the whole kernel, in the image
   int top = 0;
   int firstColumn = 0; ///< of the kernel, within the image
@@ -49,8 +49,8 @@ struct KernelPlace {
   bool isEmpty() const { return endColumn <= firstColumn || endRow <= firstRow; }
 };
 
-/// The place where the kernel's center is nearest to (x, y), pixels from the image's corner: whole
-/// pixels.
-KernelPlace placeKernel(const BoxKernel& kernel, double x, double y, int columns, int rows);
+/// The placement at which the kernel's center is nearest to (x, y), pixels from the image's corner:
+/// whole pixels.
+KernelPlacement placeKernel(const BoxKernel& kernel, double x, double y, int columns, int rows);
 
 } // namespace dewpoint::observation

@@ -18,27 +18,29 @@
 namespace dewpoint::observation {
 namespace {
 
-/// Sizes (square root of the area) in pixels of the image as it is looked at; those of an image
+// Origin: docs/method-sugandi.md has the steps; kMaxDistinctnessLoss was chosen on its clips, the
+// origin of the other values is not recorded.
+
+/// Sizes (square root of the area) in pixels of the reduced image; those of an image
 /// that was made smaller are only what the larger one does not reach.
 constexpr std::array<double, 8> kSizes{7.0, 8.5, 10.0, 12.0, 14.5, 17.0, 20.5, 24.0};
 constexpr std::size_t kFirstOfSmaller = 4;
 constexpr std::array<double, 7> kAspects{0.35, 0.5, 0.71, 1.0, 1.41, 2.0, 2.9};
 constexpr double kLargest = 0.7; ///< of the image's smaller side
-constexpr double kReach = 80.0;  ///< pixels around the click that are looked at, so small
-/// Steps of the click from the middle, in sides of the box; it is taken to be normal about it.
+constexpr double kReach = 80.0;  ///< pixels around the click, in the reduced image
+/// Steps of the click from the center, in sides of the box; it is taken to be normal about it.
 constexpr int kSteps = 3;
 constexpr double kStep = 0.1;
 constexpr double kAim = 0.25;
-/// Of the best score: a smaller thing with so much is taken.
+/// Of the best score: a smaller object with so much is taken.
 constexpr double kEnough = 0.8;
 constexpr double kMargin = 1.3; ///< of the box in which the figure is sought, in its sides
-/// Where the color region is grown: in sides of the thing's box, and at least so many pixels.
+/// Where the color region is grown: in sides of the object's box, and at least so many pixels.
 constexpr double kNearby = 3.0;
 constexpr double kLeastNearby = 640.0;
-constexpr double kAgree = 0.5; ///< share in common from which two boxes mean the same thing
-/// How much less the pixels of a larger box may speak for the target than those of the best one;
-/// see docs/method-sugandi.md.
-constexpr double kLessTold = 0.09;
+constexpr double kAgree = 0.5; ///< share in common from which two boxes mean the same object
+/// Largest loss of distinctness of a larger box against the best one, 0 to 1.
+constexpr double kMaxDistinctnessLoss = 0.09;
 
 struct Candidate {
   ImageBox box;
@@ -114,7 +116,7 @@ std::vector<Candidate> bestOfSizes(const cv::Mat& bgr, const Eigen::Vector2d& pi
 }
 
 /// The smallest size that stands out among its neighbors and is nearly as good as the best of all:
-/// what is larger is what the clicked thing is on, or one of them.
+/// a larger one that stands out is what the clicked object is part of, or lies on.
 const Candidate* chosenOf(const std::vector<Candidate>& found) {
   const auto best = std::ranges::max_element(found, {}, &Candidate::score);
   for (auto one = found.begin(); one != found.end() && best->score > 0.0; ++one) {
@@ -135,15 +137,15 @@ ImageBox boxOf(const cv::Rect& pixels) {
   return {double(pixels.x), double(pixels.y), double(pixels.width), double(pixels.height)};
 }
 
-/// The box of the color region at a pixel of a thing, grown in what is around it.
-ImageBox grownBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel, const ImageBox& thing) {
-  const double side = std::max(kLeastNearby, kNearby * std::max(thing.width, thing.height));
+/// The bounding box of the color region at a pixel of an object, grown around that pixel.
+ImageBox grownBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel, const ImageBox& object) {
+  const double side = std::max(kLeastNearby, kNearby * std::max(object.width, object.height));
   const cv::Rect part = pixelsOf(ImageBox::around(pixel, side, side), bgr);
   const cv::Point at(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
   return boxOf(cv::boundingRect(growRegion(bgr(part), at - part.tl())) + part.tl());
 }
 
-/// What is followed of a box that was found.
+/// The figure in a box that was found.
 ImageBox figureOf(const cv::Mat& bgr, const Candidate& found) {
   return figureBox(bgr, boxOf(pixelsOf(enlarged(found.box, kMargin), bgr)));
 }
@@ -152,26 +154,26 @@ bool holdsMost(const ImageBox& box, const ImageBox& part) {
   return commonArea(box, part) >= kAgree * part.area();
 }
 
-/// How well what would be learned from a box tells it from its surroundings: what its pixels speak
-/// for the target on average, [0, 1].
-double toldBy(const cv::Mat& bgr, const ImageBox& box) {
+/// How well the colors that would be learned from a box distinguish it from its surroundings: the
+/// mean of TargetColors::likeness(), [0, 1].
+double distinctness(const cv::Mat& bgr, const ImageBox& box) {
   TargetColors colors;
   colors.learn(bgr, box);
   return colors.likeness(bgr, box);
 }
 
-/// The largest figure that is told nearly as well as the best one: a hand around a ball, or what is
-/// behind it, is told less well than the ball alone. Where the color region is part of the thing,
-/// the figure holds it; none that does is told so well: then it is the region.
-ImageBox largestTold(const cv::Mat& bgr, const std::vector<ImageBox>& figures,
-                     const ImageBox& region, bool isPart) {
-  std::vector<double> told;
-  std::ranges::transform(figures, std::back_inserter(told),
-                         [&](const ImageBox& figure) { return toldBy(bgr, figure); });
-  const double most = std::max(std::ranges::max(told), isPart ? toldBy(bgr, region) : 0.0);
+/// The largest figure that is nearly as distinct as the best one: a hand around a ball, or what is
+/// behind it, is less distinct than the ball alone. Where the color region is part of the object,
+/// the figure must contain it; if no such figure is distinct enough, the region is taken.
+ImageBox largestDistinct(const cv::Mat& bgr, const std::vector<ImageBox>& figures,
+                         const ImageBox& region, bool isPart) {
+  std::vector<double> scores;
+  std::ranges::transform(figures, std::back_inserter(scores),
+                         [&](const ImageBox& figure) { return distinctness(bgr, figure); });
+  const double most = std::max(std::ranges::max(scores), isPart ? distinctness(bgr, region) : 0.0);
   ImageBox largest = isPart ? region : ImageBox{};
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    if (told[i] >= most - kLessTold && figures[i].area() > largest.area() &&
+    if (scores[i] >= most - kMaxDistinctnessLoss && figures[i].area() > largest.area() &&
         (!isPart || holdsMost(figures[i], region))) {
       largest = figures[i];
     }
@@ -187,9 +189,9 @@ std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixe
   if (chosen == nullptr) {
     return std::nullopt;
   }
-  const ImageBox thing = figureOf(bgr, *chosen);
-  const ImageBox region = grownBox(bgr, pixel, thing);
-  if (overlap(region, thing) >= kAgree) {
+  const ImageBox object = figureOf(bgr, *chosen);
+  const ImageBox region = grownBox(bgr, pixel, object);
+  if (overlap(region, object) >= kAgree) {
     return region;
   }
   std::vector<ImageBox> figures;
@@ -198,8 +200,8 @@ std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixe
       figures.push_back(figureOf(bgr, *one));
     }
   }
-  figures.push_back(thing);
-  const ImageBox box = largestTold(bgr, figures, region, holdsMost(thing, region));
+  figures.push_back(object);
+  const ImageBox box = largestDistinct(bgr, figures, region, holdsMost(object, region));
   return overlap(region, box) >= kAgree ? region : box;
 }
 

@@ -12,15 +12,18 @@
 namespace dewpoint::observation {
 namespace {
 
-/// Of the middle of a drawn box that is held to be ground; and of its sides that is always kept.
+// docs/method-sugandi.md has the steps; the origin of the values is not recorded.
+
+/// Share of the center of a drawn box that is assumed to be ground; share of its sides that is
+/// always kept.
 constexpr double kGround = 0.5;
 constexpr double kLeastSide = 0.5;
-constexpr double kNeutral = 0.5;
+constexpr double kNeutral = 0.5; ///< P(figure | color) that says nothing
 
-FineHistogram figureColors(const FineHistogram& middle, const FineHistogram& ground) {
-  FineHistogram figure(middle.size());
-  for (std::size_t bin = 0; bin < middle.size(); ++bin) {
-    figure[bin] = std::max(0.0, middle[bin] - kGround * ground[bin]);
+FineHistogram figureColors(const FineHistogram& center, const FineHistogram& ground) {
+  FineHistogram figure(center.size());
+  for (std::size_t bin = 0; bin < center.size(); ++bin) {
+    figure[bin] = std::max(0.0, center[bin] - kGround * ground[bin]);
   }
   const double sum = std::accumulate(figure.begin(), figure.end(), 0.0);
   for (double& share : figure) {

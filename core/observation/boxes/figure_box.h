@@ -8,7 +8,7 @@
 namespace dewpoint::observation {
 
 /// The part of a drawn box that is more figure than ground: boxes are drawn with a margin, and what
-/// is in the margin is not the target. Figure colors f come from the middle of the box: its
+/// is in the margin is not the target. Figure colors f come from the center of the box: its
 /// center-weighted histogram n is taken as half figure, half ground b (the box's surroundings), so
 /// that f = max(0, n - b / 2), normalized. With P = f / (f + b) for the color of a pixel, the
 /// result is the box of whole pixels within the drawn one, of at least half its width and height,

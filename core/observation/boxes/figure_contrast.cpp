@@ -7,10 +7,12 @@
 namespace dewpoint::observation {
 namespace {
 
+// docs/method-sugandi.md has the steps; the origin of the values is not recorded.
+
 constexpr double kRing = 1.6;       ///< size of the ring's outline, in boxes
 constexpr double kFewestPixels = 4; ///< in an oval
 constexpr double kLeastRing = 0.5;  ///< of the oval's pixels, in the ring: else it is cut off
-constexpr double kKnownReach = 1.5; ///< pixels around the known one that are looked at too
+constexpr double kKnownReach = 1.5; ///< pixels around the known one that count as known
 /// An oval in three bands: heights and half widths, in halves of the box.
 constexpr double kMiddleBand = 0.6;
 constexpr double kMiddleWidth = 0.95;
@@ -56,13 +58,13 @@ void FigureContrast::add(double left, double top, double right, double bottom,
 }
 
 FigureContrast::Colors FigureContrast::inOval(const ImageBox& box) const {
-  const Eigen::Vector2d middle = box.center();
+  const Eigen::Vector2d center = box.center();
   const double right = 0.5 * box.width;
   const double down = 0.5 * box.height;
   Colors colors;
   const auto band = [&](double top, double bottom, double half) {
-    add(middle.x() - half * right, middle.y() + top * down, middle.x() + half * right,
-        middle.y() + bottom * down, colors);
+    add(center.x() - half * right, center.y() + top * down, center.x() + half * right,
+        center.y() + bottom * down, colors);
   };
   band(-1.0, -kMiddleBand, kOuterWidth);
   band(-kMiddleBand, kMiddleBand, kMiddleWidth);

@@ -9,6 +9,8 @@
 namespace dewpoint::observation {
 namespace {
 
+// The origin of the values is not recorded.
+
 /// Share of a bin's count that goes to each neighbor: a color lies anywhere in its bin, noise of a
 /// few gray levels carries it over the edge.
 constexpr double kToNeighbor = 0.25;

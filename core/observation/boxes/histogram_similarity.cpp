@@ -79,11 +79,11 @@ double sumOf(const float* terms, std::size_t count) {
 std::vector<double> weightedHistogram(const cv::Mat& bins, int binCount, const BoxKernel& kernel,
                                       double x, double y) {
   std::vector<double> histogram(std::size_t(binCount), 0.0);
-  const KernelPlace place = placeKernel(kernel, x, y, bins.cols, bins.rows);
-  for (int row = place.firstRow; row < place.endRow; ++row) {
-    const auto* from = bins.ptr<std::uint16_t>(place.top + row);
-    for (int column = place.firstColumn; column < place.endColumn; ++column) {
-      histogram[from[place.left + column]] += kernel.row(row)[column];
+  const KernelPlacement placement = placeKernel(kernel, x, y, bins.cols, bins.rows);
+  for (int row = placement.firstRow; row < placement.endRow; ++row) {
+    const auto* from = bins.ptr<std::uint16_t>(placement.top + row);
+    for (int column = placement.firstColumn; column < placement.endColumn; ++column) {
+      histogram[from[placement.left + column]] += kernel.row(row)[column];
     }
   }
   const double sum = std::accumulate(histogram.begin(), histogram.end(), 0.0);
@@ -153,18 +153,18 @@ void HistogramSimilarity::showColors(const cv::Mat& bgr, const cv::Rect& part) {
 }
 
 /// Of the part of the kernel that lies in the image.
-double HistogramSimilarity::weightInside(const KernelPlace& place) const {
+double HistogramSimilarity::weightInside(const KernelPlacement& placement) const {
   std::uint64_t sum = 0;
-  for (int row = place.firstRow; row < place.endRow; ++row) {
+  for (int row = placement.firstRow; row < placement.endRow; ++row) {
     const std::uint32_t* weights = kernel_.row(row);
-    sum = std::accumulate(weights + place.firstColumn, weights + place.endColumn, sum);
+    sum = std::accumulate(weights + placement.firstColumn, weights + placement.endColumn, sum);
   }
   return double(sum);
 }
 
 double HistogramSimilarity::at(double x, double y) const {
-  const KernelPlace place = placeKernel(kernel_, x, y, columns_, rows_);
-  if (place.isEmpty()) {
+  const KernelPlacement placement = placeKernel(kernel_, x, y, columns_, rows_);
+  if (placement.isEmpty()) {
     return 0.0;
   }
   const std::size_t slotCount = rootOfSlot_.size();
@@ -172,19 +172,19 @@ double HistogramSimilarity::at(double x, double y) const {
   for (std::size_t set = 0; set < kSets; ++set) {
     std::fill_n(sums.begin() + std::ptrdiff_t(set * kStride), slotCount, 0U);
   }
-  for (int row = place.firstRow; row < place.endRow; ++row) {
-    const std::ptrdiff_t imageRow = place.top + row;
+  for (int row = placement.firstRow; row < placement.endRow; ++row) {
+    const std::ptrdiff_t imageRow = placement.top + row;
     const std::uint16_t* before = before_.data() + imageRow * (columns_ + 1);
-    const std::ptrdiff_t first = before[place.left + place.firstColumn];
-    const std::ptrdiff_t end = before[place.left + place.endColumn];
+    const std::ptrdiff_t first = before[placement.left + placement.firstColumn];
+    const std::ptrdiff_t end = before[placement.left + placement.endColumn];
     addPixels(pixels_.data() + imageRow * columns_ + first, end - first, kernel_.row(row),
-              place.left, sums.data());
+              placement.left, sums.data());
   }
   std::array<float, kMostSlots> terms;
   runKernel<SlotKernel>(sums.data(), rootOfSlot_.data(), static_cast<int>(slotCount), terms.data());
-  const bool whole = place.endColumn - place.firstColumn == kernel_.width() &&
-                     place.endRow - place.firstRow == kernel_.height();
-  const double inside = whole ? kernel_.sum() : weightInside(place);
+  const bool whole = placement.endColumn - placement.firstColumn == kernel_.width() &&
+                     placement.endRow - placement.firstRow == kernel_.height();
+  const double inside = whole ? kernel_.sum() : weightInside(placement);
   return inside > 0.0 ? sumOf(terms.data(), slotCount) / std::sqrt(inside) : 0.0;
 }
 

@@ -19,17 +19,17 @@ std::vector<double> weightedHistogram(const cv::Mat& bins, int binCount, const B
 /// rho[p, q] of equation 10: 1 for equal histograms, 0 for those without a common bin.
 double bhattacharyyaCoefficient(const std::vector<double>& p, const std::vector<double>& q);
 
-/// rho between a reference histogram and the histogram at many places of an image. A color that is
-/// not in the reference adds nothing to rho: each image is reduced once to the pixels whose colors
-/// are, with the reference's bin (slot) instead of the color, and only those are counted. Counts go
-/// to eight sets of accumulators in turn: neighboring pixels are of one color, and adding to the
-/// same number again and again would wait each time.
+/// rho between a reference histogram and the histogram at many positions in an image. A color that
+/// is not in the reference adds nothing to rho: each image is reduced once to the pixels whose
+/// colors are, with the reference's bin (slot) instead of the color, and only those are counted.
+/// Counts go to eight sets of accumulators in turn: neighboring pixels are of one color, and adding
+/// to the same number again and again would wait each time.
 class HistogramSimilarity {
 public:
   HistogramSimilarity(const std::vector<double>& reference, BoxKernel kernel);
 
   const BoxKernel& kernel() const { return kernel_; }
-  /// Takes the bins of a part of an image, which must hold every pixel that at() will look at.
+  /// Takes the bins of a part of an image, which must hold every pixel that at() will read.
   void show(const cv::Mat& bins, const cv::Rect& part);
   /// Takes the bins of a part of a color image (CV_8UC3), by rgbBin().
   void showColors(const cv::Mat& bgr, const cv::Rect& part);
@@ -45,7 +45,7 @@ public:
 private:
   void fit(const cv::Mat& image);
   void takeRow(const std::uint16_t* bins, int row, int first, int count);
-  double weightInside(const KernelPlace& place) const;
+  double weightInside(const KernelPlacement& placement) const;
 
   BoxKernel kernel_;
   std::vector<std::uint16_t> slotOfBin_; ///< 0: not in the reference

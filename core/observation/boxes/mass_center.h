@@ -10,7 +10,7 @@
 
 namespace dewpoint::observation {
 
-/// Fewer matching pixels than this in an image are noise.
+/// Matching pixels in an image; fewer are noise. Origin not recorded.
 inline constexpr int kLeastMassPixels = 4;
 
 /// The center of mass of all pixels of an image (CV_8UC3) that match, pixels (column, row); nothing

@@ -22,9 +22,10 @@ double excessOf(double q, double b) {
   return std::max(0.0, 2.0 * shareOf(q, b) - 1.0);
 }
 
-/// Learned colors are held to be at most half ground.
+/// Factor by which learned colors may be scaled: they are assumed to be at most half ground. Origin
+/// not recorded.
 constexpr double kMostGrown = 2.0;
-/// How much the first image holds the reference back.
+/// Weight of the first image in the reference, 0 to 1. Origin not recorded.
 constexpr double kAnchor = 0.5;
 } // namespace
 

@@ -11,12 +11,12 @@
 
 namespace dewpoint::observation {
 
-/// Where a part of an image shows the target's colors: for each part of the target an integral
+/// A map of the target's colors in a part of an image: for each part of the target an integral
 /// image (Crow 1984) of P(target | color), so that a box of any size costs a few look-ups. Whole
 /// numbers: sums are exact, up to 16 million pixels.
 class TargetMap {
 public:
-  /// Looks at the pixels of `region` of an image (CV_8UC3); what lies outside it is no target.
+  /// Computes the map for `region` of an image (CV_8UC3); pixels outside it are not the target's.
   void build(const cv::Mat& bgr, const cv::Rect& region, const TargetColors& colors);
   /// Sum over the parts of a box of P(target | color of a pixel), px². Fractions of pixels count by
   /// their area (bilinear in the integral image).

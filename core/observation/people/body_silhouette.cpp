@@ -9,11 +9,11 @@
 namespace dewpoint::observation {
 namespace {
 
-/// Half widths of the pieces of a person of 1.75 m, metres: what is seen from all sides, with
-/// swinging arms and legs.
+/// Origin not recorded. Half widths of the pieces of a person of 1.75 m, meters: what is seen from
+/// all sides, with swinging arms and legs.
 constexpr std::array<double, kBodyPieces> kHalfWidths{0.15, 0.15, 0.20, 0.23, 0.21, 0.10};
-constexpr double kReferenceHeight = 1.75;
-constexpr int kFarOff = 1 << 14; ///< pixels: so far outside it does not matter how far
+constexpr double kReferenceHeight = 1.75; ///< meters
+constexpr int kFarOff = 1 << 14;          ///< pixels: so far outside it does not matter how far
 
 int pixelOf(double value) {
   return static_cast<int>(std::lround(std::clamp(value, -double{kFarOff}, double{kFarOff})));
@@ -29,17 +29,17 @@ SilhouetteMaker::SilhouetteMaker(const Camera& camera)
     : projector_(camera), center_(camera.center()), axis_(camera.opticalAxis()),
       focal_(std::sqrt(camera.intrinsics.focalX * camera.intrinsics.focalY)) {}
 
-BodySilhouette SilhouetteMaker::of(const Eigen::Vector2d& place, double floor,
+BodySilhouette SilhouetteMaker::of(const Eigen::Vector2d& position, double floor,
                                    double height) const {
-  constexpr double kNearest = 0.2; // metres
+  constexpr double kNearest = 0.2; // meters
   std::array<double, kBodyPieces + 1> x;
   std::array<double, kBodyPieces + 1> y;
   std::array<double, kBodyPieces + 1> z;
   std::array<double, kBodyPieces + 1> column;
   std::array<double, kBodyPieces + 1> row;
   for (std::size_t k = 0; k <= kBodyPieces; ++k) {
-    x[k] = place.x();
-    y[k] = place.y();
+    x[k] = position.x();
+    y[k] = position.y();
     z[k] = floor + height * static_cast<double>(k) / kBodyPieces;
   }
   projector_.projectBatch(kBodyPieces + 1, x.data(), y.data(), z.data(), column.data(), row.data());
@@ -50,9 +50,9 @@ BodySilhouette SilhouetteMaker::of(const Eigen::Vector2d& place, double floor,
       return result;
     }
     const double half = bodyHalfWidth(static_cast<int>(k), height) * focal_ / distance;
-    const double middle = 0.5 * (column[k] + column[k + 1]);
-    const int left = pixelOf(middle - half + 0.5);
-    const int right = std::max(left + 1, pixelOf(middle + half + 0.5));
+    const double center = 0.5 * (column[k] + column[k + 1]);
+    const int left = pixelOf(center - half + 0.5);
+    const int right = std::max(left + 1, pixelOf(center + half + 0.5));
     const int top = pixelOf(std::min(row[k], row[k + 1]) + 0.5);
     const int bottom = std::max(top + 1, pixelOf(std::max(row[k], row[k + 1]) + 0.5));
     result.pieces[k] = {left, top, right - left, bottom - top};

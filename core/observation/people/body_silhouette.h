@@ -16,15 +16,15 @@ namespace dewpoint::observation {
 /// Pieces a standing body is cut into, from the feet up.
 inline constexpr int kBodyPieces = 6;
 
-/// How a standing person looks in a camera: one upright rectangle of pixels per piece of the body,
-/// also outside the image, half open as OpenCV has it. `visible` is false when the camera cannot
-/// show it (behind, or past its lens).
+/// The silhouette of a standing person in a camera: one upright rectangle of pixels per piece of
+/// the body, also outside the image, half open as OpenCV has it. `visible` is false when the camera
+/// cannot show it (behind, or past its lens).
 struct BodySilhouette {
   std::array<cv::Rect, kBodyPieces> pieces;
   bool visible = false;
 };
 
-/// Half the width of a piece of a body of `height`, metres: legs, hips, trunk, shoulders, head.
+/// Half the width of a piece of a body of `height`, meters: legs, hips, trunk, shoulders, head.
 double bodyHalfWidth(int piece, double height);
 
 /// Draws bodies for one camera; prepared once, cheap per body.
@@ -32,9 +32,10 @@ class SilhouetteMaker {
 public:
   explicit SilhouetteMaker(const Camera& camera);
 
-  /// Of a person who stands at `place` (world x and y, metres) on the floor of height `floor` (m).
-  BodySilhouette of(const Eigen::Vector2d& place, double floor, double height) const;
-  /// Metres in front of the camera.
+  /// The silhouette of a person of `height` meters who stands at `position` (world x and y, meters)
+  /// on a floor at z = `floor` (m).
+  BodySilhouette of(const Eigen::Vector2d& position, double floor, double height) const;
+  /// Meters in front of the camera.
   double depth(const Eigen::Vector3d& point) const { return axis_.dot(point - center_); }
 
 private:

@@ -7,9 +7,11 @@
 namespace dewpoint::observation {
 namespace {
 
-constexpr float kLeastShare = 0.01F; ///< of a color nobody was seen to wear
-constexpr float kFastestRate = 0.05F;
-constexpr float kFewest = 10.0F; ///< pixels that make a look
+// Origin of the values not recorded.
+
+constexpr float kLeastShare = 0.01F;  ///< of a color that was never observed
+constexpr float kFastestRate = 0.05F; ///< least gain of an update, 0 to 1
+constexpr float kFewest = 10.0F;      ///< pixels, least of an update
 
 int cell(int part, int whole, int low, int high) {
   // Percent of the whole, in eight cells from `low` to `high`.
@@ -40,7 +42,7 @@ void forEachOwnPixel(const cv::Mat& image, const cv::Mat& mask, const BodySilhou
 } // namespace
 
 std::size_t clothesBin(const std::uint8_t* bgr) {
-  constexpr int kDark = 75; // sum of three channels
+  constexpr int kDark = 75; // sum of three channels, below which a pixel has no color
   const int sum = bgr[0] + bgr[1] + bgr[2];
   if (sum < kDark) {
     return kClothesBins - 1;
@@ -51,30 +53,30 @@ std::size_t clothesBin(const std::uint8_t* bgr) {
   return static_cast<std::size_t>((bright * 8 + green) * 8 + red);
 }
 
-void ClothesModel::look(const cv::Mat& image, const cv::Mat& mask, const BodySilhouette& silhouette,
-                        const cv::Mat& covered) {
+void ClothesModel::learn(const cv::Mat& image, const cv::Mat& mask,
+                         const BodySilhouette& silhouette, const cv::Mat& covered) {
   forEachOwnPixel(image, mask, silhouette, covered, [&](std::size_t part, const auto* bgr) {
     counts_[part][clothesBin(bgr)] += 1.0F;
   });
 }
 
 void ClothesModel::finishLook() {
-  bool looked = false;
+  bool learned = false;
   for (std::size_t part = 0; part < 2; ++part) {
     float sum = 0.0F;
     for (const float count : counts_[part]) {
       sum += count;
     }
     if (sum >= kFewest) {
-      looked = true;
-      const float rate = std::max(kFastestRate, 1.0F / static_cast<float>(looks_ + 1));
+      learned = true;
+      const float rate = std::max(kFastestRate, 1.0F / static_cast<float>(updateCount_ + 1));
       for (std::size_t bin = 0; bin < kClothesBins; ++bin) {
         shares_[part][bin] += rate * (counts_[part][bin] / sum - shares_[part][bin]);
       }
     }
     counts_[part].fill(0.0F);
   }
-  looks_ += looked ? 1 : 0;
+  updateCount_ += learned ? 1 : 0;
 }
 
 ClothesRatio ClothesModel::against(const ClothesModel& other) const {

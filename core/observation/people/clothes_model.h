@@ -25,11 +25,11 @@ using ClothesRatio = std::array<std::array<float, kClothesBins>, 2>;
 class ClothesModel {
 public:
   /// Learns the moving pixels of a silhouette that are not `covered` by others (CV_8UC1, or empty).
-  void look(const cv::Mat& image, const cv::Mat& mask, const BodySilhouette& silhouette,
-            const cv::Mat& covered);
-  /// Ends a frame: what was looked at since the last call counts as one look.
+  void learn(const cv::Mat& image, const cv::Mat& mask, const BodySilhouette& silhouette,
+             const cv::Mat& covered);
+  /// Ends a frame: the images learned from since the last call count as one update.
   void finishLook();
-  bool known() const { return looks_ >= kEnoughLooks; }
+  bool known() const { return updateCount_ >= kEnoughUpdates; }
   /// This person against another.
   ClothesRatio against(const ClothesModel& other) const;
   /// Mean log ratio of the moving pixels of a silhouette that are not covered; 0 without any.
@@ -37,11 +37,11 @@ public:
                           const BodySilhouette& silhouette, const cv::Mat& covered);
 
 private:
-  static constexpr int kEnoughLooks = 3;
+  static constexpr int kEnoughUpdates = 3; ///< until the clothes are known; origin not recorded
   using Histogram = std::array<float, kClothesBins>;
   std::array<Histogram, 2> shares_{}; ///< sum 1 each, once known
-  std::array<Histogram, 2> counts_{}; ///< of the look under way
-  int looks_ = 0;
+  std::array<Histogram, 2> counts_{}; ///< of the frame under way
+  int updateCount_ = 0;
 };
 
 } // namespace dewpoint::observation

@@ -14,15 +14,15 @@
 
 namespace dewpoint::observation {
 
-/// What one camera shows, as the methods of Mohedano et al. 2009 look at it.
+/// What one camera shows, as the methods of Mohedano et al. 2009 use it.
 struct PersonCamera {
   const Projector* projector = nullptr;
   cv::Mat likelihood; ///< D, CV_32FC1; empty: the camera has no image
-  cv::Mat image;      ///< CV_8UC3 of the same size; looked at for the color cue only
+  cv::Mat image;      ///< CV_8UC3 of the same size; used by the color cue only
 };
 
 /// The observation model of Mohedano et al. 2009: the product over cameras of D at the particle's
-/// projection (MS), and of the color there (MS+C). States are x y z vx vy vz (metres, m/s) and,
+/// projection (MS), and of the color there (MS+C). States are x y z vx vy vz (meters, m/s) and,
 /// with a color cue, h s in [0, 1]. A particle that a camera does not see has D = `floor` there,
 /// and no color.
 class PersonObservation {
@@ -47,15 +47,15 @@ public:
           const auto at = static_cast<std::size_t>(i);
           const double hue = color_ ? rows(begin + i, 6) : 0.0;
           const double saturation = color_ ? rows(begin + i, 7) : 0.0;
-          logLikelihood[begin + i] += look(camera, column[at], row[at], hue, saturation);
+          logLikelihood[begin + i] += logLikelihoodAt(camera, column[at], row[at], hue, saturation);
         }
       }
     }
   }
 
 private:
-  double look(const PersonCamera& camera, double column, double row, double hue,
-              double saturation) const {
+  double logLikelihoodAt(const PersonCamera& camera, double column, double row, double hue,
+                         double saturation) const {
     cv::Point pixel;
     if (!nearestPixel(column, row, camera.likelihood, pixel)) {
       return std::log(floor_);

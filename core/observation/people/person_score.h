@@ -8,8 +8,8 @@
 namespace dewpoint::observation {
 
 /// What a pixel of a standing body adds to its score, in units of a fully visible one: motion
-/// speaks for a person, none against one. About log(0.6 / 0.03) against log(0.4 / 0.97): masks have
-/// holes.
+/// speaks for a person, none against one. Origin: about log(0.6 / 0.03) against log(0.4 / 0.97):
+/// masks have holes.
 inline constexpr double kMovingPixel = 1.0;
 inline constexpr double kStillPixel = -0.3;
 

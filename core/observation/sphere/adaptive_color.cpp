@@ -11,8 +11,9 @@
 namespace dewpoint::observation {
 namespace {
 
-/// Within this part of the outline's radius the blurred rim and a small error of the place are left
-/// out.
+// Reasons: docs/method-dewpoint.md, section 10; those without a derivation are judgments.
+
+/// Radii; inside lies neither the blurred rim nor a small error of the position.
 constexpr double kInside = 0.85;
 constexpr int kMostSamples = 400; ///< of the target, and as many of its ring
 constexpr int kFewestSamples = 20;
@@ -26,7 +27,7 @@ constexpr double kLowQuantile = 0.1;      ///< and its opposite: an odd tenth do
 constexpr double kRingBegin = 1.35;       ///< radii: beyond the blurred rim
 constexpr double kRingEnd = 2.0;          ///< radii
 constexpr double kMostOfRing = 0.08;      ///< share that may match: a few stray pixels
-constexpr int kRows = 120;                ///< of an image that are looked at each time
+constexpr int kRows = 120;                ///< rows of an image that are counted in an update
 constexpr double kMostOfRest = 0.003;     ///< share that may match beyond twice that of before
 constexpr double kRim = 1.15;             ///< radii: what is nearer may be the target's
 constexpr double kMostHue = 30.0;         ///< degrees from what was learned
@@ -109,7 +110,7 @@ bool isUsable(const ColorRange& range) {
          checkColorRange(range).has_value();
 }
 
-/// So that about kMostSamples of an area are looked at.
+/// Step that leaves about kMostSamples pixels of an area.
 int stepFor(double area) {
   return std::max(1, static_cast<int>(std::ceil(std::sqrt(area / kMostSamples))));
 }
@@ -128,20 +129,20 @@ struct Counts {
 
 } // namespace
 
-/// One look at the target in an image.
-struct AdaptiveColor::Look {
+/// The target in one image.
+struct AdaptiveColor::TargetImage {
   const cv::Mat& image;
   const SphereImage& outline;
   const std::vector<SphereImage>& others;
-  int phase = 0; ///< which rows are looked at
+  int phase = 0; ///< which rows are counted
 
   void addRow(int row, const ColorClassifier& classifier, std::vector<std::uint8_t>& match,
               Counts& counts) const;
   Counts count(const ColorClassifier& classifier) const;
 };
 
-void AdaptiveColor::Look::addRow(int row, const ColorClassifier& classifier,
-                                 std::vector<std::uint8_t>& match, Counts& counts) const {
+void AdaptiveColor::TargetImage::addRow(int row, const ColorClassifier& classifier,
+                                        std::vector<std::uint8_t>& match, Counts& counts) const {
   classifier.matchRow(image.ptr<std::uint8_t>(row), image.cols, match.data());
   const auto matched = [&](const Stretch& stretch) {
     return static_cast<double>(
@@ -166,7 +167,7 @@ void AdaptiveColor::Look::addRow(int row, const ColorClassifier& classifier,
   counts.restMatched += matched({0, image.cols});
 }
 
-Counts AdaptiveColor::Look::count(const ColorClassifier& classifier) const {
+Counts AdaptiveColor::TargetImage::count(const ColorClassifier& classifier) const {
   const int step = std::max(1, image.rows / kRows);
   std::vector<std::uint8_t> match(static_cast<std::size_t>(image.cols));
   Counts counts;
@@ -182,9 +183,9 @@ namespace {
 std::pair<double, double> quantiles(std::vector<double>& values) {
   const auto last = std::ssize(values) - 1;
   const auto at = [&](double share) {
-    const auto place = values.begin() + std::lround(share * static_cast<double>(last));
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
+    const auto nth = values.begin() + std::lround(share * static_cast<double>(last));
+    std::nth_element(values.begin(), nth, values.end());
+    return *nth;
   };
   const double low = at(kLowQuantile);
   return {low, at(1.0 - kLowQuantile)};
@@ -211,7 +212,7 @@ void AdaptiveColor::forget() {
   cameras_.assign(cameras_.size(), PerCamera{.range = learned_, .classifier = *learnedClassifier_});
 }
 
-double AdaptiveColor::hueMiddle() const {
+double AdaptiveColor::hueCenter() const {
   return learned_.hueMin + 0.5 * widthOf(learned_);
 }
 
@@ -225,17 +226,18 @@ AdaptiveColor::Quantiles AdaptiveColor::learnedBounds() const {
           std::log(learned_.intensityMax)}; // of 0: no bound, see rangeOf()
 }
 
-bool AdaptiveColor::measure(const PerCamera& camera, const Look& look, Quantiles& measured) const {
+bool AdaptiveColor::measure(const PerCamera& camera, const TargetImage& target,
+                            Quantiles& measured) const {
   const ColorRange wider = widened(camera.range);
-  const double middle = hueMiddle();
+  const double center = hueCenter();
   std::array<std::vector<double>, 3> values;
   int all = 0;
-  const double area = kInside * kInside * 3.2 * look.outline.radius * look.outline.radius;
-  forDisc(look.image, look.outline, kInside, stepFor(area), [&](const Pixel& pixel) {
+  const double area = kInside * kInside * 3.2 * target.outline.radius * target.outline.radius;
+  forDisc(target.image, target.outline, kInside, stepFor(area), [&](const Pixel& pixel) {
     ++all;
     const Hsi color = hsiFromBgr(pixel[0], pixel[1], pixel[2]);
     if (matches(color, wider)) {
-      values[0].push_back(std::isnan(color.hueDegrees) ? 0.0 : aside(color.hueDegrees - middle));
+      values[0].push_back(std::isnan(color.hueDegrees) ? 0.0 : aside(color.hueDegrees - center));
       values[1].push_back(color.saturation);
       values[2].push_back(std::log(color.intensity)); // black does not match
     }
@@ -264,8 +266,8 @@ ColorRange AdaptiveColor::rangeOf(const PerCamera& camera, const Quantiles& now,
   }
   ColorRange range = learned_; // a bound that is no bound stays none
   if (!spansEveryHue(learned_)) {
-    range.hueMin = hueOf(hueMiddle() + bounds[0]);
-    range.hueMax = hueOf(hueMiddle() + std::max(bounds[0], std::min(bounds[1], bounds[0] + 350.0)));
+    range.hueMin = hueOf(hueCenter() + bounds[0]);
+    range.hueMax = hueOf(hueCenter() + std::max(bounds[0], std::min(bounds[1], bounds[0] + 350.0)));
   }
   if (learned_.saturationMin > 0.0) {
     range.saturationMin = std::clamp(bounds[2], 0.0, 1.0);
@@ -282,24 +284,25 @@ ColorRange AdaptiveColor::rangeOf(const PerCamera& camera, const Quantiles& now,
   return range;
 }
 
-void AdaptiveColor::begin(PerCamera& camera, const Look& look, const Quantiles& measured) const {
-  const double share = 1.0 / camera.looks;
+void AdaptiveColor::begin(PerCamera& camera, const TargetImage& target,
+                          const Quantiles& measured) const {
+  const double share = 1.0 / camera.updateCount;
   for (std::size_t k = 0; k < kBounds; ++k) {
     camera.reference[k] += share * (measured[k] - camera.reference[k]);
   }
-  camera.restShare += share * (look.count(camera.classifier).restShare() - camera.restShare);
+  camera.restShare += share * (target.count(camera.classifier).restShare() - camera.restShare);
   camera.now = camera.reference;
 }
 
-std::optional<double> AdaptiveColor::step(PerCamera& camera, const Look& look,
+std::optional<double> AdaptiveColor::step(PerCamera& camera, const TargetImage& target,
                                           const Quantiles& next) const {
   const ColorRange range = rangeOf(camera, next, camera.slack);
   if (!isUsable(range)) {
     return std::nullopt;
   }
   const ColorClassifier classifier(range);
-  const Counts before = look.count(camera.classifier);
-  const Counts after = look.count(classifier);
+  const Counts before = target.count(camera.classifier);
+  const Counts after = target.count(classifier);
   if (after.ringShare() > std::max(kMostOfRing, before.ringShare()) ||
       after.restShare() > std::max(2.0 * camera.restShare + kMostOfRest, before.restShare())) {
     return std::nullopt;
@@ -310,8 +313,8 @@ std::optional<double> AdaptiveColor::step(PerCamera& camera, const Look& look,
   return after.f1();
 }
 
-void AdaptiveColor::tighten(PerCamera& camera, const Look& look, double f1) const {
-  const std::size_t bound = static_cast<std::size_t>(camera.looks) % kBounds;
+void AdaptiveColor::tighten(PerCamera& camera, const TargetImage& target, double f1) const {
+  const std::size_t bound = static_cast<std::size_t>(camera.updateCount) % kBounds;
   double best = f1 + kWorthwhile;
   const double before = camera.slack[bound];
   for (const double tried :
@@ -320,7 +323,7 @@ void AdaptiveColor::tighten(PerCamera& camera, const Look& look, double f1) cons
     slack[bound] = tried;
     const ColorRange range = rangeOf(camera, camera.now, slack);
     const ColorClassifier classifier(isUsable(range) ? range : camera.range);
-    const double now = look.count(classifier).f1();
+    const double now = target.count(classifier).f1();
     if (now > best) {
       best = now;
       camera.slack[bound] = tried;
@@ -335,23 +338,23 @@ void AdaptiveColor::tighten(PerCamera& camera, const Look& look, double f1) cons
 bool AdaptiveColor::follow(std::size_t index, const cv::Mat& image, const SphereImage& outline,
                            const std::vector<SphereImage>& others, double share) {
   PerCamera& camera = cameras_.at(index);
-  const Look look{image, outline, others, camera.looks};
+  const TargetImage target{image, outline, others, camera.updateCount};
   Quantiles measured;
-  if (image.type() != CV_8UC3 || !measure(camera, look, measured)) {
+  if (image.type() != CV_8UC3 || !measure(camera, target, measured)) {
     return false;
   }
-  ++camera.looks;
-  if (camera.looks <= kReferenceLooks) {
-    begin(camera, look, measured);
+  ++camera.updateCount;
+  if (camera.updateCount <= kReferenceUpdates) {
+    begin(camera, target, measured);
     return false;
   }
   Quantiles next;
   for (std::size_t k = 0; k < kBounds; ++k) {
     next[k] = camera.now[k] + share * (measured[k] - camera.now[k]);
   }
-  const auto f1 = step(camera, look, next);
+  const auto f1 = step(camera, target, next);
   if (f1) {
-    tighten(camera, look, *f1);
+    tighten(camera, target, *f1);
   }
   return f1.has_value();
 }

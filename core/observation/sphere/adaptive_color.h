@@ -15,11 +15,11 @@
 namespace dewpoint::observation {
 
 /// A target's color as each camera sees it while the light changes slowly. The bounds of the
-/// learned range follow the quantiles of the colors on the target: as much as hue and saturation
-/// are another now than at first, and by the factor by which the intensity is. Where the room comes
-/// to look like the target in the light of now (noise in the dark has any hue) a bound moves closer
-/// to its quantile, as long as that raises the F1 score of the pixels. The caller sees to it
-/// that only frames are learned from in which the target is there and not covered.
+/// learned range follow the quantiles of the colors on the target: by as much as hue
+/// and saturation differ from those at first, and by the factor by which the intensity does. Where
+/// the background comes to have the target's color in the light of now (noise in the dark has any
+/// hue) a bound moves closer to its quantile, as long as that raises the F1 score of the pixels.
+/// Only frames in which the target is certain and not covered may be learned from.
 class AdaptiveColor {
 public:
   /// `learned` has passed checkColorRange().
@@ -37,41 +37,43 @@ public:
 
   /// Back to what was learned, in all cameras.
   void forget();
-  /// One look at the target, whole and alone, in an image (CV_8UC3): goes `share` (0 to 1) of the
-  /// way to the colors there. The first kReferenceLooks looks of a camera only say what the target
-  /// looks like in the light of the beginning. `others` are outlines of things that have its color
-  /// as well. Does nothing where too little within the outline has about the color in use, and
-  /// takes no step that would let in more of the ring around the target, or of the rest of the
-  /// image, than is allowed. Whether a step was taken.
+  /// Updates the color in one camera by an image (CV_8UC3) that shows the target whole and alone:
+  /// moves `share` (0 to 1) of the way to the colors there. The first kReferenceUpdates updates of
+  /// a camera only measure the colors in the first light. `others` are outlines of other objects of
+  /// its color. Does nothing where too few pixels inside the outline have about the color in use,
+  /// and takes no step that would let in more of the ring around the target, or of the rest of the
+  /// image, than is allowed. Returns whether a step was taken.
   bool follow(std::size_t camera, const cv::Mat& image, const SphereImage& outline,
               const std::vector<SphereImage>& others, double share);
 
-  static constexpr int kReferenceLooks = 10;
+  /// A third of a second; a judgment (docs/method-dewpoint.md, section 10).
+  static constexpr int kReferenceUpdates = 10;
 
 private:
-  /// Low and high quantiles: of hue (degrees from the middle of the learned range), saturation,
+  /// Low and high quantiles: of hue (degrees from the center of the learned range), saturation,
   /// and the logarithm of the intensity.
   static constexpr std::size_t kBounds = 6;
   using Quantiles = std::array<double, kBounds>;
   struct PerCamera {
-    int looks = 0;
-    Quantiles reference{}; ///< in the light of the beginning
+    int updateCount = 0;
+    Quantiles reference{}; ///< in the first light
     Quantiles now{};
     Quantiles slack{1, 1, 1, 1, 1, 1}; ///< from quantile to bound, as a share of that learned
-    double restShare = 0.0;            ///< of the rest of the image that matched at the beginning
+    double restShare = 0.0;            ///< of the rest of the image that matched in the first light
     ColorRange range;
     ColorClassifier classifier;
   };
-  struct Look;
+  struct TargetImage;
 
   Quantiles learnedBounds() const;
-  double hueMiddle() const;
-  bool measure(const PerCamera& camera, const Look& look, Quantiles& measured) const;
+  double hueCenter() const;
+  bool measure(const PerCamera& camera, const TargetImage& target, Quantiles& measured) const;
   ColorRange rangeOf(const PerCamera& camera, const Quantiles& now, const Quantiles& slack) const;
-  void begin(PerCamera& camera, const Look& look, const Quantiles& measured) const;
+  void begin(PerCamera& camera, const TargetImage& target, const Quantiles& measured) const;
   /// The F1 score after the step; nothing when it was not taken.
-  std::optional<double> step(PerCamera& camera, const Look& look, const Quantiles& next) const;
-  void tighten(PerCamera& camera, const Look& look, double f1) const;
+  std::optional<double> step(PerCamera& camera, const TargetImage& target,
+                             const Quantiles& next) const;
+  void tighten(PerCamera& camera, const TargetImage& target, double f1) const;
 
   ColorRange learned_;
   std::shared_ptr<const ColorClassifier> learnedClassifier_; ///< never null; shared by copies

@@ -22,7 +22,7 @@ namespace dewpoint::observation {
 ///   p_c = 1/25 when u is outside the image or X behind the camera; else p_c = max(m, 1) / 25.
 /// A window cut by the border counts the pixels it has, the divisor stays 25. The likelihood is the
 /// product over the cameras; a camera without an image contributes nothing.
-/// States: columns 0 to 2 are x, y, z in metres, world frame.
+/// States: columns 0 to 2 are x, y, z in meters, world frame.
 class ColorWindow {
 public:
   ColorWindow(const CameraRig& rig, const ColorClassifier& classifier);
@@ -31,10 +31,9 @@ public:
   void setClassifier(const ColorClassifier& classifier);
   /// The image (CV_8UC3, blue green red) that a camera shows from now on; empty for none.
   void setImage(std::size_t camera, const cv::Mat& image);
-  /// Decides how colors are looked up when these images will be asked for this many windows, the
-  /// particles of all iterations on them: pixel by pixel where it is needed, or from counts over
-  /// the whole image where that takes less time. The result is the same. Not to be called while
-  /// other threads use the model.
+  /// Chooses how windows are counted, given how many will be needed on these images (the particles
+  /// of all iterations): one by one, or from counts over the whole image where that takes less
+  /// time. The result is the same. Not to be called while other threads use the model.
   void prepare(std::int64_t windowCount);
 
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const;

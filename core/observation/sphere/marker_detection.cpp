@@ -13,6 +13,8 @@
 namespace dewpoint::observation {
 namespace {
 
+// Origin of the values not recorded.
+
 constexpr double kOthersShare = 0.5;  ///< of the patch's area that others may have in sum
 constexpr double kLongest = 1.8;      ///< ratio of the axes: motion blur, and balls seen aside
 constexpr double kLeastFilled = 0.93; ///< share of the ellipse of the same moments that is filled
@@ -41,13 +43,13 @@ bool isRound(const cv::Moments& m) {
   const double xx = m.mu20 / m.m00 + pixel;
   const double yy = m.mu02 / m.m00 + pixel;
   const double xy = m.mu11 / m.m00;
-  const double middle = 0.5 * (xx + yy);
+  const double mean = 0.5 * (xx + yy);
   const double half = std::hypot(0.5 * (xx - yy), xy);
-  const double least = middle - half;
-  if (!(least > 0.0) || std::sqrt((middle + half) / least) > kLongest) {
+  const double least = mean - half;
+  if (!(least > 0.0) || std::sqrt((mean + half) / least) > kLongest) {
     return false;
   }
-  const double ellipse = 4.0 * std::numbers::pi * std::sqrt((middle + half) * least);
+  const double ellipse = 4.0 * std::numbers::pi * std::sqrt((mean + half) * least);
   return m.m00 > kLeastFilled * ellipse;
 }
 

@@ -10,18 +10,19 @@
 
 namespace dewpoint::observation {
 
-/// Finds a ball by its color alone, for calibration: sub-pixel, and rather nothing than something
-/// wrong.
+/// Finds a ball by its color alone, for calibration, to a fraction of a pixel. Returns nothing
+/// rather than something wrong.
 class MarkerDetector {
 public:
   explicit MarkerDetector(const ColorClassifier& classifier) : classifier_(classifier) {}
 
-  /// The one ball in the image (CV_8UC3): the largest patch of its color, if that is round like the
-  /// outline of a whole ball, away from the border, at least kLeastRadius large and larger than all
-  /// others together, its outline then fitted to the colors (fitBallEdge).
+  /// The ball in an image (CV_8UC3): the largest patch of its color, its outline fitted to the
+  /// colors (fitBallEdge()). Nothing if the patch is not round like a whole ball, touches the
+  /// border, has a radius below kLeastRadius, or has less than twice the area of all other patches
+  /// together.
   std::optional<MarkerImage> find(const cv::Mat& bgr);
 
-  static constexpr double kLeastRadius = 2.0; ///< pixels
+  static constexpr double kLeastRadius = 2.0; ///< pixels; origin not recorded
 
 private:
   ColorClassifier classifier_;

@@ -14,11 +14,13 @@
 namespace dewpoint::observation {
 namespace {
 
-constexpr int kRounds = 4;             ///< of looking for edges about the outline found so far
-constexpr double kWidestPx = 1.6;      ///< edges are looked for within so much of the outline
-constexpr double kWidestShare = 0.4;   ///< and so much of the radius
-constexpr double kBandPx = 1.0;        ///< farther in and out, colors are taken from so wide a band
-constexpr double kStepPx = 0.25;       ///< along a spoke
+// Origin of the values not recorded.
+
+constexpr int kRounds = 4;             ///< searches for edges about the outline found so far
+constexpr double kWidestPx = 1.6;      ///< pixels from the outline within which edges are searched
+constexpr double kWidestShare = 0.4;   ///< radii, likewise
+constexpr double kBandPx = 1.0;        ///< pixels, width of the bands that show the unmixed colors
+constexpr double kStepPx = 0.25;       ///< pixels between two samples of a spoke
 constexpr double kLeastAngle = 0.12;   ///< sine of the angle between both colors
 constexpr double kLeastShare = 0.6;    ///< of the spokes that must agree
 constexpr double kLargestSpread = 0.6; ///< pixels: of the edges about the ellipse
@@ -28,12 +30,12 @@ constexpr double kTukeyWidth = 4.0;    ///< in spreads
 using Color = Eigen::Vector3d;
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 
-/// The color between pixels, by bilinear interpolation. The place is inside.
-Color colorAt(const cv::Mat& bgr, const Eigen::Vector2d& place) {
-  const auto column = static_cast<int>(std::floor(place.x()));
-  const auto row = static_cast<int>(std::floor(place.y()));
-  const double x = place.x() - column;
-  const double y = place.y() - row;
+/// The color between pixels, by bilinear interpolation, at a point inside the image.
+Color colorAt(const cv::Mat& bgr, const Eigen::Vector2d& point) {
+  const auto column = static_cast<int>(std::floor(point.x()));
+  const auto row = static_cast<int>(std::floor(point.y()));
+  const double x = point.x() - column;
+  const double y = point.y() - row;
   const auto* above = bgr.ptr<cv::Vec3b>(row) + column;
   const auto* below = bgr.ptr<cv::Vec3b>(row + 1) + column;
   Color color;
@@ -47,10 +49,10 @@ Color colorAt(const cv::Mat& bgr, const Eigen::Vector2d& place) {
 /// Where an edge was found.
 struct Edge {
   double angle = 0.0;
-  double distance = 0.0; ///< from the middle, pixels
+  double distance = 0.0; ///< from the center, pixels
 };
 
-/// The outline in polar form about a middle: r = p0 + p1 cos + p2 sin + p3 cos 2 + p4 sin 2.
+/// The outline in polar form about a center: r = p0 + p1 cos + p2 sin + p3 cos 2 + p4 sin 2.
 Vector5 terms(double angle) {
   Vector5 row;
   row << 1.0, std::cos(angle), std::sin(angle), std::cos(2.0 * angle), std::sin(2.0 * angle);
@@ -79,14 +81,14 @@ private:
 };
 
 /// The edge on one spoke within `reach` of the expected distance.
-std::optional<Edge> edgeOn(const cv::Mat& bgr, const Eigen::Vector2d& middle, double angle,
+std::optional<Edge> edgeOn(const cv::Mat& bgr, const Eigen::Vector2d& center, double angle,
                            double expected, double reach) {
   const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
   const auto bandColor = [&](double from) {
     Color sum = Color::Zero();
     int count = 0;
     for (double s = from; s <= from + kBandPx + 1e-9; s += 0.5 * kBandPx, ++count) {
-      sum += colorAt(bgr, middle + s * way);
+      sum += colorAt(bgr, center + s * way);
     }
     return Color(sum / count);
   };
@@ -99,7 +101,7 @@ std::optional<Edge> edgeOn(const cv::Mat& bgr, const Eigen::Vector2d& middle, do
   const double step = 2.0 * reach / steps;
   double covered = 0.0;
   for (int k = 0; k < steps; ++k) {
-    covered += step * (1.0 - background(colorAt(bgr, middle + (inner + (k + 0.5) * step) * way)));
+    covered += step * (1.0 - background(colorAt(bgr, center + (inner + (k + 0.5) * step) * way)));
   }
   return Edge{angle, inner + covered};
 }
@@ -155,7 +157,7 @@ std::optional<PolarFit> fitPolar(const std::vector<Edge>& edges) {
 } // namespace
 
 std::optional<MarkerImage> fitBallEdge(const cv::Mat& bgr, const SphereImage& rough) {
-  Eigen::Vector2d middle = rough.center;
+  Eigen::Vector2d center = rough.center;
   Vector5 shape = Vector5::Zero();
   shape[0] = rough.radius;
   const int spokes = std::clamp(static_cast<int>(2.0 * std::numbers::pi * rough.radius), 24, 96);
@@ -163,15 +165,15 @@ std::optional<MarkerImage> fitBallEdge(const cv::Mat& bgr, const SphereImage& ro
   for (int round = 0; round < kRounds; ++round) {
     const double reach = std::min(kWidestPx, kWidestShare * shape[0]);
     const double outer = shape[0] * 1.5 + reach + kBandPx + 2.0;
-    if (!middle.allFinite() || middle.x() < outer || middle.y() < outer ||
-        middle.x() > bgr.cols - 1 - outer || middle.y() > bgr.rows - 1 - outer) {
+    if (!center.allFinite() || center.x() < outer || center.y() < outer ||
+        center.x() > bgr.cols - 1 - outer || center.y() > bgr.rows - 1 - outer) {
       return std::nullopt;
     }
     std::vector<Edge> edges;
     for (int k = 0; k < spokes; ++k) {
       const double angle = 2.0 * std::numbers::pi * k / spokes;
       const double expected = std::clamp(shape.dot(terms(angle)), 0.6 * shape[0], 1.5 * shape[0]);
-      if (const auto edge = edgeOn(bgr, middle, angle, expected, reach)) {
+      if (const auto edge = edgeOn(bgr, center, angle, expected, reach)) {
         edges.push_back(*edge);
       }
     }
@@ -185,17 +187,17 @@ std::optional<MarkerImage> fitBallEdge(const cv::Mat& bgr, const SphereImage& ro
       return std::nullopt;
     }
     fit = *found;
-    middle += fit.shape.segment<2>(1);
+    center += fit.shape.segment<2>(1);
     shape = fit.shape;
     shape.segment<2>(1).setZero();
   }
-  if ((middle - rough.center).norm() > std::max(1.5, 0.25 * rough.radius)) {
+  if ((center - rough.center).norm() > std::max(1.5, 0.25 * rough.radius)) {
     return std::nullopt;
   }
   MarkerImage ball;
-  ball.outline.center = middle;
+  ball.outline.center = center;
   ball.outline.radius = shape[0];
-  // Neighboring spokes see the same pixels: about two of them are one look.
+  // Neighboring spokes see the same pixels: about two of them are one measurement.
   ball.sigma = std::max(0.02, fit.spread * std::sqrt(2.0 * fit.middleVariance));
   return ball;
 }

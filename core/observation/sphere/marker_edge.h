@@ -9,10 +9,10 @@
 
 namespace dewpoint::observation {
 
-/// A ball's outline in an image, with how well its middle is known.
+/// A ball's outline in an image, with how well its center is known.
 struct MarkerImage {
   SphereImage outline;
-  double sigma = 0.0; ///< standard deviation of the middle along each axis, pixels
+  double sigma = 0.0; ///< standard deviation of the center along each axis, pixels
 };
 
 /// Fits the outline of a ball from a rough one (a pixel or so off), to a few hundredths of a pixel.

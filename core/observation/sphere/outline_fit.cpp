@@ -15,22 +15,25 @@
 namespace dewpoint::observation {
 namespace {
 
-constexpr std::size_t kMostSpokes = 32;
-constexpr double kSearchRadii = 1.7; ///< how far along a spoke edges are looked for
-constexpr double kStepPx = 0.5;      ///< along a spoke
-/// How far edges may be off the expected outline, in radii, one iteration after the other.
+// Reasons: docs/method-dewpoint.md, section 3; those without a derivation are judgments.
+
+constexpr std::size_t kMostSpokes = 32; ///< per camera
+constexpr double kSearchRadii = 1.7;    ///< radii, length of a spoke on which edges are searched
+constexpr double kStepPx = 0.5;         ///< pixels between two samples of a spoke
+/// Radii by which edges may be off the expected outline, one iteration after the other.
 constexpr std::array<double, 5> kFarWidths{1.2, 0.8, 0.45, 0.3, 0.25};
 constexpr std::array<double, 5> kNearWidths{0.5, 0.35, 0.25, 0.25, 0.25};
 constexpr int kFewestEdges = 6; ///< of one camera that together make a fit
 /// Standard deviation of one edge, pixels: the pixel raster and a rough color boundary.
 constexpr double kEdgeSigmaPx = 0.45;
-/// Common offset of all edges of a camera, standard deviation: pixels and share of the radius.
+/// Standard deviation of the common offset of all edges of a camera: pixels, and radii.
 constexpr double kOffsetPx = 0.3;
 constexpr double kOffsetShare = 0.02;
 /// What is added to a camera's own information before it is inverted, as a share of it: depth.
 constexpr double kLeastOwnShare = 1e-4;
-constexpr double kJacobianStep = 1e-4; ///< metres
-constexpr double kGoodEnough = 2e-5;   ///< metres: a fiftieth of a pixel of a usual camera
+constexpr double kJacobianStep = 1e-4; ///< meters
+constexpr double kGoodEnough =
+    2e-5; ///< meters, last step of an iteration: a fiftieth of a pixel of a usual camera
 
 using Matrix4 = Eigen::Matrix4d;
 using Vector4 = Eigen::Vector4d;
@@ -38,7 +41,7 @@ using Vector4 = Eigen::Vector4d;
 /// An edge of the color along a spoke.
 struct Edge {
   Eigen::Vector2d direction;
-  double distance; ///< from the outline's middle, pixels
+  double distance; ///< from the outline's center, pixels
   double weight;   ///< trust beforehand, 0 to 1
 };
 
@@ -205,7 +208,7 @@ void compareCameras(const std::vector<CameraEquations>& cameras, const Vector4& 
   }
   if (seeing > 1) {
     fit.disagreement = sum;
-    fit.freedoms = 2 * seeing - 3; // a column and a row each, against one place
+    fit.freedoms = 2 * seeing - 3; // a column and a row each, against one position
   }
 }
 

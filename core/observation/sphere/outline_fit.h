@@ -14,23 +14,23 @@ namespace dewpoint::observation {
 /// One camera's part in an outline fit.
 struct OutlineView {
   const SphereProjector* projector = nullptr;
-  LabelImage* labels = nullptr; ///< made wider where the fit needs it; empty: not used
-  /// Where the sphere is when this camera looks, relative to the common instant: velocity times the
-  /// difference of the capture times; metres.
+  LabelImage* labels = nullptr; ///< more labels are made where the fit needs them; empty: not used
+  /// Displacement of the sphere (meters) between the frame's time and this camera's exposure: its
+  /// velocity times the difference of the times.
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();
 };
 
-/// Where a sphere is, by its outline in all cameras at once.
+/// The position of a sphere, from its outline in all cameras together.
 struct OutlineFit {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();     ///< metres, world
-  double radius = 0.0;                                  ///< metres
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();     ///< meters, world
+  double radius = 0.0;                                  ///< meters
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< of the center, m²
   double logRadiusVariance = 0.0;                       ///< of log(radius)
   std::vector<int> edges; ///< per camera, spokes on which the outline was found
-  bool found = false;     ///< enough of the outline was seen to say
-  /// How much the cameras disagree: the sum over the cameras of the squared distance, in standard
-  /// deviations, of what each alone would say from what they say together. Its mean is `freedoms`
-  /// if the edges' errors are as assumed; far more when a camera is not where it is thought to be.
+  bool found = false;     ///< enough of the outline was seen; else nothing else is valid
+  /// The disagreement of the cameras: the sum over the cameras of the squared Mahalanobis distance
+  /// between the position by one camera alone and that by all. Its mean is `freedoms` if the edges'
+  /// errors are as assumed; it is far larger when a camera was moved.
   double disagreement = 0.0;
   int freedoms = 0; ///< 0 when only one camera sees the outline
   /// How much larger or smaller than expected the outline is: the sum over the cameras of the
@@ -38,7 +38,7 @@ struct OutlineFit {
   double sizeMisfit = 0.0;
 };
 
-/// What is known before the look.
+/// What is known before the fit.
 struct OutlinePrior {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< where to start from
   double radius = 0.0;
@@ -49,15 +49,15 @@ struct OutlinePrior {
 
 /// How far from the expected outline edges may lie.
 enum class OutlineReach {
-  Near, ///< up to half a radius: for a good prediction, beside other things of the color
-  Far,  ///< more than a radius, then nearer and nearer: for a guess
+  Near, ///< up to half a radius: for a good prediction, beside other objects of the color
+  Far,  ///< more than a radius, then nearer and nearer: for a rough start
 };
 
-/// Fits a sphere to the edges of the target's color along spokes from its expected middle, in all
+/// Fits a sphere to the edges of the target's color along spokes from its expected center, in all
 /// cameras together: Gauss-Newton over center (and radius) with Tukey's weights, so that a part
 /// that is hidden, or runs into something of the same color, is left out instead of pulling. How
 /// far the color reaches at an edge is uncertain by a common amount per camera (anti-aliasing,
-/// shading), which is estimated away; so the size in the image speaks of depth only weakly.
+/// shading), which is estimated away; so the size in the image determines the depth only weakly.
 OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior& prior,
                       OutlineReach reach = OutlineReach::Far);
 

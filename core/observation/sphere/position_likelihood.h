@@ -9,12 +9,12 @@
 
 namespace dewpoint::observation {
 
-/// Likelihood of positions x y z (metres) given a measured one: an isotropic Gaussian around it
+/// Likelihood of positions x y z (meters) given a measured one: an isotropic Gaussian around it
 /// (Barrera et al. 2005, section III-C; the paper does not state its sigma). In logarithms: 2 m at
 /// 0.1 m would be exp(-200). Without a measurement every position is as likely.
 struct PositionLikelihood {
   std::optional<Eigen::Vector3d> measured;
-  double sigma = 0.1; ///< metres
+  double sigma = 0.1; ///< meters
 
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const {
     if (!measured) {

@@ -9,15 +9,17 @@
 namespace dewpoint::observation {
 namespace {
 
+// Reasons: docs/method-dewpoint.md, section 4; those without a derivation are judgments.
+
 constexpr int kSpokes = 12;
-constexpr double kInner = 0.45; ///< radii at which samples lie
-constexpr double kEdge = 0.80;
-constexpr double kRing = 1.25;
+constexpr double kInner = 0.45; ///< radii from the center, samples well inside
+constexpr double kEdge = 0.80;  ///< radii from the center, samples near the edge
+constexpr double kRing = 1.25;  ///< radii from the center, samples in the ring
 
 // Log likelihood ratios "target here" against "not here" of what a sample shows. A matching sample
 // inside: 0.9 against 0.01 (stray pixels of the color). One that does not match although nothing
 // new is there: 0.01 against 0.97. In the ring, given a match inside: clean 0.96 against 0.3;
-// matching as well, a larger thing of the color: as bad as a miss, so that a few such samples are
+// matching as well, a larger object of the color: as bad as a miss, so that a few such samples are
 // outvoted, while a whole ring takes away all that the inside says.
 constexpr double kInsideMatch = 4.5;
 constexpr double kInsideMiss = -4.5;
@@ -25,10 +27,8 @@ constexpr double kRingClean = 1.2;
 constexpr double kRingMatch = -9.0;
 /// Samples of one image are far from independent: their sum counts this much.
 constexpr double kTemper = 0.12;
-/// Outlines of fewer pixels count less.
+/// Pixels; smaller outlines count less, since their samples fall on the same pixels.
 constexpr double kFullArea = 60.0;
-/// The blurred rim of another outline is its own as well.
-constexpr double kOthersMargin = 1.05;
 
 struct Spoke {
   double x;
@@ -140,7 +140,7 @@ double SphereEvidence::explainedRingGain(const LabelImage& labels, const SphereI
     const Eigen::Vector2d sample =
         outline.center + kRing * outline.radius * Eigen::Vector2d(spoke.x, spoke.y);
     const bool covered = std::any_of(others.begin(), others.end(), [&](const SphereImage& other) {
-      return (sample - other.center).norm() <= kOthersMargin * other.radius + 1.0;
+      return (sample - other.center).norm() <= SphereEvidence::kOutlineMargin * other.radius + 1.0;
     });
     explained += covered && sampler.at(spoke, kEdge) == PixelLabel::Target &&
                          sampler.at(spoke, kRing) == PixelLabel::Target

@@ -8,15 +8,16 @@
 namespace dewpoint::observation {
 namespace {
 
-/// Outlines larger than this many pixels in radius mean a place right in front of the lens.
+/// Pixels, largest radius of an outline; a larger one is right in front of the lens. A judgment
+/// (docs/method-dewpoint.md, section 4).
 constexpr double kLargestRadiusPx = 2000.0;
 
 Eigen::Vector3d placeOf(ConstStateRows rows, Eigen::Index row, double timeOffset) {
-  Eigen::Vector3d place(rows(row, 0), rows(row, 1), rows(row, 2));
+  Eigen::Vector3d position(rows(row, 0), rows(row, 1), rows(row, 2));
   if (rows.cols() >= 6 && timeOffset != 0.0) {
-    place += timeOffset * Eigen::Vector3d(rows(row, 3), rows(row, 4), rows(row, 5));
+    position += timeOffset * Eigen::Vector3d(rows(row, 3), rows(row, 4), rows(row, 5));
   }
-  return place;
+  return position;
 }
 
 bool insideImage(const SphereImage& outline, const cv::Size& size) {

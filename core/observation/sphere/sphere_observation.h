@@ -17,16 +17,20 @@ namespace dewpoint::observation {
 
 /// A sphere whose outlines cover pixels.
 struct OutlineSphere {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< metres, world
-  double radius = 0.0;                              ///< metres
+  Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters, world
+  double radius = 0.0;                              ///< meters
 };
 
-/// Share of a target's outline in its color at which a camera confirms it.
+/// Share of a target's outline in its color at which a camera confirms it. A judgment
+/// (docs/method-dewpoint.md, section 4).
 inline constexpr double kSeenShare = 1.0 / 3.0;
+/// Share of a target's outline in its color at which nothing covers it. A judgment
+/// (docs/method-dewpoint.md, section 10).
+inline constexpr double kWholeShare = 0.85;
 
 /// All cameras' evidence for one target, a sphere of one color: the observation model of method
-/// `dewpoint`. States: columns 0 to 2 are x, y, z (metres, world frame), 3 to 5 the velocity (m/s),
-/// by which a place is moved to the instant a camera looked.
+/// `dewpoint`. States: columns 0 to 2 are x, y, z (meters, world frame), 3 to 5 the velocity (m/s),
+/// by which a position is moved to the time of a camera's exposure.
 class SphereObservation {
 public:
   explicit SphereObservation(const CameraRig& rig);
@@ -36,9 +40,9 @@ public:
   LabelImage& labels(std::size_t camera) { return views_[camera].labels; }
   const LabelImage& labels(std::size_t camera) const { return views_[camera].labels; }
 
-  /// The image a camera shows from now on, taken `timeOffset` seconds after the common instant.
-  /// Image, background and classifiers must outlive their use; `usual` is the color in the usual
-  /// light. An empty image: the camera is left out.
+  /// The image a camera shows from now on, taken `timeOffset` seconds after the frame's time.
+  /// Image, background and classifiers must outlive their use; `usual` is the color in the
+  /// reference light. An empty image: the camera is left out.
   void setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
                 const BackgroundModel& background, const ColorClassifier& classifier,
                 const ColorClassifier& usual);
@@ -46,7 +50,7 @@ public:
                 const BackgroundModel& background, const ColorClassifier& classifier) {
     setImage(camera, image, timeOffset, background, classifier, classifier);
   }
-  /// Radius of the sphere in metres, from now on.
+  /// Radius of the sphere in meters, from now on.
   void setRadius(double radius) { radius_ = radius; }
   double radius() const { return radius_; }
 
@@ -58,17 +62,18 @@ public:
   /// Both in one, with each state projected only once; the work is shared by the team.
   Eigen::ArrayXd logLikelihoods(ConstStateRows rows, ThreadTeam& team);
 
-  /// The log likelihood ratio of one place, labels made as needed.
+  /// The log likelihood ratio of one position; labels are made as needed.
   double logLikelihoodRatio(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
-  /// By how much that ratio rises when what other spheres cover is theirs, in each camera in which
-  /// their middle lies outside this place's outline: one inside it is the same thing seen
-  /// crosswise. The labels of the place are made.
+  /// The increase of that ratio when samples in the ring that other spheres cover are not counted,
+  /// in each camera in which their center lies outside this outline: one inside it is the same
+  /// object, placed by wrongly crossed rays. The labels of the position must have been made.
   double explainedRingGain(const Eigen::Vector3d& center,
                            const std::vector<OutlineSphere>& others) const;
-  /// What it would be if every camera in whose image the place lies saw the target fully.
+  /// The ratio if every camera into whose image the position projects saw the target fully.
   double fullyVisibleLogLikelihoodRatio(const Eigen::Vector3d& center,
                                         const Eigen::Vector3d& velocity) const;
-  /// What each camera says about one place: SphereEvidence and the share of the outline filled.
+  /// The evidence of each camera for one position: SphereEvidence and the share of the outline
+  /// filled.
   std::vector<CameraEvidence> evidence(const Eigen::Vector3d& center,
                                        const Eigen::Vector3d& velocity);
   /// Cameras that see at least a third of the sphere's outline filled.
@@ -88,7 +93,7 @@ private:
     std::vector<SphereImage> outlines; ///< scratch; radius 0: not to be seen
   };
 
-  /// The outline of a state; radius 0 when this camera cannot judge it.
+  /// The outline of a state; radius 0 when this camera has no evidence.
   SphereImage outlineOf(const View& view, ConstStateRows rows, Eigen::Index row) const;
 
   std::vector<View> views_;

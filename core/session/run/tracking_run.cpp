@@ -72,7 +72,7 @@ TrackingRun TrackingRun::of(std::unique_ptr<Tracker> tracker, RunDefinitionPtr d
   TrackingRun run;
   run.tracker_ = std::move(tracker);
   if (auto* const background = tracking::capability<BackgroundImages>(*run.tracker_)) {
-    background->setEmptyRooms(definition->emptyRooms);
+    background->setBackgroundImages(definition->emptyRooms);
   }
   run.definition_ = std::move(definition);
   run.team_ = std::make_unique<ThreadTeam>(threadCount);
@@ -110,7 +110,7 @@ void TrackingRun::apply(const RunDefinitionPtr& definition) {
   }
   auto* const background = tracking::capability<BackgroundImages>(*tracker_);
   if (background != nullptr && !areSameRooms(definition->emptyRooms, before->emptyRooms)) {
-    background->setEmptyRooms(definition->emptyRooms);
+    background->setBackgroundImages(definition->emptyRooms);
   }
 }
 

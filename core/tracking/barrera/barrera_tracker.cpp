@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/barrera/barrera_tracker.h"
 
+#include "core/tracking/barrera/barrera_diagnostics.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -43,7 +45,7 @@ SphereEstimate BarreraTracker::iterate(ThreadTeam& team) {
       result.cameras, [](const CameraEvidence& camera) { return camera.visible > 0.0; }));
   const int needed = std::clamp(static_cast<int>(observation_.cameraCount()), 1, 2);
   result.valid = result.camerasSeeing >= needed;
-  result.existence = result.valid ? 1.0 : 0.0; // the paper's filter has no opinion of its own
+  result.existence = result.valid ? 1.0 : 0.0; // the paper's filter has no existence probability
   estimate_ = result;
   return result;
 }
@@ -60,6 +62,33 @@ std::vector<CameraEvidence> BarreraTracker::evidence(const Eigen::Vector3d& poin
     }
   }
   return cameras;
+}
+
+std::size_t BarreraTracker::memoryBytes() const {
+  // With many particles also the counts over the whole images.
+  std::size_t bytes = RandomWalkTracker::memoryBytes();
+  for (std::size_t camera = 0; camera < observation_.cameraCount(); ++camera) {
+    bytes += imageOf(camera).total();
+  }
+  return bytes;
+}
+
+std::vector<CameraReport> BarreraTracker::explain() const {
+  std::vector<CameraReport> reports;
+  for (std::size_t camera = 0; camera < observation_.cameraCount(); ++camera) {
+    reports.push_back(
+        explainByColor(imageOf(camera), classifier_, projectors_[camera], estimate_, camera));
+  }
+  return reports;
+}
+
+std::vector<LikelihoodMap> BarreraTracker::likelihoodMaps(int reach) const {
+  std::vector<LikelihoodMap> maps;
+  for (std::size_t camera = 0; camera < observation_.cameraCount(); ++camera) {
+    maps.push_back(windowLikelihoodMap(imageOf(camera), classifier_, projectors_[camera],
+                                       estimate_.mean, reach));
+  }
+  return maps;
 }
 
 } // namespace dewpoint::tracking

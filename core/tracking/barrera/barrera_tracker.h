@@ -18,21 +18,21 @@ public:
   BarreraTracker(const ParameterValues& parameters, const CameraRig& rig, const Target& target);
 
   void setTarget(const Target& target);
-  /// Another calibration of the same cameras, from the next iteration on; beliefs stay.
+  /// Another calibration of the same cameras, from the next iteration on; the particles stay.
   void setCameras(const CameraRig& rig);
   void beginFrame(FrameSetPtr frames);
   SphereEstimate iterate(ThreadTeam& team);
+  /// About how many bytes a copy takes.
   std::size_t memoryBytes() const;
-  /// What each camera has to say on the target being held or not.
+  /// Why each camera does, or does not, confirm the target.
   std::vector<CameraReport> explain() const;
   /// Around the estimate, up to `reach` pixels in each direction; one per camera.
   std::vector<LikelihoodMap> likelihoodMaps(int reach) const;
 
 private:
   void showImages();
-  CameraReport explain(std::size_t camera) const;
-  /// Per camera the window at the point; the odds are those of its likelihood against that of a
-  /// window with no more than chance, 1/25.
+  /// Per camera the window at a point (meters, world frame); the odds are those of its likelihood
+  /// against that of a window with no matching pixel, 1/25.
   std::vector<CameraEvidence> evidence(const Eigen::Vector3d& point) const;
 
   std::vector<Projector> projectors_;

@@ -9,21 +9,27 @@
 namespace dewpoint::tracking {
 namespace {
 
-/// No hand is calmer, m/s²; below, the filter would smooth more than its errors are independent.
+// Reasons: docs/method-dewpoint.md, section 1; those without a derivation are judgments.
+
+/// m/s², least process noise; with less the filter would smooth more than its errors are
+/// independent.
 constexpr double kMinAccelerationSigma = 1.0;
-/// How fast the acceleration follows how well the target was predicted.
+/// Gain with which the acceleration follows the prediction errors, per update, 0 to 1.
 constexpr double kLearningRate = 0.15;
+/// Largest squared prediction error per axis, in variances, that counts.
 constexpr double kMaxInnovation = 9.0;
-/// An acceleration that lasts is seen in how far the velocity runs ahead of its mean over this
-/// time, seconds.
+/// Seconds of the running mean of the velocity; a lasting acceleration shows in how far the
+/// velocity runs ahead of it.
 constexpr double kVelocityAverageTime = 0.25;
 constexpr double kMinLastingAcceleration = 0.3;   ///< m/s²
 constexpr double kPriorLastingAcceleration = 2.0; ///< m/s², before anything is known
-constexpr double kPriorUpdates = 3.0;             ///< looks that this is worth
-constexpr double kRemembered = 30.0;              ///< looks
-/// The motion allowed for goes on from a velocity that is no surer than after one step of it.
+constexpr double kPriorUpdates = 3.0;             ///< updates that the prior is worth
+constexpr double kMemoryUpdates = 30.0;           ///< updates that are remembered
+/// Factor of the allowed acceleration for gating: the target's velocity is no more certain than
+/// after one step with it.
 constexpr double kGateInflation = 1.4;
-constexpr double kMinInformation = 1.0; ///< 1/m²: a meter, so that it can be inverted
+/// 1/m², added to an information matrix so that it can be inverted: one meter. Origin not recorded.
+constexpr double kMinInformation = 1.0;
 
 } // namespace
 
@@ -60,9 +66,9 @@ void AdaptiveProcessNoise::learn(double squaredDistance, const Eigen::Vector3d& 
     slowVelocity_ = velocity;
     return;
   }
-  const double surprise = std::min(squaredDistance / 3.0, kMaxInnovation);
+  const double innovation = std::min(squaredDistance / 3.0, kMaxInnovation);
   const double known = sigma_ > 0.0 ? sigma_ : most_;
-  sigma_ = std::clamp(known * std::exp(0.5 * kLearningRate * (surprise - 1.0)),
+  sigma_ = std::clamp(known * std::exp(0.5 * kLearningRate * (innovation - 1.0)),
                       std::min(kMinAccelerationSigma, most_), most_);
   // An acceleration a makes the velocity run ahead of its mean over the time T by a T.
   if (learned_ == 0.0) {
@@ -73,7 +79,7 @@ void AdaptiveProcessNoise::learn(double squaredDistance, const Eigen::Vector3d& 
   const double ahead = (velocity - slowVelocity_).squaredNorm() /
                        (3.0 * kVelocityAverageTime * kVelocityAverageTime);
   learned_ += 1.0;
-  const double rate = 1.0 / std::min(learned_ + kPriorUpdates, kRemembered);
+  const double rate = 1.0 / std::min(learned_ + kPriorUpdates, kMemoryUpdates);
   lastingVariance_ += rate * (ahead - lastingVariance_);
 }
 

@@ -10,15 +10,19 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr std::size_t kMaxSpots = 24;   ///< per camera, the largest
-constexpr double kSmallestSpotPx = 1.2; ///< inscribed radius
-constexpr double kSizeTolerance = 2.2;  ///< factor between seen and expected size: parts hide
-constexpr double kUnknownGap = 0.1;     ///< metres between rays when the size is not known
-constexpr std::size_t kMaxScored = 200; ///< candidates looked at closely
+// Judgments (docs/method-dewpoint.md, section 5).
 
-/// Farther apart than this in seen size, two spots are not the same thing of known radius.
-bool sizeFits(double seenPx, double expectedPx) {
-  return seenPx < 1.4 * expectedPx && seenPx * kSizeTolerance > expectedPx;
+constexpr std::size_t kMaxSpots = 24;   ///< per camera, the largest ones
+constexpr double kSmallestSpotPx = 1.2; ///< pixels, inscribed radius
+constexpr double kSizeTolerance = 2.2;  ///< expected size by seen size: a part may be hidden
+constexpr double kSizeExcess = 1.4;     ///< seen size by expected size
+constexpr double kUnknownGap = 0.1;     ///< meters between rays, for an unknown radius
+constexpr double kKnownGapRadii = 1.5;  ///< radii between rays, for a known radius
+constexpr std::size_t kMaxScored = 200; ///< candidates whose likelihood is computed
+
+/// Whether the sizes of two spots, or of a spot and a target of known radius, may be of one object.
+bool sizeFits(double seen, double expected) {
+  return seen < kSizeExcess * expected && seen * kSizeTolerance > expected;
 }
 
 } // namespace
@@ -32,7 +36,7 @@ CandidateSearch::CandidateSearch(const CameraRig& rig) {
 
 std::vector<CandidateSearch::Spot> CandidateSearch::spotsOf(std::size_t camera,
                                                             const LabelImage& labels) const {
-  // Local maxima of the distance to the nearest pixel of another color are the middles of the
+  // Local maxima of the distance to the nearest pixel of another color are the centers of the
   // largest circles that fit in: one per ball, also where two touch.
   cv::Mat whole;
   cv::compare(labels.labels(), static_cast<int>(PixelLabel::Target), whole, cv::CMP_EQ);
@@ -111,23 +115,25 @@ std::vector<Candidate> CandidateSearch::triangulate(const std::vector<std::vecto
     for (const Spot& first : spots[a]) {
       for (std::size_t b = a + 1; b < cameras; ++b) {
         for (const Spot& second : spots[b]) {
-          const auto place = nearestPoint({first.ray, second.ray});
-          if (!place) {
+          const auto position = nearestPoint({first.ray, second.ray});
+          if (!position) {
             continue;
           }
-          const double depthA = (*place - first.ray.origin).norm();
-          const double depthB = (*place - second.ray.origin).norm();
+          const double depthA = (*position - first.ray.origin).norm();
+          const double depthB = (*position - second.ray.origin).norm();
           const double radiusA = first.radiusPx * depthA / focals_[a];
           const double radiusB = second.radiusPx * depthB / focals_[b];
           const double radius = radiusKnown ? known : std::sqrt(radiusA * radiusB);
-          const double gap = distanceToRay(first.ray, *place) + distanceToRay(second.ray, *place);
-          const double allowed = radiusKnown ? 1.5 * known : std::min(kUnknownGap, radius);
+          const double gap =
+              distanceToRay(first.ray, *position) + distanceToRay(second.ray, *position);
+          const double allowed =
+              radiusKnown ? kKnownGapRadii * known : std::min(kUnknownGap, radius);
           const bool fits = radiusKnown ? sizeFits(radiusA, known) && sizeFits(radiusB, known)
                                         : sizeFits(radiusA, radiusB) && sizeFits(radiusB, radiusA);
           if (gap <= allowed && fits) {
             const double size = std::log(radiusA / radius);
             const double other = std::log(radiusB / radius);
-            raws.push_back({*place, radius, gap / radius + std::abs(size) + std::abs(other)});
+            raws.push_back({*position, radius, gap / radius + std::abs(size) + std::abs(other)});
           }
         }
       }

@@ -10,33 +10,34 @@
 
 namespace dewpoint::tracking {
 
-/// A place where a target may be, from the images alone.
+/// A position at which a target may be, from the images alone.
 struct Candidate {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< metres, world
-  double radius = 0.0;                              ///< metres
-  double logLikelihoodRatio = 0.0;                  ///< SphereEvidence, all cameras
+  Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters, world
+  double radius = 0.0;                              ///< meters
+  double logLikelihoodRatio = 0.0;                  ///< SphereEvidence, sum over all cameras
 };
 
-/// Looks for targets in whole images: round parts of the target's color in each camera, their rays
-/// crossed pair by pair, and, for what only one camera sees, placed by their size.
+/// Searches whole images for targets: finds round spots of the target's color in each camera, and
+/// triangulates them pair by pair. A spot of a target of known radius also gives a candidate by
+/// itself, whose distance follows from its size.
 class CandidateSearch {
 public:
-  /// A round part of the color in one image.
+  /// A round spot of the color in one image.
   struct Spot {
-    Ray ray;
-    double radiusPx = 0.0;
+    Ray ray;               ///< through the spot's center, world frame
+    double radiusPx = 0.0; ///< of the inscribed circle
   };
 
   explicit CandidateSearch(const CameraRig& rig);
 
-  /// The best places, best first, at most `limit`, no two closer than a radius. A radius of the
-  /// observation of 0 means unknown: then it is taken from the images, and the observation is left
-  /// with an arbitrary one. Makes the labels of the whole images.
+  /// The best candidates, best first, at most `limit`, no two closer than a radius. If the radius
+  /// is not known, it is estimated from the images, and that of the observation does not matter.
+  /// Makes the labels of the whole images.
   std::vector<Candidate> find(SphereObservation& observation, bool radiusKnown,
                               std::size_t limit) const;
-  /// The first part of it: what is round in one camera's image, all of whose labels are made.
+  /// The first step of find(): the spots in one camera's image, all of whose labels are made.
   std::vector<Spot> spotsOf(std::size_t camera, const LabelImage& labels) const;
-  /// The second part: the places, from one list of spots per camera.
+  /// The second step of find(): the candidates, from one list of spots per camera.
   std::vector<Candidate> triangulate(const std::vector<std::vector<Spot>>& spots,
                                      SphereObservation& observation, bool radiusKnown,
                                      std::size_t limit) const;

@@ -8,11 +8,15 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr std::size_t kMaxHypotheses = 6;
-constexpr double kMinProbability = 1e-8;
+// Judgments (docs/method-dewpoint.md, sections 5 and 6).
+
+constexpr std::size_t kMaxHypotheses = 6; ///< per target
+constexpr double kMinProbability = 1e-8;  ///< of a hypothesis that is kept
+/// Least probability of absence, so that it has a logarithm. Origin not recorded.
 constexpr double kMinAbsence = 1e-9;
+/// Probability of the likeliest hypothesis from which on no births are searched.
 constexpr double kNoSearchProbability = 0.98;
-/// Frames after which one of several things that all look just like the target is taken for it.
+/// Updates after which one of several objects that look just like the target is taken for it.
 constexpr int kUpdatesToResolve = 5;
 
 } // namespace

@@ -11,7 +11,7 @@
 
 namespace dewpoint::tracking {
 
-/// A sphere that another target occupies: nothing else can be there. Metres, world.
+/// A sphere that another target occupies: nothing else can be there. Meters, world frame.
 struct OccupiedSphere {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double radius = 0.0;
@@ -26,8 +26,8 @@ struct OccupiedSphere {
 /// logarithm.
 double absenceProbability(const std::vector<TrackHypothesis>& hypotheses);
 
-/// Evidence beyond which one well seen position is as good as another; it counts for nothing. See
-/// TrackHypothesis::kSaturationShare.
+/// The part of the log likelihood ratio above TrackHypothesis::kSaturationShare, which does not
+/// count.
 double evidenceBeyondSaturation(const TrackHypothesis& hypothesis);
 
 /// Probability of the likeliest of some hypotheses, which compete with each other and with "not

@@ -8,8 +8,8 @@
 namespace dewpoint::tracking {
 namespace {
 
-/// Meters per iteration, standard deviation of the random walk along each axis. Origin: as in the
-/// method of Barrera et al. 2005 (sigma_m).
+/// Meters per iteration, standard deviation of the random walk along each axis. Origin not
+/// recorded; Barrera et al. 2005 use the same.
 constexpr double kSearchMotionSigma = 0.03;
 
 } // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/filter/particle_filter.h"
 #include "core/base/thread_team.h"
+#include "core/filter/particle_filter.h"
 #include "core/observation/sphere/sphere_observation.h"
 #include "core/tracking/dewpoint/search_prior.h"
 

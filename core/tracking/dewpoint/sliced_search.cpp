@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/dewpoint/sliced_search.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace dewpoint::tracking {
 namespace {
 
+// Judgments (docs/method-dewpoint.md, section 9).
+
 constexpr int kBands = 4; ///< pieces in which the labels of an image are made
+/// Within a budget; each candidate costs an outline fit.
+constexpr std::size_t kMaxCandidatesOnBudget = 4;
 
 } // namespace
 
@@ -31,27 +36,27 @@ bool SlicedSearch::advance(const CandidateSearch& search, TimeBudget& budget, st
                            bool urgent) {
   bool must = urgent;
   while (camera_ < spots_.size()) {
-    const bool labelled = labelsDone();
+    const bool labeled = labelsDone();
     const bool empty = observation_.labels(camera_).empty();
-    const bool went =
+    const bool done =
         empty ||
-        (labelled
+        (labeled
              ? budget.spend(
                    TimeBudget::Part::Spots,
                    [&] { spots_[camera_] = search.spotsOf(camera_, observation_.labels(camera_)); },
                    must)
              : budget.spend(
                    TimeBudget::Part::Labels, [&] { labelBand(); }, must));
-    if (!went) {
+    if (!done) {
       return false;
     }
-    camera_ += labelled ? 1 : 0;
+    camera_ += labeled ? 1 : 0;
     must = must && empty;
   }
   observation_.setRadius(radius_);
   return budget.spend(
       TimeBudget::Part::Candidates,
-      [&] { places_ = search.triangulate(spots_, observation_, radius_ > 0.0, limit); }, must);
+      [&] { candidates_ = search.triangulate(spots_, observation_, radius_ > 0.0, limit); }, must);
 }
 
 } // namespace dewpoint::tracking

@@ -6,24 +6,28 @@
 #include "core/tracking/dewpoint/candidate_search.h"
 #include "core/tracking/dewpoint/time_budget.h"
 
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace dewpoint::tracking {
 
-/// A CandidateSearch cut into pieces that are done over several frames, as a time budget allows,
-/// all on the images of the frame it began with. What it finds is as old as that frame.
+/// A CandidateSearch in pieces that are done over several frames, as a time budget allows, all on
+/// the images of the frame it began with. What it finds is as old as that frame.
 class SlicedSearch {
 public:
+  /// Searches in `frames`; `radius` in meters, 0 when unknown.
   SlicedSearch(const CameraRig& rig, AdaptiveColor color, double radius, FrameSetPtr frames);
 
-  /// To be shown the images before the first advance().
+  /// The observation must be shown the images before the first advance().
   SphereObservation& observation() { return observation_; }
   const AdaptiveColor& color() const { return color_; }
 
-  /// Goes on as far as there is time, by a piece at least when it is urgent; whether it is done.
+  /// Does as many pieces as there is time for, at least one when it is urgent, and finds at most
+  /// `limit` candidates. Returns whether the search is done.
   bool advance(const CandidateSearch& search, TimeBudget& budget, std::size_t limit, bool urgent);
-  /// As CandidateSearch::find(), when done.
-  const std::vector<Candidate>& places() const { return places_; }
+  /// As CandidateSearch::find(), once the search is done.
+  const std::vector<Candidate>& candidates() const { return candidates_; }
 
 private:
   bool labelsDone() const;
@@ -33,9 +37,15 @@ private:
   SphereObservation observation_;
   AdaptiveColor color_;
   double radius_;
-  std::size_t camera_ = 0; ///< at work on this one; when past the last, places are next
+  std::size_t camera_ = 0; ///< the one at work; past the last one candidates are next
   std::vector<std::vector<CandidateSearch::Spot>> spots_;
-  std::vector<Candidate> places_;
+  std::vector<Candidate> candidates_;
 };
+
+/// Advances a search; when it is done, returns its candidates and sets the search to null. Returns
+/// none until then. Finds four candidates at most: each costs an outline fit.
+std::vector<Candidate> advanceSearch(std::unique_ptr<SlicedSearch>& search,
+                                     const CandidateSearch& candidates, TimeBudget& budget,
+                                     std::size_t limit, bool urgent);
 
 } // namespace dewpoint::tracking

@@ -8,15 +8,18 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr std::size_t kRemembered = 15; ///< times of a part
-/// Share of the budget that particles may fill: the rest is for what can wait, and for surprises.
+// Judgments (docs/method-dewpoint.md, section 9).
+
+constexpr std::size_t kRemembered = 15; ///< measured times of a part
+/// Share of the budget for updates; the rest is for work that can wait, and a reserve.
 constexpr double kUpdateShare = 0.6;
-/// Nothing is begun that is expected to end later than this share of the budget.
+/// Share of the budget after which no deferrable work may be expected to end.
 constexpr double kFullShare = 0.8;
-/// Down at once, up slowly: a budget is to be kept, not met on average.
+/// Factors of the number of particles per iteration, least and largest: down at once, up slowly, as
+/// a budget must be kept, not met on average.
 constexpr double kFastestFall = 0.25;
 constexpr double kFastestRise = 1.1;
-constexpr double kFewestParticles = 10.0;
+constexpr double kFewestParticles = 10.0; ///< per target
 
 } // namespace
 

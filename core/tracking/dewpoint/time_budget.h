@@ -11,27 +11,27 @@
 
 namespace dewpoint::tracking {
 
-/// The clock of one iteration that must not take longer than a budget. What can wait is done when
-/// the time that such work took of late (a running median) still fits, and put off otherwise; what
-/// cannot is made cheaper by fewer particles. Without a budget everything is done at once, no clock
-/// is read, and a run can be repeated bit by bit.
+/// The clock of one iteration that must not take longer than a budget. Work that can wait is done
+/// when the time that such work took recently (a running median) still fits, and deferred
+/// otherwise; work that cannot wait becomes cheaper by fewer particles. Without a budget everything
+/// is done at once, no clock is read, and a run can be repeated bit by bit.
 class TimeBudget {
 public:
   /// Work that can wait.
   enum class Part { Labels, Spots, Candidates, Learning };
   static constexpr std::size_t kPartCount = 4;
-  /// After being put off so often work is done anyway: a budget that leaves no time for it slows it
-  /// down, but does not stop it.
+  /// Deferrals after which work is done anyway: a budget that leaves no time for it slows it down,
+  /// but does not stop it. A judgment (docs/method-dewpoint.md, section 9).
   static constexpr int kMaxDeferrals = 30;
 
-  /// Milliseconds per iteration; 0 is no limit. A change forgets what was measured.
+  /// Sets the milliseconds per iteration; 0 is no limit. A change forgets all measured times.
   void set(double milliseconds);
   bool limited() const { return limit_ > 0.0; }
-  /// An iteration begins now.
+  /// Starts the clock of an iteration.
   void begin();
 
-  /// Does the work if there is time for it; whether it did. Work that was never done before is
-  /// taken to fit. `urgent` work is not put off.
+  /// Does the work if there is time for it; returns whether it did. Work that was never done before
+  /// is assumed to fit. `urgent` work is not deferred.
   template <class Work> bool spend(Part part, const Work& work, bool urgent = false) {
     if (!urgent && !affords(part)) {
       return false;
@@ -42,9 +42,10 @@ public:
     return true;
   }
 
-  /// The work that cannot wait is done: adapts the number of particles to the time it took.
+  /// Adapts the number of particles to the time that the work took which cannot wait. After it.
+  /// `most`: particles per target without a budget.
   void endOfUpdates(double most);
-  /// Particles per target that fit, at least ten; none without a limit.
+  /// Particles per target that fit, at least ten; nothing without a limit.
   std::optional<double> particles() const;
 
 private:
@@ -63,7 +64,7 @@ private:
   double limit_ = 0.0;
   std::chrono::steady_clock::time_point begin_;
   std::array<History, kPartCount> histories_;
-  double optional_ = 0.0;  ///< milliseconds of this iteration for what could have waited
+  double optional_ = 0.0;  ///< milliseconds of this iteration for work that could have waited
   double particles_ = 0.0; ///< 0: not yet known
 };
 

@@ -46,6 +46,7 @@ constexpr double kBlurSeconds = 0.0005;
 /// Radii, least standard deviation of an outline's center: shading, color noise.
 constexpr double kShadingShareOfRadius = 0.003;
 
+/// Index of its first particle in the random streams, which all hypotheses of a target share.
 std::uint32_t firstIndex(const TrackHypothesis& hypothesis) {
   return hypothesis.stream << 20U;
 }

@@ -228,8 +228,8 @@ void PeopleParticleTracker::learnClothes() {
     }
     for (std::size_t k = 0; k < cameras().count(); ++k) {
       if (cameras().usable(k)) {
-        beliefs_[person].clothes.look(cameras().image(k), cameras().mask(k),
-                                      silhouette(people_[person], k), coveredByOthers(person, k));
+        beliefs_[person].clothes.learn(cameras().image(k), cameras().mask(k),
+                                       silhouette(people_[person], k), coveredByOthers(person, k));
       }
     }
     beliefs_[person].clothes.finishLook();

@@ -27,7 +27,7 @@ public:
 
   void configure(const ParameterValues& parameters) override;
   void setCameras(const CameraRig& rig) override;
-  void setEmptyRooms(const std::vector<cv::Mat>& rooms) override;
+  void setBackgroundImages(const std::vector<cv::Mat>& images) override;
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override { return 1; }
   void beginFrame(FrameSetPtr frames) override;

@@ -236,7 +236,7 @@ TEST(BackgroundModel, FollowsALampAndATint) {
   EXPECT_NEAR(model.light()[0], 0.5, 0.02);
   EXPECT_NEAR(model.light()[1], 0.6, 0.02);
   EXPECT_NEAR(model.light()[2], 0.8, 0.02);
-  model.takeLightAsUsual();
+  model.resetReferenceLight();
   EXPECT_EQ(model.light().maxCoeff(), 1.0);
   EXPECT_EQ(count(labelsOf(model, now), PixelLabel::Background), kAll);
 }
@@ -253,9 +253,9 @@ bool all(const std::array<std::uint8_t, kWidth>& labels, PixelLabel label) {
   return std::ranges::all_of(labels, [&](auto one) { return one == std::uint8_t(label); });
 }
 
-TEST(BackgroundModel, TheEmptyRoomIsKnownFromTheFirstImage) {
+TEST(BackgroundModel, TheBackgroundImageIsKnownFromTheFirstFrame) {
   BackgroundModel model;
-  model.setEmptyRoom(checkered());
+  model.setBackgroundImage(checkered());
   EXPECT_EQ(count(labelsOf(model, checkered()), PixelLabel::Unlearned), kAll) << "not yet";
   model.reset();
   const cv::Mat darker = lit(checkered(), cv::Scalar::all(0.7)); // the day it is used on
@@ -279,9 +279,9 @@ TEST(BackgroundModel, TheEmptyRoomIsKnownFromTheFirstImage) {
   EXPECT_TRUE(all(matchedRow(model, checkered(), 5), PixelLabel::Explained));
 }
 
-TEST(BackgroundModel, AnEmptyRoomOfAnotherSizeIsForgotten) {
+TEST(BackgroundModel, ABackgroundImageOfAnotherSizeIsForgotten) {
   BackgroundModel model;
-  model.setEmptyRoom(cv::Mat(10, 12, CV_8UC3, cv::Scalar(1, 2, 3)));
+  model.setBackgroundImage(cv::Mat(10, 12, CV_8UC3, cv::Scalar(1, 2, 3)));
   model.reset();
   learn(model, checkered());
   EXPECT_EQ(count(labelsOf(model, checkered()), PixelLabel::Background), kAll);

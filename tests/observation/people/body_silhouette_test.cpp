@@ -89,9 +89,9 @@ TEST(ClothesModel, TellsColorsApart) {
   ClothesModel other;
   EXPECT_FALSE(one.known());
   for (int look = 0; look < 5; ++look) {
-    one.look(blue, mask, silhouette, cv::Mat());
+    one.learn(blue, mask, silhouette, cv::Mat());
     one.finishLook();
-    other.look(red, mask, silhouette, cv::Mat());
+    other.learn(red, mask, silhouette, cv::Mat());
     other.finishLook();
   }
   ASSERT_TRUE(one.known());

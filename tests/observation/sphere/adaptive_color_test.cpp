@@ -33,7 +33,7 @@ cv::Scalar gray(double gain) {
 /// Reference looks in full light.
 AdaptiveColor begun() {
   AdaptiveColor color(kGreen, 2);
-  for (int k = 0; k < AdaptiveColor::kReferenceLooks; ++k) {
+  for (int k = 0; k < AdaptiveColor::kReferenceUpdates; ++k) {
     EXPECT_FALSE(color.follow(0, scene(gray(1.0), std::uint32_t(k)), kOutline, {}, kShare));
   }
   EXPECT_TRUE(color.rangesInUse().empty());

@@ -12,15 +12,15 @@ namespace {
 constexpr double kFrame = 1.0 / 30.0;
 constexpr ConstantVelocity kAllowed{kFrame, 8.0};
 
-/// The standard deviation along X after so many steps from a place and velocity known exactly.
+/// The standard deviation along X after so many steps from a position and velocity known exactly.
 double spreadAfter(AdaptiveProcessNoise& processNoise, int steps) {
-  Gaussian6 belief;
-  belief.covariance.setZero();
+  Gaussian6 state;
+  state.covariance.setZero();
   for (int step = 0; step < steps; ++step) {
-    processNoise.next(kAllowed).predict(belief);
+    processNoise.next(kAllowed).predict(state);
     processNoise.recordUnseen();
   }
-  return std::sqrt(belief.covariance(0, 0));
+  return std::sqrt(state.covariance(0, 0));
 }
 
 TEST(AdaptiveProcessNoise, AllowsEverythingAtFirst) {
@@ -58,7 +58,7 @@ TEST(AdaptiveProcessNoise, WhatIsAsUncertainAsStatedStaysAsItIs) {
 }
 
 // A velocity that grows by 2 m/s every second along each axis: after half a second without sight
-// the place is off by 2 t² / 2 = 0.25 m. The sum over steps gives 0.8 of that.
+// the position is off by 2 t² / 2 = 0.25 m. The sum over steps gives 0.8 of that.
 TEST(AdaptiveProcessNoise, WithoutSightAnAccelerationThatWasSeenLasts) {
   AdaptiveProcessNoise processNoise;
   processNoise.next(kAllowed);
@@ -88,14 +88,14 @@ TEST(AdaptiveProcessNoise, TheMarginMakesUpForWhatIsAllowed) {
     processNoise.learn(0.3, {0.2, 0.0, 0.1});
   }
   processNoise.recordSeen();
-  Gaussian6 belief;
-  belief.covariance.setZero();
-  Gaussian6 allowed = belief;
+  Gaussian6 state;
+  state.covariance.setZero();
+  Gaussian6 allowed = state;
   for (int step = 0; step < 10; ++step) {
-    processNoise.next(kAllowed).predict(belief);
+    processNoise.next(kAllowed).predict(state);
     kAllowed.predict(allowed);
     processNoise.recordUnseen();
-    const Gaussian6::Matrix total = belief.covariance + processNoise.gatingCovariance();
+    const Gaussian6::Matrix total = state.covariance + processNoise.gatingCovariance();
     EXPECT_GE(total(0, 0), allowed.covariance(0, 0)) << step;
     EXPECT_LT(total(0, 0), 3.0 * allowed.covariance(0, 0)) << step;
     const Eigen::SelfAdjointEigenSolver<Gaussian6::Matrix> eigen(total);
@@ -106,7 +106,8 @@ TEST(AdaptiveProcessNoise, TheMarginMakesUpForWhatIsAllowed) {
   EXPECT_TRUE(processNoise.gatingCovariance().isZero());
 }
 
-/// A place known to 10 mm and then, by a look of 1 mm that was off by 5 mm along X, better.
+/// A position known to 10 mm and then, by a measurement of 1 mm that was off by 5 mm along X,
+/// better.
 class PlaceEvidenceTest : public ::testing::Test {
 protected:
   static Gaussian3 known() { return {{0.5, 0.4, 0.3}, 1e-4 * Eigen::Matrix3d::Identity()}; }

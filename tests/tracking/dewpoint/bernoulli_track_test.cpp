@@ -16,8 +16,8 @@ const Eigen::Vector3d kThere = drawn::kMiddle;
 constexpr double kRadius = 0.035;
 constexpr double kFrame = 1.0 / 30.0; ///< seconds
 
-/// A belief in front of two cameras that have no image until show(): then what is believed changes
-/// by the passing of time alone, because evidence of nothing is flat.
+/// A track in front of two cameras that have no image until show(): until then it changes by the
+/// passing of time alone, because the likelihood is flat.
 class BernoulliTrackTest : public ::testing::Test {
 protected:
   BernoulliTrackTest()
@@ -65,7 +65,7 @@ protected:
   int searches_ = 0;
 };
 
-// What is adopted has 0.98. After 1 s of a survival time of 5 s, e^-0.2 of it is left; a
+// An initialized hypothesis has 0.98. After 1 s of a survival time of 5 s, e^-0.2 of it is left; a
 // measurement without images changes nothing: absence takes the rest.
 TEST_F(BernoulliTrackTest, WithoutImagesExistenceDecaysWithTheSurvivalTime) {
   initializeAt();
@@ -105,7 +105,7 @@ TEST_F(BernoulliTrackTest, WhatIsFullySeenIsNotSearchedFor) {
 
 // 0.98 e^-0.2 = 0.80 is likelier than not, 0.98 e^-0.8 = 0.44 is not. Radii of 35 mm and 0.7 of
 // their sum: 49 mm.
-TEST_F(BernoulliTrackTest, AnOccupiedPlaceIsGivenUpUnlessItIsLikelierThanNot) {
+TEST_F(BernoulliTrackTest, AnOccupiedPositionIsRemovedUnlessItIsLikelierThanNot) {
   const auto besideBy = [](double distance) {
     return std::vector{OccupiedSphere{kThere + Eigen::Vector3d(distance, 0.0, 0.0), kRadius}};
   };
@@ -119,22 +119,22 @@ TEST_F(BernoulliTrackTest, AnOccupiedPlaceIsGivenUpUnlessItIsLikelierThanNot) {
   ASSERT_NE(track_.best(), nullptr);
   track_.removeOccupied(besideBy(0.048));
   EXPECT_EQ(track_.best(), nullptr);
-  update(); // what was predicted for this frame is given up too
+  update(); // what was predicted for this frame is removed too
   EXPECT_EQ(track_.best(), nullptr);
 }
 
-TEST_F(BernoulliTrackTest, WhatYieldsHasAThousandthLeft) {
+TEST_F(BernoulliTrackTest, WhatIsSuppressedHasAThousandthLeft) {
   initializeAt();
   track_.suppressBest();
   EXPECT_NEAR(probability(), 0.98e-3, 1e-15);
   track_.restart({}, 2);
-  track_.suppressBest(); // nothing to yield
+  track_.suppressBest(); // nothing to suppress
   EXPECT_EQ(track_.best(), nullptr);
 }
 
-// Nothing is believed, the target appears with 0.2 within a frame, and a fully seen ball has by far
-// more evidence than any volume takes away.
-TEST_F(BernoulliTrackTest, IsBornWhereTheSearchFindsIt) {
+// No hypothesis is left, the target appears with 0.2 within a frame, and a fully seen ball has by
+// far more evidence than any volume takes away.
+TEST_F(BernoulliTrackTest, ATrackIsCreatedWhereTheSearchFindsIt) {
   show({Ball{kThere}});
   predict(kFrame);
   update({{kThere + Eigen::Vector3d(0.004, 0.0, 0.0), kRadius, 0.0}});
@@ -143,7 +143,7 @@ TEST_F(BernoulliTrackTest, IsBornWhereTheSearchFindsIt) {
   EXPECT_TRUE(track_.expectedSphere());
 }
 
-TEST_F(BernoulliTrackTest, IsNotBornInAnOccupiedPlaceNorTwiceInOne) {
+TEST_F(BernoulliTrackTest, NoTrackIsCreatedAtAnOccupiedPositionNorTwiceAtOne) {
   show({Ball{kThere}});
   const Candidate here{kThere, kRadius, 0.0};
   predict(kFrame);
@@ -168,8 +168,9 @@ protected:
   const Eigen::Vector3d kRight = kThere + Eigen::Vector3d(0.1, -0.1, 0.0);
 };
 
-// The doubt is the share that the rival had; the estimate's existence is what is left of the sum.
-TEST_F(TwoEqualBalls, AreDecidedAndTheDoubtStays) {
+// The ambiguity is the share that the rival had; the estimate's existence is what is left of the
+// sum.
+TEST_F(TwoEqualBalls, AreResolvedAndTheAmbiguityStays) {
   ASSERT_EQ(track_.hypotheses().size(), 2U);
   const double first = track_.hypotheses()[0].probability;
   const double second = track_.hypotheses()[1].probability;

@@ -60,10 +60,10 @@ private:
   CandidateSearch search_;
 };
 
-bool isFound(const std::vector<Candidate>& candidates, const Eigen::Vector3d& place,
+bool isFound(const std::vector<Candidate>& candidates, const Eigen::Vector3d& position,
              double distance) {
   return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
-    return (candidate.center - place).norm() < distance;
+    return (candidate.center - position).norm() < distance;
   });
 }
 

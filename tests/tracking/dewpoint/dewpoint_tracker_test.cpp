@@ -174,7 +174,7 @@ TEST(DewpointTracker, OneOfTwoCamerasBlackForHalfASecond) {
   EXPECT_LT(errorOf(run.estimate(), onCircle(76)), 2.0 * kClose);
 }
 
-TEST(DewpointTracker, ALookAlikeDoesNotCaptureIt) {
+TEST(DewpointTracker, ADistractorDoesNotCaptureIt) {
   DrawnRun run(rigAround(2), {redBall()});
   for (int frame = 0; frame < 60; ++frame) {
     // The look-alike lies still outside the circle and appears only once the ball is tracked.

@@ -106,7 +106,7 @@ TEST(HypothesisMasses, SearchesWhileLessThan98PercentOfTheMassIsInOnePlace) {
   const std::vector<TrackHypothesis> one{at(0, 0.9)};
   EXPECT_TRUE(mustSearch(one, {std::log(4.89)}));
   EXPECT_FALSE(mustSearch(one, {std::log(4.91)}));
-  // A second place with 0.1 more: 0.98 of m + 0.2 at m = 9.8. The order does not matter.
+  // A second position with 0.1 more: 0.98 of m + 0.2 at m = 9.8. The order does not matter.
   const std::vector<TrackHypothesis> two{at(0, 0.85), at(1, 0.05)};
   EXPECT_TRUE(mustSearch(two, {std::log(9.79), std::log(0.1)}));
   EXPECT_FALSE(mustSearch(two, {std::log(9.81), std::log(0.1)}));
@@ -127,7 +127,7 @@ TEST(HypothesisMasses, SearchesWhatIsNotWellSeenHoweverSure) {
   one[0].logLikelihoodRatio = 56.0;
   EXPECT_FALSE(mustSearch(one, sure));
   one[0].logLikelihoodRatio = one[0].fullyVisibleLogLikelihoodRatio =
-      0.0; // no camera can see that place
+      0.0; // no camera can see that position
   EXPECT_TRUE(mustSearch(one, sure));
 }
 

@@ -15,7 +15,7 @@ namespace {
 using drawn::Ball;
 
 /// Two cameras and a hypothesis about a ball near the middle of the desk: 1 cm and 0.5 m/s
-/// uncertain, place and velocity correlated.
+/// uncertain, position and velocity correlated.
 class TrackHypothesisTest : public ::testing::Test {
 protected:
   TrackHypothesisTest()
@@ -55,8 +55,8 @@ protected:
 };
 
 // Without images the evidence is flat: what the wider proposal draws, weighted, has the moments of
-// the belief. Five standard errors with the effective number of particles.
-TEST_F(TrackHypothesisTest, ParticlesStandForTheBelief) {
+// the Gaussian. Five standard errors with the effective number of particles.
+TEST_F(TrackHypothesisTest, ParticlesRepresentTheGaussian) {
   constexpr Eigen::Index kCount = 50000;
   drawParticles(hypothesis_, observation_, kCount, key_, team_);
   ASSERT_EQ(hypothesis_.states.rows(), kCount);
@@ -91,7 +91,7 @@ TEST_F(TrackHypothesisTest, ParticlesDoNotDependOnThreadsButOnTheStream) {
   EXPECT_FALSE((other.states == hypothesis_.states).all());
 }
 
-TEST_F(TrackHypothesisTest, ALookFindsTheBallAndConditionsTheBelief) {
+TEST_F(TrackHypothesisTest, AnUpdateFindsTheBallAndConditionsTheGaussian) {
   const Eigen::Vector3d truth = drawn::kMiddle + Eigen::Vector3d(0.008, -0.006, 0.004);
   show({Ball{truth}});
   const Gaussian6 before = hypothesis_.gaussian;
@@ -102,7 +102,7 @@ TEST_F(TrackHypothesisTest, ALookFindsTheBallAndConditionsTheBelief) {
   EXPECT_EQ(hypothesis_.states.rows(), 500);
   EXPECT_NEAR(hypothesis_.fullyVisibleLogLikelihoodRatio, 2.0 * SphereEvidence::best(), 1e-9);
   EXPECT_GT(hypothesis_.logLikelihoodRatio, 0.9 * hypothesis_.fullyVisibleLogLikelihoodRatio);
-  // The velocity follows the place by the covariance 3e-3 over the variance 1e-4.
+  // The velocity follows the position by the covariance 3e-3 over the variance 1e-4.
   const Eigen::Vector3d expected =
       before.mean.tail<3>() + 30.0 * (hypothesis_.position() - before.mean.head<3>());
   EXPECT_LT((hypothesis_.velocity() - expected).norm(), 1e-9);
@@ -111,7 +111,7 @@ TEST_F(TrackHypothesisTest, ALookFindsTheBallAndConditionsTheBelief) {
   EXPECT_LT((hypothesis_.gaussian.covariance.topLeftCorner<3, 3>()).trace(), 1e-5);
 }
 
-TEST_F(TrackHypothesisTest, ALookAtNothingSpeaksAgainst) {
+TEST_F(TrackHypothesisTest, AnUpdateWithoutTheBallSpeaksAgainst) {
   drawParticles(hypothesis_, observation_, 500, key_, team_);
   show({});
   const double factor = measurementUpdate(hypothesis_, observation_, 500, key_, team_);
@@ -120,7 +120,7 @@ TEST_F(TrackHypothesisTest, ALookAtNothingSpeaksAgainst) {
   EXPECT_NEAR(hypothesis_.weights.sum(), 1.0, 1e-9);
 }
 
-TEST_F(TrackHypothesisTest, WithoutImagesALookChangesNothing) {
+TEST_F(TrackHypothesisTest, WithoutImagesAnUpdateChangesNothing) {
   drawParticles(hypothesis_, observation_, 500, key_, team_);
   const TrackHypothesis before = hypothesis_;
   EXPECT_NEAR(measurementUpdate(hypothesis_, observation_, 500, key_, team_), 0.0, 1e-9);
@@ -139,7 +139,7 @@ TEST_F(TrackHypothesisTest, AnOutlineFarAwayIsAnotherThings) {
   EXPECT_LT((hypothesis_.position() - drawn::kMiddle).norm(), 0.05); // nearer to where it was
 }
 
-// Half of the ball is behind something that looks like the wall: at a place away from it more
+// Half of the ball is behind something that looks like the wall: at a position away from it more
 // samples show the color, but the outline knows better.
 TEST_F(TrackHypothesisTest, AFewSamplesLessDoNotRefuseAnOutline) {
   show({Ball{drawn::kMiddle}});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a BackgroundModel follows light that changes.
+#include "core/observation/background/light_change.h"
+
 #include "core/base/statistics.h"
 #include "core/observation/background/background_model.h"
 
@@ -16,31 +17,32 @@
 namespace dewpoint::observation {
 namespace {
 
-constexpr double kSamples = 400.0; ///< pixels looked at, on a grid: the median is good to 0.5 %
-constexpr std::size_t kFewest = 50;
-constexpr int kDarkest = 20;    ///< gray levels below which a ratio is mostly noise
-constexpr int kBrightest = 245; ///< and above which the sensor may have been at its end
+// Reasons: docs/method-dewpoint.md, section 2; those without a derivation are judgments.
+
+/// Pixels of the grid. Noise of 4 % each leaves the median good to 0.5 %.
+constexpr double kSamples = 400.0;
+constexpr std::size_t kFewest = 50; ///< known pixels; fewer say nothing
+constexpr int kDarkest = 20;        ///< gray levels below which a ratio is mostly noise
+constexpr int kBrightest = 245;     ///< gray levels above which the sensor may be saturated
+/// Least relative change that is followed: a fifth of the tolerance for light.
 constexpr double kNoticeable = 1.0 / 40.0;
-/// A greater change from one image to the next is no lamp, but a lens that is covered or blind.
+/// Largest factor from one image to the next; more is no lamp but a lens that is covered or blind.
 constexpr double kGreatest = 4.0;
-/// The same for all changes since the first image: what is darker says nothing any more.
+/// Largest factor since the reference; what is darker says nothing any more.
 constexpr double kGreatestInAll = 8.0;
-constexpr double kMostAgree = 0.6; ///< share of the samples the change must explain
+/// Least share of the samples that the change must explain, 0 to 1.
+constexpr double kMostAgree = 0.6;
 
 using Color = std::array<std::uint8_t, 3>; ///< blue, green, red
 
-} // namespace
-
-struct BackgroundModel::LightSample {
+/// A pixel in this image and in the learned background.
+struct LightSample {
   Color now;
   Color usual;
 };
 
-namespace {
-
-/// The ratios of a channel where they say something.
-template <class Sample>
-std::vector<double> ratiosOf(const std::vector<Sample>& samples, std::size_t channel) {
+/// The ratios of a channel, of the samples where they mean anything.
+std::vector<double> ratiosOf(const std::vector<LightSample>& samples, std::size_t channel) {
   std::vector<double> ratios(samples.size());
   std::size_t count = 0;
   for (const auto& sample : samples) {
@@ -59,8 +61,8 @@ double medianOf(std::vector<double> ratios) {
   return ratios.size() < kFewest ? 1.0 : upperMedian(std::move(ratios));
 }
 
-/// Whether medianOf() differs noticeably from 1, without looking for it: it does not while the
-/// ratios below and those above leave the middle to the others.
+/// Whether medianOf() differs noticeably from 1, without sorting: it does not while the ratios
+/// below and those above leave the median to the others.
 bool isNoticeable(const std::vector<double>& ratios) {
   if (ratios.size() < kFewest) {
     return false;
@@ -71,13 +73,12 @@ bool isNoticeable(const std::vector<double>& ratios) {
     below += 1.0 - ratio >= kNoticeable ? 1 : 0;
     above += ratio - 1.0 >= kNoticeable ? 1 : 0;
   }
-  const std::ptrdiff_t middle = std::ssize(ratios) / 2;
-  return below > middle || above >= std::ssize(ratios) - middle;
+  const std::ptrdiff_t half = std::ssize(ratios) / 2;
+  return below > half || above >= std::ssize(ratios) - half;
 }
 
 /// Share of the samples that are explained by this change of light.
-template <class Sample>
-double agreement(const std::vector<Sample>& samples, const Eigen::Array3d& gain) {
+double agreement(const std::vector<LightSample>& samples, const Eigen::Array3d& gain) {
   const auto agrees = [&](const auto& sample) {
     for (Eigen::Index channel = 0; channel < 3; ++channel) {
       const double expected =
@@ -94,22 +95,20 @@ double agreement(const std::vector<Sample>& samples, const Eigen::Array3d& gain)
          static_cast<double>(samples.size());
 }
 
-} // namespace
-
-std::vector<BackgroundModel::LightSample>
-BackgroundModel::lightSamples(const cv::Mat& image) const {
+std::vector<LightSample> lightSamples(const cv::Mat& image, const cv::Mat& mean,
+                                      const cv::Mat& confidence) {
   const int step =
       std::max(1, static_cast<int>(std::sqrt(static_cast<double>(image.total()) / kSamples)));
   std::vector<LightSample> samples;
   samples.reserve(static_cast<std::size_t>(image.rows / step + 1) *
                   static_cast<std::size_t>(image.cols / step + 1));
   for (int row = step / 2; row < image.rows; row += step) {
-    const std::uint8_t* confidence = confidence_.ptr<std::uint8_t>(row);
+    const std::uint8_t* known = confidence.ptr<std::uint8_t>(row);
     const std::uint8_t* now = image.ptr<std::uint8_t>(row);
-    const std::uint8_t* usual = mean_.ptr<std::uint8_t>(row);
+    const std::uint8_t* usual = mean.ptr<std::uint8_t>(row);
     for (int column = step / 2; column < image.cols; column += step) {
       const std::ptrdiff_t at = std::ptrdiff_t{3} * column;
-      if (confidence[column] >= kLearned) {
+      if (known[column] >= BackgroundModel::kLearned) {
         samples.push_back(
             {{now[at], now[at + 1], now[at + 2]}, {usual[at], usual[at + 1], usual[at + 2]}});
       }
@@ -118,42 +117,33 @@ BackgroundModel::lightSamples(const cv::Mat& image) const {
   return samples;
 }
 
-void BackgroundModel::followLight(const cv::Mat& image) {
-  followGain(image);
-  if (lightIsNew_) { // the light of now is the usual one, not that of the empty room
-    takeLightAsUsual();
-    lightIsNew_ = false;
-  }
-}
+} // namespace
 
-void BackgroundModel::followGain(const cv::Mat& image) {
-  if (mean_.empty() || mean_.size() != image.size() || image.type() != CV_8UC3) {
-    return;
-  }
-  const auto samples = lightSamples(image);
+std::optional<Eigen::Array3d> estimateLightChange(const cv::Mat& image, const cv::Mat& mean,
+                                                  const cv::Mat& confidence,
+                                                  const Eigen::Array3d& light) {
+  const auto samples = lightSamples(image, mean, confidence);
   if (samples.size() < kFewest) {
-    return;
+    return std::nullopt;
   }
   std::array<std::vector<double>, 3> ratios{ratiosOf(samples, 0), ratiosOf(samples, 1),
                                             ratiosOf(samples, 2)};
   if (std::none_of(ratios.begin(), ratios.end(), isNoticeable)) {
-    return;
+    return std::nullopt;
   }
   const Eigen::Array3d gain(medianOf(std::move(ratios[0])), medianOf(std::move(ratios[1])),
                             medianOf(std::move(ratios[2])));
-  const Eigen::Array3d light = gain * light_;
   const auto within = [](const Eigen::Array3d& factors, double greatest) {
     return factors.maxCoeff() <= greatest && factors.minCoeff() >= 1.0 / greatest;
   };
-  if (!within(gain, kGreatest) || !within(light, kGreatestInAll)) {
-    return;
+  if (!within(gain, kGreatest) || !within(gain * light, kGreatestInAll)) {
+    return std::nullopt;
   }
   const double share = agreement(samples, gain);
   if (share < kMostAgree || share < agreement(samples, Eigen::Array3d::Ones())) {
-    return;
+    return std::nullopt;
   }
-  cv::multiply(mean_, cv::Scalar(gain[0], gain[1], gain[2]), mean_);
-  light_ = light;
+  return gain;
 }
 
 } // namespace dewpoint::observation

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/color/color_classifier.h"
+#include "core/geometry/camera.h"
+#include "core/tracking/camera_report.h"
+#include "core/tracking/track_estimate.h"
+#include "core/tracking/tracker_diagnostics.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <cstddef>
+
+// What method `barrera` reports about its target beside the estimate, from one camera's image
+// (CV_8UC3; empty: none) and the target's color.
+namespace dewpoint::tracking {
+
+/// Why camera number `camera` does, or does not, confirm the target of an estimate.
+CameraReport explainByColor(const cv::Mat& image, const ColorClassifier& color,
+                            const Projector& projector, const SphereEstimate& estimate,
+                            std::size_t camera);
+
+/// The log likelihood of the color window (ColorWindow) around each pixel, up to `reach` pixels
+/// from the projection of a position (meters, world frame) in each direction. Empty when the
+/// position is not in view.
+LikelihoodMap windowLikelihoodMap(const cv::Mat& image, const ColorClassifier& color,
+                                  const Projector& projector, const Eigen::Vector3d& position,
+                                  int reach);
+
+} // namespace dewpoint::tracking

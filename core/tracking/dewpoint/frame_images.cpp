@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/dewpoint/frame_images.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint::tracking {
+
+void FrameImages::setFrames(FrameSetPtr frames) {
+  frames_ = std::move(frames);
+}
+
+FramePtr FrameImages::frame(std::size_t camera) const {
+  return frames_ && camera < frames_->frames.size() ? frames_->frames[camera] : nullptr;
+}
+
+double FrameImages::timeOffset(std::size_t camera) const {
+  const FramePtr image = frame(camera);
+  return image ? seconds(image->captureTime - frames_->time) : 0.0;
+}
+
+void FrameImages::showTo(SphereObservation& observation, const AdaptiveColor& color) const {
+  for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
+    const FramePtr image = frame(camera);
+    observation.setImage(camera, image ? image->image : cv::Mat(), timeOffset(camera),
+                         backgrounds_[camera], color.inUse(camera), color.learned());
+  }
+}
+
+void FrameImages::setBackgroundImages(const std::vector<cv::Mat>& images) {
+  for (std::size_t camera = 0; camera < std::min(images.size(), backgrounds_.size()); ++camera) {
+    backgrounds_[camera].setBackgroundImage(images[camera]);
+  }
+}
+
+void FrameImages::resetBackgrounds() {
+  for (BackgroundModel& background : backgrounds_) {
+    background.reset();
+  }
+}
+
+void FrameImages::resetReferenceLight() {
+  for (BackgroundModel& background : backgrounds_) {
+    background.resetReferenceLight();
+  }
+}
+
+void FrameImages::followLight() {
+  for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
+    if (const FramePtr image = frame(camera)) {
+      backgrounds_[camera].followLight(image->image);
+    }
+  }
+}
+
+void FrameImages::learnBackground(std::size_t camera,
+                                  const std::vector<BackgroundModel::Hidden>& hidden) {
+  backgrounds_[camera].learn(frame(camera)->image, hidden);
+}
+
+std::size_t FrameImages::memoryBytes() const {
+  std::size_t bytes = 0;
+  for (const BackgroundModel& background : backgrounds_) {
+    bytes += background.memoryBytes();
+  }
+  return bytes;
+}
+
+} // namespace dewpoint::tracking
