@@ -167,7 +167,7 @@ TEST(SlicedSearch, FindsTheSameAtOnceWithoutABudget) {
   SlicedSearch sliced = scene.inPieces();
   TimeBudget noLimit;
   ASSERT_TRUE(sliced.advance(scene.search(), noLimit, 10, false));
-  expectSamePlaces(sliced.places(), scene.find());
+  expectSamePlaces(sliced.candidates(), scene.find());
 }
 
 // A budget of a femtosecond leaves time for nothing but what is urgent: one piece at a time. Each
@@ -182,8 +182,8 @@ TEST(SlicedSearch, FindsTheSameInPieces) {
     budget.begin();
     EXPECT_EQ(sliced.advance(scene.search(), budget, 10, true), piece == 11) << piece;
   }
-  expectSamePlaces(sliced.places(), scene.find());
-  ASSERT_FALSE(sliced.places().empty());
+  expectSamePlaces(sliced.candidates(), scene.find());
+  ASSERT_FALSE(sliced.candidates().empty());
 }
 
 TEST(SlicedSearch, WaitsForTime) {
