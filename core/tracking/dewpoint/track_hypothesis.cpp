@@ -4,6 +4,7 @@
 #include "core/filter/estimate.h"
 #include "core/filter/prepared_gaussian.h"
 #include "core/filter/systematic_resampling.h"
+#include "core/tracking/dewpoint/information_form.h"
 
 #include <algorithm>
 #include <cmath>

@@ -106,58 +106,5 @@ TEST(AdaptiveProcessNoise, TheMarginMakesUpForWhatIsAllowed) {
   EXPECT_TRUE(processNoise.gatingCovariance().isZero());
 }
 
-/// A position known to 10 mm and then, by a measurement of 1 mm that was off by 5 mm along X,
-/// better.
-class PlaceEvidenceTest : public ::testing::Test {
-protected:
-  static Gaussian3 known() { return {{0.5, 0.4, 0.3}, 1e-4 * Eigen::Matrix3d::Identity()}; }
-  static Gaussian3 learned() {
-    const double variance = 1.0 / (1.0 / 1e-4 + 1.0 / 1e-6);
-    Gaussian3 result{known().mean, variance * Eigen::Matrix3d::Identity()};
-    result.mean.x() += variance / 1e-6 * 5e-3;
-    return result;
-  }
-};
-
-TEST_F(PlaceEvidenceTest, IsWhatALookAdds) {
-  const InformationForm evidence = InformationForm::between(known(), learned(), 0.0);
-  EXPECT_NEAR(evidence.information(0, 0), 1e6, 1e6 * 1e-5);
-  EXPECT_NEAR(evidence.vector.x(), 5e3, 1e-2);
-  const Gaussian3 again = evidence.posterior(known());
-  EXPECT_LT((again.mean - learned().mean).norm(), 1e-8);
-  EXPECT_LT((again.covariance - learned().covariance).norm(), 1e-11);
-  // Off by 5 mm where 1 mm and 10 mm are expected.
-  EXPECT_NEAR(evidence.squaredDistance(known().covariance), 25.0 / 101.0, 1e-4);
-}
-
-TEST_F(PlaceEvidenceTest, MoreNoiseMakesItWeaker) {
-  const InformationForm evidence = InformationForm::between(known(), learned(), 3e-6);
-  EXPECT_NEAR(evidence.information(0, 0), 1.0 / 4e-6, 10.0);
-  EXPECT_NEAR(evidence.vector.x(), 5e-3 / 4e-6, 1e-1);
-}
-
-TEST_F(PlaceEvidenceTest, WidenedSaysTheSameLessSurely) {
-  const InformationForm evidence = InformationForm::between(known(), learned(), 0.0).inflated(4.0);
-  EXPECT_NEAR(evidence.information(0, 0), 1e6 / 4.0, 10.0); // 2 mm instead of 1 mm
-  EXPECT_NEAR(evidence.vector.x() / evidence.information(0, 0), 5e-3, 1e-7);
-}
-
-TEST_F(PlaceEvidenceTest, IsTheSameFromElsewhere) {
-  const Eigen::Vector3d offset(2e-3, -1e-3, 3e-3);
-  const InformationForm evidence =
-      InformationForm::between(known(), learned(), 0.0).relativeTo(offset);
-  Gaussian3 vague{known().mean + offset, Eigen::Matrix3d::Identity()}; // a meter
-  const Eigen::Vector3d look = known().mean + Eigen::Vector3d(5e-3, 0.0, 0.0);
-  EXPECT_LT((evidence.posterior(vague).mean - look).norm(), 1e-6);
-}
-
-TEST_F(PlaceEvidenceTest, ALookThatSaysNothingChangesNothing) {
-  const InformationForm evidence = InformationForm::between(known(), known(), 1e-8);
-  const Gaussian3 after = evidence.posterior(known());
-  EXPECT_LT((after.mean - known().mean).norm(), 1e-9);
-  EXPECT_LT((after.covariance - known().covariance).norm(), 1e-7);
-  EXPECT_LT(evidence.squaredDistance(known().covariance), 1e-6);
-}
-
 } // namespace
 } // namespace dewpoint::tests
