@@ -15,6 +15,8 @@ constexpr int kHundredths = 101;
 constexpr int kRounds = 12;
 /// What it must be better to let every hue through: things not in these images have other hues.
 constexpr double kWorthEveryHue = 0.02;
+/// F1 scores nearer than this are of the same colors, summed in another order.
+constexpr double kRounding = 1e-12;
 /// Bins have their middle on whole numbers, bounds lie half a bin beyond.
 constexpr double kHalfBin = 0.5;
 
@@ -80,7 +82,8 @@ double f1Score(double target, double rest, double all) {
   return 2.0 * target / (all + target + rest);
 }
 
-/// Every interval is tried; of equal ones the first found, that is the shortest from its start.
+/// Every interval is tried; of equal ones the shortest. Around the circle the same colors lie in
+/// two intervals at least: across the widest gap between them, too.
 Interval bestInterval(const Profile& profile, bool circular, double all) {
   const int bins = static_cast<int>(profile.target.size());
   Interval best;
@@ -95,7 +98,9 @@ Interval bestInterval(const Profile& profile, bool circular, double all) {
       const auto bin = std::size_t((first + length - 1) % bins);
       target += profile.target[bin];
       rest += profile.rest[bin];
-      if (const double f1 = f1Score(target, rest, all); f1 > best.f1) {
+      const double f1 = f1Score(target, rest, all);
+      const bool isShorter = f1 > best.f1 - kRounding && length < best.length;
+      if (f1 > best.f1 + kRounding || isShorter) {
         best = {first, length, f1};
       }
     }

@@ -57,6 +57,16 @@ TEST(RangeFit, HuesGoRoundThroughZero) {
   EXPECT_NEAR(found.hueMax, 5.5, 1e-9);
 }
 
+// Nothing lies on the other side of the circle, which is no reason to let it through.
+TEST(RangeFit, HuesAroundZeroAreHeldTightlyToo) {
+  const ColorRange even = fitRange({cell(355, 50), cell(5, 50)}, {});
+  expectRange(even, 354.5, 5.5, 0.495, 0.505, 0.495, 0.505);
+  // Tenths have no exact sum: in another order it is another one.
+  const ColorRange uneven =
+      fitRange({cell(0, 0.1), cell(10, 0.2), cell(345, 0.3), cell(350, 0.7)}, {});
+  expectRange(uneven, 344.5, 10.5, 0.495, 0.505, 0.495, 0.505);
+}
+
 // Nine tenths of the target at hue 10, one tenth at 40, something else at 25, and much at 200, so
 // that no range goes the other way around. Of 50 pixels at 25,
 // all of the target costs too much: 2 * 90 / (100 + 90) = 0.95 against 2 * 100 / (100 + 100 + 50) =
