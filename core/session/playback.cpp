@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/playback.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace dewpoint::session {
@@ -46,12 +47,14 @@ std::optional<std::int64_t> Playback::viewed() const {
   return replaying != nullptr ? std::optional(replaying->frame) : std::nullopt;
 }
 
-std::optional<RerunState> Playback::rerunning() const {
-  if (const auto* rerunning = std::get_if<Rerunning>(&state_)) {
-    return rerunning->range;
-  }
+const Playback::Rerunning* Playback::rerunUnderWay() const {
   const auto* holding = std::get_if<Holding>(&state_);
-  return holding != nullptr ? std::optional(holding->rerun.range) : std::nullopt;
+  return holding != nullptr ? &holding->rerun : std::get_if<Rerunning>(&state_);
+}
+
+std::optional<RerunState> Playback::rerunning() const {
+  const Rerunning* underWay = rerunUnderWay();
+  return underWay != nullptr ? std::optional(underWay->range) : std::nullopt;
 }
 
 bool Playback::hasInputEnded() const {
@@ -121,10 +124,17 @@ void Playback::advance(std::optional<std::int64_t> next, std::int64_t head) {
 }
 
 void Playback::rerun(const RerunState& range, std::optional<std::int64_t> lookAgain) {
-  const PlayState afterwards = hasInputEnded() ? PlayState::Ended
-                               : viewed()      ? PlayState::Paused
-                                               : playState();
-  state_ = Rerunning{range, afterwards, lookAgain};
+  Rerunning next{range,
+                 hasInputEnded() ? PlayState::Ended
+                 : viewed()      ? PlayState::Paused
+                                 : playState(),
+                 lookAgain};
+  if (const Rerunning* underWay = rerunUnderWay()) {
+    next.range.to = std::max(range.to, underWay->range.to);
+    next.afterwards = underWay->afterwards;
+    next.lookAgain = lookAgain ? lookAgain : underWay->lookAgain;
+  }
+  state_ = next;
   leaveHead(range.from);
 }
 
@@ -159,12 +169,11 @@ void Playback::track() {
 }
 
 std::optional<std::int64_t> Playback::reach(std::int64_t head) {
-  const auto range = rerunning();
-  if (!range || head < range->to) {
+  const Rerunning* underWay = rerunUnderWay();
+  if (underWay == nullptr || head < underWay->range.to) {
     return std::nullopt;
   }
-  const auto* holding = std::get_if<Holding>(&state_);
-  const Rerunning done = holding != nullptr ? holding->rerun : std::get<Rerunning>(state_);
+  const Rerunning done = *underWay;
   state_ = headState(done.afterwards);
   return done.lookAgain;
 }

@@ -32,8 +32,9 @@ namespace dewpoint::session {
 ///
 /// rerun() leads from everywhere to Rerunning, trackOnFrom() to Playing, endInput() to Ended.
 /// *: Ended, if the input had ended before another frame than the head's was shown.
-/// **: Ended, if the input had ended before the rerun; Playing, if the run was Playing or
-/// Rerunning; else Paused.
+/// **: Ended, if the input had ended before the rerun; Playing, if the run was Playing; else
+/// Paused. A rerun that begins during another one takes over its goal, if that is farther, and what
+/// follows.
 class Playback {
 public:
   struct Paused {};
@@ -76,7 +77,7 @@ public:
   void returnToHead();
   /// The frame after the one shown; nothing: there is none.
   void advance(std::optional<std::int64_t> next, std::int64_t head);
-  /// Frames `range` are tracked again.
+  /// Frames `range` are tracked again, and those up to the goal of a rerun under way.
   void rerun(const RerunState& range, std::optional<std::int64_t> lookAgain);
   /// Tracking begins at a frame that was not tracked yet.
   void trackOnFrom(std::int64_t frame);
@@ -113,6 +114,8 @@ public:
   void complete() { missing_ = Missing::Nothing; }
 
 private:
+  /// Also one that waits; null: there is none.
+  const Rerunning* rerunUnderWay() const;
   void leaveHead(std::int64_t nextFrame);
 
   State state_;

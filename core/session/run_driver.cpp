@@ -194,7 +194,12 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
     return;
   }
   from = method != nullptr ? beginOf(*method, *nearest) : *nearest;
-  const RerunState range{from, head()};
+  std::int64_t goal = head();
+  if (const auto underWay = playback_.rerunning()) {
+    from = std::min(from, playback_.nextFrame()); // what lies ahead of it is tracked again anyway
+    goal = std::max(goal, underWay->to);
+  }
+  const RerunState range{from, goal};
   const bool isPast = from <= range.to;
   errors_.clear();
   RunDefinitionPtr before = definition_;

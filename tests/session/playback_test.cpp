@@ -160,13 +160,45 @@ TEST(Playback, AfterARerunAllIsAsBefore) {
     playback.reach(kHead);
     names.push_back(nameOf(playback));
   }
-  EXPECT_EQ(names, (Row{"Paused", "Playing", "Ended", "Paused", "Paused", "Playing", "Paused"}));
+  EXPECT_EQ(names, (Row{"Paused", "Playing", "Ended", "Paused", "Paused", "Paused", "Paused"}));
   Playback ended;
   ended.endInput();
   ended.show(kOther, kHead);
   ended.rerun({1, kHead}, std::nullopt);
   ended.reach(kHead);
   EXPECT_EQ(nameOf(ended), "Ended");
+}
+
+// As when colors change again before the frames were tracked with the first change.
+TEST(Playback, ARerunDuringAnotherOneEndsWhereAndAsThatWouldHave) {
+  for (const bool waits : {false, true}) {
+    Row names;
+    for (Playback& playback : everyState()) {
+      playback.rerun({4, kHead}, std::nullopt);
+      if (waits) {
+        playback.hold();
+      }
+      playback.rerun({1, 6}, std::nullopt); // the head has come to 6
+      ASSERT_TRUE(playback.rerunning());
+      EXPECT_EQ(playback.rerunning()->from, 1);
+      EXPECT_EQ(playback.rerunning()->to, kHead);
+      EXPECT_EQ(playback.nextFrame(), 1);
+      playback.reach(6);
+      EXPECT_EQ(nameOf(playback), "Rerunning");
+      playback.reach(kHead);
+      names.push_back(nameOf(playback));
+    }
+    EXPECT_EQ(names, (Row{"Paused", "Playing", "Ended", "Paused", "Paused", "Paused", "Paused"}));
+  }
+  Playback farther;
+  farther.rerun({4, 6}, std::nullopt);
+  farther.rerun({1, kHead}, std::nullopt);
+  EXPECT_EQ(farther.rerunning()->to, kHead);
+  Playback looking;
+  looking.show(kOther, kHead);
+  looking.rerun({4, kHead}, looking.viewed());
+  looking.rerun({1, 6}, looking.viewed()); // the head is shown meanwhile
+  EXPECT_EQ(looking.reach(kHead), kOther);
 }
 
 TEST(Playback, ARerunKnowsWhatToShowAfterwards) {

@@ -291,6 +291,26 @@ TEST(TimeTravel, AnotherMethodBeginsAtTheFrame) {
   EXPECT_TRUE(again.header.entries.back().second.starts_with("method = barrera; "));
 }
 
+TEST(TimeTravel, AfterARerunDuringARerunTheRunStandsWhereItStood) {
+  constexpr std::int64_t kStood = 24;
+  Session session(drawnInputs("dewpoint", kFrames));
+  for (std::int64_t k = 0; k <= kStood; ++k) {
+    session.stepFrame();
+  }
+  ASSERT_TRUE(eventually([&] { return session.newest()->history.head == kStood; }));
+  const Trajectory first = session.trajectory();
+  session.rerunFrom(16);
+  session.rerunFrom(8);
+  session.setMasksWanted(true); // in their order: both have begun when there are masks
+  ASSERT_TRUE(eventually([&] {
+    const auto snapshot = session.newest();
+    return !snapshot->masks.empty() && !snapshot->rerun && snapshot->history.head >= kStood;
+  }));
+  EXPECT_EQ(session.newest()->state, PlayState::Paused);
+  EXPECT_EQ(session.newest()->history.head, kStood);
+  EXPECT_TRUE(sameBits(session.trajectory(), first));
+}
+
 TEST(TimeTravel, MasksAndLikelihoodMapsOfAPastMoment) {
   Session session(drawnInputs("dewpoint", kFrames));
   playedToTheEnd(session);
