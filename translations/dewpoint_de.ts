@@ -5666,8 +5666,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Wie viele Threads sich die Arbeit des Filters teilen; die Ergebnisse sind mit jeder Anzahl dieselben</translation>
     </message>
     <message>
-        <source>Used from the next time that a project is opened.</source>
-        <translation>Gilt ab dem nächsten Öffnen eines Projekts.</translation>
+        <source>Used from the next frame on.</source>
+        <translation>Gilt ab dem nächsten Bild.</translation>
     </message>
     <message>
         <source>OK</source>

@@ -5666,8 +5666,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Cuántos hilos se reparten el trabajo del filtro; los resultados son los mismos con cualquier número</translation>
     </message>
     <message>
-        <source>Used from the next time that a project is opened.</source>
-        <translation>Se usa a partir de la próxima vez que se abra un proyecto.</translation>
+        <source>Used from the next frame on.</source>
+        <translation>Se usa a partir del próximo fotograma.</translation>
     </message>
     <message>
         <source>OK</source>

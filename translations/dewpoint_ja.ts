@@ -5664,8 +5664,8 @@ Effective sample size %8 of %9</source>
         <translation>フィルターの処理を分担するスレッド数。いくつでも結果は同じです</translation>
     </message>
     <message>
-        <source>Used from the next time that a project is opened.</source>
-        <translation>次にプロジェクトを開くときから使われます。</translation>
+        <source>Used from the next frame on.</source>
+        <translation>次のフレームから使われます。</translation>
     </message>
     <message>
         <source>OK</source>

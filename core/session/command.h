@@ -79,6 +79,11 @@ struct ShowMasks {
 struct ShowShapes {
   bool wanted = false;
 };
+/// So many threads share the work of the filter from the next iteration on (filterThreads()); they
+/// never change its result.
+struct SetThreads {
+  int threads = 0;
+};
 /// A calibration board is shown to live cameras from now on, or no more: meanwhile no camera is
 /// taken for moved (CameraMotionWatch::setResting()).
 struct ShowBoard {
@@ -96,6 +101,6 @@ using Command =
                  command::Restart, command::Configure, command::SetMethod, command::SetTargets,
                  command::SetCameras, command::SetEmptyRooms, command::ShowMasks,
                  command::ShowFrame, command::BackToHead, command::Rerun, command::ShowMaps,
-                 command::ShowShapes, command::ShowBoard, command::SetPeople>;
+                 command::ShowShapes, command::ShowBoard, command::SetPeople, command::SetThreads>;
 
 } // namespace dewpoint::session

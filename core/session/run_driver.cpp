@@ -352,6 +352,15 @@ void RunDriver::setPeople(const std::vector<PersonCorrection>& people) {
   record();
 }
 
+void RunDriver::setThreads(int wanted) {
+  const int threads = filterThreads(wanted);
+  if (threads != threads_) {
+    threads_ = threads;
+    run_->setThreadCount(threads_);
+    log_.setThreads(threads_);
+  }
+}
+
 void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
   if (const auto viewed = playback_.viewed()) {
     snapshot.past = true;

@@ -67,6 +67,8 @@ public:
   /// While a board is shown to live cameras none of them is taken for moved.
   void setBoardShown(bool shown) { bumps_.setResting(shown); }
   void setPeople(const std::vector<PersonCorrection>& people);
+  /// As SessionInputs::threads, from the next iteration on.
+  void setThreads(int wanted);
 
   /// What is tracked from now on.
   const RunDefinition& definition() const { return *definition_; }

@@ -62,6 +62,11 @@ void RunLog::restart(const Project& project, int threads) {
   figures_.threads = threads;
 }
 
+void RunLog::setThreads(int threads) {
+  const std::lock_guard lock(mutex_);
+  figures_.threads = threads;
+}
+
 void RunLog::change(const Project& project) {
   const std::lock_guard lock(mutex_);
   project_ = project;

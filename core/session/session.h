@@ -100,6 +100,7 @@ public:
   void setMasksWanted(bool wanted) { send(command::ShowMasks{wanted}); }
   void setLikelihoodMapsWanted(bool wanted) { send(command::ShowMaps{wanted}); }
   void setShapesWanted(bool wanted) { send(command::ShowShapes{wanted}); }
+  void setFilterThreads(int threads) { send(command::SetThreads{threads}); }
   void setBoardShown(bool shown) { send(command::ShowBoard{shown}); }
   void setPeople(const std::vector<PersonCorrection>& people) { send(command::SetPeople{people}); }
   /// Gives every frame set that is taken from now on to `tap` too, in the tracking thread; an empty

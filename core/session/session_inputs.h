@@ -27,8 +27,8 @@ struct SessionInputs {
   /// Bytes that going back in the run may take: images of live cameras, particles, copies.
   /// 0: 1 GB for live cameras, half of it for recordings.
   std::size_t historyBytes = 0;
-  /// Threads that share the work of the filter; they never change its result. 0: as filterThreads()
-  /// says.
+  /// Threads that share the work of the filter at first; they never change its result. 0: as
+  /// filterThreads() says.
   int threads = 0;
 };
 

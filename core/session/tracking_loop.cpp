@@ -141,6 +141,11 @@ TrackingLoop::Publish TrackingLoop::handle(const command::SetPeople& wish) {
   return Publish::Now;
 }
 
+TrackingLoop::Publish TrackingLoop::handle(const command::SetThreads& wish) {
+  driver_.setThreads(wish.threads);
+  return Publish::Now;
+}
+
 TrackingLoop::Publish TrackingLoop::handle(const command::ShowMasks& wish) {
   builder_.wishes().masks = wish.wanted;
   return Publish::Now;

@@ -220,20 +220,29 @@ void DesktopHabitsTest::dialogsHaveTheirButtonsWhereThePlatformPutsThem() {
 }
 
 void DesktopHabitsTest::theFilterUsesAsManyThreadsAsChosen() {
-  window_->show();
-  action("actionFilterThreads")->trigger();
-  auto* threads = window_->findChild<QSpinBox*>("threadCount");
-  QCOMPARE(threads->value(), 0); // nobody has chosen
-  threads->setValue(threads->maximum());
-  QTest::mouseClick(window_->findChild<QPushButton*>("threadCountAccept"), Qt::LeftButton);
-  const int chosen = Preferences().filterThreads();
-  QCOMPARE(chosen, QThread::idealThreadCount());
-  openDemo();
   QTemporaryDir folder;
-  QVERIFY(window_->saveRun(folder.path().toStdString()));
-  QFile report(folder.filePath(QStringLiteral("run.json")));
-  QVERIFY(report.open(QIODevice::ReadOnly));
-  QCOMPARE(QJsonDocument::fromJson(report.readAll()).object().value("threads").toInt(), chosen);
+  const auto threadsOfRun = [&] {
+    QFile report(folder.filePath(QStringLiteral("run.json")));
+    return window_->saveRun(folder.path().toStdString()) && report.open(QIODevice::ReadOnly)
+               ? QJsonDocument::fromJson(report.readAll()).object().value("threads").toInt()
+               : -1;
+  };
+  const auto choose = [&](int wanted) {
+    action("actionFilterThreads")->trigger();
+    auto* threads = window_->findChild<QSpinBox*>("threadCount");
+    threads->setValue(wanted);
+    QTest::mouseClick(window_->findChild<QPushButton*>("threadCountAccept"), Qt::LeftButton);
+    QVERIFY(waitFor([this] { return window_->findChild<QSpinBox*>("threadCount") == nullptr; }));
+  };
+  window_->show();
+  const int most = QThread::idealThreadCount();
+  QCOMPARE(Preferences().filterThreads(), 0); // nobody has chosen
+  choose(most);
+  QCOMPARE(Preferences().filterThreads(), most);
+  openDemo();
+  QCOMPARE(threadsOfRun(), most);
+  choose(1); // while it runs
+  QVERIFY(waitFor([&] { return threadsOfRun() == 1; }));
 }
 
 } // namespace dewpoint::tests

@@ -39,9 +39,10 @@ void installRunActions(const Workbench& bench) {
   bench.onTriggered("actionNextIteration", run, [run] { run->session()->stepIteration(); });
   bench.onTriggered("actionRestart", run, [run] { run->restart(false); });
   bench.onTriggered("actionRestartNewSeed", run, [run] { run->restart(true); });
-  bench.onTriggered("actionFilterThreads", run, [bench] {
+  bench.onTriggered("actionFilterThreads", run, [run, bench] {
     auto* dialog = new ThreadCountDialog(QThread::idealThreadCount(), &bench.window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(dialog, &QDialog::accepted, run, &SessionController::useFilterThreads);
     Workbench::present(dialog);
   });
   for (const bool newSeed : {false, true}) {

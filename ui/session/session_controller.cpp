@@ -247,6 +247,12 @@ void SessionController::restart(bool newSeed) {
   }
 }
 
+void SessionController::useFilterThreads() {
+  if (bridge_ != nullptr) {
+    bridge_->session().setFilterThreads(Preferences().filterThreads());
+  }
+}
+
 void SessionController::rerun() {
   if (bridge_ != nullptr && selection_.moment() >= 0) {
     bridge_->session().rerunFrom(selection_.moment());

@@ -58,6 +58,8 @@ public:
   void play();
   /// From the beginning, with another seed or the same.
   void restart(bool newSeed);
+  /// The filter of the run goes on with as many threads as the preferences say.
+  void useFilterThreads();
   /// Tracks again from the moment shown.
   void rerun();
   /// The color of a target was learned: whoever points at the first thing to follow wants to see

@@ -49,7 +49,7 @@ void ThreadCountDialog::retranslateUi() {
   threads_->setSpecialValueText(tr("as suits this machine"));
   threads_->setToolTip(tr("How many threads share the work of the filter; results are the same "
                           "with any number"));
-  note_->setText(tr("Used from the next time that a project is opened."));
+  note_->setText(tr("Used from the next frame on."));
   accept_->setText(tr("OK"));
   accept_->setToolTip(tr("Keep this number"));
   cancel_->setText(tr("Cancel"));

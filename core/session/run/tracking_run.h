@@ -78,6 +78,8 @@ public:
   bool canBeCopied() const;
   /// Goes on counting iterations from here.
   void countFrom(std::int64_t iterations) { iterations_ = iterations; }
+  /// From the next iteration on so many threads share the work; they never change the result.
+  void setThreadCount(int threadCount) { team_ = std::make_unique<ThreadTeam>(threadCount); }
   int threadCount() const { return team_->threadCount(); }
 
   void beginFrame(FrameSetPtr frames);

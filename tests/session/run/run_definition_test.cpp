@@ -170,6 +170,45 @@ TEST_P(FilterThreads, AnyNumberGivesTheSameBits) {
   EXPECT_TRUE(sameBits(found[0], found[2]));
 }
 
+/// The number of threads in the report of a run.
+std::string reportedThreads(const Session& session) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "filter_threads" / "changed";
+  const auto report = session.saveRun(folder)
+                          ? readTextFile(folder / "run.json")
+                          : Result<std::string>(failure(ErrorCode::FileUnwritable, "", "", ""));
+  const std::string key = "\"threads\": ";
+  const auto begin = report ? report->find(key) : std::string::npos;
+  return begin == std::string::npos
+             ? std::string()
+             : report->substr(begin + key.size(), report->find(',', begin) - begin - key.size());
+}
+
+// While the run plays, and before a rerun from a copy that another number of threads has made.
+TEST_P(FilterThreads, AnotherNumberTakesOverInTheMiddleOfARun) {
+  SessionInputs inputs = drawnInputs(GetParam(), kFrames);
+  inputs.threads = 1;
+  Session plain(std::move(inputs));
+  const Trajectory expected = played(plain);
+  inputs = drawnInputs(GetParam(), kFrames);
+  inputs.threads = 1;
+  Session session(std::move(inputs));
+  for (int k = 0; k < 15; ++k) {
+    session.stepFrame();
+  }
+  ASSERT_TRUE(eventually([&] { return session.newest()->history.head == 14; }));
+  EXPECT_EQ(reportedThreads(session), "1");
+  session.setFilterThreads(3);
+  ASSERT_TRUE(eventually([&] { return reportedThreads(session) == "3"; }));
+  EXPECT_TRUE(sameBits(played(session), expected));
+  session.setFilterThreads(2);
+  rerun(session, 11);
+  EXPECT_EQ(reportedThreads(session), "2");
+  EXPECT_TRUE(sameBits(session.trajectory(), expected));
+  session.restart();
+  ASSERT_TRUE(reaches(session, PlayState::Paused));
+  EXPECT_EQ(reportedThreads(session), "2"); // also of the next run
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, FilterThreads, testing::Values("dewpoint", "barrera"));
 
 TEST(FilterThreadCount, IsAsWantedOrWhatTheMachineHas) {
