@@ -14,7 +14,8 @@ class BoardWatch {
 public:
   /// `wake` is called from the thread after a state was published; it must only post.
   explicit BoardWatch(std::function<void()> wake);
-  ~BoardWatch(); ///< stops the thread, and waits for the images that are being looked at
+  ~BoardWatch(); ///< stops the thread, and waits for images that were shown: not in a window's
+                 ///< thread
   BoardWatch(const BoardWatch&) = delete;
   BoardWatch& operator=(const BoardWatch&) = delete;
 

@@ -30,7 +30,8 @@ public:
   static constexpr std::size_t kWaiting = 32;
 
   WandCollector(std::size_t cameraCount, const std::vector<ColorClassifier>& balls);
-  ~WandCollector(); ///< gives up what waits
+  ~WandCollector(); ///< gives up what waits, and waits for what is looked at: not in a window's
+                    ///< thread
   WandCollector(const WandCollector&) = delete;
   WandCollector& operator=(const WandCollector&) = delete;
 

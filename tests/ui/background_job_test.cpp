@@ -11,6 +11,7 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace dewpoint::tests {
@@ -34,6 +35,7 @@ private Q_SLOTS:
   void cancelledItChangesNothing();
   void runsAnotherOneAfterwards();
   void whoeverDropsItDoesNotWait();
+  void whoeverDropsWhatWaitsDoesNotWait();
   void abandonedItMakesRoom();
   void ofThoseThatWaitOnlyTheNewestIsBegun();
   void whatIsOvertakenIsDroppedOrKept();
@@ -106,6 +108,35 @@ void BackgroundJobTest::whoeverDropsItDoesNotWait() {
   QVERIFY(allEnded());
   QCoreApplication::processEvents();
   QVERIFY(!*heard);
+}
+
+namespace {
+
+/// Its destructor waits, as one that joins a thread does.
+struct SlowToGo {
+  explicit SlowToGo(std::shared_ptr<Gate> until) : gate(std::move(until)) {}
+  ~SlowToGo() { gate->pass(); }
+  SlowToGo(const SlowToGo&) = delete;
+  SlowToGo& operator=(const SlowToGo&) = delete;
+
+  std::shared_ptr<Gate> gate;
+};
+
+} // namespace
+
+void BackgroundJobTest::whoeverDropsWhatWaitsDoesNotWait() {
+  const auto gate = std::make_shared<Gate>();
+  std::unique_ptr<SlowToGo, DetachedDelete> one(new SlowToGo(gate));
+  std::shared_ptr<SlowToGo> other(new SlowToGo(gate), DetachedDelete());
+  const auto copy = std::make_unique<std::shared_ptr<SlowToGo>>(other);
+  one.reset();
+  other.reset();
+  QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 1; }, kPatienceMs));
+  copy->reset(); // the last owner
+  QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 2; }, kPatienceMs));
+  QVERIFY(!waitForDetached(std::chrono::milliseconds(0)));
+  gate->open();
+  QVERIFY(allEnded());
 }
 
 void BackgroundJobTest::abandonedItMakesRoom() {

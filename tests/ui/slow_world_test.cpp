@@ -8,6 +8,7 @@
 #include "core/session/session.h"
 #include "tests/ui/gate.h"
 #include "tests/ui/wait.h"
+#include "ui/calibration/board/board_calibrator.h"
 #include "ui/document/document.h"
 #include "ui/document/project_saver.h"
 #include "ui/jobs/job_thread.h"
@@ -22,6 +23,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <opencv2/core.hpp>
 
 #include <atomic>
 #include <chrono>
@@ -69,6 +71,7 @@ private Q_SLOTS:
   void closesOnceItIsSaved();
   void whatIsChangedWhileItIsSavedIsStillUnsaved();
   void aDeadStreamDoesNotHoldUpTheNextProject();
+  void aBoardThatIsLookedForHoldsNobodyUp();
 
 private:
   std::filesystem::path place(const char* name) const {
@@ -225,6 +228,34 @@ void SlowWorldTest::aDeadStreamDoesNotHoldUpTheNextProject() {
   QVERIFY(waitFor([this] { return stream_->waiting() == 0; }));
   QTest::qWait(0);
   QCOMPARE(window_->document().project().name, std::string("two"));
+}
+
+// In an image of 12 megapixels full of noise the search takes long.
+void SlowWorldTest::aBoardThatIsLookedForHoldsNobodyUp() {
+  Project project;
+  project.cameras.resize(1);
+  project.cameras[0].camera.intrinsics = {4000, 3000, 4000.0, 4000.0, 1999.5, 1499.5};
+  Document document;
+  document.replace(project);
+  const auto opener = [](const SessionRequest&) -> Result<SessionInputs> {
+    return failure(ErrorCode::FileMissing, "", "", "");
+  };
+  auto desk = std::make_unique<BoardCalibrator>(document, opener);
+  cv::Mat noise(3000, 4000, CV_8UC3);
+  cv::theRNG().state = 16;
+  cv::randu(noise, 0, 256);
+  FrameSet set;
+  set.frames = {std::make_shared<const Frame>(Frame{0, timeStamp(0.0), noise})};
+  TrackSnapshot snapshot; // of live cameras: their frames are not counted
+  snapshot.frame = 0;
+  snapshot.frames = std::make_shared<const FrameSet>(std::move(set));
+  desk->start();
+  desk->setSnapshot(std::make_shared<const TrackSnapshot>(std::move(snapshot)));
+  QVERIFY(desk->isWatching());
+  desk.reset();
+  // What was shown is looked at to the end, by a thread that nobody waits for, and wakes nobody.
+  QVERIFY(!waitForDetached(std::chrono::milliseconds(0)));
+  QVERIFY(waitFor([] { return waitForDetached(std::chrono::milliseconds(0)); }));
 }
 
 } // namespace dewpoint::tests

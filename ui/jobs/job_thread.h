@@ -17,6 +17,14 @@ namespace dewpoint::ui {
 /// whoever asked for it, may be gone before it ends. Must not throw.
 void runDetached(std::function<void()> work);
 
+/// Deletes an object in a thread of runDetached(): for one whose destructor waits, for a thread of
+/// its own or for a device. Whoever lets go of it last, in whatever thread, waits for nothing.
+struct DetachedDelete {
+  template <class Object> void operator()(Object* object) const {
+    runDetached([object] { delete object; });
+  }
+};
+
 /// Waits until no thread of runDetached() is left, at most so long; false when some still run. For
 /// the end of the program, when no window is open any more: a job that hangs in a dead stream is
 /// left behind then.

@@ -25,11 +25,8 @@ void ProjectLoader::open(OpenRequest request) {
   }
   job_.start([this, opener = opener_, what = wanted_->what](const BackgroundJob::Progress&) {
     // What nobody wants any more is closed in a thread, too.
-    const auto closeBeside = [](Result<SessionInputs>* unwanted) {
-      runDetached([unwanted] { delete unwanted; });
-    };
     const std::shared_ptr<Result<SessionInputs>> result(new Result<SessionInputs>(opener(what)),
-                                                        closeBeside);
+                                                        DetachedDelete());
     return [this, result] { finish(result); };
   });
 }
@@ -47,7 +44,7 @@ void ProjectLoader::finish(const std::shared_ptr<Result<SessionInputs>>& result)
 
 void ProjectLoader::retire(std::unique_ptr<Session> session) {
   if (session) {
-    runDetached([old = std::shared_ptr<Session>(std::move(session))]() mutable { old.reset(); });
+    DetachedDelete()(session.release());
   }
 }
 

@@ -17,12 +17,10 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
-#include <QPointer>
 #include <QScrollBar>
 #include <QSplitter>
 #include <QStackedLayout>
 #include <QTableView>
-#include <QThreadPool>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -261,15 +259,13 @@ void TrajectoryPanel::copyCsv() {
     last = selected.front().bottom() + 1;
   }
   std::vector<MotionLog::Row> chosen(rows.begin() + first, rows.begin() + last);
-  QThreadPool::globalInstance()->start([chosen = std::move(chosen), self = QPointer(this)] {
+  csv_.start([this, chosen = std::move(chosen)](const BackgroundJob::Progress&) {
     const QString text = QString::fromStdString(motionCsv(chosen));
     const int count = static_cast<int>(chosen.size());
-    QMetaObject::invokeMethod(qApp, [text, count, self] {
+    return [this, text, count] {
       QGuiApplication::clipboard()->setText(text);
-      if (self) {
-        Q_EMIT self->notice(tr("%n rows are on the clipboard as CSV.", nullptr, count));
-      }
-    });
+      Q_EMIT notice(tr("%n rows are on the clipboard as CSV.", nullptr, count));
+    };
   });
 }
 

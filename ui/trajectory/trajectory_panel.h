@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/session/session.h"
+#include "ui/jobs/latest_job.h"
 #include "ui/selection/selection.h"
 #include "ui/trajectory/motion_series.h"
 
@@ -104,6 +105,7 @@ private:
   QTimer timer_;
   QElapsedTimer sinceRefresh_;
   double lastRefreshMs_ = 0.0;
+  LatestJob csv_{LatestJob::Overtaken::Kept}; ///< for the clipboard
 };
 
 } // namespace dewpoint::ui

@@ -9,8 +9,6 @@
 #include "ui/text/camera_names.h"
 #include "ui/text/error_sentence.h"
 
-#include <QMetaObject>
-
 #include <algorithm>
 #include <utility>
 
@@ -24,11 +22,7 @@ constexpr double kLookingShare = 0.85; ///< of the time that a recording takes
 BoardCalibrator::BoardCalibrator(Document& document, Opener open, QObject* parent)
     : QObject(parent), document_(document), open_(std::move(open)),
       looking_(std::make_shared<std::atomic<bool>>(false)), job_(new BackgroundJob(this)),
-      writer_(new BackgroundJob(this)), watch_([this] {
-        if (!pending_.exchange(true)) {
-          QMetaObject::invokeMethod(this, &BoardCalibrator::drain, Qt::QueuedConnection);
-        }
-      }) {
+      writer_(new BackgroundJob(this)), watch_(new BoardWatch(wakeUp())) {
   wish_.goal = {true, true};
   recall();
   connect(job_, &BackgroundJob::progressChanged, this, &BoardCalibrator::progressChanged);
@@ -94,7 +88,7 @@ void BoardCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
   shownFrame_ = snapshot ? snapshot->frame : -1;
   if (live && watching_ && !snapshot->past && snapshot->frames != shownToWatch_) {
     shownToWatch_ = snapshot->frames;
-    watch_.show(snapshot->frames);
+    watch_->show(snapshot->frames);
   }
   if (live != live_ || first != (shownFrame_ < 0)) {
     live_ = live;
@@ -157,7 +151,7 @@ void BoardCalibrator::start() {
   failure_.clear();
   shownToWatch_.reset();
   setWatching(true);
-  watch_.begin(project(), wish_);
+  watch_->begin(project(), wish_);
   Q_EMIT playWanted();
   Q_EMIT changed();
   Q_EMIT guideChanged();
@@ -196,13 +190,21 @@ void BoardCalibrator::finish() {
       false);
 }
 
-void BoardCalibrator::drain() {
-  // Cleared before reading: what is published from here on earns a wake-up of its own.
-  pending_ = false;
-  if (watching_ && guide()->phase == BoardGuideState::Phase::Finished && hasViews()) {
-    finish();
-  }
-  Q_EMIT guideChanged();
+std::function<void()> BoardCalibrator::wakeUp() {
+  // Called by a thread that may outlive this: it holds what it uses.
+  return [this, mailbox = mailbox_.sender(), pending = std::make_shared<std::atomic<bool>>(false)] {
+    if (pending->exchange(true)) {
+      return;
+    }
+    mailbox.post([this, pending] {
+      // Cleared before reading: what is published from here on earns a wake-up of its own.
+      *pending = false;
+      if (watching_ && guide()->phase == BoardGuideState::Phase::Finished && hasViews()) {
+        finish();
+      }
+      Q_EMIT guideChanged();
+    });
+  };
 }
 
 bool BoardCalibrator::isApplied() const {

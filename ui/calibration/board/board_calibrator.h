@@ -3,6 +3,7 @@
 
 #include "core/session/session.h"
 #include "core/setup/board_watch.h"
+#include "ui/jobs/job_thread.h"
 
 #include <QObject>
 #include <QString>
@@ -51,13 +52,13 @@ public:
   void start(); ///< anew, too
   void stop();
   bool isWatching() const { return watching_; }
-  void captureNow() { watch_.captureNow(); }
-  void captureFloor() { watch_.captureFloor(); }
-  void goOn() { watch_.goOn(); }
+  void captureNow() { watch_->captureNow(); }
+  void captureFloor() { watch_->captureFloor(); }
+  void goOn() { watch_->goOn(); }
   /// Calibrates from what was taken so far, and ends the guidance.
   void finish();
   /// The newest state of the guidance; never null.
-  BoardGuideStatePtr guide() const { return watch_.newest(); }
+  BoardGuideStatePtr guide() const { return watch_->newest(); }
   /// Whether anything was taken.
   bool hasViews() const;
 
@@ -92,7 +93,7 @@ private:
   void adopt(const std::shared_ptr<Result<BoardOutcome>>& result, bool applyIt);
   void write(const std::function<Status()>& task, const QString& file);
   void forget();
-  void drain();
+  std::function<void()> wakeUp();
   BoardPreferences preferences() const;
   void recall();
 
@@ -109,8 +110,8 @@ private:
   std::shared_ptr<std::atomic<bool>> looking_;
   BackgroundJob* job_; ///< children: end with the desk
   BackgroundJob* writer_;
-  std::atomic<bool> pending_ = false;
-  BoardWatch watch_; // last: its thread wakes the rest
+  JobMailbox mailbox_;                                ///< what the watch's thread has seen
+  std::unique_ptr<BoardWatch, DetachedDelete> watch_; ///< its thread ends beside the window
 };
 
 } // namespace dewpoint::ui

@@ -125,7 +125,7 @@ void WandCalibrator::startWaving() {
   }
   stopWaving();
   moments_.clear(); // they belong to what was collected before
-  collector_ = std::make_shared<WandCollector>(project().cameras.size(), *colors);
+  collector_.reset(new WandCollector(project().cameras.size(), *colors), DetachedDelete());
   waving_ = session;
   session->setFrameTap(
       [collector = collector_](const FrameSetPtr& frames) { collector->offer(frames); });

@@ -104,7 +104,7 @@ private:
   bool live_ = false;
   qint64 shownFrame_ = -1;
   double shownSeconds_ = 0.0; ///< its time, as the calibration will know it
-  std::shared_ptr<WandCollector> collector_;
+  std::shared_ptr<WandCollector> collector_; ///< its thread ends beside the window
   Session* waving_ = nullptr; ///< whose frames are collected
   std::shared_ptr<const WandRefinement> refinement_;
   QString failure_;
