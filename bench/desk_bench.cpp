@@ -182,8 +182,13 @@ private:
       (void)window_.document().edit(
           QStringLiteral("Change color range"),
           [&](Project& project) { project.targets[0].color.hueMin += 0.1; }, "drag");
-      waitUntil([&] { return window_.shown() != before; }, kPatienceMs);
-      for (CameraView* view : window_.findChildren<CameraView*>()) {
+      const auto views = window_.findChildren<CameraView*>();
+      waitUntil(
+          [&] {
+            return window_.shown() != before && std::ranges::all_of(views, &CameraView::isDrawn);
+          },
+          kPatienceMs);
+      for (CameraView* view : views) {
         view->repaint();
       }
       milliseconds.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));

@@ -53,6 +53,7 @@ void BoxTest::oneVideoWithoutACalibrationIsFollowedAfterAClick() {
   QCOMPARE(window_->document().undoStack()->undoText(), QStringLiteral("Box of target 1"));
   // It is drawn in the color of the first target.
   auto* view = find<CameraView>("cameraView0");
+  QVERIFY(draws(*view));
   const QImage picture = view->grab().toImage();
   const QPoint corner = placeOf({found.x, found.center().y()});
   const QColor expected = targetColor(0);

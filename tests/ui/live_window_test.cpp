@@ -107,6 +107,7 @@ void LiveWindowTest::tracksTwoStreamsToTheBall() {
   QVERIFY(waitFor([&] { return window_->shown()->state == PlayState::Paused; }));
   for (const std::size_t camera : {0U, 1U}) {
     auto* view = find<CameraView>(QStringLiteral("cameraView%1").arg(camera));
+    QVERIFY(draws(*view));
     QVERIFY2(difference(*view, pictures_[camera]) < kSamePicture,
              qPrintable(QString::number(difference(*view, pictures_[camera]))));
     // The bound tells pictures apart: a uniform gray is none of them.

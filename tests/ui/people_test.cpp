@@ -132,8 +132,9 @@ void PeopleTest::learningIsShown() {
   QCOMPARE(progress->value(), qRound(100.0 * learned));
   QVERIFY(find<QLabel>("statusHeld")->text().contains(QStringLiteral("learning")));
   // The bar at the lower edge of the images.
-  const QImage view = find<CameraView>("cameraView0")->grab().toImage();
-  QVERIFY(pixelsLike(view, QColor("#e6a100")) > 20);
+  auto* view = find<CameraView>("cameraView0");
+  QVERIFY(draws(*view));
+  QVERIFY(pixelsLike(view->grab().toImage(), QColor("#e6a100")) > 20);
 }
 
 void PeopleTest::peopleAreSeenInAllViews() {
@@ -146,6 +147,7 @@ void PeopleTest::peopleAreSeenInAllViews() {
   QVERIFY(!find<QProgressBar>("learningProgress")->isVisibleTo(window_.get()));
 
   auto* view = find<CameraView>("cameraView0");
+  QVERIFY(draws(*view));
   QVERIFY(pixelsLike(view->grab().toImage(), colorOf(1)) > 50); // the outline is 2 pixels wide
   QVERIFY(pixelsLike(view->grab().toImage(), colorOf(2)) > 50);
   auto* birdsEye = find<BirdsEyeView>("birdsEyeView");

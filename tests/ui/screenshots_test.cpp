@@ -117,6 +117,7 @@ void ScreenshotsTest::keepCalibration() {
   find<QPushButton>("pointClick")->click();
   find<QCheckBox>("gridEdges")->setChecked(true);
   scrollTo(find<QWidget>("pointSolve"));
+  QVERIFY(settles(*window_)); // the edges too
   auto* layer = find<QWidget>("gridLayer0");
   // On the second point, a little beside its click.
   const ImagePlacement& image = find<CameraView>("cameraView0")->placement();

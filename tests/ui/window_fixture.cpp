@@ -2,6 +2,8 @@
 #include "tests/ui/window_fixture.h"
 
 #include "core/session/run/snapshot.h"
+#include "ui/calibration/manual/grid_layer.h"
+#include "ui/cameraview/camera_view.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/view3d/birds_eye_view.h"
 
@@ -12,7 +14,6 @@
 #include <QScrollArea>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QThreadPool>
 #include <QToolButton>
 #include <QUrl>
 
@@ -24,13 +25,15 @@ namespace {
 
 template <class View> bool isDrawn(const QWidget& widget) {
   const auto views = widget.findChildren<View*>();
-  return std::ranges::all_of(views, [](const View* view) { return view->isDrawn(); });
+  const auto* self = qobject_cast<const View*>(&widget);
+  return (self == nullptr || self->isDrawn()) &&
+         std::ranges::all_of(views, [](const View* view) { return view->isDrawn(); });
 }
 
-/// Pictures are drawn at rates of their own, and figures are worked out beside the window.
+/// Pictures are drawn at rates of their own, or beside the window.
 bool allIsDrawn(const QWidget& widget) {
   return isDrawn<BirdsEyeView>(widget) && isDrawn<PlotStack>(widget) &&
-         QThreadPool::globalInstance()->activeThreadCount() == 0;
+         isDrawn<CameraView>(widget) && isDrawn<GridLayer>(widget);
 }
 
 } // namespace

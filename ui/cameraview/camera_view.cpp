@@ -7,16 +7,15 @@
 #include "ui/cameraview/evidence_painter.h"
 #include "ui/cameraview/overlay_painter.h"
 #include "ui/cameraview/people_painter.h"
-#include "ui/style/image.h"
 #include "ui/text/camera_motion_text.h"
 #include "ui/text/reason_text.h"
 
 #include <QPaintEvent>
 #include <QPainter>
-#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dewpoint::ui {
 
@@ -35,33 +34,14 @@ cv::Mat maskOf(const TrackSnapshotPtr& snapshot, int camera) {
   return snapshot && index < snapshot->masks.size() ? snapshot->masks[index] : cv::Mat();
 }
 
-const cv::Scalar kMoving(228, 221, 213); ///< light gray; blue, green, red
-
-/// The color in which each target is drawn, where a mask has its number.
-cv::Mat colorsOfTargets(const cv::Mat& mask) {
-  static const cv::Mat kTints = [] {
-    cv::Mat tints(1, 256, CV_8UC3);
-    for (int value = 0; value < 256; ++value) {
-      const QColor tint = targetColor(255 - value);
-      tints.at<cv::Vec3b>(value) =
-          cv::Vec3b(static_cast<uchar>(tint.blue()), static_cast<uchar>(tint.green()),
-                    static_cast<uchar>(tint.red()));
-    }
-    return tints;
-  }();
-  cv::Mat color;
-  cv::cvtColor(mask, color, cv::COLOR_GRAY2BGR);
-  cv::LUT(color, kTints, color);
-  return color;
-}
-
-/// Everything that has no target's color steps back, and what has one is tinted.
-cv::Mat tinted(const cv::Mat& image, const cv::Mat& mask, const cv::Mat& color) {
-  cv::Mat result = image * 0.35;
-  cv::Mat bright;
-  cv::addWeighted(image, 0.35, color, 0.65, 0.0, bright);
-  bright.copyTo(result, mask);
-  return result;
+/// Where the likelihood map of a target lies in the image of a camera, pixels.
+QRect mapPlace(const TargetSnapshot& target, int camera) {
+  const auto index = static_cast<std::size_t>(camera);
+  if (index >= target.maps.size()) {
+    return {};
+  }
+  const cv::Rect& area = target.maps[index].area;
+  return {area.x, area.y, area.width, area.height};
 }
 
 } // namespace
@@ -77,17 +57,17 @@ void CameraView::setSnapshot(const TrackSnapshotPtr& snapshot) {
     state_ = now;
     Q_EMIT stateChanged(state_);
   }
-  update();
+  refresh();
 }
 
 void CameraView::setMaskShown(bool shown) {
   maskShown_ = shown;
-  update();
+  refresh();
 }
 
 void CameraView::setEvidenceShown(bool shown) {
   evidenceShown_ = shown;
-  update();
+  refresh();
 }
 
 void CameraView::setChosenTarget(int target) {
@@ -105,30 +85,63 @@ HoldState CameraView::stateNow() const {
   return holdState(*snapshot_, camera_);
 }
 
-const QImage& CameraView::scaledImage(const QSize& devicePixels) {
+PictureSource CameraView::source() const {
   const FramePtr frame = frameOf(snapshot_, camera_);
-  const cv::Mat mask = maskShown_ ? maskOf(snapshot_, camera_) : cv::Mat();
-  if (scaled_.size() == devicePixels && scaledFrom_ == frame && scaledMask_.data == mask.data) {
-    return scaled_;
+  if (!frame || frame->image.empty()) {
+    return {};
   }
-  cv::Mat image = frame->image;
-  if (mask.size() == image.size() && !mask.empty()) {
-    // What moves belongs to nobody yet: it has a color that is no identity's.
-    image = tinted(image, mask,
-                   snapshot_->family.findsTargets() ? cv::Mat(image.size(), image.type(), kMoving)
-                                                    : colorsOfTargets(mask));
+  return {.camera = camera_,
+          .frame = frame,
+          .mask = maskShown_ ? maskOf(snapshot_, camera_) : cv::Mat(),
+          .isOfMotion = snapshot_->family.findsTargets(),
+          .size = fittedSize({frame->image.cols, frame->image.rows}),
+          .maps = evidenceShown_ ? snapshot_ : nullptr};
+}
+
+QSize CameraView::fittedSize(const QSize& image) const {
+  const QSizeF room = QSizeF(image).scaled(QSizeF(size()), Qt::KeepAspectRatio);
+  const double ratio = devicePixelRatioF();
+  return {std::max(1, static_cast<int>(std::lround(room.width() * ratio))),
+          std::max(1, static_cast<int>(std::lround(room.height() * ratio)))};
+}
+
+bool CameraView::isDrawn() const {
+  return !isVisible() || (picture_.source == source() && shown_ == snapshot_);
+}
+
+void CameraView::refresh() {
+  if (!isVisible() || follow()) {
+    update();
   }
-  const bool smaller = devicePixels.width() < image.cols;
-  cv::Mat fitted;
-  cv::resize(image, fitted, cv::Size(devicePixels.width(), devicePixels.height()), 0.0, 0.0,
-             smaller ? cv::INTER_AREA : cv::INTER_LINEAR);
-  scaled_ = toImage(fitted);
-  scaledFrom_ = frame;
-  scaledMask_ = mask;
-  return scaled_;
+}
+
+bool CameraView::follow() {
+  const PictureSource wanted = source();
+  if (!wanted.frame) {
+    picture_ = {};
+  }
+  if (wanted == picture_.source) {
+    job_.cancel();
+    ordered_ = {};
+    shown_ = snapshot_;
+    return true;
+  }
+  if (!(wanted == ordered_)) {
+    ordered_ = wanted;
+    job_.start([this, wanted, snapshot = snapshot_](const BackgroundJob::Progress&) {
+      const auto drawn = std::make_shared<CameraPicture>(drawPicture(wanted));
+      return [this, drawn, snapshot] {
+        picture_ = std::move(*drawn);
+        shown_ = snapshot;
+        update();
+      };
+    });
+  }
+  return false;
 }
 
 void CameraView::paintEvent(QPaintEvent*) {
+  follow(); // the size may be another one
   QPainter painter(this);
   const QColor ground = palette().color(QPalette::Base).lightness() < 128
                             ? palette().color(QPalette::Base)
@@ -144,35 +157,35 @@ void CameraView::paintEvent(QPaintEvent*) {
     return;
   }
   const QSize image(frame->image.cols, frame->image.rows);
-  const QSizeF room = QSizeF(image).scaled(QSizeF(size()), Qt::KeepAspectRatio);
   const double ratio = devicePixelRatioF();
-  // Whole device pixels, so that the scaled image is drawn one to one.
-  const QSize device(std::max(1, static_cast<int>(std::lround(room.width() * ratio))),
-                     std::max(1, static_cast<int>(std::lround(room.height() * ratio))));
-  const QSizeF shown = QSizeF(device) / ratio;
+  const QSizeF shown = QSizeF(fittedSize(image)) / ratio;
   const QPointF corner(std::round((width() - shown.width()) / 2.0 * ratio) / ratio,
                        std::round((height() - shown.height()) / 2.0 * ratio) / ratio);
-  painter.drawImage(QRectF(corner, shown), scaledImage(device));
-
-  painter.setClipRect(QRectF(corner, shown));
   placement_ = {corner, shown.width() / image.width()};
   imageSize_ = image;
+  if (!picture_.source.frame) {
+    return; // the first one comes soon
+  }
   const QRectF picture(corner, shown);
-  if (snapshot_->family.findsTargets()) {
-    paintPeople(painter, *snapshot_, camera_, placement_, picture, chosenTarget_);
-    paintPeopleTrouble(painter, *snapshot_, camera_, picture);
+  painter.drawImage(picture, picture_.image);
+  painter.setClipRect(picture);
+  paintBelief(painter, picture);
+}
+
+void CameraView::paintBelief(QPainter& painter, const QRectF& picture) const {
+  if (shown_->family.findsTargets()) {
+    paintPeople(painter, *shown_, camera_, placement_, picture, chosenTarget_);
+    paintPeopleTrouble(painter, *shown_, camera_, picture);
   }
-  for (std::size_t i = 0; !snapshot_->family.findsTargets() && i < snapshot_->targets.size(); ++i) {
-    if (evidenceShown_) {
-      const auto& maps = snapshot_->targets[i].maps;
-      const auto own = static_cast<std::size_t>(camera_);
-      paintEvidence(painter, own < maps.size() ? maps[own] : LikelihoodMap{},
-                    proposedOutlines(*snapshot_, camera_, snapshot_->targets[i]), placement_);
+  for (std::size_t i = 0; !shown_->family.findsTargets() && i < shown_->targets.size(); ++i) {
+    if (picture_.source.maps == shown_) {
+      paintEvidence(painter, mapPlace(shown_->targets[i], camera_), picture_.maps[i],
+                    proposedOutlines(*shown_, camera_, shown_->targets[i]), placement_);
     }
-    paintOverlay(painter, cameraOverlay(*snapshot_, camera_, snapshot_->targets[i]), placement_,
-                 targetColor(snapshot_->targets[i].target.name, static_cast<int>(i)));
+    paintOverlay(painter, cameraOverlay(*shown_, camera_, shown_->targets[i]), placement_,
+                 targetColor(shown_->targets[i].target.name, static_cast<int>(i)));
   }
-  paintBumpMark(painter, picture, bumpText(bumpOf(*snapshot_, camera_)), palette());
+  paintBumpMark(painter, picture, bumpText(bumpOf(*shown_, camera_)), palette());
 }
 
 } // namespace dewpoint::ui

@@ -1,29 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/cameraview/camera_picture.h"
 #include "ui/cameraview/overlay_painter.h"
+#include "ui/jobs/latest_job.h"
 #include "ui/style/theme.h"
 
-#include <QImage>
 #include <QWidget>
-#include <opencv2/core/mat.hpp>
-
-#include <memory>
-
-namespace dewpoint::capture {
-struct Frame;
-} // namespace dewpoint::capture
-namespace dewpoint::session {
-struct TrackSnapshot;
-} // namespace dewpoint::session
 
 namespace dewpoint::ui {
 
-using FramePtr = std::shared_ptr<const Frame>;
-using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
-
 /// What one camera sees, letterboxed, and what the filter believes, projected into it: particles,
-/// estimate with 95 % ellipse, truth where known, the mask of the target color on demand.
+/// estimate with 95 % ellipse, truth where known, the mask of the target color on demand. Pixels
+/// are made beside the window; until those of a newer snapshot are there the last ones are shown,
+/// with what was believed then.
 class CameraView : public QWidget {
   Q_OBJECT
 public:
@@ -33,7 +23,7 @@ public:
   /// What it shows; null: no images.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   void setMaskShown(bool shown);
-  /// Likelihood maps and the places that were considered.
+  /// Likelihood maps and the positions that were considered.
   void setEvidenceShown(bool shown);
   /// The selected person stands out; -1: none.
   void setChosenTarget(int target);
@@ -41,6 +31,8 @@ public:
   /// Where the image was drawn last, and its size in pixels; an empty size before there was one.
   const ImagePlacement& placement() const { return placement_; }
   const QSize& imageSize() const { return imageSize_; }
+  /// Whether what it shows is all that it was given last; true while hidden.
+  bool isDrawn() const;
 
   QSize sizeHint() const override { return {400, 300}; }
   QSize minimumSizeHint() const override { return {120, 90}; }
@@ -54,21 +46,27 @@ protected:
 
 private:
   HoldState stateNow() const;
-  /// The image scaled to `devicePixels`, remade only when the frame, mask or size changed.
-  const QImage& scaledImage(const QSize& devicePixels);
+  /// What the picture of the newest snapshot is made of; without a frame: there is none.
+  PictureSource source() const;
+  /// Device pixels of an image in this view: whole ones, so that it is drawn one to one.
+  QSize fittedSize(const QSize& image) const;
+  void refresh();
+  /// Shows the newest snapshot if its picture is there (true), or else begins to make it.
+  bool follow();
+  void paintBelief(QPainter& painter, const QRectF& picture) const;
 
   int camera_;
-  TrackSnapshotPtr snapshot_;
+  TrackSnapshotPtr snapshot_; ///< the newest
   bool maskShown_ = false;
   bool evidenceShown_ = false;
   int chosenTarget_ = -1;
   HoldState state_ = HoldState::NoImages;
   ImagePlacement placement_;
   QSize imageSize_;
-  QImage scaled_;
-  // Kept alive here: the address of a freed frame may come back as that of the next one.
-  FramePtr scaledFrom_; ///< the frame in scaled_
-  cv::Mat scaledMask_;  ///< the mask in scaled_
+  CameraPicture picture_;
+  TrackSnapshotPtr shown_; ///< the one that picture_ goes with
+  PictureSource ordered_;  ///< what job_ works on, or will
+  LatestJob job_{LatestJob::Overtaken::Kept};
 };
 
 } // namespace dewpoint::ui

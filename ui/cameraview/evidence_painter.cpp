@@ -5,44 +5,11 @@
 #include <QPainter>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <utility>
 
 namespace dewpoint::ui {
 
 namespace {
-
-/// From dark blue over purple and orange to light yellow: rising lightness, readable without
-/// telling red from green.
-QRgb heat(double share) {
-  static constexpr std::array<std::array<double, 3>, 5> kStops{{{{13.0, 8.0, 80.0}},
-                                                                {{110.0, 10.0, 140.0}},
-                                                                {{200.0, 60.0, 110.0}},
-                                                                {{245.0, 140.0, 50.0}},
-                                                                {{250.0, 240.0, 130.0}}}};
-  const double at = std::clamp(share, 0.0, 1.0) * (kStops.size() - 1);
-  const auto low = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
-  const double part = at - static_cast<double>(low);
-  std::array<int, 3> color{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    color[k] =
-        static_cast<int>(std::lround((1.0 - part) * kStops[low][k] + part * kStops[low + 1][k]));
-  }
-  return qRgba(color[0], color[1], color[2], 255);
-}
-
-QImage picture(const LikelihoodMap& map) {
-  QImage image(map.area.width, map.area.height, QImage::Format_ARGB32);
-  const double range = std::max(1e-9, map.most - map.least);
-  for (int row = 0; row < image.height(); ++row) {
-    const auto* values = map.logLikelihood.ptr<float>(row);
-    auto* line = reinterpret_cast<QRgb*>(image.scanLine(row));
-    for (int column = 0; column < image.width(); ++column) {
-      line[column] = heat((static_cast<double>(values[column]) - map.least) / range);
-    }
-  }
-  return image;
-}
 
 Qt::PenStyle styleOf(CandidatePosition::Kind kind) {
   return kind == CandidatePosition::Kind::Existing ? Qt::SolidLine
@@ -52,14 +19,14 @@ Qt::PenStyle styleOf(CandidatePosition::Kind kind) {
 
 } // namespace
 
-void paintEvidence(QPainter& painter, const LikelihoodMap& map,
+void paintEvidence(QPainter& painter, const QRect& place, const QImage& map,
                    const std::vector<ProposedOutline>& proposed, const ImagePlacement& placement) {
   painter.save();
-  if (!map.area.empty()) {
-    const QRectF area(placement.corner + QPointF(map.area.x, map.area.y) * placement.scale,
-                      QSizeF(map.area.width, map.area.height) * placement.scale);
+  if (!map.isNull()) {
+    const QRectF area(placement.corner + QPointF(place.topLeft()) * placement.scale,
+                      QSizeF(place.size()) * placement.scale);
     painter.setOpacity(0.72);
-    painter.drawImage(area, picture(map));
+    painter.drawImage(area, map);
     painter.setOpacity(1.0);
     painter.setPen(QColor(255, 255, 255, 160));
     painter.drawRect(area);

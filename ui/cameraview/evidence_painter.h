@@ -4,14 +4,17 @@
 #include "core/session/camera_overlay.h"
 #include "ui/cameraview/overlay_painter.h"
 
+#include <QImage>
+#include <QRect>
+
 #include <vector>
 
 namespace dewpoint::ui {
 
-/// Draws what one camera says of the places around a target (dark: surely not, bright: surely), and
-/// the places that were considered: solid circles for those believed in, dashed for new ones,
-/// dotted for look-alikes.
-void paintEvidence(QPainter& painter, const LikelihoodMap& map,
+/// Draws the likelihood map of a target (likelihoodImage(); null: there is none) at its place in
+/// the camera's image, pixels, and the positions that were considered: solid circles for those
+/// believed in, dashed for new ones, dotted for distractors.
+void paintEvidence(QPainter& painter, const QRect& place, const QImage& map,
                    const std::vector<ProposedOutline>& proposed, const ImagePlacement& placement);
 
 } // namespace dewpoint::ui

@@ -134,4 +134,14 @@ cv::Mat edgePicture(const cv::Mat& image) {
   return edges;
 }
 
+cv::Mat edgePicture(const cv::Mat& image, const cv::Size& size) {
+  cv::Mat fitted;
+  try {
+    cv::resize(image, fitted, size, 0.0, 0.0, cv::INTER_AREA);
+  } catch (const cv::Exception&) {
+    return cv::Mat(size, CV_8UC1, cv::Scalar(0));
+  }
+  return edgePicture(fitted);
+}
+
 } // namespace dewpoint::calibration

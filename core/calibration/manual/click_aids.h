@@ -22,5 +22,7 @@ cv::Mat magnified(const cv::Mat& image, const Eigen::Vector2d& center, int side,
 
 /// How strong the edges of an image are (Sobel), 0 to 255: CV_8UC1 of its size.
 cv::Mat edgePicture(const cv::Mat& image);
+/// The same of an image that was brought to another size first, which is not empty.
+cv::Mat edgePicture(const cv::Mat& image, const cv::Size& size);
 
 } // namespace dewpoint::calibration

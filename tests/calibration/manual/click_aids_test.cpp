@@ -76,5 +76,16 @@ TEST(ClickAids, EdgesAreBrightAndPlanesDark) {
   EXPECT_EQ(edges.at<uchar>(10, 10), 0);
 }
 
+TEST(ClickAids, EdgesAreFoundInTheSizeThatIsShown) {
+  const cv::Mat image = corner(30, 25);
+  const cv::Mat same = edgePicture(image, image.size());
+  EXPECT_EQ(cv::norm(same, edgePicture(image), cv::NORM_INF), 0.0);
+  const cv::Mat half = edgePicture(image, {image.cols / 2, image.rows / 2});
+  ASSERT_EQ(half.size(), cv::Size(image.cols / 2, image.rows / 2));
+  EXPECT_GT(half.at<uchar>(17, 15), 100);
+  EXPECT_EQ(half.at<uchar>(17, 20), 0);
+  EXPECT_EQ(cv::countNonZero(edgePicture(cv::Mat(), {4, 3})), 0); // no image, no edges
+}
+
 } // namespace
 } // namespace dewpoint::tests

@@ -14,7 +14,6 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
-#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -219,20 +218,48 @@ void GridLayer::keyReleaseEvent(QKeyEvent* event) {
   QWidget::keyReleaseEvent(event);
 }
 
-void GridLayer::drawEdges(QPainter& painter) {
+GridLayer::EdgeSource GridLayer::edgeSource() const {
   const FramePtr image = frame();
   if (!hand_.edgesShown() || !image || image->image.empty()) {
+    return {};
+  }
+  const QSizeF area = QSizeF(view_->imageSize()) * view_->placement().scale;
+  return {image, (area * devicePixelRatioF()).toSize()};
+}
+
+bool GridLayer::isDrawn() const {
+  return !isVisible() || edgesOf_ == edgeSource();
+}
+
+void GridLayer::followEdges() {
+  const EdgeSource wanted = edgeSource();
+  if (wanted == edgesOf_ || wanted == edgesOrdered_) {
+    return;
+  }
+  edgesOrdered_ = wanted;
+  if (wanted.frame == nullptr || wanted.size.isEmpty()) {
+    edgeJob_.cancel();
+    edgesOf_ = wanted;
+    edges_ = {};
+    return;
+  }
+  edgeJob_.start([this, wanted](const BackgroundJob::Progress&) {
+    const QImage found = edgeImage(wanted.frame->image, wanted.size);
+    return [this, wanted, found] {
+      edgesOf_ = wanted;
+      edges_ = found;
+      update();
+    };
+  });
+}
+
+void GridLayer::drawEdges(QPainter& painter) {
+  followEdges();
+  if (edges_.isNull()) {
     return;
   }
   const QRectF area(view_->placement().corner,
                     QSizeF(view_->imageSize()) * view_->placement().scale);
-  const QSize size = (area.size() * devicePixelRatioF()).toSize();
-  if (edgesOf_ != image || edges_.size() != size) {
-    cv::Mat fitted; // no more pixels than are seen
-    cv::resize(image->image, fitted, {size.width(), size.height()}, 0.0, 0.0, cv::INTER_AREA);
-    edges_ = edgeImage(fitted);
-    edgesOf_ = image;
-  }
   painter.fillRect(area, QColor(0, 0, 0, 120)); // the rest steps back
   painter.drawImage(area, edges_);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/session/run/snapshot.h"
+#include "ui/jobs/latest_job.h"
 
 #include <Eigen/Core>
 #include <QImage>
@@ -26,6 +27,8 @@ public:
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   int camera() const { return camera_; }
+  /// Whether the edges, if they are shown, are those of the newest image; true while hidden.
+  bool isDrawn() const;
 
 protected:
   bool event(QEvent* event) override;
@@ -42,6 +45,14 @@ protected:
 private:
   void say();
   void follow();
+  /// What edges are found in: nothing while they are not shown.
+  struct EdgeSource {
+    FramePtr frame;
+    QSize size; ///< device pixels: no more than are seen
+    bool operator==(const EdgeSource&) const = default;
+  };
+  EdgeSource edgeSource() const;
+  void followEdges();
   void drawEdges(QPainter& painter);
   void drawPoints(QPainter& painter);
   void drawMagnifier(QPainter& painter);
@@ -63,8 +74,10 @@ private:
   std::optional<QPointF> pressed_; ///< widget; not yet known whether it is a click or a drag
   std::optional<QPointF> pointer_; ///< widget
   bool exact_ = false;             ///< Alt: no snapping
-  FramePtr edgesOf_;
+  EdgeSource edgesOf_;             ///< of edges_
+  EdgeSource edgesOrdered_;        ///< what edgeJob_ works on, or will
   QImage edges_;
+  LatestJob edgeJob_{LatestJob::Overtaken::Kept};
 };
 
 } // namespace dewpoint::ui

@@ -153,8 +153,8 @@ void paintPoint(QPainter& painter, const PaintedPoint& point) {
   painter.restore();
 }
 
-QImage edgeImage(const cv::Mat& image) {
-  const cv::Mat edges = edgePicture(image);
+QImage edgeImage(const cv::Mat& image, const QSize& size) {
+  const cv::Mat edges = edgePicture(image, {size.width(), size.height()});
   QImage result(edges.cols, edges.rows, QImage::Format_ARGB32_Premultiplied);
   for (int y = 0; y < edges.rows; ++y) {
     const auto* from = edges.ptr<uchar>(y);

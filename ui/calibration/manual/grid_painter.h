@@ -38,7 +38,8 @@ struct PaintedPoint {
 };
 void paintPoint(QPainter& painter, const PaintedPoint& point);
 
-/// The edges of an image, in one bright color on clear ground.
-QImage edgeImage(const cv::Mat& image);
+/// The edges of an image that is brought to this size, in one bright color on clear ground. Takes
+/// long for large images; any thread.
+QImage edgeImage(const cv::Mat& image, const QSize& size);
 
 } // namespace dewpoint::ui

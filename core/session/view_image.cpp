@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/view_image.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace dewpoint::session {
+namespace {
+
+constexpr double kImageShare = 0.35; ///< of the brightness, where something else is shown
+constexpr double kTintShare = 0.65;
+
+/// The color for a share of the way from the least to the most likely.
+cv::Vec4b heat(double share) {
+  // Red, green, blue.
+  static constexpr std::array<std::array<double, 3>, 5> kStops{{{{13.0, 8.0, 80.0}},
+                                                                {{110.0, 10.0, 140.0}},
+                                                                {{200.0, 60.0, 110.0}},
+                                                                {{245.0, 140.0, 50.0}},
+                                                                {{250.0, 240.0, 130.0}}}};
+  const double at = std::clamp(share, 0.0, 1.0) * (kStops.size() - 1);
+  const auto low = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
+  const double part = at - static_cast<double>(low);
+  std::array<std::uint8_t, 3> color{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    color[k] = static_cast<std::uint8_t>(
+        std::lround((1.0 - part) * kStops[low][k] + part * kStops[low + 1][k]));
+  }
+  return {color[2], color[1], color[0], 255};
+}
+
+} // namespace
+
+cv::Mat tintedImage(const cv::Mat& image, const cv::Mat& mask, const cv::Mat& tints) {
+  cv::Mat color;
+  cv::cvtColor(mask, color, cv::COLOR_GRAY2BGR);
+  cv::LUT(color, tints, color);
+  cv::Mat result = image * kImageShare;
+  cv::Mat bright;
+  cv::addWeighted(image, kImageShare, color, kTintShare, 0.0, bright);
+  bright.copyTo(result, mask);
+  return result;
+}
+
+cv::Mat fittedImage(const cv::Mat& image, const cv::Size& size) {
+  const bool smaller = size.width < image.cols;
+  cv::Mat fitted;
+  cv::resize(image, fitted, size, 0.0, 0.0, smaller ? cv::INTER_AREA : cv::INTER_LINEAR);
+  return fitted;
+}
+
+cv::Mat likelihoodImage(const LikelihoodMap& map) {
+  cv::Mat image(map.area.height, map.area.width, CV_8UC4);
+  const double range = std::max(1e-9, map.most - map.least);
+  for (int row = 0; row < image.rows; ++row) {
+    const auto* values = map.logLikelihood.ptr<float>(row);
+    auto* line = image.ptr<cv::Vec4b>(row);
+    for (int column = 0; column < image.cols; ++column) {
+      line[column] = heat((static_cast<double>(values[column]) - map.least) / range);
+    }
+  }
+  return image;
+}
+
+} // namespace dewpoint::session

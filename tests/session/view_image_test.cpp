@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/view_image.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+
+namespace dewpoint::tests {
+namespace {
+
+// Two targets' pixels beside two that belong to nobody. Of (200, 100, 40) the view keeps 35 %: (70,
+// 35, 14); a tint of (20, 220, 120) adds 65 % of itself: (13, 143, 78).
+TEST(ViewImage, WhatHasNoTintStepsBack) {
+  const cv::Mat image(1, 4, CV_8UC3, cv::Scalar(200, 100, 40));
+  cv::Mat mask(1, 4, CV_8UC1, cv::Scalar(0));
+  mask.at<uchar>(1) = 255;
+  mask.at<uchar>(3) = 254;
+  cv::Mat tints(1, 256, CV_8UC3, cv::Scalar::all(0));
+  tints.at<cv::Vec3b>(255) = {20, 220, 120};
+  tints.at<cv::Vec3b>(254) = {0, 0, 0};
+  const cv::Mat shown = tintedImage(image, mask, tints);
+  EXPECT_EQ(shown.at<cv::Vec3b>(0), cv::Vec3b(70, 35, 14));
+  EXPECT_EQ(shown.at<cv::Vec3b>(1), cv::Vec3b(83, 178, 92));
+  EXPECT_EQ(shown.at<cv::Vec3b>(2), cv::Vec3b(70, 35, 14));
+  EXPECT_EQ(shown.at<cv::Vec3b>(3), cv::Vec3b(70, 35, 14));   // black adds nothing
+  EXPECT_EQ(image.at<cv::Vec3b>(1), cv::Vec3b(200, 100, 40)); // it may be shared
+}
+
+TEST(ViewImage, FitsAnImageIntoAView) {
+  cv::Mat image(2, 4, CV_8UC3, cv::Scalar::all(10));
+  image.colRange(0, 2).setTo(cv::Scalar::all(30));
+  image.at<cv::Vec3b>(0, 0) = {70, 70, 70};
+  const cv::Mat half = fittedImage(image, {2, 1}); // means of 2 x 2 pixels
+  ASSERT_EQ(half.size(), cv::Size(2, 1));
+  EXPECT_EQ(half.at<cv::Vec3b>(0, 0), cv::Vec3b(40, 40, 40));
+  EXPECT_EQ(half.at<cv::Vec3b>(0, 1), cv::Vec3b(10, 10, 10));
+  const cv::Mat large = fittedImage(image, {40, 20});
+  ASSERT_EQ(large.size(), cv::Size(40, 20));
+  EXPECT_EQ(large.at<cv::Vec3b>(19, 39), cv::Vec3b(10, 10, 10));
+  EXPECT_EQ(cv::norm(fittedImage(image, image.size()), image, cv::NORM_INF), 0.0);
+}
+
+// The stops of the scale: at its ends, in the middle, and beyond both ends.
+TEST(ViewImage, LikelihoodRisesFromDarkToBright) {
+  LikelihoodMap map;
+  map.area = cv::Rect(7, 9, 5, 1);
+  map.least = -8.0;
+  map.most = 4.0;
+  map.logLikelihood = (cv::Mat_<float>(1, 5) << -100.0F, -8.0F, -2.0F, 4.0F, 100.0F);
+  const cv::Mat shown = likelihoodImage(map);
+  ASSERT_EQ(shown.size(), cv::Size(5, 1));
+  const cv::Vec4b dark(80, 8, 13, 255);
+  const cv::Vec4b bright(130, 240, 250, 255);
+  EXPECT_EQ(shown.at<cv::Vec4b>(0), dark);
+  EXPECT_EQ(shown.at<cv::Vec4b>(1), dark);
+  EXPECT_EQ(shown.at<cv::Vec4b>(2), cv::Vec4b(110, 60, 200, 255));
+  EXPECT_EQ(shown.at<cv::Vec4b>(3), bright);
+  EXPECT_EQ(shown.at<cv::Vec4b>(4), bright);
+  map.least = map.most; // nothing to tell apart: no division by zero
+  map.logLikelihood = cv::Mat(1, 5, CV_32F, cv::Scalar(4.0));
+  EXPECT_EQ(likelihoodImage(map).at<cv::Vec4b>(0), dark);
+}
+
+} // namespace
+} // namespace dewpoint::tests

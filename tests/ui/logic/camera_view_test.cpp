@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run/snapshot.h"
+#include "ui/cameraview/camera_view.h"
+
+#include <QImage>
+#include <QTest>
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+
+#include <memory>
+
+namespace dewpoint::tests {
+namespace {
+
+/// A snapshot in which the only camera shows one color all over; blue, green, red.
+TrackSnapshotPtr showing(const cv::Scalar& color) {
+  FrameSet set;
+  set.frames = {
+      std::make_shared<const Frame>(Frame{0, timeStamp(0.0), cv::Mat(60, 80, CV_8UC3, color)})};
+  auto snapshot = std::make_shared<TrackSnapshot>();
+  snapshot->frame = 0;
+  snapshot->frames = std::make_shared<const FrameSet>(std::move(set));
+  return snapshot;
+}
+
+bool isDrawn(const CameraView& view) {
+  return QTest::qWaitFor([&] { return view.isDrawn(); }, 60'000);
+}
+
+QColor middleOf(CameraView& view) {
+  const QImage picture = view.grab().toImage();
+  return picture.pixelColor(picture.width() / 2, picture.height() / 2);
+}
+
+class ShownCameraView : public testing::Test {
+protected:
+  void SetUp() override {
+    view_.resize(160, 120);
+    view_.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view_));
+    view_.setSnapshot(showing({0, 0, 200}));
+    ASSERT_TRUE(isDrawn(view_));
+  }
+
+  CameraView view_{0};
+};
+
+TEST_F(ShownCameraView, ShowsTheLastPictureUntilTheNextOneIsMade) {
+  EXPECT_EQ(middleOf(view_), QColor(200, 0, 0));
+  EXPECT_EQ(view_.imageSize(), QSize(80, 60));
+  view_.setSnapshot(showing({200, 0, 0}));
+  EXPECT_FALSE(view_.isDrawn());
+  EXPECT_EQ(middleOf(view_), QColor(200, 0, 0)); // nobody waits for the pixels
+  ASSERT_TRUE(isDrawn(view_));
+  EXPECT_EQ(middleOf(view_), QColor(0, 0, 200));
+}
+
+TEST_F(ShownCameraView, OfManySnapshotsTheLastOneIsShownInTheEnd) {
+  for (int green = 10; green <= 200; green += 10) {
+    view_.setSnapshot(showing(cv::Scalar(0, green, 0)));
+  }
+  ASSERT_TRUE(isDrawn(view_));
+  EXPECT_EQ(middleOf(view_), QColor(0, 200, 0));
+}
+
+TEST_F(ShownCameraView, AnotherSnapshotOfTheSameImageIsShownAtOnce) {
+  const auto first = showing({0, 200, 0});
+  view_.setSnapshot(first);
+  ASSERT_TRUE(isDrawn(view_));
+  view_.setSnapshot(std::make_shared<const TrackSnapshot>(*first)); // another iteration on it
+  EXPECT_TRUE(view_.isDrawn());
+}
+
+TEST_F(ShownCameraView, AnotherSizeIsAnotherPicture) {
+  view_.resize(320, 240);
+  ASSERT_TRUE(isDrawn(view_));
+  EXPECT_EQ(middleOf(view_), QColor(200, 0, 0));
+}
+
+TEST_F(ShownCameraView, WithoutImagesItIsDrawnAtOnce) {
+  view_.setSnapshot(showing({0, 200, 0})); // not wanted any more
+  view_.setSnapshot(nullptr);
+  EXPECT_TRUE(view_.isDrawn());
+  QTest::qWait(0);
+  EXPECT_TRUE(view_.isDrawn());
+  EXPECT_EQ(view_.state(), HoldState::NoImages);
+}
+
+// The target's mask is 255 - 0; what has no mask steps back to 35 % of 200.
+TEST_F(ShownCameraView, AMaskTintsTheImage) {
+  auto masked = std::make_shared<TrackSnapshot>(*showing({200, 200, 200}));
+  cv::Mat mask(60, 80, CV_8UC1, cv::Scalar(0));
+  masked->masks = {mask};
+  view_.setSnapshot(masked);
+  view_.setMaskShown(true);
+  ASSERT_TRUE(isDrawn(view_));
+  EXPECT_EQ(middleOf(view_), QColor(70, 70, 70));
+  view_.setMaskShown(false);
+  ASSERT_TRUE(isDrawn(view_));
+  EXPECT_EQ(middleOf(view_), QColor(200, 200, 200));
+}
+
+} // namespace
+} // namespace dewpoint::tests

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cameraview/camera_picture.h"
+
+#include "core/session/run/snapshot.h"
+#include "core/session/view_image.h"
+#include "ui/style/image.h"
+#include "ui/style/theme.h"
+
+#include <QColor>
+
+#include <cstddef>
+
+namespace dewpoint::ui {
+
+namespace {
+
+/// Light gray. What moves belongs to nobody yet: it has a color that is no identity's.
+const cv::Scalar kMoving(228, 221, 213);
+
+/// The color in which each target is drawn, where a mask has its number.
+const cv::Mat& colorsOfTargets() {
+  static const cv::Mat kTints = [] {
+    cv::Mat tints(1, 256, CV_8UC3);
+    for (int value = 0; value < 256; ++value) {
+      const QColor tint = targetColor(255 - value);
+      tints.at<cv::Vec3b>(value) =
+          cv::Vec3b(static_cast<uchar>(tint.blue()), static_cast<uchar>(tint.green()),
+                    static_cast<uchar>(tint.red()));
+    }
+    return tints;
+  }();
+  return kTints;
+}
+
+cv::Mat masked(const cv::Mat& image, const PictureSource& source) {
+  if (source.mask.empty() || source.mask.size() != image.size()) {
+    return image;
+  }
+  return tintedImage(image, source.mask,
+                     source.isOfMotion ? cv::Mat(1, 256, CV_8UC3, kMoving) : colorsOfTargets());
+}
+
+QImage mapImage(const TargetSnapshot& target, int camera) {
+  const auto index = static_cast<std::size_t>(camera);
+  if (index >= target.maps.size() || target.maps[index].area.empty()) {
+    return {};
+  }
+  const cv::Mat drawn = likelihoodImage(target.maps[index]);
+  // ARGB32 lies in memory as blue, green, red, alpha on the machines we support (toImage()).
+  return QImage(drawn.data, drawn.cols, drawn.rows, static_cast<qsizetype>(drawn.step),
+                QImage::Format_ARGB32)
+      .copy();
+}
+
+} // namespace
+
+bool PictureSource::operator==(const PictureSource& other) const {
+  return camera == other.camera && frame == other.frame && mask.data == other.mask.data &&
+         isOfMotion == other.isOfMotion && size == other.size && maps == other.maps;
+}
+
+CameraPicture drawPicture(const PictureSource& source) {
+  CameraPicture picture{source, {}, {}};
+  const cv::Mat& image = source.frame->image;
+  if (image.type() == CV_8UC3) {
+    picture.image =
+        toImage(fittedImage(masked(image, source), {source.size.width(), source.size.height()}));
+  }
+  if (source.maps) {
+    for (const TargetSnapshot& target : source.maps->targets) {
+      picture.maps.push_back(mapImage(target, source.camera));
+    }
+  }
+  return picture;
+}
+
+} // namespace dewpoint::ui
