@@ -128,6 +128,17 @@ void BoxTest::boxesAreExported() {
   QVERIFY(csv);
   QVERIFY(csv->find("target 1") != std::string::npos);
   QVERIFY(readTextFile((out + "/boxes_mot.txt").toStdString()));
+  // They are there now: the next press asks, and the one after that replaces them.
+  QVERIFY(writeTextFile((out + "/boxes.csv").toStdString(), "precious"));
+  auto* question = find<QLabel>("boxExportQuestion");
+  auto* start = find<QPushButton>("boxExportExport");
+  QVERIFY(waitFor([&] { return start->isEnabled(); }));
+  start->click();
+  QVERIFY(waitFor([&] { return question->isVisible() && start->isEnabled(); }));
+  QCOMPARE(*readTextFile((out + "/boxes.csv").toStdString()), std::string("precious"));
+  start->click();
+  QVERIFY(waitFor([&] { return !question->isVisible() && start->isEnabled(); }));
+  QVERIFY(readTextFile((out + "/boxes.csv").toStdString())->find("target 1") != std::string::npos);
 }
 
 void BoxTest::theMethodIsChosenInTheParameters() {

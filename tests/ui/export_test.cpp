@@ -8,6 +8,7 @@
 #include "ui/export/export_text.h"
 #include "ui/export/trajectory_figure.h"
 #include "ui/export/view_picture.h"
+#include "ui/mainwindow/view_pictures.h"
 #include "ui/selection/selection.h"
 #include "ui/widgets/message_bar.h"
 
@@ -151,29 +152,41 @@ void ExportTest::asksBeforeAFileIsReplaced() {
   chooseFormat("csv");
   field<QLineEdit>("exportFile")->setText(file);
   auto* start = field<QPushButton>("exportStart");
-  QTest::mouseClick(start, Qt::LeftButton);
-  QVERIFY(start->isEnabled()); // nothing was begun
   auto* question = field<QLabel>("exportQuestion");
-  QVERIFY(question->isVisible() && question->text().contains(QStringLiteral("precious.csv")));
+  // Whether there is such a file is found out beside the window.
+  const auto isAsked = [&] {
+    return waitFor([&] { return question->isVisible() && start->isEnabled(); });
+  };
+  QTest::mouseClick(start, Qt::LeftButton);
+  QVERIFY(isAsked());
+  QVERIFY(question->text().contains(QStringLiteral("precious.csv")));
   QCOMPARE(start->text(), QStringLiteral("Replace"));
   // Any change, and closing, take the question back: then the next press asks again.
   field<QCheckBox>("exportHeader")->toggle();
   QVERIFY(!question->isVisible());
   QTest::mouseClick(start, Qt::LeftButton);
-  QVERIFY(question->isVisible());
+  QVERIFY(isAsked());
   dialog_->close();
   dialog_->show();
   QVERIFY(!question->isVisible());
   QTest::mouseClick(start, Qt::LeftButton);
-  QVERIFY(question->isVisible());
+  QVERIFY(isAsked());
   QCOMPARE(*readTextFile(file.toStdString()), std::string("precious"));
   QTest::mouseClick(start, Qt::LeftButton);
   QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
   QVERIFY(QFileInfo(file).size() > 100);
   QVERIFY(writeTextFile(file.toStdString(), "precious")); // by another program, since
   QTest::mouseClick(start, Qt::LeftButton);
-  QVERIFY(question->isVisible());
+  QVERIFY(isAsked());
   field<QCheckBox>("exportHeader")->toggle();
+  // What changes before the answer is there is not what was asked about.
+  QTest::mouseClick(start, Qt::LeftButton);
+  QVERIFY(!start->isEnabled());
+  field<QLineEdit>("exportFile")->setText(folder_.filePath(QStringLiteral("other.csv")));
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
+  QVERIFY(!question->isVisible());
+  QCOMPARE(*readTextFile(file.toStdString()), std::string("precious"));
+  QVERIFY(!QFileInfo::exists(folder_.filePath(QStringLiteral("other.csv"))));
 }
 
 void ExportTest::asksBeforeOneOfSeveralFilesIsReplaced() {
@@ -325,6 +338,15 @@ void ExportTest::takesPicturesOfEveryView() {
     ++taken;
   }
   QVERIFY(taken >= 4); // two cameras, the bird's-eye view, the plot
+  // As the menus do: written beside the window, which shows how it went.
+  auto* pictures = window_->findChild<ViewPictures*>();
+  const QImage picture = window_->grab().toImage();
+  const QString file = folder_.filePath(QStringLiteral("window.png"));
+  pictures->write(picture, file);
+  QVERIFY(waitFor([&] { return messageText().contains(QStringLiteral("window.png")); }));
+  QCOMPARE(QImage(file).size(), picture.size());
+  pictures->write(picture, QStringLiteral("/proc/none/window.png"));
+  QVERIFY(waitFor([&] { return messageText().contains(QStringLiteral("/proc/none")); }));
 }
 
 } // namespace dewpoint::tests

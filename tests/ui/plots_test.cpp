@@ -340,7 +340,9 @@ void PlotsTest::picturesCanBeRead() {
   QTemporaryDir folder;
   auto* panel = window_->findChild<PlotPanel*>();
   const QString svg = folder.filePath(QStringLiteral("plots.svg"));
-  QVERIFY(panel->savePicture(svg));
+  QSignalSpy saved(panel, &PlotPanel::notice);
+  panel->savePicture(svg);
+  QVERIFY(waitFor([&] { return saved.size() == 1; }));
   QSvgRenderer renderer(svg);
   QVERIFY(renderer.isValid());
   QCOMPARE(renderer.viewBox(), canvas()->rect());
@@ -348,12 +350,14 @@ void PlotsTest::picturesCanBeRead() {
   QVERIFY(file.open(QIODevice::ReadOnly));
   QVERIFY(file.readAll().contains("Spread")); // text stays text
   const QString png = folder.filePath(QStringLiteral("plots.png"));
-  QVERIFY(panel->savePicture(png));
+  panel->savePicture(png);
+  QVERIFY(waitFor([&] { return saved.size() == 2; }));
   const QImage picture(png);
   QVERIFY(picture.width() >= 2 * canvas()->width()); // twice the window's pixels
   QSignalSpy failed(panel, &PlotPanel::failed);
-  QVERIFY(!panel->savePicture(QStringLiteral("/proc/none/plots.svg")));
-  QCOMPARE(failed.size(), 1);
+  panel->savePicture(QStringLiteral("/proc/none/plots.svg"));
+  QVERIFY(waitFor([&] { return failed.size() == 1; }));
+  QCOMPARE(saved.size(), 2);
 }
 
 void PlotsTest::restartBeginsAnew() {

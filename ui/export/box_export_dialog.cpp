@@ -16,7 +16,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -116,16 +115,17 @@ void BoxExportDialog::chooseFolder() {
 
 void BoxExportDialog::start() {
   const std::filesystem::path folder(folder_->text().trimmed().toStdString());
-  const QDir there(QString::fromStdString(folder.string()));
-  if (!mayReplace_ && (there.exists(QStringLiteral("boxes.csv")) ||
-                       there.exists(QStringLiteral("boxes_mot.txt")))) {
-    askToReplace(true);
-    return;
-  }
+  const bool replaces = mayReplace_;
   askToReplace(false);
   auto track = std::make_shared<const BoxTrack>(boxes_());
-  const bool begun = job_->start([this, folder, track](const BackgroundJob::Progress&) {
+  const bool begun = job_->start([this, folder, track, replaces](const BackgroundJob::Progress&) {
     std::error_code problem;
+    const auto isThere = [&](const char* name) {
+      return std::filesystem::exists(folder / name, problem);
+    };
+    if (!replaces && (isThere("boxes.csv") || isThere("boxes_mot.txt"))) {
+      return std::function<void()>([this, folder] { askAbout(folder); });
+    }
     std::filesystem::create_directories(folder, problem);
     const Status written =
         problem ? failure(ErrorCode::FileUnwritable, folder.string(), "", problem.message())
@@ -140,6 +140,12 @@ void BoxExportDialog::start() {
     });
   });
   export_->setEnabled(!begun && export_->isEnabled());
+}
+
+void BoxExportDialog::askAbout(const std::filesystem::path& folder) {
+  if (std::filesystem::path(folder_->text().trimmed().toStdString()) == folder) {
+    askToReplace(true); // else another folder was chosen meanwhile
+  }
 }
 
 } // namespace dewpoint::ui

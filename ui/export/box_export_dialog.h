@@ -5,6 +5,7 @@
 
 #include <QDialog>
 
+#include <filesystem>
 #include <functional>
 
 class QLabel;
@@ -39,6 +40,8 @@ private:
   void chooseFolder();
   void start();
   void askToReplace(bool ask);
+  /// Boxes are there already.
+  void askAbout(const std::filesystem::path& folder);
 
   std::function<BoxTrack()> boxes_;
   BackgroundJob* job_;

@@ -278,7 +278,10 @@ void ExportDialog::askFile() {
   const QString chosen = QFileDialog::getSaveFileName(this, tr("Export trajectory"), file_->text());
   if (!chosen.isEmpty()) {
     file_->setText(chosen);
-    mayReplace_ = QFileInfo::exists(chosen); // the question was asked there
+    // The question was asked there, if there was one to ask; until that is known it is open.
+    worker_->find(chosen.toStdString(), [this, asked = questions_](bool exists) {
+      mayReplace_ = mayReplace_ || (exists && asked == questions_);
+    });
   }
 }
 
@@ -308,19 +311,17 @@ void ExportDialog::askToReplace(const QString& file) {
 }
 
 void ExportDialog::forgetQuestion() {
+  ++questions_;
   mayReplace_ = false;
   question_->hide();
   export_->setText(tr("Export"));
 }
 
 void ExportDialog::start() {
-  if (!mayReplace_ && QFileInfo::exists(file_->text())) {
-    askToReplace(file_->text());
-    return;
-  }
   ExportOptions chosen = form_->options();
   chosen.replaces = mayReplace_;
   forgetQuestion();
+  startedAt_ = questions_;
   trajectory_ = std::make_shared<const Trajectory>(trajectorySource_()); // with what came since
   form_->setTargetsOf(*trajectory_);
   soon_->stop();
@@ -357,8 +358,13 @@ void ExportDialog::showPreview(const ExportPreview& preview) {
 
 void ExportDialog::showFinished(const ExportSummary& summary) {
   setRunning(false);
-  if (!summary.occupied.empty()) { // one of several files
-    askToReplace(QString::fromStdString(summary.occupied.string()));
+  if (!summary.occupied.empty()) {
+    if (startedAt_ == questions_) { // else something changed meanwhile, and the answer with it
+      askToReplace(QString::fromStdString(summary.occupied.string()));
+    }
+    if (isVisible()) {
+      soon_->start(); // the preview was stopped for it
+    }
     return;
   }
   if (summary.cancelled) {

@@ -57,7 +57,8 @@ private:
   void formatChanged();
   void askFile();
   void start();
-  /// Asks before files are replaced; any change takes the question back.
+  /// Asks before files are replaced; any change takes the question back. Whether they are there is
+  /// found out by the export itself, beside the window.
   void askToReplace(const QString& file);
   void forgetQuestion();
   /// The run goes on: so does the preview.
@@ -91,6 +92,8 @@ private:
   bool running_ = false;
   bool previewing_ = false;
   bool mayReplace_ = false; ///< was asked, and nothing changed since
+  int questions_ = 0;       ///< grows with every change that takes a question back
+  int startedAt_ = 0;       ///< questions_ when the export under way began
 };
 
 } // namespace dewpoint::ui

@@ -3,6 +3,7 @@
 
 #include "ui/text/error_sentence.h"
 
+#include <system_error>
 #include <utility>
 
 namespace dewpoint::ui {
@@ -36,6 +37,15 @@ void ExportWorker::preview(TrajectoryPtr trajectory, const ExportOptions& option
   });
 }
 
+void ExportWorker::find(const std::filesystem::path& file,
+                        std::function<void(bool exists)> report) {
+  finding_.start([file, report = std::move(report)](const BackgroundJob::Progress&) {
+    std::error_code ignored;
+    const bool exists = std::filesystem::exists(file, ignored);
+    return [report, exists] { report(exists); };
+  });
+}
+
 void ExportWorker::run(TrajectoryPtr trajectory, const ExportOptions& options,
                        const std::filesystem::path& file) {
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
@@ -43,7 +53,12 @@ void ExportWorker::run(TrajectoryPtr trajectory, const ExportOptions& options,
   export_.start([this, trajectory = std::move(trajectory), options, file,
                  cancelled = cancelled_](const BackgroundJob::Progress& progress) {
     const auto goesOn = [&](double part) { return progress(part) && !*cancelled; };
-    const auto summary = exportTrajectory(*trajectory, options, file, goesOn);
+    std::error_code ignored;
+    ExportSummary occupied; // known before the work is done
+    occupied.occupied = file;
+    const auto summary = !options.replaces && std::filesystem::exists(file, ignored)
+                             ? Result<ExportSummary>(occupied)
+                             : exportTrajectory(*trajectory, options, file, goesOn);
     return std::function<void()>([this, summary] {
       if (summary) {
         Q_EMIT finished(*summary);

@@ -29,6 +29,8 @@ public:
            const std::filesystem::path& file);
   /// Something else that takes long, such as drawing a figure; said as finished or failed.
   void run(std::function<Status()> task, const std::filesystem::path& file);
+  /// Reports whether there is such a file; of several that were asked for only the last one is.
+  void find(const std::filesystem::path& file, std::function<void(bool exists)> report);
   void cancel() { *cancelled_ = true; }
   /// A preview that is asked for or under way is not wanted any more.
   void stopPreview() { preview_.cancel(); }
@@ -44,6 +46,7 @@ Q_SIGNALS:
 
 private:
   LatestJob preview_{LatestJob::Overtaken::Dropped};
+  LatestJob finding_{LatestJob::Overtaken::Dropped};
   BackgroundJob export_;
   /// Not the job's own cancelling: how a cancelled export ended is told, too.
   std::shared_ptr<std::atomic<bool>> cancelled_;

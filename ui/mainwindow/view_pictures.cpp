@@ -55,15 +55,22 @@ void ViewPictures::save(ViewDock* dock) {
   const QString file = QFileDialog::getSaveFileName(
       &bench_.window, tr("Save a picture of %1").arg(dock->windowTitle()),
       QDir::home().filePath(dock->windowTitle() + QStringLiteral(".png")), tr("Pictures (*.png)"));
-  if (file.isEmpty()) {
-    return;
+  if (!file.isEmpty()) {
+    write(picture, file);
   }
-  const Status written = writePicture(picture, file.toStdString());
-  if (written) {
-    bench_.messages.showNotice(tr("Saved the picture %1.").arg(file));
-  } else {
-    bench_.messages.showError(errorSentence(written.error()));
-  }
+}
+
+void ViewPictures::write(const QImage& picture, const QString& file) {
+  files_.add([this, picture, file]() -> std::function<void()> {
+    const Status written = writePicture(picture, file.toStdString());
+    return [this, file, written] {
+      if (written) {
+        bench_.messages.showNotice(tr("Saved the picture %1.").arg(file));
+      } else {
+        bench_.messages.showError(errorSentence(written.error()));
+      }
+    };
+  });
 }
 
 } // namespace dewpoint::ui

@@ -2,8 +2,8 @@
 #include "ui/people/people_dock.h"
 
 #include "core/project/project.h"
-#include "core/session/run/snapshot_state.h"
 #include "core/session/run/snapshot.h"
+#include "core/session/run/snapshot_state.h"
 #include "core/session/session.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/cameraview/camera_docks.h"
@@ -171,13 +171,18 @@ void PeopleDock::askExport() {
   if (folder.isEmpty()) {
     return;
   }
-  if (QDir(folder).exists(QStringLiteral("volumes.csv")) ||
-      QDir(folder).exists(QStringLiteral("trajectory.csv"))) {
-    bench_.messages.ask(tr("There are tables of another run in %1. Replace them?").arg(folder),
-                        {{tr("Replace"), [this, folder] { write(folder); }}});
-  } else {
-    write(folder);
-  }
+  job_->start([this, folder](const auto&) {
+    const bool occupied = QDir(folder).exists(QStringLiteral("volumes.csv")) ||
+                          QDir(folder).exists(QStringLiteral("trajectory.csv"));
+    return [this, folder, occupied] {
+      if (occupied) {
+        bench_.messages.ask(tr("There are tables of another run in %1. Replace them?").arg(folder),
+                            {{tr("Replace"), [this, folder] { write(folder); }}});
+      } else {
+        write(folder);
+      }
+    };
+  });
 }
 
 void PeopleDock::write(const QString& folder) {

@@ -5,6 +5,7 @@
 #include "ui/plots/plot_row.h"
 #include "ui/plots/plot_stack.h"
 
+#include <QBuffer>
 #include <QSaveFile>
 #include <QSvgGenerator>
 
@@ -49,30 +50,37 @@ void PlotFigure::paintFor(bool figure) {
   cursor_.setVisible(!figure || cursor_.span.has_value() || cursor_.moment.has_value());
 }
 
-bool PlotFigure::save(const QString& file) {
+PlotPicture PlotFigure::draw(bool asDrawing) {
+  PlotPicture picture;
+  if (!asDrawing) {
+    picture.pixels = plot_.toPixmap(plot_.width(), plot_.height(), kPngScale).toImage();
+    return picture;
+  }
+  QBuffer buffer(&picture.drawing);
+  buffer.open(QIODevice::WriteOnly);
+  QSvgGenerator generator;
+  generator.setOutputDevice(&buffer);
+  generator.setResolution(kSvgResolution);
+  generator.setSize(plot_.size());
+  generator.setViewBox(QRect(QPoint(), plot_.size()));
+  generator.setTitle(tr("Dewpoint plots"));
+  QCPPainter painter;
+  if (painter.begin(&generator)) {
+    painter.setMode(QCPPainter::pmVectorized);
+    painter.fillRect(plot_.rect(), plot_.palette().color(QPalette::Base));
+    plot_.toPainter(&painter, plot_.width(), plot_.height());
+    painter.end();
+  }
+  return picture;
+}
+
+bool PlotPicture::save(const QString& file) const {
   QSaveFile out(file);
   if (!out.open(QIODevice::WriteOnly)) {
     return false;
   }
-  bool written = true;
-  if (file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)) {
-    QSvgGenerator generator;
-    generator.setOutputDevice(&out);
-    generator.setResolution(kSvgResolution);
-    generator.setSize(plot_.size());
-    generator.setViewBox(QRect(QPoint(), plot_.size()));
-    generator.setTitle(tr("Dewpoint plots"));
-    QCPPainter painter;
-    written = painter.begin(&generator);
-    if (written) {
-      painter.setMode(QCPPainter::pmVectorized);
-      painter.fillRect(plot_.rect(), plot_.palette().color(QPalette::Base));
-      plot_.toPainter(&painter, plot_.width(), plot_.height());
-      painter.end();
-    }
-  } else {
-    written = plot_.toPixmap(plot_.width(), plot_.height(), kPngScale).save(&out, "PNG");
-  }
+  const bool written =
+      drawing.isEmpty() ? pixels.save(&out, "PNG") : out.write(drawing) == drawing.size();
   return written && out.commit();
 }
 

@@ -3,7 +3,9 @@
 
 #include "ui/plots/plot_series.h"
 
+#include <QByteArray>
 #include <QCoreApplication>
+#include <QImage>
 #include <QString>
 
 #include <memory>
@@ -16,6 +18,15 @@ namespace dewpoint::ui {
 class PlotCursor;
 class PlotRow;
 
+/// Plots as they were drawn, for a file.
+struct PlotPicture {
+  QByteArray drawing; ///< SVG; empty: the pixels count
+  QImage pixels;
+
+  /// Writes it: as SVG, or else as PNG. False when that cannot be. Any thread.
+  bool save(const QString& file) const;
+};
+
 /// Plots as a figure for paper: smooth lines, named axes, and no cursor without need. While it
 /// exists the plots look so; afterwards they are to be drawn again.
 class PlotFigure {
@@ -27,8 +38,8 @@ public:
   PlotFigure(const PlotFigure&) = delete;
   PlotFigure& operator=(const PlotFigure&) = delete;
 
-  /// By the ending of the name: SVG or PNG. False when it cannot be written.
-  bool save(const QString& file);
+  /// The figure as it is now, as a drawing (SVG) or as pixels.
+  PlotPicture draw(bool asDrawing);
 
 private:
   void paintFor(bool figure);

@@ -4,6 +4,7 @@
 #include "core/session/run/snapshot.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/actions/action_registry.h"
+#include "ui/plots/plot_figure.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/run_plots.h"
 #include "ui/preferences/preferences.h"
@@ -250,14 +251,18 @@ void PlotPanel::askSave() {
   }
 }
 
-bool PlotPanel::savePicture(const QString& file) {
-  const bool saved = stack_->savePicture(file);
-  if (saved) {
-    Q_EMIT notice(tr("Saved %1.").arg(file));
-  } else {
-    Q_EMIT failed(tr("%1 could not be written.").arg(file));
-  }
-  return saved;
+void PlotPanel::savePicture(const QString& file) {
+  const bool asDrawing = file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
+  files_.add([this, file, picture = stack_->picture(asDrawing)]() -> std::function<void()> {
+    const bool saved = picture.save(file);
+    return [this, file, saved] {
+      if (saved) {
+        Q_EMIT notice(tr("Saved %1.").arg(file));
+      } else {
+        Q_EMIT failed(tr("%1 could not be written.").arg(file));
+      }
+    };
+  });
 }
 
 } // namespace dewpoint::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/jobs/job_queue.h"
 #include "ui/plots/plot_series.h"
 
 #include <QStringList>
@@ -48,8 +49,8 @@ public:
   /// Buttons and the place of the cursor, for the title of the dock.
   QWidget* makeTools(QWidget* parent);
   void copyCsv();
-  /// SVG or PNG, by the name's ending; says how it went.
-  bool savePicture(const QString& file);
+  /// SVG or PNG, by the name's ending, written beside the window; notice() or failed() follows.
+  void savePicture(const QString& file);
 
 Q_SIGNALS:
   void notice(const QString& sentence);
@@ -72,6 +73,7 @@ private:
   bool boxes_ = false;                              ///< the run follows boxes in images
   std::vector<std::unique_ptr<PlotSeries>> series_; ///< per target
   int target_ = 0;
+  JobQueue files_;
 };
 
 } // namespace dewpoint::ui

@@ -346,10 +346,10 @@ QString PlotStack::valuesInWords() const {
   return parts.join(QStringLiteral("; "));
 }
 
-bool PlotStack::savePicture(const QString& file) {
-  const bool written = PlotFigure(*plot_, rows_, axis(), *cursor_).save(file);
+PlotPicture PlotStack::picture(bool asDrawing) {
+  PlotPicture drawn = PlotFigure(*plot_, rows_, axis(), *cursor_).draw(asDrawing);
   draw();
-  return written;
+  return drawn;
 }
 
 } // namespace dewpoint::ui

@@ -21,6 +21,7 @@ namespace dewpoint::ui {
 
 class PlotCursor;
 class PlotRow;
+struct PlotPicture;
 
 /// Plots one above the other that share the axis of iterations or time, a cursor and a span. Draws
 /// what has come since at most some times per second, however often it is told; without a chosen
@@ -69,8 +70,8 @@ public:
 
   /// Shown curves within the part shown, not thinned out for drawing: one line per row.
   std::string csv() const;
-  /// By the ending of the name: SVG or PNG. False when it cannot be written.
-  bool savePicture(const QString& file);
+  /// The plots as a figure for paper: a drawing (SVG), or pixels.
+  PlotPicture picture(bool asDrawing);
   /// All values at the cursor, in words and with units.
   QString valuesInWords() const;
   /// "frame 132, iteration 660, 4.40 s"; empty before the first.

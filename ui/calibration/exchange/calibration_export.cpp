@@ -107,7 +107,8 @@ CalibrationTarget CalibrationExportDialog::target() const {
   return target;
 }
 
-QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion) const {
+QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion,
+                                        bool replaces) const {
   QStringList lines;
   for (const std::string& decision : conversion.decisions) {
     lines << QString::fromStdString(decision);
@@ -124,23 +125,25 @@ QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion)
                    .arg(camera.lostDirections);
     }
   }
-  if (QFileInfo::exists(file()) && !isFolder()) {
+  if (replaces) {
     lines << tr("%1 exists and will be replaced.").arg(file());
   }
   return lines.join(QLatin1Char('\n'));
 }
 
 ExchangeDialog::Preview CalibrationExportDialog::preview() {
-  return [this, project = document_.project(), target = target()] {
+  return [this, project = document_.project(), target = target(),
+          file = isFolder() ? QString() : file()] {
     const auto outcome =
         std::make_shared<Result<CalibrationConversion>>(previewExport(project, target));
-    return [this, outcome] { adopt(*outcome); };
+    const bool replaces = !file.isEmpty() && QFileInfo::exists(file);
+    return [this, outcome, replaces] { adopt(*outcome, replaces); };
   };
 }
 
-void CalibrationExportDialog::adopt(const Result<CalibrationConversion>& outcome) {
+void CalibrationExportDialog::adopt(const Result<CalibrationConversion>& outcome, bool replaces) {
   if (outcome) {
-    showPreview(textOf(*outcome), true);
+    showPreview(textOf(*outcome, replaces), true);
   } else {
     const QString sentence = errorSentence(askedQuestion(outcome.error()).error);
     showPreview(QStringLiteral("⚠ ") + sentence, false);

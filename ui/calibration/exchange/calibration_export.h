@@ -26,9 +26,10 @@ private:
   CalibrationTarget target() const;
   bool isFolder() const;
   void formatChanged();
-  void adopt(const Result<CalibrationConversion>& outcome);
+  /// `replaces`: there is such a file already.
+  void adopt(const Result<CalibrationConversion>& outcome, bool replaces);
   void finish(const Result<CalibrationConversion>& written);
-  QString textOf(const CalibrationConversion& conversion) const;
+  QString textOf(const CalibrationConversion& conversion, bool replaces) const;
 
   Document& document_;
   QComboBox* format_;
