@@ -24,6 +24,8 @@ ImageBox boxOf(const cv::Rect& box) {
   return {double(box.x), double(box.y), double(box.width), double(box.height)};
 }
 
+/// One image after the other, as OpenCV's trackers are fed: the loop over the images is that of the
+/// comparison. A TrackingRun begins by forgetting all, and so the box that start() has given.
 class OwnFollower final : public BoxFollower {
 public:
   /// The tracker has one target, and a method that follows boxes (asserted).

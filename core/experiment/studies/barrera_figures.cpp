@@ -37,21 +37,19 @@ struct Instant {
 
 Result<std::map<int, Instant>> instantsOf(const ConvergenceCase& setup, std::uint64_t seed) {
   std::map<int, Instant> instants;
-  const auto watched =
-      watchConvergence(setup, seed,
-                       [&](int iteration, const BarreraTracker& tracker,
-                           const SphereEstimate& estimate, const FrameSet& seen) {
-                         if (std::ranges::find(kInstants, iteration) == kInstants.end()) {
-                           return;
-                         }
-                         Instant& instant = instants[iteration];
-                         Eigen::ArrayXd weights;
-                         tracker.particles(estimate.particleCount, instant.particles, weights);
-                         instant.estimate = estimate;
-                         for (const FramePtr& frame : seen.frames) {
-                           instant.images.push_back(frame->image.clone());
-                         }
-                       });
+  const auto watched = watchConvergence(
+      setup, seed, [&](int iteration, const TrackingRun& run, const SphereEstimate& estimate) {
+        if (std::ranges::find(kInstants, iteration) == kInstants.end()) {
+          return;
+        }
+        Instant& instant = instants[iteration];
+        Eigen::ArrayXd weights;
+        run.particles(0, estimate.particleCount, instant.particles, weights);
+        instant.estimate = estimate;
+        for (const FramePtr& frame : run.frames()->frames) {
+          instant.images.push_back(frame->image.clone());
+        }
+      });
   return watched.map([&] { return instants; });
 }
 

@@ -2,16 +2,17 @@
 #include "core/experiment/studies/convergence_study.h"
 
 #include "core/base/statistics.h"
-#include "core/base/thread_team.h"
+#include "core/session/run/frame_loop.h"
 #include "core/simulation/scene_renderer.h"
 #include "core/tracking/barrera/barrera_parameters.h"
-#include "core/tracking/barrera/barrera_tracker.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
+#include <variant>
 
 namespace dewpoint::experiment {
 namespace {
@@ -57,31 +58,66 @@ ParameterValues parametersOf(const ConvergenceCase& setup) {
   return parameters;
 }
 
-/// One iteration per frame.
-void watchRun(BarreraTracker& tracker, const std::vector<FrameSetPtr>& frames, std::uint64_t seed,
-              int iterations, const ConvergenceWatch& watch) {
-  ThreadTeam team(1);
-  tracker.restart(seed);
-  for (int k = 0; k < iterations; ++k) {
-    FrameSet frame = *frames[static_cast<std::size_t>(k) % frames.size()];
-    frame.index = k; // the random numbers go by frame number
-    const auto shown = std::make_shared<const FrameSet>(std::move(frame));
-    tracker.beginFrame(shown);
-    const SphereEstimate estimate = tracker.iterate(team);
-    watch(k + 1, tracker, estimate, *shown);
+/// A few frames over and over, counted on: the random numbers go by frame number.
+class RepeatedFrames final : public FrameSetSource {
+public:
+  explicit RepeatedFrames(const std::vector<FrameSetPtr>& frames) : frames_(frames) {}
+
+  std::optional<std::int64_t> frameCount() const override { return std::nullopt; }
+  double framesPerSecond() const override { return 30.0; } // nobody waits for them
+  Result<FrameSetPtr> next() override {
+    FrameSet frame = *frames_[static_cast<std::size_t>(next_) % frames_.size()];
+    frame.index = next_++;
+    return std::make_shared<const FrameSet>(std::move(frame));
   }
+  Status seek(std::int64_t frame) override {
+    next_ = frame;
+    return {};
+  }
+
+private:
+  const std::vector<FrameSetPtr>& frames_;
+  std::int64_t next_ = 0;
+};
+
+/// Brings what the run believes of its target to a watch.
+class BeliefObserver final : public FrameObserver {
+public:
+  explicit BeliefObserver(const ConvergenceWatch& watch) : watch_(watch) {}
+
+  Status tracked(const TrackingRun& run) override {
+    watch_(static_cast<int>(run.iterations()), run, std::get<SphereEstimate>(run.estimate(0)));
+    return {};
+  }
+
+private:
+  const ConvergenceWatch& watch_;
+};
+
+/// The run of a still scene that is to find its ball, and the scene's frames.
+struct Trial {
+  TrackingRun run;
+  std::vector<FrameSetPtr> frames;
+  Eigen::Vector3d axis; ///< optical axis of the first camera, world
+};
+
+/// One iteration per frame, as the method does unless it is told otherwise.
+Status watchRun(Trial& trial, std::uint64_t seed, int iterations, const ConvergenceWatch& watch) {
+  trial.run.restart(seed);
+  RepeatedFrames source(trial.frames);
+  BeliefObserver observer(watch);
+  const std::array<FrameObserver*, 1> observers{&observer};
+  return session::trackFrames(source, {0, iterations}, trial.run, observers, [] { return true; });
 }
 
 /// The cloud's mean after each iteration.
-std::vector<Eigen::Vector3d> meansOfRun(BarreraTracker& tracker,
-                                        const std::vector<FrameSetPtr>& frames, std::uint64_t seed,
-                                        int iterations) {
+Result<std::vector<Eigen::Vector3d>> meansOfRun(Trial& trial, std::uint64_t seed, int iterations) {
   std::vector<Eigen::Vector3d> means;
-  watchRun(tracker, frames, seed, iterations,
-           [&](int, const BarreraTracker&, const SphereEstimate& estimate, const FrameSet&) {
-             means.push_back(estimate.mean);
-           });
-  return means;
+  return watchRun(trial, seed, iterations,
+                  [&](int, const TrackingRun&, const SphereEstimate& estimate) {
+                    means.push_back(estimate.mean);
+                  })
+      .map([&] { return means; });
 }
 
 /// Iterations done when the error falls below the bound for good; nothing if it is above it at the
@@ -96,29 +132,30 @@ std::optional<int> iterationsToConverge(const std::vector<Eigen::Vector3d>& mean
   return iterations > static_cast<int>(means.size()) ? std::nullopt : std::optional(iterations);
 }
 
-/// A still scene, its frames and the tracker that is to find its ball.
-struct Trial {
-  std::unique_ptr<BarreraTracker> tracker;
-  std::vector<FrameSetPtr> frames;
-  Eigen::Vector3d axis; ///< optical axis of the first camera, world
-};
-
-Trial prepare(const Scene& scene, const ConvergenceCase& setup) {
-  return {std::make_unique<BarreraTracker>(parametersOf(setup), scene.cameras,
-                                           targetOf(scene.balls.front())),
-          renderFrames(scene), scene.cameras.front().opticalAxis()};
+Result<Trial> prepare(const Scene& scene, const ConvergenceCase& setup) {
+  auto definition = std::make_shared<RunDefinition>();
+  definition->method = "barrera";
+  definition->parameters = parametersOf(setup);
+  definition->targets = {targetOf(scene.balls.front())};
+  definition->rig = std::make_shared<const CameraRig>(scene.cameras);
+  return TrackingRun::create(std::move(definition), 1).map([&](TrackingRun run) {
+    return Trial{std::move(run), renderFrames(scene), scene.cameras.front().opticalAxis()};
+  });
 }
 
 /// Runs with seeds 1, 2, ... and what they add up to.
-ConvergenceResult resultOf(const ConvergenceCase& setup, const Trial& trial) {
+Result<ConvergenceResult> resultOf(const ConvergenceCase& setup, Trial& trial) {
   ConvergenceResult result{setup};
   std::vector<double> iterations;
   double squares = 0.0;
   double depth = 0.0;
   int count = 0;
   for (int run = 1; run <= setup.runs; ++run) {
-    const auto means =
-        meansOfRun(*trial.tracker, trial.frames, static_cast<std::uint64_t>(run), setup.iterations);
+    const auto found = meansOfRun(trial, static_cast<std::uint64_t>(run), setup.iterations);
+    if (!found) {
+      return tl::make_unexpected(found.error());
+    }
+    const std::vector<Eigen::Vector3d>& means = *found;
     const auto converged = iterationsToConverge(means, setup.ball);
     if (!converged) {
       continue;
@@ -137,15 +174,17 @@ ConvergenceResult resultOf(const ConvergenceCase& setup, const Trial& trial) {
   return result;
 }
 
-/// Metres along the optical axis after each iteration, mean over the runs, starting on the ball.
-std::vector<double> driftOf(const Eigen::Vector3d& start, const Trial& trial, int runs,
-                            int iterations) {
+/// Meters along the optical axis after each iteration, mean over the runs, starting on the ball.
+Result<std::vector<double>> driftOf(const Eigen::Vector3d& start, Trial& trial, int runs,
+                                    int iterations) {
   std::vector<double> moved(static_cast<std::size_t>(iterations), 0.0);
   for (int run = 1; run <= runs; ++run) {
-    const auto means =
-        meansOfRun(*trial.tracker, trial.frames, static_cast<std::uint64_t>(run), iterations);
+    const auto means = meansOfRun(trial, static_cast<std::uint64_t>(run), iterations);
+    if (!means) {
+      return tl::make_unexpected(means.error());
+    }
     for (std::size_t k = 0; k < moved.size(); ++k) {
-      moved[k] += (means[k] - start).dot(trial.axis) / runs;
+      moved[k] += ((*means)[k] - start).dot(trial.axis) / runs;
     }
   }
   return moved;
@@ -174,14 +213,16 @@ std::vector<ConvergenceCase> barreraConvergenceCases(int runs) {
 }
 
 Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup) {
-  return resultOf(setup, prepare(stillScene(setup.ball), setup));
+  return prepare(stillScene(setup.ball), setup).and_then([&](Trial trial) {
+    return resultOf(setup, trial);
+  });
 }
 
 Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
                         const ConvergenceWatch& watch) {
-  const Trial trial = prepare(stillScene(setup.ball), setup);
-  watchRun(*trial.tracker, trial.frames, seed, setup.iterations, watch);
-  return {};
+  return prepare(stillScene(setup.ball), setup).and_then([&](Trial trial) {
+    return watchRun(trial, seed, setup.iterations, watch);
+  });
 }
 
 Result<std::vector<double>> driftCurve(int runs, int iterations) {
@@ -189,7 +230,9 @@ Result<std::vector<double>> driftCurve(int runs, int iterations) {
   scene.cameras.resize(1);
   ConvergenceCase setup;
   setup.start = scene.balls.front().position;
-  return driftOf(setup.start, prepare(scene, setup), runs, iterations);
+  return prepare(scene, setup).and_then([&](Trial trial) {
+    return driftOf(setup.start, trial, runs, iterations);
+  });
 }
 
 Result<double> measureDrift(int runs, int iterations) {

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/capture/frame.h"
+#include "core/session/run/tracking_run.h"
 #include "core/simulation/scene.h"
-#include "core/tracking/barrera/barrera_tracker.h"
 
 #include <Eigen/Core>
 
@@ -41,10 +40,9 @@ std::vector<ConvergenceCase> barreraConvergenceCases(int runs = 100);
 /// Runs one case on the demo's cameras and a still ball.
 Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup);
 
-/// One run of a case, iteration by iteration (from 1): the tracker after it, what it believes, and
-/// the images it saw.
-using ConvergenceWatch = std::function<void(int iteration, const BarreraTracker& tracker,
-                                            const SphereEstimate& estimate, const FrameSet& seen)>;
+/// One run of a case, iteration by iteration (from 1): the run after it, and what it believes.
+using ConvergenceWatch =
+    std::function<void(int iteration, const TrackingRun& run, const SphereEstimate& estimate)>;
 Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
                         const ConvergenceWatch& watch);
 

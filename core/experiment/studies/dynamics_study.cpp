@@ -30,6 +30,8 @@ double spreadOf(const Eigen::ArrayXXd& rows) {
 
 using Path = std::function<Eigen::Vector3d(int)>;
 
+/// A loop of its own: the method is given positions here, as in the paper, and there are no frames
+/// for the loop over frames to take.
 DynamicsRun follow(const DynamicsSetup& setup, const Path& truth, std::uint64_t seed,
                    const std::vector<int>& instants) {
   DynamicsTracker tracker(parametersOf(setup), {}, {});
