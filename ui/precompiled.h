@@ -13,7 +13,6 @@
 #include <QMainWindow>
 #include <QPainter>
 #include <QPushButton>
-#include <QSettings>
 #include <QString>
 #include <QTimer>
 #include <QToolButton>

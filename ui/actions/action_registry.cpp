@@ -56,7 +56,7 @@ QAction* ActionRegistry::add(const ActionDeclaration& declaration) {
   action->setShortcut(Preferences().shortcut(nameOf(declaration)).value_or(declaration.shortcut));
   entries_.push_back({declaration, action});
   byId_[declaration.id.index()] = action;
-  say(entries_.back());
+  setTexts(entries_.back());
   if (declaration.icon != nullptr) {
     action->setIcon(symbolicIcon(QLatin1String(declaration.icon), QGuiApplication::palette()));
   }
@@ -85,7 +85,7 @@ QString ActionRegistry::hintOf(const QAction* action) const {
   return entry == nullptr ? QString() : translated(entry->declaration.hint);
 }
 
-void ActionRegistry::say(const Entry& entry) {
+void ActionRegistry::setTexts(const Entry& entry) {
   entry.action->setText(translated(entry.declaration.text));
   entry.action->setToolTip(
       tooltipWithShortcut(translated(entry.declaration.hint), entry.action->shortcut()));
@@ -97,7 +97,7 @@ void ActionRegistry::rename(QAction* action, const char* text, const char* icon)
     if (entry.action == action && entry.declaration.text != text) {
       entry.declaration.text = text;
       entry.declaration.icon = icon;
-      say(entry);
+      setTexts(entry);
       action->setIcon(symbolicIcon(QLatin1String(icon), QGuiApplication::palette()));
     }
   }
@@ -120,7 +120,7 @@ void ActionRegistry::remember(const Entry& entry) {
   Preferences().setShortcut(nameOf(entry.declaration), shortcut == entry.declaration.shortcut
                                                            ? std::nullopt
                                                            : std::optional(shortcut));
-  say(entry);
+  setTexts(entry);
 }
 
 void ActionRegistry::setShortcut(QAction* action, const QKeySequence& shortcut) {
@@ -154,7 +154,7 @@ void ActionRegistry::drawIcons(const QPalette& palette) {
 }
 
 void ActionRegistry::retranslate() {
-  std::ranges::for_each(entries_, [this](const Entry& entry) { say(entry); });
+  std::ranges::for_each(entries_, [this](const Entry& entry) { setTexts(entry); });
 }
 
 bool ActionRegistry::eventFilter(QObject* watched, QEvent* event) {

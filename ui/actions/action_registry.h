@@ -72,7 +72,7 @@ private:
   };
   /// Null for an action that is not of this registry.
   const Entry* entryOf(const QAction* action) const;
-  void say(const Entry& entry);
+  void setTexts(const Entry& entry);
   void remember(const Entry& entry);
 
   QWidget* window_;

@@ -84,25 +84,26 @@ ShortcutEditor::ShortcutEditor(ActionRegistry& registry, QWidget* parent)
       note_->setText(noteWords_());
     }
   });
-  say([] { return tr("Choose an action, click into the field below and press the new keys."); });
+  showHint(
+      [] { return tr("Choose an action, click into the field below and press the new keys."); });
   connect(search_, &QLineEdit::textChanged, this, &ShortcutEditor::filter);
   connect(tree_, &QTreeWidget::currentItemChanged, this, &ShortcutEditor::showCurrent);
   connect(keys_, &QKeySequenceEdit::editingFinished, this, &ShortcutEditor::assign);
   connect(clear_, &QPushButton::clicked, this, [this] {
     if (QAction* action = current()) {
       registry_.setShortcut(action, {});
-      say([action] { return tr("“%1” has no shortcut now.").arg(action->text()); });
+      showHint([action] { return tr("“%1” has no shortcut now.").arg(action->text()); });
     }
   });
   connect(resetAll_, &QPushButton::clicked, this, [this] {
     registry_.resetShortcuts();
-    say([] { return tr("All shortcuts are as they were at first."); });
+    showHint([] { return tr("All shortcuts are as they were at first."); });
   });
   connect(&registry_, &ActionRegistry::shortcutsChanged, this, &ShortcutEditor::fill);
   resize(680, 560);
 }
 
-void ShortcutEditor::say(std::function<QString()> words) {
+void ShortcutEditor::showHint(std::function<QString()> words) {
   noteWords_ = std::move(words);
   note_->setText(noteWords_());
 }
@@ -161,7 +162,7 @@ void ShortcutEditor::assign() {
   const QAction* holder = registry_.holderOf(keys, action);
   const QString shown = keys.toString(QKeySequence::NativeText);
   registry_.setShortcut(action, keys);
-  say([action, holder, shown] {
+  showHint([action, holder, shown] {
     return holder == nullptr
                ? tr("“%1” is now %2.").arg(action->text(), shown)
                : tr("“%1” is now %2; “%3” has lost it.").arg(action->text(), shown, holder->text());

@@ -32,7 +32,7 @@ private:
   void showCurrent();
   void assign();
   /// Writes below what `words` returns, and again in every other language.
-  void say(std::function<QString()> words);
+  void showHint(std::function<QString()> words);
 
   ActionRegistry& registry_;
   QLineEdit* search_;

@@ -189,12 +189,12 @@ void ManualCalibration::dragTo(const Eigen::Vector2d& pixel) {
   }
   const Drag result =
       dragPoint(drag_->start, drag_->held, {drag_->point, pixel + drag_->grip}, settings_);
-  sayLimit(result);
+  reportLimit(result);
   change(drag_->camera, tr("Drag the grid in %1").arg(nameOf(drag_->camera)), result.camera,
          "drag grid");
 }
 
-void ManualCalibration::sayLimit(const Drag& result) {
+void ManualCalibration::reportLimit(const Drag& result) {
   QString sentence;
   switch (result.limit) {
   case DragLimit::None:

@@ -117,7 +117,7 @@ private:
     double sum = 0.0;
   };
   double runningSum(const std::string& key, double amount, bool repeated);
-  void sayLimit(const Drag& result);
+  void reportLimit(const Drag& result);
 
   Document& document_;
   Selection& selection_;

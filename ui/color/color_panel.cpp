@@ -77,12 +77,12 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
   connect(&pick_, &ImagePickTool::picked, this, &ColorPanel::pickedIn);
   connect(&document_, &Document::replaced, this, [this] {
     setTarget(0);
-    say(); // its method may be of another kind
+    retranslateUi(); // its method may be of another kind
   });
   connect(&document_, &Document::targetsChanged, this, &ColorPanel::refresh);
-  connect(&document_, &Document::methodChanged, this, &ColorPanel::say);
+  connect(&document_, &Document::methodChanged, this, &ColorPanel::retranslateUi);
   connectTeacher();
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
 void ColorPanel::connectTeacher() {
@@ -107,7 +107,7 @@ void ColorPanel::connectTeacher() {
   });
 }
 
-void ColorPanel::say() {
+void ColorPanel::retranslateUi() {
   learn_->setText(takesBoxes() ? tr("Box") : tr("Learn"));
   learn_->setToolTip(
       takesBoxes()
@@ -190,7 +190,7 @@ void ColorPanel::refresh() {
   }
   samples_->setSamples(document_.project(), target_);
   if (judged_) {
-    sayVerdict();
+    updateVerdict();
   } else {
     verdict_->setText(any ? tr("Drag ring and bars, or press Learn and click the target.")
                           : tr("Click the thing to follow in any camera image."));
@@ -254,7 +254,7 @@ void ColorPanel::setInFront(bool inFront) {
   }
 }
 
-void ColorPanel::sayVerdict() {
+void ColorPanel::updateVerdict() {
   std::vector<QString> cameras;
   for (const auto& camera : document_.project().cameras) {
     cameras.push_back(QString::fromStdString(camera.camera.name));
@@ -270,7 +270,7 @@ void ColorPanel::showVerdict(const ColorVerdict& verdict) {
   judgedFrame_ = snapshot_ ? snapshot_->frame : -1;
   outlined_ = true;
   said_ = verdict;
-  sayVerdict();
+  updateVerdict();
   std::map<int, std::vector<ImagePickOverlay::Region>> regions;
   for (const LookAlikeRegion& region : verdict.lookAlikes) {
     QPolygonF outline;

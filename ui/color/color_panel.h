@@ -51,7 +51,7 @@ Q_SIGNALS:
   void failed(const QString& sentence);
 
 private:
-  void say();
+  void retranslateUi();
   void refresh();
   void connectTeacher();
   /// Whether the method follows boxes: then a box is pointed at in place of a color.
@@ -61,7 +61,7 @@ private:
   void showBox();
   void pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
   void editRange(const ColorRange& range);
-  void sayVerdict();
+  void updateVerdict();
   void showVerdict(const ColorVerdict& verdict);
   void judgeNow();
   void keepVerdictCurrent();

@@ -86,7 +86,7 @@ ColorPicker::ColorPicker(QWidget* parent)
   connect(ring_, &HueRing::editingFinished, this, &ColorPicker::editingFinished);
   connect(saturation_, &RangeBar::editingFinished, this, &ColorPicker::editingFinished);
   connect(intensity_, &RangeBar::editingFinished, this, &ColorPicker::editingFinished);
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
 QDoubleSpinBox* ColorPicker::addBox(const char* name, double maximum, double step, int decimals,
@@ -102,7 +102,7 @@ QDoubleSpinBox* ColorPicker::addBox(const char* name, double maximum, double ste
   return box;
 }
 
-void ColorPicker::say() {
+void ColorPicker::retranslateUi() {
   labels_[0]->setText(tr("&Hue"));
   labels_[1]->setText(tr("&Saturation"));
   labels_[2]->setText(tr("&Intensity"));

@@ -38,7 +38,7 @@ Q_SIGNALS:
 private:
   QDoubleSpinBox* addBox(const char* name, double maximum, double step, int decimals,
                          const QString& suffix);
-  void say();
+  void retranslateUi();
   void show();
   void take(const ColorRange& range);
 

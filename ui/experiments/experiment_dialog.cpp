@@ -71,7 +71,7 @@ ExperimentDialog::ExperimentDialog(QWidget* parent)
   });
   showRunning(false);
   list_->setCurrentRow(0);
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
 void ExperimentDialog::showRunning(bool running) {
@@ -150,7 +150,7 @@ void ExperimentDialog::makeFields() {
   resize(560, 520);
 }
 
-void ExperimentDialog::say() {
+void ExperimentDialog::retranslateUi() {
   setWindowTitle(tr("Experiments"));
   list_->setAccessibleName(tr("Experiments of the papers"));
   runsLabel_->setText(tr("Runs per case"));

@@ -38,7 +38,7 @@ Q_SIGNALS:
 private:
   void makeFields();
   void showRunning(bool running);
-  void say();
+  void retranslateUi();
   const FigureExperiment& chosen() const;
   void showChosen();
   void chooseFolder(QLineEdit* into, const QString& title);

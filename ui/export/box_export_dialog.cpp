@@ -68,10 +68,10 @@ BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* paren
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   connect(folder_, &QLineEdit::textChanged, this, [this] { askToReplace(false); });
   connect(job_, &BackgroundJob::ended, this, [this] { export_->setEnabled(true); });
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void BoxExportDialog::say() {
+void BoxExportDialog::retranslateUi() {
   setWindowTitle(tr("Export boxes"));
   sentence_->setText(
       tr("Two files are written: boxes.csv (a row per target and frame: box, center, similarity, "

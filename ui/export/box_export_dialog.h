@@ -36,7 +36,7 @@ protected:
   void showEvent(QShowEvent* event) override;
 
 private:
-  void say();
+  void retranslateUi();
   void chooseFolder();
   void start();
   void askToReplace(bool ask);

@@ -96,22 +96,22 @@ ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
 
 void ExportForm::retranslate() {
   fillChoices();
-  const auto say = [this](QWidget* field, const QString& label, const QString& hint) {
+  const auto setTexts = [this](QWidget* field, const QString& label, const QString& hint) {
     qobject_cast<QLabel*>(form_->labelForField(field))->setText(label);
     field->setAccessibleName(label);
     field->setToolTip(hint);
   };
-  say(format_, tr("Format"), tr("Which program is to read it"));
-  say(targets_, tr("Targets"), tr("Those with a mark are exported; all, if none has one"));
-  say(estimates_, tr("Estimates"),
-      tr("As they were known live, or as all frames before and after tell"));
-  say(from_, tr("From"), tr("First time, 0 to 1,000,000 s"));
-  say(to_, tr("To"), tr("Last time, 0 to 1,000,000 s"));
-  say(rate_, tr("Rate"), tr("Rows per second, 0.001 to 10,000; interpolated"));
-  say(gaps_, tr("Gaps"), tr("What to write where the target is not known"));
-  say(longestGap_, tr("Longest gap"), tr("A longer gap is left, 0.01 to 60 s"));
-  say(axes_, tr("World axes"), tr("Which axis points up in the file"));
-  say(unit_, tr("Lengths"), tr("Unit of positions in the file"));
+  setTexts(format_, tr("Format"), tr("Which program is to read it"));
+  setTexts(targets_, tr("Targets"), tr("Those with a mark are exported; all, if none has one"));
+  setTexts(estimates_, tr("Estimates"),
+           tr("As they were known live, or as all frames before and after tell"));
+  setTexts(from_, tr("From"), tr("First time, 0 to 1,000,000 s"));
+  setTexts(to_, tr("To"), tr("Last time, 0 to 1,000,000 s"));
+  setTexts(rate_, tr("Rate"), tr("Rows per second, 0.001 to 10,000; interpolated"));
+  setTexts(gaps_, tr("Gaps"), tr("What to write where the target is not known"));
+  setTexts(longestGap_, tr("Longest gap"), tr("A longer gap is left, 0.01 to 60 s"));
+  setTexts(axes_, tr("World axes"), tr("Which axis points up in the file"));
+  setTexts(unit_, tr("Lengths"), tr("Unit of positions in the file"));
   from_->setSpecialValueText(tr("the beginning"));
   to_->setSpecialValueText(tr("the end"));
   rate_->setSpecialValueText(tr("as recorded"));

@@ -30,7 +30,7 @@ constexpr std::array kFormatNames{
     Word{"jsonl", QT_TRANSLATE_NOOP("Export", "JSON lines")},
 };
 
-QString say(const char* text, int count = -1) {
+QString translated(const char* text, int count = -1) {
   return QCoreApplication::translate("Export", text, nullptr, count);
 }
 
@@ -39,7 +39,7 @@ QString say(const char* text, int count = -1) {
 QString exportFormatName(std::string_view id) {
   for (const Word& word : kFormatNames) {
     if (word.id == id) {
-      return say(word.text);
+      return translated(word.text);
     }
   }
   return QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
@@ -50,19 +50,21 @@ QString exportUnitsText(const ExportPreview& preview) {
       preview.unit == LengthUnit::Meter ? QStringLiteral("m") : QStringLiteral("mm");
   const QString axes =
       preview.axes == WorldAxes::ZUp
-          ? say(QT_TRANSLATE_NOOP("Export", "Z points up, axes as in the project"))
-          : say(QT_TRANSLATE_NOOP("Export", "Y points up: x, y, z are y, z, x of the project"));
-  return say(QT_TRANSLATE_NOOP("Export", "Lengths in %1, times in s, covariances in %1². %2."))
+          ? translated(QT_TRANSLATE_NOOP("Export", "Z points up, axes as in the project"))
+          : translated(
+                QT_TRANSLATE_NOOP("Export", "Y points up: x, y, z are y, z, x of the project"));
+  return translated(
+             QT_TRANSLATE_NOOP("Export", "Lengths in %1, times in s, covariances in %1². %2."))
       .arg(unit, axes);
 }
 
 QString exportSizeText(const ExportPreview& preview) {
   const QLocale locale;
   const QString gaps = preview.gaps == 0
-                           ? say(QT_TRANSLATE_NOOP("Export", "no gaps"))
-                           : say(QT_TRANSLATE_NOOP("Export", "%1 places unknown"))
+                           ? translated(QT_TRANSLATE_NOOP("Export", "no gaps"))
+                           : translated(QT_TRANSLATE_NOOP("Export", "%1 places unknown"))
                                  .arg(locale.toString(static_cast<qulonglong>(preview.gaps)));
-  return say(QT_TRANSLATE_NOOP("Export", "Targets: %1, rows: %2 at %3 per second, %4."))
+  return translated(QT_TRANSLATE_NOOP("Export", "Targets: %1, rows: %2 at %3 per second, %4."))
       .arg(locale.toString(static_cast<qulonglong>(preview.targets)),
            locale.toString(static_cast<qulonglong>(preview.rows)),
            locale.toString(preview.rate, 'g', 4), gaps);

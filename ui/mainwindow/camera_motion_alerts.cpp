@@ -28,7 +28,7 @@ void CameraMotionAlerts::setSnapshot(const TrackSnapshotPtr& shown) {
   }
   const QStringList names = cameraNames(snapshot);
   for (const auto& [report, stage] : news.items) {
-    say(report, stage, names.value(static_cast<int>(report.event.camera)));
+    showAlert(report, stage, names.value(static_cast<int>(report.event.camera)));
   }
 }
 
@@ -39,8 +39,8 @@ void CameraMotionAlerts::withdraw() {
   text_.clear();
 }
 
-void CameraMotionAlerts::say(const CameraMotionReport& report, CameraMotionStage stage,
-                             const QString& name) {
+void CameraMotionAlerts::showAlert(const CameraMotionReport& report, CameraMotionStage stage,
+                                   const QString& name) {
   const int camera = static_cast<int>(report.event.camera);
   const QString what = tr("%1 was %2 (frame %3).")
                            .arg(name, bumpText(&report))

@@ -27,7 +27,7 @@ Q_SIGNALS:
 
 private:
   void clear();
-  void say(const CameraMotionReport& report, CameraMotionStage stage, const QString& camera);
+  void showAlert(const CameraMotionReport& report, CameraMotionStage stage, const QString& camera);
   void withdraw();
 
   MessageBar& bar_;

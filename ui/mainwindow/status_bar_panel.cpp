@@ -93,10 +93,10 @@ StatusBarPanel::StatusBarPanel(QWidget* parent) : QWidget(parent) {
   bold.setWeight(QFont::DemiBold);
   held_->setFont(bold);
   held_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void StatusBarPanel::say() {
+void StatusBarPanel::retranslateUi() {
   const auto explain = [](QLabel* label, const QString& widest, const QString& hint) {
     label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 8);
     label->setToolTip(hint);

@@ -42,7 +42,7 @@ protected:
 
 private:
   QLabel* figure(const char* name);
-  void say();
+  void retranslateUi();
   void clear();
   void refresh();
   void showBox(const BoxEstimate& estimate);

@@ -53,7 +53,7 @@ CameraPanel::CameraPanel(Document& document, Selection& selection, CameraListMod
   setObjectName(QStringLiteral("cameraPanel"));
   list_->setModel(&cameras_);
   makeFields();
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
   connectFields();
 }
 
@@ -153,7 +153,7 @@ void CameraPanel::connectFields() {
   });
 }
 
-void CameraPanel::say() {
+void CameraPanel::retranslateUi() {
   cameras_.retranslate();
   list_->setAccessibleName(tr("Cameras"));
   nameLabel_->setText(tr("Name"));
@@ -298,10 +298,11 @@ void CameraPanel::takeEmptyRoom() {
     return;
   }
   if (const QString target = targetSeenBy(row); !target.isEmpty()) {
-    Q_EMIT asked(tr("“%1” is in this image: where it is now it would be taken for the room. Better "
-                    "show a moment without it.")
-                     .arg(target),
-                 tr("Use it all the same"), [this, row, image] { keepAsEmptyRoom(row, image); });
+    Q_EMIT confirmationRequested(
+        tr("“%1” is in this image: where it is now it would be taken for the room. Better "
+           "show a moment without it.")
+            .arg(target),
+        tr("Use it all the same"), [this, row, image] { keepAsEmptyRoom(row, image); });
     return;
   }
   keepAsEmptyRoom(row, image);
@@ -323,9 +324,10 @@ void CameraPanel::keepAsEmptyRoom(int camera, const cv::Mat& image) {
   }
   selection_.selectCamera(camera);
   setEmptyRoom(QString::fromStdString(kept->string()));
-  Q_EMIT said(tr("The image shown is now the empty room of %1; it is kept as %2.")
-                  .arg(QString::fromStdString(project.cameras[std::size_t(camera)].camera.name),
-                       QString::fromStdString(kept->string())));
+  Q_EMIT messageRequested(
+      tr("The image shown is now the empty room of %1; it is kept as %2.")
+          .arg(QString::fromStdString(project.cameras[std::size_t(camera)].camera.name),
+               QString::fromStdString(kept->string())));
 }
 
 } // namespace dewpoint::ui

@@ -43,12 +43,13 @@ Q_SIGNALS:
   void calibrationWanted(const QString& file);
   void failed(const QString& sentence);
   /// Something was done, and this is what.
-  void said(const QString& sentence);
+  void messageRequested(const QString& sentence);
   /// Something is done only after this question was answered with yes.
-  void asked(const QString& question, const QString& yes, const std::function<void()>& act);
+  void confirmationRequested(const QString& question, const QString& yes,
+                             const std::function<void()>& act);
 
 private:
-  void say();
+  void retranslateUi();
   void refresh();
   /// Row of the selected camera; -1 without cameras.
   int chosen() const;

@@ -110,8 +110,8 @@ CameraPanel* installCameras(const Workbench& bench) {
   QObject::connect(panel, &CameraPanel::calibrationWanted, panel,
                    [bench, job](const QString& file) { loadCalibration(bench, job, file); });
   QObject::connect(panel, &CameraPanel::failed, &bench.messages, &MessageBar::showError);
-  QObject::connect(panel, &CameraPanel::said, &bench.messages, &MessageBar::showNotice);
-  QObject::connect(panel, &CameraPanel::asked, &bench.messages,
+  QObject::connect(panel, &CameraPanel::messageRequested, &bench.messages, &MessageBar::showNotice);
+  QObject::connect(panel, &CameraPanel::confirmationRequested, &bench.messages,
                    [bar = &bench.messages](const QString& question, const QString& yes,
                                            const std::function<void()>& act) {
                      bar->ask(question, {{yes, act}});

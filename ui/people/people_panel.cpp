@@ -70,7 +70,7 @@ PeoplePanel::PeoplePanel(Selection& selection, QAction* place, QAction* remove, 
   column->addWidget(table_, 1);
   column->addWidget(place_);
   column->addWidget(remove_);
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
   connect(&selection_, &Selection::targetSelected, this, &PeoplePanel::follow);
   connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
     if (!following_ && row >= 0) {
@@ -101,7 +101,7 @@ void PeoplePanel::makeTable() {
   table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
 }
 
-void PeoplePanel::say() {
+void PeoplePanel::retranslateUi() {
   table_->setAccessibleName(tr("People who are there"));
   learning_->setAccessibleName(tr("How much of the empty room is learned"));
   const std::pair<QString, QString> headers[kColumns] = {

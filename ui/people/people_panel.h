@@ -31,7 +31,7 @@ public:
   QSize minimumSizeHint() const override { return {200, 160}; }
 
 private:
-  void say();
+  void retranslateUi();
   void refresh();
   void showLearning();
   void showRow(int row, const TargetSnapshot& target, const PersonEstimate& person);

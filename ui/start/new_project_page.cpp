@@ -59,7 +59,7 @@ NewProjectPage::NewProjectPage(QWidget* parent)
   calibration_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   makeTable();
   makeRows();
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
   update();
 }
 
@@ -131,7 +131,7 @@ void NewProjectPage::makeRows() {
   all->addStretch(1);
 }
 
-void NewProjectPage::say() {
+void NewProjectPage::retranslateUi() {
   const auto button = [](QPushButton* which, const QString& text, const QString& hint) {
     which->setText(text);
     which->setToolTip(hint);

@@ -41,7 +41,7 @@ private:
   QPushButton* addButton(const char* name, const std::function<void()>& act);
   void makeTable();
   void makeRows();
-  void say();
+  void retranslateUi();
   bool isListed(const QString& location) const;
   void add(const QString& location);
   void removeRow();

@@ -72,7 +72,7 @@ StartPage::StartPage(QWidget* parent)
   all->addStretch(1);
   all->addWidget(middle, 8);
   all->addStretch(1);
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
   drawIcons();
   refresh();
 }
@@ -89,7 +89,7 @@ QToolButton* StartPage::addChoice(const char* name, const QString& icon) {
   return button;
 }
 
-void StartPage::say() {
+void StartPage::retranslateUi() {
   title_->setText(tr("Dewpoint"));
   lead_->setText(tr("Follow colored things in 3D with ordinary cameras."));
   const auto name = [this](Choice choice, const QString& text, const QString& hint) {

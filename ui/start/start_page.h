@@ -31,7 +31,7 @@ protected:
 
 private:
   QToolButton* addChoice(const char* name, const QString& icon);
-  void say();
+  void retranslateUi();
   void drawIcons();
 
   QLabel* title_;

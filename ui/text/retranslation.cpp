@@ -12,27 +12,27 @@ namespace {
 
 class LanguageChangeFilter : public QObject {
 public:
-  LanguageChangeFilter(QWidget* widget, std::function<void()> say)
-      : QObject(widget), say_(std::move(say)) {
+  LanguageChangeFilter(QWidget* widget, std::function<void()> retranslate)
+      : QObject(widget), retranslate_(std::move(retranslate)) {
     widget->installEventFilter(this);
   }
 
   bool eventFilter(QObject* watched, QEvent* event) override {
     if (watched == parent() && event->type() == QEvent::LanguageChange) {
-      say_();
+      retranslate_();
     }
     return false;
   }
 
 private:
-  std::function<void()> say_;
+  std::function<void()> retranslate_;
 };
 
 } // namespace
 
-void onRetranslate(QWidget* widget, std::function<void()> say) {
-  say();
-  new LanguageChangeFilter(widget, std::move(say)); // the widget owns it
+void onRetranslate(QWidget* widget, std::function<void()> retranslate) {
+  retranslate();
+  new LanguageChangeFilter(widget, std::move(retranslate)); // the widget owns it
 }
 
 } // namespace dewpoint::ui

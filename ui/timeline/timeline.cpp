@@ -38,7 +38,7 @@ Timeline::Timeline(Selection& selection, Document& document, QWidget* parent)
     update();
   });
   connect(&selection_, &Selection::momentChanged, this, [this] {
-    sayMoment();
+    announceFrame();
     update();
   });
   connect(&selection_, &Selection::spanChanged, this, qOverload<>(&QWidget::update));
@@ -337,7 +337,7 @@ void Timeline::contextMenuEvent(QContextMenuEvent* event) {
                         : mapToGlobal(positionOf(selection_.moment())));
 }
 
-void Timeline::sayMoment() {
+void Timeline::announceFrame() {
   if (QAccessible::isActive()) { // nobody else hears it
     const qint64 moment = selection_.moment();
     setAccessibleDescription(moment < 0 ? QString() : model_.describe(moment));

@@ -80,7 +80,7 @@ private:
   std::optional<std::size_t> markAt(const QPointF& point) const;
   void takeMarks();
   void editName(const ProjectMark& mark);
-  void sayMoment();
+  void announceFrame();
   void hover(const QPointF& place);
 
   Selection& selection_;

@@ -67,7 +67,7 @@ BoxPanel::BoxPanel(Selection& selection, QWidget* parent)
       table_->setColumnWidth(
           part, 16 + std::max(metrics.horizontalAdvance(title), metrics.horizontalAdvance(widest)));
     }
-    say();
+    updateSummary();
   });
 }
 
@@ -76,7 +76,7 @@ void BoxPanel::follow(Source source) {
   generation_ = 0;
   position_ = 0;
   model_->clear();
-  say();
+  updateSummary();
   refresh();
 }
 
@@ -99,7 +99,7 @@ void BoxPanel::fetch() {
   if (atEnd) {
     table_->scrollToBottom();
   }
-  say();
+  updateSummary();
 }
 
 void BoxPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
@@ -124,7 +124,7 @@ QByteArray BoxPanel::csv() {
   return QByteArray::fromStdString(boxCsv(track));
 }
 
-void BoxPanel::say() {
+void BoxPanel::updateSummary() {
   const int rows = model_->rowCount();
   summary_->setText(
       rows == 0 ? tr("This method follows boxes in images: click the thing or drag a box around "

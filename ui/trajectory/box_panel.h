@@ -47,7 +47,7 @@ protected:
 
 private:
   void fetch();
-  void say();
+  void updateSummary();
 
   BoxModel* model_;
   QTableView* table_;

@@ -133,7 +133,7 @@ void TrajectoryPanel::makePlots() {
                        tr("Height"),
                        PlotQuantity::Position,
                        {{QStringLiteral("z"), QStringLiteral("z_m"), MotionSeries::kHeight, 2}}}});
-    say();
+    updateSummary();
   });
   plots_->setSeries(&motion_.series());
 }
@@ -177,7 +177,7 @@ void TrajectoryPanel::follow(Source source) {
   gaps_->setGaps({});
   plots_->refresh();
   highlight();
-  say();
+  updateSummary();
   refresh();
 }
 
@@ -215,7 +215,7 @@ void TrajectoryPanel::fetch() {
   if (following_ && !selection_.span()) {
     table_->scrollToBottom();
   }
-  say();
+  updateSummary();
   lastRefreshMs_ = static_cast<double>(took.nsecsElapsed()) * 1e-6;
   sinceRefresh_.restart();
 }
@@ -269,7 +269,7 @@ void TrajectoryPanel::copyCsv() {
   });
 }
 
-void TrajectoryPanel::say() {
+void TrajectoryPanel::updateSummary() {
   const int rows = model_->rowCount();
   summary_->setText(rows == 0 ? tr("The trajectory appears here as soon as the target is tracked.")
                     : gaps_->rowCount() == 0 ? tr("%n samples, no gaps", nullptr, rows)

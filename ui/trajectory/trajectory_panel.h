@@ -84,7 +84,7 @@ private:
   void chooseRows();
   void selectSpan();
   void highlight();
-  void say();
+  void updateSummary();
 
   ActionRegistry& actions_;
   Selection& selection_;

@@ -54,10 +54,10 @@ MessageBar::MessageBar(QWidget* parent)
 }
 
 void MessageBar::showError(const QString& text) {
-  say(text, true);
+  setMessage(text, true);
 }
 void MessageBar::showNotice(const QString& text) {
-  say(text, false);
+  setMessage(text, false);
 }
 QString MessageBar::text() const {
   return text_->text();
@@ -96,7 +96,7 @@ void MessageBar::clearAnswers() {
 }
 
 void MessageBar::ask(const QString& question, const std::vector<Answer>& answers) {
-  say(question, false);
+  setMessage(question, false);
   auto* row = static_cast<QHBoxLayout*>(layout());
   for (const Answer& answer : answers) {
     auto* button = new QPushButton(answer.first, this);
@@ -112,7 +112,7 @@ void MessageBar::ask(const QString& question, const std::vector<Answer>& answers
   place();
 }
 
-void MessageBar::say(const QString& text, bool isError) {
+void MessageBar::setMessage(const QString& text, bool isError) {
   clearAnswers();
   showsPending_ = false;
   isError_ = isError;

@@ -50,7 +50,7 @@ protected:
   void changeEvent(QEvent* event) override;
 
 private:
-  void say(const QString& text, bool isError);
+  void setMessage(const QString& text, bool isError);
   void clearAnswers();
   void applyPalette();
   void place();

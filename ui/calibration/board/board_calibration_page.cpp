@@ -41,7 +41,7 @@ BoardCalibrationPage::BoardCalibrationPage(BoardCalibrator& desk, QWidget* paren
     QTimer::singleShot(0, this, &BoardCalibrationPage::showResult); // laid out by then
   });
   connect(&desk_, &BoardCalibrator::progressChanged, this, &BoardCalibrationPage::showProgress);
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
 void BoardCalibrationPage::build() {
@@ -95,7 +95,7 @@ void BoardCalibrationPage::print() {
   fields_->print();
 }
 
-void BoardCalibrationPage::say() {
+void BoardCalibrationPage::retranslateUi() {
   boardTitle_->setText(tr("Board"));
   goalTitle_->setText(tr("What to find"));
   calibrate_->setText(tr("Calibrate"));

@@ -26,7 +26,7 @@ public:
 
 private:
   void build();
-  void say();
+  void retranslateUi();
   void refresh();
   void showProgress(double part);
   void showResult();

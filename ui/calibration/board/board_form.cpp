@@ -47,7 +47,7 @@ BoardForm::BoardForm(BoardCalibrator& desk, QWidget* parent) : QWidget(parent), 
   setObjectName(QStringLiteral("boardFields"));
   build();
   connectFields();
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
 void BoardForm::build() {
@@ -180,7 +180,7 @@ void BoardForm::print() {
   }
 }
 
-void BoardForm::say() {
+void BoardForm::retranslateUi() {
   const auto name = [](QWidget* field, const QString& text, const QString& tip) {
     field->setAccessibleName(text);
     field->setToolTip(tip);

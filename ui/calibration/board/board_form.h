@@ -30,7 +30,7 @@ public:
 private:
   void build();
   void connectFields();
-  void say();
+  void retranslateUi();
   void refresh();
   void edit(const std::function<void(BoardDescription&)>& change);
   double metresPerUnit() const;

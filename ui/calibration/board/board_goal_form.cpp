@@ -31,7 +31,7 @@ BoardGoalForm::BoardGoalForm(BoardCalibrator& desk, QWidget* parent)
   setObjectName(QStringLiteral("boardGoalFields"));
   build();
   connectFields();
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
 void BoardGoalForm::build() {
@@ -116,7 +116,7 @@ void BoardGoalForm::connectFields() {
   });
 }
 
-void BoardGoalForm::say() {
+void BoardGoalForm::retranslateUi() {
   const auto name = [](QWidget* field, const QString& text, const QString& tip) {
     field->setAccessibleName(text);
     field->setToolTip(tip);

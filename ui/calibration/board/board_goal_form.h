@@ -32,7 +32,7 @@ public:
 private:
   void build();
   void connectFields();
-  void say();
+  void retranslateUi();
   void refresh();
   void edit(const std::function<void(BoardGuideRequest&)>& change);
 

@@ -33,7 +33,7 @@ BoardLive::BoardLive(BoardCalibrator& desk, QWidget* parent) : QWidget(parent), 
   connect(&desk_, &BoardCalibrator::changed, this, &BoardLive::refresh);
   connect(&desk_, &BoardCalibrator::wishChanged, this, &BoardLive::refresh);
   connect(&desk_, &BoardCalibrator::guideChanged, this, &BoardLive::refresh);
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
 void BoardLive::build() {
@@ -124,7 +124,7 @@ void BoardLive::fillRow(const Row& row, const BoardGuideState& state, std::size_
                          "is asked for. Green: the board as it is seen now"));
 }
 
-void BoardLive::say() {
+void BoardLive::retranslateUi() {
   capture_->setText(tr("Capture now"));
   capture_->setToolTip(tr("Take the board as it is shown now, also when it is not held still"));
   floor_->setText(tr("On the floor now"));

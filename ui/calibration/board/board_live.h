@@ -35,7 +35,7 @@ private:
     QProgressBar* held;
   };
   void build();
-  void say();
+  void retranslateUi();
   void refresh();
   void followGuide();
   void makeRows(std::size_t count);

@@ -73,7 +73,7 @@ void CalibrationExportDialog::chooseFile() {
   }
 }
 
-void CalibrationExportDialog::sayAll() {
+void CalibrationExportDialog::retranslateFields() {
   setWindowTitle(tr("Export the calibration"));
   fileLabel_->setText(tr("File"));
   accept_->setText(tr("Export"));

@@ -19,7 +19,7 @@ public:
 protected:
   Preview preview() override;
   void accepted() override;
-  void sayAll() override;
+  void retranslateFields() override;
 
 private:
   const CalibrationFormat& format() const;

@@ -101,7 +101,7 @@ void CalibrationImportDialog::fillCameras() {
   setChoices(*camera_, choices);
 }
 
-void CalibrationImportDialog::sayAll() {
+void CalibrationImportDialog::retranslateFields() {
   setWindowTitle(tr("Import a calibration"));
   fileLabel_->setText(tr("File"));
   folder_->setText(tr("Folder…"));

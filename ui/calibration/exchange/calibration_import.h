@@ -24,7 +24,7 @@ public:
 protected:
   Preview preview() override;
   void accepted() override;
-  void sayAll() override;
+  void retranslateFields() override;
 
 private:
   ImportRequest wish() const;

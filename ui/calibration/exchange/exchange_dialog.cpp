@@ -91,7 +91,7 @@ void ExchangeDialog::begin() {
                                     "anything changes."));
     close_->setText(tr("Close"));
     close_->setToolTip(tr("Change nothing"));
-    sayAll();
+    retranslateFields();
     refresh();
   });
 }

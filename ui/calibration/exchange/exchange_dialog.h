@@ -42,7 +42,7 @@ protected:
   virtual Preview preview() = 0;
   virtual void accepted() = 0;
   virtual void chooseFile() = 0;
-  virtual void sayAll() = 0;
+  virtual void retranslateFields() = 0;
 
   /// To be called once the questions are there.
   void begin();

@@ -43,7 +43,7 @@ CameraForm::CameraForm(ManualCalibration& hand, QWidget* parent) : QWidget(paren
   setObjectName(QStringLiteral("cameraFields"));
   build();
   connectFields();
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
 void CameraForm::build() {
@@ -138,7 +138,7 @@ void CameraForm::connectFields() {
   });
 }
 
-void CameraForm::say() {
+void CameraForm::retranslateUi() {
   const auto name = [](QWidget* field, const QString& text, const QString& tip) {
     field->setAccessibleName(text);
     field->setToolTip(tip);

@@ -26,7 +26,7 @@ public:
 private:
   void build();
   void connectFields();
-  void say();
+  void retranslateUi();
   void refresh();
   void showUnits();
   void editPosition(int axis, double value);

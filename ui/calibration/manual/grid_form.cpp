@@ -28,7 +28,7 @@ GridForm::GridForm(ManualCalibration& hand, QWidget* parent) : QWidget(parent), 
   setObjectName(QStringLiteral("gridFields"));
   build();
   connectFields();
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
 void GridForm::build() {
@@ -122,7 +122,7 @@ void GridForm::edit(const std::function<void(ReferenceGrid&)>& change, const cha
   refresh(); // also when it was refused
 }
 
-void GridForm::say() {
+void GridForm::retranslateUi() {
   const auto name = [](QWidget* field, const QString& text, const QString& tip) {
     field->setAccessibleName(text);
     field->setToolTip(tip);

@@ -28,7 +28,7 @@ public:
 private:
   void build();
   void connectFields();
-  void say();
+  void retranslateUi();
   void refresh();
   void edit(const std::function<void(ReferenceGrid&)>& change, const char* key);
 

@@ -39,11 +39,11 @@ GridLayer::GridLayer(int camera, CameraView* view, ManualCalibration& hand, Poin
   view->installEventFilter(this);
   connect(&hand_, &ManualCalibration::changed, this, &GridLayer::follow);
   connect(&points_, &PointCalibrator::changed, this, &GridLayer::follow);
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
   follow();
 }
 
-void GridLayer::say() {
+void GridLayer::retranslateUi() {
   setAccessibleName(tr("Grid over the image of %1").arg(hand_.nameOf(camera_)));
   setAccessibleDescription(tr("Drag the grid onto the real thing; click to hold a point; arrows, "
                               "W A S D, Q and E move or turn the camera"));

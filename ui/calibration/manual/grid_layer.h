@@ -43,7 +43,7 @@ protected:
   void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
-  void say();
+  void retranslateUi();
   void follow();
   /// What edges are found in: nothing while they are not shown.
   struct EdgeSource {

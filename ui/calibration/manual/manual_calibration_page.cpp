@@ -40,10 +40,10 @@ ManualCalibrationPage::ManualCalibrationPage(ManualCalibration& hand, PointCalib
     remark_->setText(QStringLiteral("⚠ ") + sentence);
     remark_->setVisible(!sentence.isEmpty());
   });
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void ManualCalibrationPage::say() {
+void ManualCalibrationPage::retranslateUi() {
   guide_->setText(tr("Drag the grid in an image until it lies on the real thing. Click a point of "
                      "it to hold it there."));
   cameraTitle_->setText(tr("Camera"));

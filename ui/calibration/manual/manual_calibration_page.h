@@ -20,7 +20,7 @@ public:
                         QWidget* parent = nullptr);
 
 private:
-  void say();
+  void retranslateUi();
 
   QLabel* guide_;
   QLabel* remark_;

@@ -28,10 +28,10 @@ PlanPage::PlanPage(RigPlanner& plan, QWidget* parent)
   column->addWidget(new PlannerForm(plan, this));
   column->addWidget(note_);
   column->addStretch(1);
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void PlanPage::say() {
+void PlanPage::retranslateUi() {
   guide_->setText(tr("How well will these cameras measure, and where would one more help? Drag a "
                      "camera in the bird's-eye view: the map follows."));
   mapTitle_->setText(tr("Map of expected errors"));

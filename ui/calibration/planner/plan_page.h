@@ -18,7 +18,7 @@ public:
   explicit PlanPage(RigPlanner& plan, QWidget* parent = nullptr);
 
 private:
-  void say();
+  void retranslateUi();
 
   QLabel* guide_;
   QLabel* mapTitle_;

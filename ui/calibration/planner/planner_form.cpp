@@ -30,7 +30,7 @@ PlannerForm::PlannerForm(RigPlanner& plan, QWidget* parent) : QWidget(parent), p
   build();
   connectFields();
   connectSearch();
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
 void PlannerForm::build() {
@@ -134,13 +134,13 @@ void PlannerForm::connectSearch() {
   connect(&search, &BackgroundJob::ended, this, [show] { show(false); });
   connect(&search, &BackgroundJob::progressChanged, this,
           [this](double part) { progress_->setValue(static_cast<int>(100.0 * part)); });
-  connect(&plan_, &RigPlanner::said, this, [this](const QString& sentence) {
+  connect(&plan_, &RigPlanner::messageRequested, this, [this](const QString& sentence) {
     said_->setText(sentence);
     said_->setVisible(!sentence.isEmpty());
   });
 }
 
-void PlannerForm::say() {
+void PlannerForm::retranslateUi() {
   const auto name = [](QWidget* field, const QString& text, const QString& tip) {
     field->setAccessibleName(text);
     field->setToolTip(tip);

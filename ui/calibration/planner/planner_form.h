@@ -28,7 +28,7 @@ private:
   void build();
   void connectFields();
   void connectSearch();
-  void say();
+  void retranslateUi();
   void refresh();
   void refreshNames();
   void editPlace(int axis, double value);

@@ -169,7 +169,7 @@ void RigPlanner::add() {
   planned_.push_back(inFarthestCorner(camera, rig(), volume_));
   choose(int(planned_.size()) - 1);
   ask();
-  Q_EMIT said({});
+  Q_EMIT messageRequested({});
   Q_EMIT changed();
 }
 
@@ -178,7 +178,7 @@ void RigPlanner::remove(int planned) {
     planned_.erase(planned_.begin() + planned);
     choose(chosen());
     ask();
-    Q_EMIT said({});
+    Q_EMIT messageRequested({});
     Q_EMIT changed();
   }
 }
@@ -189,7 +189,7 @@ void RigPlanner::change(int planned, const Camera& camera) {
     planned_[std::size_t(planned)] = camera;
     ask();
     if (moved) {
-      Q_EMIT said({}); // it was about another place
+      Q_EMIT messageRequested({}); // it was about another place
     }
     Q_EMIT changed();
   }
@@ -223,12 +223,12 @@ void RigPlanner::findPlace() {
                                    [&](CalibrationStage, double part) { return progress(part); });
     return [this, found] { takePlacement(found); };
   });
-  Q_EMIT said({});
+  Q_EMIT messageRequested({});
 }
 
 void RigPlanner::takePlacement(const Result<Placement>& found) {
   if (!found) {
-    Q_EMIT said(errorSentence(found.error()));
+    Q_EMIT messageRequested(errorSentence(found.error()));
     return;
   }
   planned_.push_back(found->camera);
@@ -236,7 +236,7 @@ void RigPlanner::takePlacement(const Result<Placement>& found) {
   ask();
   Q_EMIT changed();
   const Eigen::Vector3d place = found->camera.center();
-  Q_EMIT said(
+  Q_EMIT messageRequested(
       tr("Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead "
          "of %7.")
           .arg(QString::fromStdString(found->camera.name), numberText(place.x(), 2),

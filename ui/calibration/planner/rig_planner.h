@@ -82,7 +82,7 @@ Q_SIGNALS:
   /// Another map, or another look of it.
   void mapChanged();
   /// What was found, or why nothing was; stays true until something changes.
-  void said(const QString& sentence);
+  void messageRequested(const QString& sentence);
 
 private:
   CameraRig rig() const;

@@ -31,7 +31,7 @@ UncertaintyMapForm::UncertaintyMapForm(RigPlanner& plan, QWidget* parent)
   build();
   connectFields();
   connectVolume();
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
 void UncertaintyMapForm::build() {
@@ -142,7 +142,7 @@ void UncertaintyMapForm::connectVolume() {
   connect(room_, &QPushButton::clicked, &plan_, &RigPlanner::followRoom);
 }
 
-void UncertaintyMapForm::say() {
+void UncertaintyMapForm::retranslateUi() {
   const auto name = [](QWidget* field, const QString& text, const QString& tip) {
     field->setAccessibleName(text);
     field->setToolTip(tip);

@@ -28,7 +28,7 @@ private:
   void build();
   void connectFields();
   void connectVolume();
-  void say();
+  void retranslateUi();
   void refresh();
   void summarize();
 

@@ -172,7 +172,7 @@ void PointCalibrator::adopt(const PointSolution& solution) {
   adopting_ = false;
   QStringList lines;
   for (const CameraFromPoints& camera : solution.cameras) {
-    lines << sayCamera(camera);
+    lines << cameraSentence(camera);
     if (camera.proposal && !proposal_) {
       proposal_ = Proposal{camera.camera, camera.proposal->symmetry};
     }
@@ -182,12 +182,12 @@ void PointCalibrator::adopt(const PointSolution& solution) {
   }
   worst_ = solution.worst;
   if (worst_ && solution.anySolved()) {
-    lines << sayWorst(solution);
+    lines << worstPointSentence(solution);
   }
   verdict_ = lines.join(QLatin1Char('\n'));
 }
 
-QString PointCalibrator::sayCamera(const CameraFromPoints& camera) const {
+QString PointCalibrator::cameraSentence(const CameraFromPoints& camera) const {
   const QString name = hand_.nameOf(camera.camera);
   QString line;
   switch (camera.trouble) {
@@ -218,7 +218,7 @@ QString PointCalibrator::sayCamera(const CameraFromPoints& camera) const {
   return line;
 }
 
-QString PointCalibrator::sayWorst(const PointSolution& solution) const {
+QString PointCalibrator::worstPointSentence(const PointSolution& solution) const {
   const auto worst = static_cast<std::size_t>(*solution.worst);
   double pixels = 0.0;
   double metres = 0.0;

@@ -68,8 +68,8 @@ private:
   bool edit(const QString& step, const std::function<void(Project&)>& change,
             const std::string& mergeKey = {});
   void adopt(const PointSolution& solution);
-  QString sayCamera(const CameraFromPoints& camera) const;
-  QString sayWorst(const PointSolution& solution) const;
+  QString cameraSentence(const CameraFromPoints& camera) const;
+  QString worstPointSentence(const PointSolution& solution) const;
   void forgetSolution();
 
   Document& document_;

@@ -39,7 +39,7 @@ PointsTable::PointsTable(PointCalibrator& points, ManualCalibration& hand, QWidg
   connect(forget_, &QPushButton::clicked, this, [this] { points_.removeClick(hand_.camera()); });
   connect(solve_, &QPushButton::clicked, this, [this] { points_.solve(focal_->isChecked()); });
   connect(accept_, &QPushButton::clicked, &points_, &PointCalibrator::acceptProposal);
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
 void PointsTable::build() {
@@ -84,7 +84,7 @@ void PointsTable::build() {
   column->addWidget(accept_);
 }
 
-void PointsTable::say() {
+void PointsTable::retranslateUi() {
   table_->setAccessibleName(tr("Measured points"));
   table_->setToolTip(tr("Places measured with a tape, in metres: double click to type. A marked "
                         "row fits worst."));

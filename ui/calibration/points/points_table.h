@@ -26,7 +26,7 @@ private:
   enum Column { Name, X, Y, Z, Clicks, Pixels, Millimetres, ColumnCount };
 
   void build();
-  void say();
+  void retranslateUi();
   void refresh();
   void fillRow(int row);
   void setCell(int row, int column, const QString& text, bool editable);

@@ -32,11 +32,11 @@ WandCalibrationPage::WandCalibrationPage(WandCalibrator& desk, QWidget* parent)
   column->addWidget(outcomeTitle_);
   column->addWidget(new WandOutcome(desk, this));
   column->addStretch(1);
-  connect(&desk_, &WandCalibrator::changed, this, &WandCalibrationPage::say);
-  onRetranslate(this, [this] { say(); });
+  connect(&desk_, &WandCalibrator::changed, this, &WandCalibrationPage::retranslateUi);
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void WandCalibrationPage::say() {
+void WandCalibrationPage::retranslateUi() {
   guide_->setText(
       desk_.isLive()
           ? tr("Nudge the cameras by hand until they are roughly right. Then wave the ball, or a "

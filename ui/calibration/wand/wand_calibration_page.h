@@ -19,7 +19,7 @@ public:
   explicit WandCalibrationPage(WandCalibrator& desk, QWidget* parent = nullptr);
 
 private:
-  void say();
+  void retranslateUi();
 
   WandCalibrator& desk_;
   QLabel* guide_;

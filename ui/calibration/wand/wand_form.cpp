@@ -56,7 +56,7 @@ WandForm::WandForm(WandCalibrator& desk, QWidget* parent) : QWidget(parent), des
   setObjectName(QStringLiteral("wandFields"));
   build();
   connectFields();
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
 void WandForm::build() {
@@ -200,7 +200,7 @@ void WandForm::refresh() {
   setEnabled(!desk_.isRefining());
 }
 
-void WandForm::say() {
+void WandForm::retranslateUi() {
   const auto name = [](QWidget* field, const QString& text, const QString& tip) {
     field->setAccessibleName(text);
     field->setToolTip(tip);

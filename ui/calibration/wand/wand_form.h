@@ -29,7 +29,7 @@ public:
 private:
   void build();
   void connectFields();
-  void say();
+  void retranslateUi();
   void refresh();
   void edit(const std::function<void(WandSettings&)>& change);
   void chooseBalls();

@@ -40,10 +40,10 @@ WandMoments::WandMoments(WandCalibrator& desk, QWidget* parent)
           [this] { desk_.showMoment(static_cast<std::size_t>(list_->currentRow())); });
   connect(list_, &QListWidget::currentRowChanged, this,
           [this](int row) { remove_->setEnabled(row >= 0 && !desk_.isRefining()); });
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void WandMoments::say() {
+void WandMoments::retranslateUi() {
   {
     const QSignalBlocker quiet(role_);
     const int chosen = std::max(0, role_->currentIndex());

@@ -21,7 +21,7 @@ public:
   explicit WandMoments(WandCalibrator& desk, QWidget* parent = nullptr);
 
 private:
-  void say();
+  void retranslateUi();
   void refresh();
 
   WandCalibrator& desk_;

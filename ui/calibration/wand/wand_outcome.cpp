@@ -41,7 +41,7 @@ WandOutcome::WandOutcome(WandCalibrator& desk, QWidget* parent) : QWidget(parent
   setObjectName(QStringLiteral("wandOutcome"));
   build();
   connectParts();
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
 void WandOutcome::build() {
@@ -103,7 +103,7 @@ void WandOutcome::connectParts() {
   connect(report_, &QPushButton::clicked, this, &WandOutcome::chooseReport);
 }
 
-void WandOutcome::say() {
+void WandOutcome::retranslateUi() {
   const auto button = [](QPushButton* one, const QString& text, const QString& tip) {
     one->setText(text);
     one->setAccessibleName(text);

@@ -23,7 +23,7 @@ public:
 private:
   void build();
   void connectParts();
-  void say();
+  void retranslateUi();
   void refresh();
   void showOutcome();
   void fillTable();

@@ -41,10 +41,10 @@ WandWaving::WandWaving(WandCalibrator& desk, QWidget* parent)
           [this] { desk_.isWaving() ? desk_.stopWaving() : desk_.startWaving(); });
   connect(&desk_, &WandCalibrator::changed, this, &WandWaving::refresh);
   connect(&desk_, &WandCalibrator::collectedChanged, this, &WandWaving::showCameras);
-  onRetranslate(this, [this] { say(); });
+  onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void WandWaving::say() {
+void WandWaving::retranslateUi() {
   wave_->setToolTip(tr("Collect where every camera sees the ball; beginning again forgets what was "
                        "collected before"));
   refresh();

@@ -24,7 +24,7 @@ public:
   explicit WandWaving(WandCalibrator& desk, QWidget* parent = nullptr);
 
 private:
-  void say();
+  void retranslateUi();
   void refresh();
   void showCameras();
   void makeCameras(std::size_t count);
