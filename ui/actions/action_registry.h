@@ -15,7 +15,7 @@ class QPalette;
 
 namespace dewpoint::ui {
 
-/// What an action is, said once. Texts are marked with QT_TRANSLATE_NOOP("Actions", "...").
+/// What an action is, declared once. Texts are marked with QT_TRANSLATE_NOOP("Actions", "...").
 struct ActionDeclaration {
   ActionId id;                ///< objectName of the action: "actionPlay"
   const char* group;          ///< heading in lists of actions: "Run"

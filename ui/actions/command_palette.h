@@ -23,7 +23,7 @@ class CommandPalette : public QFrame {
 public:
   CommandPalette(ActionRegistry& registry, QWidget* window);
 
-  /// One thing that can be done, as it is listed.
+  /// One action or other command, as it is listed.
   struct Entry {
     QString group;
     QString name;

@@ -30,7 +30,7 @@ public:
   ManualCalibration(Document& document, Selection& selection, CameraListModel& cameras,
                     QObject* parent = nullptr);
 
-  /// Whether the calibration place is open. What cameras are then is the "before" of the flip.
+  /// Whether the calibration dock is open. What cameras are then is the "before" of the flip.
   bool isActive() const { return active_; }
   void setActive(bool active);
 

@@ -13,7 +13,7 @@ class CameraView;
 class ImagePickTool;
 class ViewDock;
 
-/// One dock for each camera of the project, made anew with each run: its view, in the title the
+/// One dock for each camera of the project, made again with each run: its view, in the title the
 /// state of what it shows and why, and the actions that all camera views share.
 class CameraDocks : public QObject {
   Q_OBJECT

@@ -11,7 +11,7 @@
 
 namespace dewpoint::ui {
 
-/// Draws the likelihood map of a target (likelihoodImage(); null: there is none) at its place in
+/// Draws the likelihood map of a target (likelihoodImage(); null: there is none) at its position in
 /// the camera's image, pixels, and the positions that were considered: solid circles for those
 /// believed in, dashed for new ones, dotted for distractors.
 void paintEvidence(QPainter& painter, const QRect& place, const QImage& map,

@@ -13,9 +13,9 @@ namespace dewpoint::ui {
 
 class CameraView;
 
-/// Lies over a camera view: lets a person point at things in its image, and outlines regions of it.
-/// By keys: while it has the focus and picks, the arrows move a cross (Ctrl: one pixel at a time),
-/// Enter points there; with Shift or Alt as with a click.
+/// Lies over a camera view: lets a person point at objects in its image, and outlines regions of
+/// it. By keys: while it has the focus and picks, the arrows move a cross (Ctrl: one pixel at a
+/// time), Enter points there; with Shift or Alt as with a click.
 class ImagePickOverlay : public QWidget {
   Q_OBJECT
 public:
@@ -56,7 +56,7 @@ protected:
 private:
   std::optional<QPointF> pixelAt(QPointF position) const;
   QPointF pixelOf(QPointF position) const;
-  /// The place in the image that is nearest to a position.
+  /// The position in the image that is nearest to a position.
   QPointF nearestPixel(QPointF position) const;
   QPointF positionOf(QPointF pixel) const;
   void paintHint(QPainter& painter) const;

@@ -17,7 +17,7 @@ class ImagePickTool : public QObject {
 public:
   using QObject::QObject;
 
-  /// From now on the user can point at things in this view; views that are gone are forgotten.
+  /// From now on the user can point at objects in this view; views that are gone are forgotten.
   void attach(int camera, CameraView* view);
   /// Whether a plain click picks, and what for, as is shown at the lower edge of the images.
   void setPicking(bool picking, const QString& hint);

@@ -83,9 +83,9 @@ private:
   bool picking_ = false;
   ColorVerdict said_;
   bool inFront_ = false;          ///< the panel is seen, not behind another tab
-  bool judged_ = false;           ///< the verdict is about the range shown
+  bool judged_ = false;           ///< the quality is of the range shown
   std::int64_t judgedFrame_ = -1; ///< and about this frame
-  bool outlined_ = false;         ///< look-alikes are outlined in the views
+  bool outlined_ = false;         ///< distractors are outlined in the views
   QTimer* judgeSoon_;
   QElapsedTimer sinceSurvey_;
   BackgroundJob survey_;

@@ -29,8 +29,8 @@ public:
   /// The same, to be kept: it never changes.
   std::shared_ptr<const Project> state() const { return project_; }
   QUndoStack* undoStack() const { return undoStack_; }
-  /// Another project takes the place of this one; the history starts anew. `unsaved`: the project
-  /// is in no file as it is (recovered, or just made).
+  /// Another project takes the place of this one; the history starts from scratch. `unsaved`: the
+  /// project is in no file as it is (recovered, or just made).
   void replace(Project project, bool unsaved = false);
   /// Whether there is something that is in no file.
   bool isUnsaved() const;

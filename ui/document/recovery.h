@@ -31,7 +31,7 @@ public:
            TextWriter write = {});
   ~Recovery() override;
 
-  /// Finds what windows that are gone left in the folder, the newest first.
+  /// Finds what windows that were closed left in the folder, the newest first.
   void look(std::function<void(const std::vector<RecoverableWork>&)> then);
   /// Reads the project of such a copy, with the file it was loaded from.
   void recover(const RecoverableWork& work, std::function<void(const Result<Project>&)> then);

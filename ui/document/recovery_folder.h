@@ -33,11 +33,11 @@ using TextWriter =
 class RecoveryFolder {
 public:
   /// Makes the folder when it is missing, locks the copy of this window, and clears away what
-  /// windows that are gone left of locks and half copies.
+  /// windows that were closed left of locks and half copies.
   RecoveryFolder(std::filesystem::path folder, TextWriter write);
   ~RecoveryFolder(); ///< takes the lock away
 
-  /// What windows that are gone left in the folder, the newest first.
+  /// What windows that were closed left in the folder, the newest first.
   std::vector<RecoverableWork> leftBehind() const;
   /// The project of such a copy, with the file it was loaded from.
   static Result<Project> read(const RecoverableWork& work);

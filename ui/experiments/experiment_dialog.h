@@ -25,7 +25,7 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// The papers' figures, made anew: choose one, see how far it is, open its report. Work goes on
+/// The papers' figures, made again: choose one, see how far it is, open its report. Work goes on
 /// while the window is used.
 class ExperimentDialog : public QDialog {
   Q_OBJECT

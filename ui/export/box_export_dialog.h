@@ -17,7 +17,7 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// Takes the boxes of a run home: boxes.csv and boxes_mot.txt into a folder. Not modal; files are
+/// Exports the boxes of a run: boxes.csv and boxes_mot.txt into a folder. Not modal; files are
 /// written in the background.
 class BoxExportDialog : public QDialog {
   Q_OBJECT

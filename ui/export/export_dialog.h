@@ -22,8 +22,8 @@ namespace dewpoint::ui {
 
 class ExportForm;
 
-/// Takes the trajectory home: what, how, and what the file will look like. Not modal: tracking goes
-/// on, and the preview follows it. Exports run in the background; the result is said by signals.
+/// Exports the trajectory: what, how, and what the file will look like. Not modal: tracking goes
+/// on, and the preview follows it. Exports run in the background; signals report the result.
 class ExportDialog : public QDialog {
   Q_OBJECT
 public:

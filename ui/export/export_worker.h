@@ -27,7 +27,7 @@ public:
                const std::filesystem::path& file);
   void run(TrajectoryPtr trajectory, const ExportOptions& options,
            const std::filesystem::path& file);
-  /// Something else that takes long, such as drawing a figure; said as finished or failed.
+  /// Something else that takes long, such as drawing a figure; reported as finished or failed.
   void run(std::function<Status()> task, const std::filesystem::path& file);
   /// Reports whether there is such a file; of several that were asked for only the last one is.
   void find(const std::filesystem::path& file, std::function<void(bool exists)> report);
@@ -48,7 +48,7 @@ private:
   LatestJob preview_{LatestJob::Overtaken::Dropped};
   LatestJob finding_{LatestJob::Overtaken::Dropped};
   BackgroundJob export_;
-  /// Not the job's own cancelling: how a cancelled export ended is told, too.
+  /// Not the job's own canceling: how a canceled export ended is reported, too.
   std::shared_ptr<std::atomic<bool>> cancelled_;
 };
 

@@ -23,7 +23,7 @@ public:
   /// false comes back the work should end as soon as it can.
   using Progress = std::function<bool(double part)>;
   /// Runs in the job's thread, so it uses nothing but what it holds, not even the owner of the job;
-  /// what it returns runs in the window's thread afterwards, unless the job was cancelled or has
+  /// what it returns runs in the window's thread afterwards, unless the job was canceled or has
   /// gone meanwhile. Must not throw.
   using Work = std::function<std::function<void()>(const Progress& progress)>;
 

@@ -17,7 +17,7 @@ class LatestJob : public QObject {
 public:
   /// What becomes of the work under way when a newer order comes.
   enum class Overtaken {
-    Dropped, ///< it is cancelled; when it does not notice within some seconds it is left behind
+    Dropped, ///< it is canceled; when it does not notice within some seconds it is left behind
     Kept,    ///< it ends, and what it found is delivered: for views that follow a hand
   };
   explicit LatestJob(Overtaken overtaken, QObject* parent = nullptr);

@@ -11,14 +11,15 @@ namespace dewpoint::ui {
 
 class MessageBar;
 
-/// Says in the message bar that a camera was bumped, and what to do: one click solves it again
-/// where that is possible. Each state of a bump is said once; whoever closes the bar is left alone.
+/// Shows in the message bar that a camera was moved, and what to do: one click solves it again
+/// where that is possible. Each state of a moved camera is reported once; whoever closes the bar is
+/// left alone.
 class CameraMotionAlerts : public QObject {
   Q_OBJECT
 public:
   explicit CameraMotionAlerts(MessageBar& bar, QObject* parent = nullptr);
 
-  /// The moment shown; null: the run is over, and what was said counts no more.
+  /// The moment shown; null: the run is over, and what was reported counts no more.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
 
 Q_SIGNALS:

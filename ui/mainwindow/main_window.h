@@ -46,8 +46,8 @@ public:
   void setTheme(Theme theme);
   Theme theme() const { return theme_; }
 
-  /// Takes the size and place that the window had when it was closed last, and remembers them when
-  /// it is closed.
+  /// Takes the size and position that the window had when it was closed last, and remembers them
+  /// when it is closed.
   void keepGeometry();
   /// Keeps unsaved work in this folder, and offers what an earlier window left there. `write`: how
   /// its copies are written, writeTextFile() when there is none.
@@ -57,8 +57,8 @@ public:
   /// Speaks another language from now on, and remembers it.
   void setLanguage(const QString& language);
 
-  /// Writes trajectory.csv and run.json of the run so far into a folder; what failed is said in the
-  /// window, too. False also when nothing is open.
+  /// Writes trajectory.csv and run.json of the run so far into a folder; what failed is shown in
+  /// the window, too. False also when nothing is open.
   bool saveRun(const std::filesystem::path& folder);
 
   Document& document() { return *document_; }

@@ -23,7 +23,7 @@ class Recovery;
 class RecoveryOffer;
 class StartPage;
 
-/// How work begins and ends: the pages in the middle of the window, opening, saving and closing
+/// How work begins and ends: the pages in the center of the window, opening, saving and closing
 /// projects, recent ones, dropped files, and what is asked before unsaved changes go.
 class ProjectController : public QObject {
   Q_OBJECT

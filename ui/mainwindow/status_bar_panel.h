@@ -24,7 +24,7 @@ class ElidedLabel;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
 /// The line of numbers at the bottom: frame, rate, time per iteration, effective sample size,
-/// spread, and whether the target is held. Figures keep their places while they change.
+/// spread, and whether the target is held. Figures keep their positions while they change.
 class StatusBarPanel : public QWidget {
   Q_OBJECT
 public:

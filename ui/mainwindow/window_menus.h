@@ -23,7 +23,7 @@ public:
   };
   WindowMenus(const Workbench& bench, Owners owners);
 
-  /// Makes all menus, anew after a change of language.
+  /// Makes all menus, and again after a change of language.
   void make();
   void openPalette() { palette_->open(); }
   void openShortcuts();

@@ -35,7 +35,7 @@ public:
   CameraPanel(Document& document, Selection& selection, CameraListModel& cameras,
               QWidget* parent = nullptr);
 
-  /// The images that a picture of the empty room may be taken from: those shown.
+  /// The images that a picture of the background image may be taken from: those shown.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
 
 Q_SIGNALS:

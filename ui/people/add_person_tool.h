@@ -23,7 +23,7 @@ public:
 
   /// Another camera view, which may go at any time.
   void attach(int camera, CameraView* view);
-  /// `floor`: its height, world z in metres.
+  /// `floor`: its height, world z in meters.
   void setPlacing(bool placing, double floor = 0.0);
 
 Q_SIGNALS:

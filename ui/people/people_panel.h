@@ -17,7 +17,7 @@ namespace dewpoint::ui {
 class Selection;
 
 /// Who is there: one row per person, in the color of the identity; above it how far the cameras
-/// have learned the empty room. What is selected here is selected everywhere.
+/// have learned the background image. What is selected here is selected everywhere.
 class PeoplePanel : public QWidget {
   Q_OBJECT
 public:
@@ -47,7 +47,7 @@ private:
   QToolButton* remove_;
   TrackSnapshotPtr snapshot_;
   QElapsedTimer sinceRefresh_;
-  bool following_ = false; ///< the table is told what is selected
+  bool following_ = false; ///< the table is being given what is selected
 };
 
 } // namespace dewpoint::ui

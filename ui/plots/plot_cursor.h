@@ -12,7 +12,7 @@
 namespace dewpoint::ui {
 
 /// Lines and a span across all plots of a stack, on a layer of their own: they move without any
-/// curve being drawn anew. Places are those of the shared axis.
+/// curve being drawn again. Positions are those of the shared axis.
 class PlotCursor : public QCPLayerable {
 public:
   PlotCursor(QCustomPlot* plot, const QString& layer) : QCPLayerable(plot, layer) {}

@@ -13,9 +13,9 @@ namespace dewpoint::ui {
 
 /// What the numbers of a plot are: how they are written, and how the axis fits them.
 enum class PlotQuantity {
-  Length,        ///< metres; drawn in millimetres on a logarithmic axis
-  Position,      ///< metres
-  Speed,         ///< metres per second
+  Length,        ///< meters; drawn in millimeters on a logarithmic axis
+  Position,      ///< meters
+  Speed,         ///< meters per second
   Count,         ///< from 0
   Duration,      ///< microseconds, from 0
   LogLikelihood, ///< natural logarithm

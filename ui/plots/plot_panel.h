@@ -46,7 +46,7 @@ public:
   int shownIterations() const;
   PlotStack& stack() { return *stack_; }
 
-  /// Buttons and the place of the cursor, for the title of the dock.
+  /// Buttons and the position of the cursor, for the title of the dock.
   QWidget* makeTools(QWidget* parent);
   void copyCsv();
   /// SVG or PNG, by the name's ending, written beside the window; notice() or failed() follows.

@@ -12,7 +12,7 @@
 namespace dewpoint::ui {
 
 /// Names, colors and values of the curves of one plot, beside it. Drawn on the cursor's layer, so
-/// that moving the cursor draws no curve anew.
+/// that moving the cursor draws no curve again.
 class PlotReadout : public QCPLayoutElement {
 public:
   PlotReadout(QCustomPlot* plot, const PlotDeclaration& declaration);

@@ -45,10 +45,10 @@ public:
   }
   /// Whether any row has a number in this column.
   bool isKnown(std::size_t column) const { return known_[column]; }
-  /// Place of a row on the axis.
+  /// Position of a row on the axis.
   double key(std::size_t index, PlotAxis axis) const;
-  /// The row nearest to a place on the axis; nothing when there are no rows. Over time a frame is
-  /// represented by its last iteration.
+  /// The row nearest to a position on the axis; nothing when there are no rows. Over time a frame
+  /// is represented by its last iteration.
   std::optional<std::size_t> nearest(PlotAxis axis, double key) const;
   /// The last row of this frame, or of the last one before it.
   std::optional<std::size_t> atFrame(std::int64_t frame) const;

@@ -24,8 +24,8 @@ class PlotRow;
 struct PlotPicture;
 
 /// Plots one above the other that share the axis of iterations or time, a cursor and a span. Draws
-/// what has come since at most some times per second, however often it is told; without a chosen
-/// part of the axis the whole run is shown.
+/// what has come since at most some times per second, however often it is asked to; without a
+/// chosen part of the axis the whole run is shown.
 class PlotStack : public QWidget {
   Q_OBJECT
 public:
@@ -60,7 +60,7 @@ public:
 
   /// The whole run again.
   void showAll();
-  /// Nearer by `factor` (above 1) about a place of the axis, or about the cursor.
+  /// Nearer by `factor` (above 1) about a position on the axis, or about the cursor.
   void zoom(double factor, std::optional<double> about = std::nullopt);
   /// By a share of the width shown.
   void pan(double share);
@@ -78,7 +78,7 @@ public:
   QString placeInWords() const;
   /// What the last drawing took, milliseconds.
   double lastDrawingMs() const { return lastDrawingMs_; }
-  /// Whether no drawing is still to come of what was told last.
+  /// Whether no drawing is still to come of what was given last.
   bool isDrawn() const { return !timer_.isActive(); }
   /// Points of the curves as they are drawn.
   int drawnPoints() const;

@@ -20,7 +20,7 @@ struct BoardPreferences {
   QString board;            ///< as parseBoard() reads it; empty: the program's own
   int lensModel = 0;        ///< IntrinsicsModel
   bool lenses = true;       ///< lenses are asked for,
-  bool places = true;       ///< and places
+  bool places = true;       ///< and positions
   double lensAccuracy = 0;  ///< pixels
   double placeAccuracy = 0; ///< share of the distance
 };
@@ -37,12 +37,12 @@ public:
   QString language() const;
   void setLanguage(const QString& language);
 
-  /// Size and place of the window (QWidget::saveGeometry); empty at the first start.
+  /// Size and position of the window (QWidget::saveGeometry); empty at the first start.
   QByteArray windowGeometry() const;
   void setWindowGeometry(const QByteArray& geometry);
 
-  /// Project files that were opened or saved last, the newest first; those that are gone are left
-  /// out.
+  /// Project files that were opened or saved last, the newest first; those that are missing are
+  /// left out.
   QStringList recentProjects() const;
   void addRecentProject(const QString& file);
   void clearRecentProjects();

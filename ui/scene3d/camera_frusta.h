@@ -12,7 +12,7 @@ namespace dewpoint::ui {
 class CameraFrusta {
 public:
   explicit CameraFrusta(vtkRenderer* renderer);
-  /// `length`: from the optical center to the image, metres. Cameras with an unusable pose or
+  /// `length`: from the optical center to the image, meters. Cameras with an unusable pose or
   /// without intrinsics are left out.
   void show(const CameraRig& rig, double length);
   void setPalette(const ScenePalette& palette);

@@ -10,7 +10,7 @@
 
 namespace dewpoint::ui {
 
-/// The floor z = 0: a faint plane, lines every 0.1 m or 1 m, numbers in metres along two edges, and
+/// The floor z = 0: a faint plane, lines every 0.1 m or 1 m, numbers in meters along two edges, and
 /// the axes at the origin. Seen from the front, where the floor is a line, a wall in the plane of x
 /// and z takes its place.
 class Ground {
@@ -18,7 +18,7 @@ public:
   explicit Ground(vtkRenderer* renderer);
   /// The rectangle to cover and the height of the room; rounded outwards to whole steps. The plane
   /// lies below `lowest`, so that it hides nothing from above where the world's z = 0 is no floor.
-  /// Metres.
+  /// Meters.
   void cover(const Eigen::AlignedBox2d& extent, double height, double lowest = 0.0);
   /// The sign between whole and parts of the numbers.
   void setDecimalPoint(const std::string& sign);

@@ -33,7 +33,7 @@ public:
   void prepareFrame(const ScreenScale& scale);
 
 private:
-  /// Between two classes; kept, as making an actor anew costs more than its data.
+  /// Between two classes; kept, as making an actor again costs more than its data.
   struct Surface {
     vtkNew<vtkPolyData> data;
     vtkSmartPointer<vtkActor> actor;

@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// What a map of a rig shows of each place.
+/// What a map of a rig shows of each position.
 enum class MapQuantity {
   Sigma,      ///< expected error: one standard deviation along the worst direction
   CameraCount ///< how many cameras see it
@@ -17,16 +17,16 @@ enum class MapQuantity {
 struct MapLook {
   MapQuantity quantity = MapQuantity::Sigma;
   bool slice = true;        ///< a horizontal layer of it
-  double height = 0.0;      ///< of the layer, metres
+  double height = 0.0;      ///< of the layer, meters
   bool volume = false;      ///< the surfaces between some of the classes
-  double goodSigma = 0.005; ///< what is good enough, metres: the middle of the scale
+  double goodSigma = 0.005; ///< what is good enough, meters: the center of the scale
 
   bool operator==(const MapLook&) const = default;
 };
 
 /// Values that are drawn in one color: those up to `bound` that are in no class before.
 struct MapClass {
-  double bound; ///< metres or cameras; infinite for the last one of a Sigma
+  double bound; ///< meters or cameras; infinite for the last one of a Sigma
   SceneColor color;
   bool surface; ///< of a volume: its outer surface is drawn
 };

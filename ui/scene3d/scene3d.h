@@ -17,7 +17,7 @@ namespace dewpoint::ui {
 class SceneParts;
 
 /// The room as a scene: ground grid and axes, cameras, particles, estimates, tails, truths.
-/// VTK without Qt: whoever owns a render window adds `renderer()` to it. World frame, metres, Z up.
+/// VTK without Qt: whoever owns a render window adds `renderer()` to it. World frame, meters, Z up.
 /// Not thread safe; creating it needs no OpenGL context, rendering does.
 class Scene3d {
 public:
@@ -44,14 +44,14 @@ public:
   void show(const TrackSnapshot& snapshot);
   /// The selected target; a person stands out. -1: none.
   void choose(int target);
-  /// Marks these places: one stroke for each, metres. Stays until it is called again.
+  /// Marks these positions: one stroke for each, meters. Stays until it is called again.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
   /// How well the cameras see the room; null: nothing is shown of it. Stays until called again.
   void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
-  /// The place of the map's layer that is seen here in the picture, as of the last `prepareFrame`;
-  /// nothing without a layer, or beside it. Device pixels as in placeInPicture().
+  /// The position on the map's layer that is seen here in the picture, as of the last
+  /// `prepareFrame`; nothing without a layer, or beside it. Device pixels as in placeInPicture().
   std::optional<Eigen::Vector3d> placeInLayer(const Eigen::Vector2d& place) const;
-  /// The point of this height (world z, metres) at a place of the picture; nothing when that is
+  /// The point of this height (world z, meters) at a position in the picture; nothing when that is
   /// seen edge on.
   std::optional<Eigen::Vector3d> placeAtHeight(const Eigen::Vector2d& place, double height) const;
   /// Cameras that are not there (yet), drawn otherwise than those of the rig.
@@ -70,14 +70,14 @@ public:
   /// all that keeps its size on the screen.
   void prepareFrame(int width, int height);
 
-  /// The world point in the middle of the picture, as of the last `prepareFrame`.
+  /// The world point in the center of the picture, as of the last `prepareFrame`.
   Eigen::Vector3d focus() const;
   /// Where a point is in the picture, as of the last `prepareFrame`: device pixels right of and
-  /// above the middle.
+  /// above the center.
   Eigen::Vector2d placeInPicture(const Eigen::Vector3d& point) const;
   /// The point that is there, as far from the eye as `depth` is: the inverse of placeInPicture().
   Eigen::Vector3d placeInWorld(const Eigen::Vector2d& place, const Eigen::Vector3d& depth) const;
-  /// Metres per device pixel at the focus, as of the last `prepareFrame`.
+  /// Meters per device pixel at the focus, as of the last `prepareFrame`.
   double metresPerPixel() const;
 
 private:

@@ -26,20 +26,20 @@ struct ScreenScale {
   Eigen::Vector3d up = Eigen::Vector3d::UnitY();
   bool parallel = true;
   double metresPerPixel = 0.01; ///< at the focus
-  double slope = 0.0;           ///< metres per pixel and metre of depth, perspective only
+  double slope = 0.0;           ///< meters per pixel and meter of depth, perspective only
   double pixelRatio = 1.0;
 
-  /// Depth before the eye, metres.
+  /// Depth before the eye, meters.
   double depth(const Eigen::Vector3d& point) const { return (point - eye).dot(direction); }
-  /// By which factor to shrink something about the eye, so that it comes `distance` metres nearer
+  /// By which factor to shrink something about the eye, so that it comes `distance` meters nearer
   /// and looks the same; in parallel views it is only moved.
   double nearerFactor(const Eigen::Vector3d& point, double distance) const;
   Eigen::Vector3d nearer(const Eigen::Vector3d& point, double distance) const;
-  /// Length in metres at `point` of so many logical pixels.
+  /// Length in meters at `point` of so many logical pixels.
   double metres(const Eigen::Vector3d& point, double pixels) const;
-  /// Where a point is in the picture: device pixels right of and above the middle.
+  /// Where a point is in the picture: device pixels right of and above the center.
   Eigen::Vector2d place(const Eigen::Vector3d& point) const;
-  /// The point at a place of the picture that is as deep in it as `like` is.
+  /// The point at a position in the picture that is as deep in it as `like` is.
   Eigen::Vector3d world(const Eigen::Vector2d& place, const Eigen::Vector3d& like) const;
 };
 

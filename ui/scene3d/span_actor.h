@@ -17,7 +17,7 @@ public:
   SpanActor(const SpanActor&) = delete;
   SpanActor& operator=(const SpanActor&) = delete;
 
-  /// One stroke for each piece, metres.
+  /// One stroke for each piece, meters.
   void show(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
   void setPalette(const ScenePalette& palette);
   void prepareFrame(const ScreenScale& scale);

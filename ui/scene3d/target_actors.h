@@ -17,7 +17,7 @@
 namespace dewpoint::ui {
 
 /// One target: particles, estimate with the ellipsoid that holds 95 % of the belief, tail, truth,
-/// and the plumb line to the floor that tells its height.
+/// and the plumb line to the floor that shows its height.
 class TargetActors {
 public:
   TargetActors(vtkRenderer* renderer, std::size_t index);
@@ -48,7 +48,7 @@ private:
   Eigen::Vector3d mean_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d truth_ = Eigen::Vector3d::Zero();
   double radius_ = 0.0;
-  double cloudReach_ = 0.0; ///< from the mean to the rim of the ellipsoid, metres
+  double cloudReach_ = 0.0; ///< from the mean to the rim of the ellipsoid, meters
 
   vtkNew<vtkFloatArray> positions_;
   vtkNew<vtkPoints> points_;

@@ -19,7 +19,8 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// Reads the pictures of a project's empty rooms beside the window; a run takes them and goes on.
+/// Reads the pictures of a project's background images beside the window; a run takes them and goes
+/// on.
 class BackgroundLoader : public QObject {
   Q_OBJECT
 public:

@@ -16,7 +16,7 @@ struct OpenRequest {
   SessionRequest what;
   bool keepHistory = false; ///< the project of the document, with other inputs: it stays as it is
   bool unsaved = false;     ///< it is in no file as it is
-  QString note = {};        ///< said once it is open
+  QString note = {};        ///< shown once it is open
   std::optional<RecoverableWork> recovered = {}; ///< the copy it comes from
 };
 

@@ -25,8 +25,8 @@ struct OpenRequest;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
 /// The run of the window: opens it, ends it, passes on what the document and the selection ask of
-/// it, and tells the views what it shows. All policy about the run is here: when it begins to play,
-/// what another method does to what was tracked, whether another calibration keeps it.
+/// it, and gives the views what they show. All policy about the run is here: when it begins to
+/// play, what another method does to what was tracked, whether another calibration keeps it.
 class SessionController : public QObject {
   Q_OBJECT
 public:
@@ -62,7 +62,7 @@ public:
   void useFilterThreads();
   /// Tracks again from the moment shown.
   void rerun();
-  /// The color of a target was learned: whoever points at the first thing to follow wants to see
+  /// The color of a target was learned: whoever points at the first object to follow wants to see
   /// it tracked; a sample more or less takes no run away.
   void startAfterLearning(bool isNew);
   /// The same of a target's box. More boxes are given on the same image, and a run that a person
@@ -87,7 +87,7 @@ Q_SIGNALS:
   void closed();
   /// What views show from now on; null: nothing, the run is over.
   void snapshotChanged(const TrackSnapshotPtr& snapshot);
-  /// What was logged since the last time, all of it anew after a restart. Frames come before the
+  /// What was logged since the last time, all of it again after a restart. Frames come before the
   /// snapshot that follows them, iterations after it.
   void framesLogged(const LoggedFrames& frames);
   void iterationsLogged(const LoggedIterations& iterations);

@@ -22,7 +22,7 @@ class NewProjectPage : public QWidget {
 public:
   explicit NewProjectPage(QWidget* parent = nullptr);
 
-  /// Starts anew, with these files (videos, image folders, a calibration) already in it.
+  /// Starts from scratch, with these files (videos, image folders, a calibration) already in it.
   void begin(const QStringList& files);
   /// Adds files to those it has; a .toml file is the calibration.
   void addFiles(const QStringList& files);

@@ -13,7 +13,7 @@ QStringList languages();
 
 /// From now on the application speaks this language: its own texts, Qt's, and the form of numbers.
 /// Empty: the system's. English stands in for a language without a catalog. All
-/// widgets are told (QEvent::LanguageChange).
+/// widgets get (QEvent::LanguageChange).
 void useLanguage(const QString& language);
 
 } // namespace dewpoint::ui

@@ -9,7 +9,7 @@
 
 namespace dewpoint::ui {
 
-/// What a verdict says to a person, in sentences; `cameras` are the names of the cameras.
+/// The quality of a color range in sentences; `cameras` are the names of the cameras.
 QString verdictText(const ColorVerdict& verdict, const std::vector<QString>& cameras);
 
 /// "red", "turquoise", ...

@@ -53,7 +53,7 @@ public:
 Q_SIGNALS:
   /// The pointer is on this frame; negative: it has left.
   void hovered(qint64 frame);
-  /// A menu is wanted at this place of the screen, for the moment shown.
+  /// A menu is wanted at this position on the screen, for the moment shown.
   void menuWanted(const QPoint& place);
 
 protected:

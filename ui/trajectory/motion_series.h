@@ -34,8 +34,8 @@ private:
   std::string target_;
 };
 
-/// What a target went through in the room in rows [first, last) of a log, metres: one stroke for
-/// each uninterrupted piece, of at most `most` places in all.
+/// What a target went through in the room in rows [first, last) of a log, meters: one stroke for
+/// each uninterrupted piece, of at most `most` positions in all.
 std::vector<std::vector<Eigen::Vector3d>> strokesOf(const std::vector<MotionLog::Row>& rows,
                                                     std::size_t first, std::size_t last,
                                                     const std::string& target, std::size_t most);

@@ -10,7 +10,7 @@ class TrajectoryPanel;
 struct Workbench;
 
 /// Adds the trajectory of the run to the window: a span chosen in it is marked in the bird's-eye
-/// view, and a click on a tail there chooses a place in it.
+/// view, and a click on a tail there chooses a position in it.
 TrajectoryPanel* installTrajectory(const Workbench& bench, BirdsEyeView& birdsEye);
 
 } // namespace dewpoint::ui

@@ -51,8 +51,8 @@ public:
   void refresh();
   /// The newest snapshot: which targets there are.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// The user points at a place of a target's trajectory: that moment is wanted, or, to `extend`,
-  /// the span from the moment shown to it is selected.
+  /// The user points at a position of a target's trajectory: that moment is wanted, or, to
+  /// `extend`, the span from the moment shown to it is selected.
   void choosePlace(int target, const Eigen::Vector3d& place, bool extend);
   /// The boxes of a run whose method follows those.
   BoxPanel& boxes() { return *boxes_; }
@@ -66,7 +66,7 @@ public:
 
 Q_SIGNALS:
   void notice(const QString& sentence);
-  /// The span's places in the room, metres: one stroke for each uninterrupted piece.
+  /// The span's positions in the room, meters: one stroke for each uninterrupted piece.
   void highlightChanged(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
 
 protected:

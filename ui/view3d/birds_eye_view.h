@@ -39,9 +39,9 @@ public:
 
   /// Shows a moment with the next picture; null empties the scene. Cheap, also while hidden.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Another project: looks at all of it from above, wherever the person looked before.
+  /// Another project: looks at all of it from above, wherever the user looked before.
   void startAnew();
-  /// Marks a part of a trajectory: strokes of places, metres; none: nothing is marked.
+  /// Marks a part of a trajectory: strokes of positions, meters; none: nothing is marked.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
 
   /// Cameras that can be dragged, the chosen one also by what it looks at; empty: none.
@@ -57,14 +57,14 @@ public:
 
   /// The selected target; a person stands out. -1: none.
   void setChosenTarget(int target);
-  /// While placing, a click on the floor of this height (world z, metres) is a placeClicked().
+  /// While placing, a click on the floor of this height (world z, meters) is a placeClicked().
   void setPlacing(bool placing, double floor = 0.0);
 
   Scene3d::View currentView() const;
   /// The picture as it is now, with its legend but without the buttons; null without OpenGL. Device
   /// pixels.
   QImage currentPicture();
-  /// The scene as drawn, for those who convert between pixels and metres.
+  /// The scene as drawn, for those who convert between pixels and meters.
   const Scene3d& scene() const { return scene_; }
   /// Whether the picture shows all that was given last; true while hidden.
   bool isDrawn() const { return !isVisible() || (!pictureStale_ && !timer_.isActive()); }
@@ -83,15 +83,15 @@ public Q_SLOTS:
 
 Q_SIGNALS:
   void viewChanged(dewpoint::ui::Scene3d::View view);
-  /// A click on a target's tail: the nearest place in it, metres. `extend`: with Shift.
+  /// A click on a target's tail: the nearest position in it, meters. `extend`: with Shift.
   void tailClicked(int target, const Eigen::Vector3d& place, bool extend);
-  /// While placing: a click on the floor here, world x and y in metres.
+  /// While placing: a click on the floor here, world x and y in meters.
   void placeClicked(const Eigen::Vector2d& place);
   /// A click on a person: its index among the targets.
   void personClicked(int target);
   /// A handle was pressed.
   void cameraChosen(int camera);
-  /// A camera (or the point it looks at) is dragged here, metres: in the plane of a flat view, else
+  /// A camera (or the point it looks at) is dragged here, meters: in the plane of a flat view, else
   /// parallel to the picture.
   void cameraDragged(int camera, const Eigen::Vector3d& center);
   void cameraAimed(int camera, const Eigen::Vector3d& target);

@@ -14,7 +14,7 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// A camera that can be taken hold of: where it stands, and a point it looks at; metres.
+/// A camera that can be taken hold of: where it stands, and a point it looks at; meters.
 struct CameraHandle {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   Eigen::Vector3d target = Eigen::Vector3d::Zero();
@@ -40,7 +40,7 @@ public:
 Q_SIGNALS:
   /// A handle was pressed.
   void chosen(int camera);
-  /// A camera (or the point it looks at) is dragged here, metres: in the plane of a flat view, else
+  /// A camera (or the point it looks at) is dragged here, meters: in the plane of a flat view, else
   /// parallel to the picture.
   void dragged(int camera, const Eigen::Vector3d& center);
   void aimed(int camera, const Eigen::Vector3d& target);

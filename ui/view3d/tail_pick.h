@@ -8,14 +8,14 @@
 
 namespace dewpoint::ui {
 
-/// A place in the tail of a target, metres.
+/// A position in the tail of a target, meters.
 struct TailPlace {
   int target = -1;
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
 };
 
-/// The place in any tail that is seen nearest to a position of the picture, within `reach`; all in
-/// device pixels right of and above the middle.
+/// The position in any tail that is seen nearest to a position of the picture, within `reach`; all
+/// in device pixels right of and above the center.
 std::optional<TailPlace> nearestInTails(const TrackSnapshot& snapshot, const Scene3d& scene,
                                         const Eigen::Vector2d& position, double reach);
 

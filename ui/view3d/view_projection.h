@@ -13,12 +13,12 @@ class ViewProjection {
 public:
   ViewProjection(const QWidget& view, const Scene3d& scene) : view_(view), scene_(scene) {}
 
-  /// Where a point of the world (metres) is seen, widget pixels.
+  /// Where a point of the world (meters) is seen, widget pixels.
   QPointF inWidget(const Eigen::Vector3d& point) const {
     const Eigen::Vector2d place = scene_.placeInPicture(point) / view_.devicePixelRatioF();
     return {view_.width() / 2.0 + place.x(), view_.height() / 2.0 - place.y()};
   }
-  /// Device pixels right of and above the middle of the picture.
+  /// Device pixels right of and above the center of the picture.
   Eigen::Vector2d inPicture(QPointF position) const {
     const QPointF middle(view_.width() / 2.0, view_.height() / 2.0);
     const QPointF offset = (position - middle) * view_.devicePixelRatioF();

@@ -40,7 +40,7 @@ public:
   /// Other work has begun: an error is over, and with `notices` so is what was worth knowing.
   /// Questions stay.
   void forget(bool notices);
-  /// Its place is below this sibling, in the middle of the window.
+  /// Its place is below this sibling, in the center of the window.
   void keepBelow(QWidget* above);
 
 protected:

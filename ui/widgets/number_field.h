@@ -11,7 +11,7 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// A field for a number with a unit: tabular, right-aligned, told only when it is finished or
+/// A field for a number with a unit: tabular, right-aligned, reported only when it is finished or
 /// stepped.
 struct NumberRange {
   double low = -1e4;

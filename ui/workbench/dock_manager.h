@@ -44,7 +44,7 @@ public:
   /// page takes their place.
   void storeLayout();
 
-  /// Shows the views, or the page in the middle of the window.
+  /// Shows the views, or the page in the center of the window.
   void showViews(bool shown);
   /// The views of another project follow: those put aside do not come back.
   void forgetLayoutBehindPages() { layoutBehindPages_.clear(); }
@@ -57,7 +57,7 @@ public:
 
 Q_SIGNALS:
   void made(ViewDock* dock);
-  /// The docks have been arranged anew: modes of the window show theirs.
+  /// The docks have been arranged again: modes of the window show theirs.
   void laidOut();
   /// The views, or the page, are about to come, and have come.
   void viewsShowing(bool shown);

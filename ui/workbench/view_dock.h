@@ -22,7 +22,7 @@ enum class DockPlace {
   Timeline   ///< below the plots
 };
 
-/// What a dock is, said once.
+/// What a dock is, declared once.
 struct DockDeclaration {
   QString name;                   ///< objectName: layouts are saved by it
   std::function<QString()> title; ///< asked again when the language changes

@@ -15,7 +15,7 @@ class BoardCalibrator;
 class BoardForm;
 class BoardLive;
 
-/// The page of the calibration place for calibrating with a printed board.
+/// The page of the calibration dock for calibrating with a printed board.
 class BoardCalibrationPage : public QWidget {
   Q_OBJECT
 public:

@@ -18,7 +18,7 @@ class Document;
 struct BoardPreferences;
 class BackgroundJob;
 
-/// Calibrating with a board: what the person decided, the look through a recording or the guidance
+/// Calibrating with a board: what the user decided, the look through a recording or the guidance
 /// before live cameras, and the result, which becomes one step of the document.
 class BoardCalibrator : public QObject {
   Q_OBJECT
@@ -49,7 +49,7 @@ public:
   bool isLooking() const { return *looking_; }
 
   // Live cameras.
-  void start(); ///< anew, too
+  void start(); ///< or starts over
   void stop();
   bool isWatching() const { return watching_; }
   void captureNow() { watch_->captureNow(); }

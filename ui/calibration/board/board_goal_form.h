@@ -22,7 +22,7 @@ namespace dewpoint::ui {
 
 class BoardCalibrator;
 
-/// What is to be found with the board: lenses, places or both, which lens model, how well, and
+/// What is to be found with the board: lenses, positions or both, which lens model, how well, and
 /// whether the board lies on the floor somewhere in the recording.
 class BoardGoalForm : public QWidget {
   Q_OBJECT

@@ -25,7 +25,7 @@ public:
   explicit BoardLive(BoardCalibrator& desk, QWidget* parent = nullptr);
 
 private:
-  /// What is said of one camera.
+  /// What is shown of one camera.
   struct Row {
     BoardMap* map;
     QLabel* name;

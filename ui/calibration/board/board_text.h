@@ -16,19 +16,19 @@ QString tiltWords(BoardTilt tilt);
 
 /// What to show to one camera next, in one line.
 QString adviceWords(const BoardGuideState::PerCamera& camera);
-/// What to show next for the places of the cameras.
+/// What to show next for the positions of the cameras.
 QString pairWords(const BoardCalibrator& desk, const RigGuidance::State& state);
 /// "sharp" or "soft", with the width of edges.
 QString sharpnessWords(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings);
 /// How well its lens is known so far, and how well it is to be.
 QString accuracyWords(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings);
 
-/// In the phase of places: whether it sees the board.
+/// In the phase of positions: whether it sees the board.
 QString seenWords(const BoardGuideState::PerCamera& camera);
-/// How often it was seen together with other cameras, and how well its place is known so far.
+/// How often it was seen together with other cameras, and how well its position is known so far.
 QString placeWords(const BoardGuideState::PerCamera& camera);
 
-/// The result in sentences: what was found, camera by camera, verdict and remarks.
+/// The result in sentences: what was found, camera by camera, quality and remarks.
 QString outcomeWords(const BoardCalibrator& desk, const BoardOutcome& outcome);
 
 } // namespace dewpoint::ui

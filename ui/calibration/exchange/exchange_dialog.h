@@ -46,7 +46,7 @@ protected:
 
   /// To be called once the questions are there.
   void begin();
-  /// An answer changed: the preview is made anew.
+  /// An answer changed: the preview is made again.
   void refresh();
   /// Runs something that takes long, beside the window; nothing can be accepted meanwhile.
   void work(const Preview& task);

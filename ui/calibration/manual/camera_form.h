@@ -16,7 +16,7 @@ namespace dewpoint::ui {
 
 class ManualCalibration;
 
-/// The chosen camera in numbers: position in metres or centimetres, where it looks (a point and
+/// The chosen camera in numbers: position in meters or centimeters, where it looks (a point and
 /// roll, or yaw, pitch and roll), focal length or field of view; and what mouse and keys do.
 class CameraForm : public QWidget {
   Q_OBJECT

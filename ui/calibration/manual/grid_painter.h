@@ -18,7 +18,7 @@ namespace dewpoint::ui {
 /// Where a pixel of an image lies in its widget; centers of pixels at integers.
 QPointF placeOf(const Eigen::Vector2d& pixel, const ImagePlacement& placement);
 
-/// Thin bright strokes on a dark halo, axes in colors of their own with names and metres.
+/// Thin bright strokes on a dark halo, axes in colors of their own with names and meters.
 void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacement& placement,
                double opacity);
 

@@ -18,7 +18,7 @@ namespace dewpoint::ui {
 
 class RigPlanner;
 
-/// The cameras that are thought of, in numbers, and the search for a place of the next one.
+/// The cameras that are thought of, in numbers, and the search for the position of the next one.
 class PlannerForm : public QWidget {
   Q_OBJECT
 public:

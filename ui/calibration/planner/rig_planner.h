@@ -69,10 +69,10 @@ public:
   /// The number the next camera has, counted with those of the project.
   QString nextName() const;
 
-  // The search for a place.
+  // The search for a position.
   double wallDistance() const { return wallDistance_; }
   void setWallDistance(double metres);
-  /// Looks for the best place for one more camera, and adds it there.
+  /// Looks for the best position for one more camera, and adds it there.
   void findPlace();
   BackgroundJob& search() { return search_; }
 

@@ -51,7 +51,7 @@ public:
 
   bool isSolving() const { return job_.isRunning(); }
   void solve(bool alsoFocal);
-  /// What the last solution said, a sentence per line; empty before there was one.
+  /// What the last solution reports, a sentence per line; empty before there was one.
   const QString& verdict() const { return verdict_; }
   /// The point that the last solution called worst, while it holds.
   std::optional<int> worst() const { return worst_; }

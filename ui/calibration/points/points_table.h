@@ -15,8 +15,8 @@ namespace dewpoint::ui {
 class ManualCalibration;
 class PointCalibrator;
 
-/// Measured points in a table: names and places to be typed, residuals in pixels and millimetres,
-/// and the buttons to click them in images and to solve the cameras from them.
+/// Measured points in a table: names and positions to be typed, residuals in pixels and
+/// millimeters, and the buttons to click them in images and to solve the cameras from them.
 class PointsTable : public QWidget {
   Q_OBJECT
 public:

@@ -12,7 +12,7 @@ namespace dewpoint::ui {
 class WandCalibrator;
 class WandWaving;
 
-/// The page of the calibration place for refining cameras with a waved ball or stick.
+/// The page of the calibration dock for refining cameras with a wand (a ball or a stick).
 class WandCalibrationPage : public QWidget {
   Q_OBJECT
 public:

@@ -20,7 +20,7 @@ class ManualCalibration;
 class TargetListModel;
 class BackgroundJob;
 
-/// Calibrating from a waved target: what is decided, what was collected live, and the refinement
+/// Calibrating from a wand: what is decided, what was collected live, and the refinement
 /// beside the window, whose result becomes one step of the document.
 class WandCalibrator : public QObject {
   Q_OBJECT
@@ -58,7 +58,7 @@ public:
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   bool isLive() const { return live_; }
   bool isWaving() const { return waving_ != nullptr; }
-  /// Begins to collect, anew.
+  /// Begins to collect, from scratch.
   void startWaving();
   void stopWaving();
   /// What was collected so far, if anything was.
@@ -103,9 +103,9 @@ private:
   std::vector<TouchedMoment> moments_;
   bool live_ = false;
   qint64 shownFrame_ = -1;
-  double shownSeconds_ = 0.0; ///< its time, as the calibration will know it
+  double shownSeconds_ = 0.0;                ///< its time, as the calibration will know it
   std::shared_ptr<WandCollector> collector_; ///< its thread ends beside the window
-  Session* waving_ = nullptr; ///< whose frames are collected
+  Session* waving_ = nullptr;                ///< whose frames are collected
   std::shared_ptr<const WandRefinement> refinement_;
   QString failure_;
   bool applied_ = false;

@@ -20,7 +20,7 @@ namespace dewpoint::ui {
 
 class WandCalibrator;
 
-/// What is waved, what gives the size, and what is to be found, as fields.
+/// Which wand it is, what gives the size, and what is to be found, as fields.
 class WandForm : public QWidget {
   Q_OBJECT
 public:

@@ -14,7 +14,7 @@ namespace dewpoint::ui {
 
 class WandCalibrator;
 
-/// The button that refines, how far it is, and what came of it: verdict, faults, each camera.
+/// The button that refines, how far it is, and what came of it: quality, faults, each camera.
 class WandOutcome : public QWidget {
   Q_OBJECT
 public:
