@@ -19,30 +19,23 @@ constexpr std::size_t kLiveHistory = std::size_t{1024} << 20;
 } // namespace
 
 RunDriver::RunDriver(SessionInputs inputs, FrameTapSlot& tap, RunLog& log, const TruthTable& truth)
-    : project_(std::move(inputs.project)), source_(std::move(inputs.source)),
-      threads_(filterThreads(inputs.threads)), tap_(tap), log_(log),
-      definition_(
-          std::make_shared<const RunDefinition>(RunDefinition::of(project_, inputs.emptyRooms))),
-      bumps_(*definition_->rig), recorder_(log, truth) {
-  replaceRun(*definition_, 0);
+    : project_(std::move(inputs.project)), source_(std::move(inputs.source)), tap_(tap), log_(log),
+      kept_(RunDefinition::of(project_, inputs.emptyRooms), filterThreads(inputs.threads)),
+      bumps_(*definition().rig), recorder_(log, truth) {
+  replaceRun(definition(), 0);
   if (source_) {
     const std::size_t usual = source_->isLive() ? kLiveHistory : kRecordedHistory;
-    travel_.emplace(*source_, inputs.historyBytes > 0 ? inputs.historyBytes : usual);
+    kept_.keepHistory(*source_, inputs.historyBytes > 0 ? inputs.historyBytes : usual);
   }
-  log_.restart(project_, threads_);
+  log_.restart(project_, kept_.threads());
 }
 
 bool RunDriver::replaceRun(RunDefinition definition, std::int64_t iterations) {
-  auto made = std::make_shared<const RunDefinition>(std::move(definition));
-  auto run = TrackingRun::create(made, threads_);
-  if (!run) {
-    note(run.error());
-    return false;
+  const auto replaced = kept_.replace(std::move(definition), iterations);
+  if (!replaced) {
+    note(replaced.error());
   }
-  run->countFrom(iterations);
-  definition_ = std::move(made);
-  run_.emplace(std::move(*run));
-  return true;
+  return replaced.has_value();
 }
 
 void RunDriver::start() {
@@ -57,8 +50,8 @@ Result<FrameSetPtr> RunDriver::nextFrames() {
     return source_->next();
   }
   const std::int64_t next = playback_.nextFrame();
-  const auto frame = travel_->nearest(next);
-  return frame && *frame >= next ? travel_->frames(*frame) : Result<FrameSetPtr>(FrameSetPtr());
+  const auto frame = travel().nearest(next);
+  return frame && *frame >= next ? travel().frames(*frame) : Result<FrameSetPtr>(FrameSetPtr());
 }
 
 bool RunDriver::takeFrame() {
@@ -76,8 +69,7 @@ bool RunDriver::takeFrame() {
   if (!playback_.rerunning()) {
     tap_.give(*taken);
   }
-  travel_->beforeFrame(*taken, *run_);
-  run_->beginFrame(*taken);
+  kept_.begin(*taken);
   playback_.take((*taken)->index);
   recorder_.arrive();
   return true;
@@ -91,11 +83,11 @@ void RunDriver::iterateFrame() {
   }
   if (hasWaited || takeFrame()) {
     const std::array<FrameObserver*, 2> observers{&motionObserver_, &recorder_};
-    if (const auto told = trackOneFrame(*run_, observers); !told) {
+    if (const auto told = trackOneFrame(run(), observers); !told) {
       note(told.error());
     }
     playback_.track(); // also without any target
-    std::ranges::move(run_->takeRefusals(), std::back_inserter(errors_));
+    std::ranges::move(run().takeRefusals(), std::back_inserter(errors_));
     record();
   }
   if (const auto again = playback_.reach(head())) {
@@ -104,7 +96,7 @@ void RunDriver::iterateFrame() {
 }
 
 void RunDriver::record() {
-  recorder_.record(*run_, travel_->record(*run_));
+  recorder_.record(run(), kept_.record());
   playback_.record();
 }
 
@@ -117,7 +109,7 @@ void RunDriver::advance() {
 }
 
 void RunDriver::showNext() {
-  playback_.advance(travel_->following(*playback_.viewed()), head());
+  playback_.advance(travel().following(*playback_.viewed()), head());
 }
 
 void RunDriver::play() {
@@ -141,25 +133,18 @@ void RunDriver::stepFrame() {
 void RunDriver::stepIteration() {
   playback_.returnToHead();
   playback_.hold();
-  if (!run_->frames() && !takeFrame()) {
+  if (!run().frames() && !takeFrame()) {
     return;
   }
-  recorder_.iterated(*run_, run_->iterate());
+  recorder_.iterated(run(), run().iterate());
   playback_.track();
   record();
 }
 
 bool RunDriver::restart(std::optional<std::uint64_t> seed) {
-  if (seed) {
-    RunDefinition other = *definition_;
-    other.seed = *seed;
-    definition_ = std::make_shared<const RunDefinition>(std::move(other));
-    run_->apply(definition_);
-  }
   errors_.clear();
-  run_->restart(definition_->seed);
-  log_.restart(project(), threads_);
-  travel_->clear();
+  kept_.restart(seed);
+  log_.restart(project(), kept_.threads());
   if (!source_->isLive()) { // live cameras stay where they are; the calibrated place is still known
     bumps_.restart();
   }
@@ -177,19 +162,19 @@ bool RunDriver::restart(std::optional<std::uint64_t> seed) {
 std::int64_t RunDriver::beginOf(const command::SetMethod& method, std::int64_t from) const {
   const auto family = methodFamily(method.method);
   // Another family follows other things; and people need the background learned at the beginning.
-  if (family != run_->family() || family.findsTargets()) {
-    return travel_->nearest(0).value_or(from);
+  if (family != run().family() || family.findsTargets()) {
+    return travel().nearest(0).value_or(from);
   }
   if (family.targets == TargetsFrom::Box) {
-    for (const Target& target : run_->targets()) { // they begin at their boxes
-      from = target.box ? std::min(from, travel_->nearest(target.box->frame).value_or(from)) : from;
+    for (const Target& target : run().targets()) { // they begin at their boxes
+      from = target.box ? std::min(from, travel().nearest(target.box->frame).value_or(from)) : from;
     }
   }
   return from;
 }
 
 void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool lookAgain) {
-  const auto nearest = travel_->nearest(from);
+  const auto nearest = travel().nearest(from);
   if (!nearest) {
     return;
   }
@@ -202,26 +187,26 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
   const RerunState range{from, goal};
   const bool isPast = from <= range.to;
   errors_.clear();
-  RunDefinitionPtr before = definition_;
+  RunDefinitionPtr before = kept_.definition();
   if (method != nullptr) {
-    RunDefinition other = *definition_;
+    RunDefinition other = definition();
     other.method = method->method;
     other.parameters = method->parameters;
-    const TrackedFrame* last = travel_->history().before(from);
+    const TrackedFrame* last = travel().history().before(from);
     if (!replaceRun(std::move(other), last != nullptr ? last->totalIterations : 0)) {
       return;
     }
-    travel_->forgetCopies();
+    travel().forgetCopies();
   } else if (isPast) {
-    if (const auto reached = travel_->goBack(*run_, from, [] { return true; }); !reached) {
+    if (const auto reached = travel().goBack(run(), from, [] { return true; }); !reached) {
       note(reached.error());
       playback_.endInput();
       return;
     }
-    before = run_->definition();
+    before = run().definition();
   }
   if (isPast) {
-    travel_->forgetFrom(from);
+    travel().forgetFrom(from);
     log_.goBack(from);
     playback_.rerun(range, lookAgain ? playback_.viewed() : std::nullopt);
   } else {
@@ -230,28 +215,17 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
   if (!takeFrame()) {
     return;
   }
-  // What changed since then holds from this frame on.
-  if (const RunDefinitionPtr then = run_->definition(); *then != *definition_) {
-    run_->apply(definition_);
-    travel_->changed(*run_, DefinitionChange{then, definition_});
-  }
-  log_.note(from, differences(*before, *definition_));
+  kept_.catchUp();
+  log_.note(from, differences(*before, definition()));
   log_.change(project());
 }
 
 bool RunDriver::change(RunDefinition wanted) {
-  if (!run_->takes(wanted)) {
-    return false;
+  const bool taken = kept_.change(std::move(wanted));
+  if (taken) {
+    log_.change(project());
   }
-  if (wanted == *definition_) {
-    return true;
-  }
-  const RunDefinitionPtr before =
-      std::exchange(definition_, std::make_shared<const RunDefinition>(std::move(wanted)));
-  run_->apply(definition_);
-  travel_->changed(*run_, DefinitionChange{before, definition_});
-  log_.change(project());
-  return true;
+  return taken;
 }
 
 void RunDriver::setMethod(const command::SetMethod& wish) {
@@ -259,7 +233,7 @@ void RunDriver::setMethod(const command::SetMethod& wish) {
     rerun(*wish.from, &wish, true);
     return;
   }
-  RunDefinition other = *definition_;
+  RunDefinition other = definition();
   other.method = wish.method;
   other.parameters = wish.parameters;
   if (replaceRun(std::move(other), 0)) {
@@ -268,36 +242,35 @@ void RunDriver::setMethod(const command::SetMethod& wish) {
 }
 
 void RunDriver::setTargets(const std::vector<Target>& targets) {
-  RunDefinition wanted = *definition_;
+  RunDefinition wanted = definition();
   wanted.targets = targets;
-  if (run_->capability<BoxFollowing>() != nullptr) {
+  if (run().capability<BoxFollowing>() != nullptr) {
     changeBoxes(std::move(wanted));
     return;
   }
-  const FrameSetPtr frames = run_->frames();
-  if (change(wanted) || !replaceRun(std::move(wanted), run_->iterations())) {
+  const FrameSetPtr frames = run().frames();
+  if (change(wanted) || !replaceRun(std::move(wanted), run().iterations())) {
     return;
   }
   // Another number of targets: new beliefs, on the frame that the run stands at.
   log_.change(project());
-  travel_->forgetCopies();
+  travel().forgetCopies();
   playback_.forgetEstimates();
   if (frames) {
-    travel_->beginTails(frames->index);
-    travel_->beforeFrame(frames, *run_);
-    run_->beginFrame(frames);
+    travel().beginTails(frames->index);
+    kept_.begin(frames);
   }
 }
 
 void RunDriver::changeBoxes(RunDefinition wanted) {
-  const auto from = firstChange(definition_->targets, wanted.targets);
-  const std::vector<int> places = placesOf(definition_->targets, wanted.targets);
+  const auto from = firstChange(definition().targets, wanted.targets);
+  const std::vector<int> places = placesOf(definition().targets, wanted.targets);
   change(std::move(wanted));
   if (!keepTheirPlaces(places)) {
-    log_.renumber(places, definition_->targets.size());
+    log_.renumber(places, definition().targets.size());
   }
   const auto viewed = playback_.viewed();
-  if ((!from && run_->frames()) || from == head()) { // a target may begin in the image shown
+  if ((!from && run().frames()) || from == head()) { // a target may begin in the image shown
     playback_.head() == Playback::Head::Taken ? iterateFrame() : record();
   } else if (from && *from < head()) {
     rerun(*from);
@@ -311,7 +284,7 @@ void RunDriver::changeBoxes(RunDefinition wanted) {
 }
 
 void RunDriver::setCameras(const CameraRig& rig) {
-  RunDefinition wanted = *definition_;
+  RunDefinition wanted = definition();
   wanted.rig = std::make_shared<const CameraRig>(rig);
   if (change(std::move(wanted))) {
     bumps_.setCameras(rig);
@@ -319,10 +292,10 @@ void RunDriver::setCameras(const CameraRig& rig) {
 }
 
 void RunDriver::setEmptyRooms(const command::SetEmptyRooms& wish) {
-  if (wish.rooms.size() != definition_->rig->size()) {
+  if (wish.rooms.size() != definition().rig->size()) {
     return;
   }
-  RunDefinition wanted = *definition_;
+  RunDefinition wanted = definition();
   std::copy_n(wish.files.begin(), std::min(wish.files.size(), wanted.emptyRoomFiles.size()),
               wanted.emptyRoomFiles.begin());
   wanted.emptyRooms = wish.rooms;
@@ -330,12 +303,12 @@ void RunDriver::setEmptyRooms(const command::SetEmptyRooms& wish) {
 }
 
 void RunDriver::setPeople(const std::vector<PersonCorrection>& people) {
-  const auto from = firstDifference(definition_->people, people);
-  const auto added = additions(definition_->people, people);
-  RunDefinition wanted = *definition_;
+  const auto from = firstDifference(definition().people, people);
+  const auto added = additions(definition().people, people);
+  RunDefinition wanted = definition();
   wanted.people = people;
   change(std::move(wanted));
-  if (!from || *from > head() || run_->capability<PersonPlacing>() == nullptr) {
+  if (!from || *from > head() || run().capability<PersonPlacing>() == nullptr) {
     return;
   }
   if (*from < head() || !added || playback_.head() != Playback::Head::Recorded) {
@@ -343,28 +316,24 @@ void RunDriver::setPeople(const std::vector<PersonCorrection>& people) {
     return;
   }
   for (const PersonCorrection& correction : *added) { // the head needs no tracking again
-    const PeopleChange said =
-        correction.frame == head() ? run_->changeBy(correction) : PeopleChange{};
-    run_->apply(said);
-    travel_->changed(*run_, said);
+    kept_.change(correction.frame == head() ? run().changeBy(correction) : PeopleChange{});
   }
-  std::ranges::move(run_->takeRefusals(), std::back_inserter(errors_));
+  std::ranges::move(run().takeRefusals(), std::back_inserter(errors_));
   record();
 }
 
 void RunDriver::setThreads(int wanted) {
   const int threads = filterThreads(wanted);
-  if (threads != threads_) {
-    threads_ = threads;
-    run_->setThreadCount(threads_);
-    log_.setThreads(threads_);
+  if (threads != kept_.threads()) {
+    kept_.setThreads(threads);
+    log_.setThreads(threads);
   }
 }
 
 void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
   if (const auto viewed = playback_.viewed()) {
     snapshot.past = true;
-    const auto shown = builder.showPast(*run_, *travel_, *viewed, quickly, snapshot);
+    const auto shown = builder.showPast(run(), travel(), *viewed, quickly, snapshot);
     if (shown) {
       return;
     }
@@ -373,15 +342,15 @@ void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSna
     snapshot.past = false;
   }
   const bool isRecorded = playback_.head() == Playback::Head::Recorded;
-  builder.showHead(*run_, travel_ ? &travel_->history() : nullptr, isRecorded, snapshot);
+  builder.showHead(run(), kept_.history(), isRecorded, snapshot);
 }
 
 void RunDriver::describe(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
-  snapshot.rig = definition_->rig;
-  snapshot.family = definition_->family();
-  snapshot.emptyRooms = definition_->emptyRooms;
-  snapshot.seed = definition_->seed;
-  if (run_) {
+  snapshot.rig = definition().rig;
+  snapshot.family = definition().family();
+  snapshot.emptyRooms = definition().emptyRooms;
+  snapshot.seed = definition().seed;
+  if (kept_.exists()) {
     showFrame(builder, quickly, snapshot);
   }
   playback_.published(snapshot.preview, builder.lacksMaps(snapshot));
@@ -393,7 +362,7 @@ void RunDriver::describe(const SnapshotBuilder& builder, bool quickly, TrackSnap
     std::ranges::move(source_->notices(), std::back_inserter(snapshot.notices));
     snapshot.frameCount = source_->frameCount();
     snapshot.droppedFrames = source_->droppedFrames();
-    snapshot.history = travel_->state();
+    snapshot.history = travel().state();
   }
   std::ranges::move(bumps_.notices(), std::back_inserter(snapshot.notices));
   recorder_.addFigures(snapshot);
@@ -403,7 +372,7 @@ void RunDriver::describe(const SnapshotBuilder& builder, bool quickly, TrackSnap
 void RunDriver::addMaps(const SnapshotBuilder& builder, TrackSnapshot& snapshot,
                         const TimeTravel::GoOn& goOn) {
   playback_.complete();
-  if (const TrackingRun* then = travel_->runAt(snapshot.frame, *run_, goOn)) {
+  if (const TrackingRun* then = travel().runAt(snapshot.frame, run(), goOn)) {
     builder.addMaps(*then, snapshot);
   }
 }

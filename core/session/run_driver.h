@@ -3,8 +3,8 @@
 
 #include "core/session/command.h"
 #include "core/session/frames/frame_tap.h"
-#include "core/session/history/time_travel.h"
 #include "core/session/playback.h"
+#include "core/session/remembered_run.h"
 #include "core/session/run/camera_motion_observer.h"
 #include "core/session/run/run_definition.h"
 #include "core/session/run/tracking_run.h"
@@ -30,7 +30,7 @@ public:
   RunDriver& operator=(const RunDriver&) = delete;
 
   /// Whether there is something to track, and something to track it with.
-  bool isReady() const { return run_ && source_; }
+  bool isReady() const { return kept_.exists() && source_; }
   /// Takes the first frame; it is shown, but not yet tracked.
   void start();
   const Playback& playback() const { return playback_; }
@@ -51,7 +51,7 @@ public:
   void advance();
 
   // Going back.
-  void show(std::int64_t frame) { playback_.show(travel_->nearest(frame), head()); }
+  void show(std::int64_t frame) { playback_.show(travel().nearest(frame), head()); }
   void returnToHead() { playback_.returnToHead(); }
   /// Tracks again from this frame on; with `lookAgain`, the frame that is shown now is shown again
   /// afterwards.
@@ -71,7 +71,7 @@ public:
   void setThreads(int wanted);
 
   /// What is tracked from now on.
-  const RunDefinition& definition() const { return *definition_; }
+  const RunDefinition& definition() const { return *kept_.definition(); }
   /// Fills in everything but what the publishing thread knows itself; `quickly`: a preview will do
   /// if the images would take long.
   void describe(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
@@ -82,12 +82,16 @@ public:
 
 private:
   /// The frame the run stands at; -1 before the first.
-  std::int64_t head() const { return run_ && run_->frames() ? run_->frames()->index : -1; }
+  std::int64_t head() const { return kept_.head(); }
+  TrackingRun& run() { return kept_.run(); }
+  const TrackingRun& run() const { return kept_.run(); }
+  TimeTravel& travel() { return kept_.travel(); }
+  const TimeTravel& travel() const { return kept_.travel(); }
   /// Goes on with a run of its own for another definition, which knows nothing yet. False if that
   /// cannot be made; then all stays as it was.
   bool replaceRun(RunDefinition definition, std::int64_t iterations);
   /// The project with the definition of now.
-  Project project() const { return definition_->appliedTo(project_); }
+  Project project() const { return definition().appliedTo(project_); }
 
   Result<FrameSetPtr> nextFrames();
   /// Takes the next frame set; false at the end, on an error, or when nothing came (live).
@@ -103,15 +107,12 @@ private:
   void note(const Error& error) { errors_.push_back(error); }
   void showFrame(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
 
-  Project project_; ///< as it was opened; definition_ goes before it
+  Project project_; ///< as it was opened; definition() goes before it
   std::unique_ptr<FrameSetSource> source_;
-  int threads_;
   FrameTapSlot& tap_;
   RunLog& log_;
-  RunDefinitionPtr definition_;
-  std::optional<TrackingRun> run_;   ///< nothing if the project's could not be made
-  std::optional<TimeTravel> travel_; ///< as long as there is a source
-  CameraMotionWatch bumps_;          ///< of the cameras as they were calibrated
+  RememberedRun kept_;      ///< no run if the project's could not be made
+  CameraMotionWatch bumps_; ///< of the cameras as they were calibrated
   CameraMotionObserver motionObserver_{bumps_};
   RunRecorder recorder_;
   Playback playback_;

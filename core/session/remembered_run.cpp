@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/remembered_run.h"
+
+#include <memory>
+#include <utility>
+
+namespace dewpoint::session {
+
+RememberedRun::RememberedRun(RunDefinition definition, int threads)
+    : threads_(threads), definition_(std::make_shared<const RunDefinition>(std::move(definition))) {
+}
+
+Status RememberedRun::replace(RunDefinition definition, std::int64_t iterations) {
+  auto made = std::make_shared<const RunDefinition>(std::move(definition));
+  auto run = TrackingRun::create(made, threads_);
+  if (!run) {
+    return tl::make_unexpected(run.error());
+  }
+  run->countFrom(iterations);
+  definition_ = std::move(made);
+  run_.emplace(std::move(*run));
+  return {};
+}
+
+void RememberedRun::keepHistory(FrameSetSource& source, std::size_t bytes) {
+  travel_.emplace(source, bytes);
+}
+
+void RememberedRun::begin(const FrameSetPtr& frames) {
+  travel_->beforeFrame(frames, *run_);
+  run_->beginFrame(frames);
+}
+
+bool RememberedRun::change(RunDefinition wanted) {
+  if (!run_->takes(wanted)) {
+    return false;
+  }
+  if (wanted == *definition_) {
+    return true;
+  }
+  const RunDefinitionPtr before =
+      std::exchange(definition_, std::make_shared<const RunDefinition>(std::move(wanted)));
+  run_->apply(definition_);
+  travel_->changed(*run_, DefinitionChange{before, definition_});
+  return true;
+}
+
+void RememberedRun::change(const PeopleChange& said) {
+  run_->apply(said);
+  travel_->changed(*run_, said);
+}
+
+void RememberedRun::catchUp() {
+  if (const RunDefinitionPtr then = run_->definition(); *then != *definition_) {
+    run_->apply(definition_);
+    travel_->changed(*run_, DefinitionChange{then, definition_});
+  }
+}
+
+void RememberedRun::setThreads(int threads) {
+  threads_ = threads;
+  run_->setThreadCount(threads);
+}
+
+void RememberedRun::restart(std::optional<std::uint64_t> seed) {
+  if (seed) {
+    RunDefinition other = *definition_;
+    other.seed = *seed;
+    definition_ = std::make_shared<const RunDefinition>(std::move(other));
+    run_->apply(definition_);
+  }
+  run_->restart(definition_->seed);
+  travel_->clear();
+}
+
+} // namespace dewpoint::session
