@@ -4,21 +4,28 @@
 #include <algorithm>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
 namespace dewpoint::setup {
 namespace {
 
+/// What a guidance is begun with.
+struct Beginning {
+  Project project;
+  BoardGuideRequest wish;
+};
+
 /// What is to be done.
 struct Orders {
-  std::unique_ptr<BoardGuide> guide; ///< another one takes over
-  FrameSetPtr frames;                ///< not looked at yet
+  std::optional<Beginning> beginning; ///< another guidance takes over
+  FrameSetPtr frames;                 ///< not looked at yet
   bool capture = false;
   bool floor = false;
   bool goOn = false;
 
-  bool any() const { return guide || frames || capture || floor || goOn; }
+  bool any() const { return beginning || frames || capture || floor || goOn; }
 };
 
 int threadsFor(const Project& project) {
@@ -43,11 +50,11 @@ public:
   }
 
   void begin(const Project& project, const BoardGuideRequest& wish) {
-    auto guide = std::make_unique<BoardGuide>(project, wish, threadsFor(project));
-    auto state = std::make_shared<const BoardGuideState>(guide->state());
+    // The guidance itself, which has threads to join, is made and goes in the thread.
+    auto state = std::make_shared<const BoardGuideState>(BoardGuide(project, wish).state());
     order([&](Orders& orders) {
       orders = Orders();
-      orders.guide = std::move(guide);
+      orders.beginning.emplace(Beginning{project, wish});
       newest_ = std::move(state);
     });
   }
@@ -69,8 +76,9 @@ private:
         }
         orders = std::exchange(orders_, Orders());
       }
-      if (orders.guide) {
-        guide = std::move(orders.guide);
+      if (orders.beginning) {
+        const auto& [project, wish] = *orders.beginning;
+        guide = std::make_unique<BoardGuide>(project, wish, threadsFor(project));
       }
       if (guide) {
         obey(*guide, orders);
@@ -97,7 +105,7 @@ private:
     auto state = std::make_shared<const BoardGuideState>(guide.state());
     {
       const std::lock_guard lock(mutex_);
-      if (orders_.guide) {
+      if (orders_.beginning) {
         return; // another one was begun meanwhile
       }
       newest_ = std::move(state);
