@@ -16,7 +16,7 @@ constexpr auto kFirstPause = 250ms; ///< before the first new attempt; doubles u
 constexpr auto kLongestPause = 4000ms;
 /// A connected camera that is silent for so long is called lost, though its read still waits.
 constexpr auto kSilence = 2s;
-constexpr auto kPatience = 1s; ///< with a read that does not return, when the thread has to end
+constexpr auto kReadPatience = 1s; ///< with a read that does not return, when the thread has to end
 constexpr double kRateSmoothing = 0.1;
 
 } // namespace
@@ -68,7 +68,7 @@ CameraThread::CameraThread(const LiveCamera& camera, LiveStreamFactory factory,
 CameraThread::~CameraThread() {
   if (thread_.joinable()) {
     requestStop();
-    joinUntil(Clock::now() + kPatience);
+    joinUntil(Clock::now() + kReadPatience);
   }
 }
 

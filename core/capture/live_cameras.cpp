@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto kLongestWait = 100ms; ///< so that whoever asks stays responsive
 constexpr auto kTogether = 40ms;     ///< how long one camera's frame waits for the others'
-constexpr auto kPatience = 1s;       ///< with threads that do not end, for all cameras together
+constexpr auto kStopPatience = 1s;   ///< with threads that do not end, for all cameras together
 constexpr double kUsualRate = 30;
 
 /// The frame at the time of what it shows.
@@ -42,7 +42,7 @@ public:
     for (CameraThread& camera : cameras_) {
       camera.requestStop();
     }
-    const auto deadline = Clock::now() + kPatience;
+    const auto deadline = Clock::now() + kStopPatience;
     for (CameraThread& camera : cameras_) {
       camera.joinUntil(deadline);
     }
