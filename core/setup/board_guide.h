@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/calibration/board/rig_guidance.h"
 #include "core/base/thread_team.h"
 #include "core/calibration/board/board_guidance.h"
 #include "core/calibration/board/extrinsics_from_board.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/calibration_exchange.h"
 
+#include "core/calibration/formats/read_calibration.h"
 #include "core/calibration/formats/calibration_file.h"
 #include "core/project/project_rig.h"
 #include "core/setup/calibrated_project.h"

@@ -122,6 +122,7 @@ const Names& windowHeaders() {
                                  "core/calibration/manual/click_aids.h",
                                  "core/calibration/manual/interactive_pose.h",
                                  "core/calibration/manual/measured_points.h",
+                                 "core/calibration/manual/point_drag.h",
                                  "core/calibration/planning/rig_map.h",
                                  "core/geometry/reference_grid.h",
                                  "core/color/color_range.h",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board/board_detection.h"
 
+#include "core/calibration/board/charuco_corners.h"
 #include "core/base/statistics.h"
 #include "core/calibration/board/chessboard_corners.h"
 #include "core/calibration/board/corner_refinement.h"

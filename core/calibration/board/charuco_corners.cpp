@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/board/chessboard_corners.h"
+#include "core/calibration/board/charuco_corners.h"
+
 #include "core/calibration/board/corner_refinement.h"
 
 #include <opencv2/aruco.hpp>

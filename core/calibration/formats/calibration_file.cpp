@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/calibration_file.h"
 
+#include "core/calibration/formats/read_calibration.h"
 #include "core/base/text_file.h"
 #include "core/base/toml_text.h"
 #include "core/calibration/formats/calibration_format.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/manual/measured_points.h"
 
+#include "core/calibration/manual/point_bundle.h"
 #include "core/calibration/manual/point_pose.h"
 #include "core/geometry/ray.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// refineTogether() of point_pose.h.
-#include "core/calibration/manual/point_pose.h"
+#include "core/calibration/manual/point_bundle.h"
+
+#include "core/calibration/manual/pose_change.h"
 
 #include <array>
 #include <ceres/ceres.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// dragPoint() of hand_adjustment.h.
-#include "core/calibration/manual/interactive_pose.h"
+#include "core/calibration/manual/point_drag.h"
+
 #include "core/geometry/ray.h"
 
 #include <Eigen/SVD>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/quality/fault_bodies.h"
+
 #include "core/base/statistics.h"
 #include "core/calibration/formats/calibration_plausibility.h"
-#include "core/calibration/quality/fault_hypotheses.h"
 #include "core/calibration/wand/wand_gauge.h"
 
 #include <Eigen/Eigenvalues>

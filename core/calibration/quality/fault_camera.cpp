@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/quality/fault_camera.h"
+
 #include "core/base/statistics.h"
-#include "core/calibration/quality/fault_hypotheses.h"
 #include "core/geometry/image_symmetry.h"
 
 #include <algorithm>

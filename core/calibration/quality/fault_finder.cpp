@@ -3,7 +3,9 @@
 
 #include "core/base/statistics.h"
 #include "core/calibration/formats/calibration_plausibility.h"
-#include "core/calibration/quality/fault_hypotheses.h"
+#include "core/calibration/quality/fault_all.h"
+#include "core/calibration/quality/fault_bodies.h"
+#include "core/calibration/quality/fault_camera.h"
 #include "core/calibration/wand/wand_bundle.h"
 
 #include <algorithm>
@@ -16,7 +18,6 @@ constexpr double kClean =
     2.0; ///< cameras agree when their residuals are within the best times this
 constexpr double kLeastGainOfSwap = 30.0;
 constexpr double kSwapExplains = 0.5; ///< exchanged cameras fit at least so much better
-constexpr double kLeastGainOfAll = 25.0;
 constexpr double kWidestRoom = 100.0; ///< metres; a larger rig is in millimetres
 
 /// Lens data of another size than the video: no question of residuals.
@@ -180,45 +181,6 @@ private:
 };
 
 } // namespace
-
-std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImagePoints& looks,
-                                     const PointFit& fit) {
-  const std::vector<bool> everyone(looks.looks.size(), true);
-  CameraRig rough;
-  for (const BundleCamera& camera : question.problem.cameras) {
-    rough.push_back(camera.camera);
-  }
-  const auto free = question.unsynchronized
-                        ? std::nullopt
-                        : fitPoints(rough, looks, everyone, question.rough, true);
-  if (!free) {
-    return std::nullopt;
-  }
-  const auto total = [&](const PointFit& one) {
-    return static_cast<double>(fit.squares.size()) * meanCost(one.squares, free->sigmaPx);
-  };
-  std::optional<NamedFault> best;
-  for (const double shift : {-0.5, 0.5}) {
-    ImagePoints shifted = looks;
-    for (auto& camera : shifted.looks) {
-      for (ImagePoint& look : camera) {
-        look.pixel.array() += shift;
-      }
-    }
-    const auto now = fitPoints(rough, shifted, everyone, question.rough);
-    if (!now) {
-      continue;
-    }
-    // As good as any other principal points, which have two numbers per camera to choose.
-    const double worseThanFree = total(*now) - total(*free);
-    const double gain = total(fit) - total(*now);
-    if (gain > kLeastGainOfAll && worseThanFree < 2.0 * static_cast<double>(rough.size()) + 8.0 &&
-        (!best || gain > best->gain)) {
-      best = NamedFault{CalibrationFault::HalfPixel, {}, shift, gain};
-    }
-  }
-  return best;
-}
 
 FaultReport findFaults(const FaultQuestion& question) {
   return FaultSearch(question).run();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/report/board_report.h"
 
+#include "core/calibration/report/space_drawing.h"
 #include "core/base/markup.h"
 #include "core/calibration/report/report_drawing.h"
 

@@ -31,14 +31,4 @@ std::string coverageDrawing(const Intrinsics& image, const BoardCoverage& covera
 /// The error of each picture as a bar; those left out are hatched. SVG.
 std::string errorDrawing(const std::vector<ViewFit>& views);
 
-/// A line through points of the world: "board" (thin, amber) or another class of the page.
-struct SpaceLine {
-  const char* kind = "board";
-  std::vector<Eigen::Vector3d> points;
-};
-
-/// Cameras and lines in space: from the side above (with this label), and from above. SVG.
-std::string spaceDrawing(const CameraRig& cameras, const std::vector<SpaceLine>& lines,
-                         const char* label);
-
 } // namespace dewpoint::calibration

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/report/wand_report.h"
 
+#include "core/calibration/report/space_drawing.h"
 #include "core/base/markup.h"
 #include "core/calibration/manual/pose_change.h"
 #include "core/calibration/report/report_drawing.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/manual/point_drag.h"
 #include "core/base/random.h"
 #include "core/calibration/manual/interactive_pose.h"
 
