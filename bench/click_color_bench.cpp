@@ -6,6 +6,7 @@
 #include "core/color/color_learning.h"
 #include "core/color/match_image.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 #include "core/simulation/scene_renderer.h"
 
 #include <Eigen/Geometry>

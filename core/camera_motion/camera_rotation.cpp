@@ -2,6 +2,7 @@
 #include "core/camera_motion/camera_rotation.h"
 
 #include "core/base/statistics.h"
+#include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
 #include <Eigen/Cholesky>

@@ -6,8 +6,6 @@
 #include <Eigen/Geometry>
 
 #include <array>
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,30 +45,6 @@ struct Camera {
 };
 
 using CameraRig = std::vector<Camera>;
-
-/// Projects points of the world into one camera: OpenCV's models (see LensModel).
-/// Prepared once per camera, then cheap per point.
-class Projector {
-public:
-  explicit Projector(const Camera& camera);
-
-  /// Pixel (column, row) of a world point, also outside the image; nothing behind the camera, nor
-  /// beyond the angle where the distortion polynomial folds back (there it would invent an image).
-  std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& pointWorld) const;
-
-  /// The same for `count` points given as three columns, metres; the pixels go into two more, NaN
-  /// where project() returns nothing. Equal to project() to the bit. Columns must not overlap.
-  void projectBatch(std::int64_t count, const double* x, const double* y, const double* z,
-                    double* column, double* row) const;
-
-  const Intrinsics& intrinsics() const { return intrinsics_; }
-
-private:
-  Intrinsics intrinsics_;
-  Projection projection_;
-  LensModel lens_ = LensModel::Pinhole;
-  bool distorted_ = false;
-};
 
 /// The pose (camera from world) of a camera at `position` that looks at `target`, image up along
 /// `up`, then turned by `roll` radians about its optical axis. All in the world frame, metres.

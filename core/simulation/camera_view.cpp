@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/camera_view.h"
 
+#include "core/geometry/projector.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -129,6 +129,7 @@ const Names& windowHeaders() {
                                  "core/color/color_learning.h",
                                  "core/color/color_histogram.h",
                                  "core/geometry/camera.h",
+                                 "core/geometry/projector.h",
                                  "core/experiment/studies/figure_experiments.h",
                                  "core/project/project.h",
                                  "core/project/project_changes.h",

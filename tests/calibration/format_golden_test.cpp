@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files of other tools (golden/make_golden.py says who wrote which, and whose pixels these are).
-#include "core/calibration/formats/read_calibration.h"
 #include "core/calibration/formats/calibration_file.h"
 #include "core/calibration/formats/calibration_format.h"
+#include "core/calibration/formats/read_calibration.h"
+#include "core/geometry/projector.h"
 #include "tests/calibration/own_folder.h"
 
 #include <gtest/gtest.h>

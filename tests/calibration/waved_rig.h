@@ -5,6 +5,7 @@
 #include "core/calibration/bundle/bundle_cost.h"
 #include "core/calibration/wand/wand_calibration.h"
 #include "core/calibration/wand/wand_gauge.h"
+#include "core/geometry/projector.h"
 
 #include <cmath>
 #include <string>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/projector.h"
 #include "core/geometry/reference_grid.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board/intrinsics_covariance.h"
 
+#include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
 #include <Eigen/Cholesky>

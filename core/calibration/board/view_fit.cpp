@@ -4,6 +4,7 @@
 #include "core/base/statistics.h"
 #include "core/calibration/board/board_coverage.h"
 #include "core/calibration/board/opencv_pose.h"
+#include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
 #include <fmt/format.h>

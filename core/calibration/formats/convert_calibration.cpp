@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/convert_calibration.h"
 
-#include "core/calibration/formats/read_calibration.h"
 #include "core/base/text_file.h"
 #include "core/calibration/formats/lens_refit.h"
+#include "core/calibration/formats/read_calibration.h"
+#include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
 #include <fmt/format.h>

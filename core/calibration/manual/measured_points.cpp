@@ -3,6 +3,7 @@
 
 #include "core/calibration/manual/point_bundle.h"
 #include "core/calibration/manual/point_pose.h"
+#include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
 #include <algorithm>
@@ -70,7 +71,7 @@ void findWorst(const std::vector<bool>& solved, const std::vector<MeasuredPoint>
                PointSolution& solution) {
   constexpr double kNoise = 1.0;     // pixels: a click is no better
   constexpr double kExplained = 0.4; // of the rms with it
-  double largest = -1.0; // exact points have a worst one, too
+  double largest = -1.0;             // exact points have a worst one, too
   for (const ClickResidual& residual : solution.residuals) {
     if (solved[static_cast<std::size_t>(residual.camera)] && residual.pixels > largest) {
       largest = residual.pixels;

@@ -3,6 +3,7 @@
 
 #include "core/base/statistics.h"
 #include "core/calibration/bundle/bundle_cost.h"
+#include "core/geometry/projector.h"
 #include "core/geometry/rotation_check.h"
 
 #include <Eigen/LU>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/manual/point_drag.h"
 
+#include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
 #include <Eigen/SVD>

@@ -3,6 +3,7 @@
 
 #include "core/base/statistics.h"
 #include "core/calibration/formats/calibration_plausibility.h"
+#include "core/geometry/projector.h"
 
 #include <algorithm>
 #include <cmath>

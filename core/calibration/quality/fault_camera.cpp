@@ -3,6 +3,7 @@
 
 #include "core/base/statistics.h"
 #include "core/geometry/image_symmetry.h"
+#include "core/geometry/projector.h"
 
 #include <algorithm>
 #include <cmath>

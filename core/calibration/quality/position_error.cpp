@@ -2,6 +2,7 @@
 #include "core/calibration/quality/position_error.h"
 
 #include "core/calibration/bundle/bundle_cost.h"
+#include "core/geometry/projector.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>

@@ -3,6 +3,7 @@
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/figure_parts.h"
 #include "core/experiment/studies/convergence_study.h"
+#include "core/geometry/projector.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>

@@ -4,6 +4,7 @@
 #include "core/base/thread_team.h"
 #include "core/capture/frame.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 #include "core/observation/background/foreground_model.h"
 #include "core/tracking/people/people_parameters.h"
 #include "core/tracking/people_state.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board/board_detection.h"
 #include "core/calibration/board/board_picture.h"
+#include "core/geometry/projector.h"
 #include "tests/calibration/board_views.h"
 
 #include <opencv2/aruco/charuco.hpp>

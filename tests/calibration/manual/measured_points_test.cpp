@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/manual/interactive_pose.h"
 #include "core/calibration/manual/measured_points.h"
+#include "core/geometry/projector.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

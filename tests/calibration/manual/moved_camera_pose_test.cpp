@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/random.h"
 #include "core/calibration/manual/moved_camera_pose.h"
+#include "core/geometry/projector.h"
 #include "core/geometry/rotation_check.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/quality/fault_finder.h"
 #include "core/calibration/wand/wand_bundle.h"
+#include "core/geometry/projector.h"
 #include "tests/calibration/waved_rig.h"
 
 #include <gtest/gtest.h>
