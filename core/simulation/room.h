@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/floors.h"
-
-#include <Eigen/Core>
+#include "core/simulation/solid.h"
 
 #include <cstdint>
 #include <limits>
 #include <vector>
 
 namespace dewpoint::simulation {
-
-using Eigen::Vector3f;
 
 /// The one lamp: a small area light, so that shadows have soft borders. World frame, metres.
 inline const Vector3f kLampPosition{0.15F, -0.25F, 1.7F};
@@ -24,33 +20,6 @@ inline constexpr float kLampShare = 0.62F; ///< of full light; the rest is ambie
 /// (0 in shadow to 1) times Lambert's share of the lamp.
 float shade(const Vector3f& point, const Vector3f& normal, float lit,
             const Vector3f& lamp = kLampPosition);
-
-enum class Pattern { Plain, Wood, Plaster, Skin, Floor, Pages };
-
-/// What a surface is made of; `color` is BGR in full light, [0, 255].
-struct Material {
-  Pattern pattern = Pattern::Plain;
-  Vector3f color{128.0F, 128.0F, 128.0F};
-};
-
-/// A color given as people write it.
-inline Vector3f rgb(float red, float green, float blue) {
-  return {blue, green, red};
-}
-
-enum class Shape { Box, Ellipsoid, Cylinder };
-
-/// A thing at rest: a box, an ellipsoid or an upright cylinder, turned about the vertical.
-struct Solid {
-  Shape shape = Shape::Box;
-  Vector3f center;
-  Vector3f halfSize; ///< semi-axes along the solid's own axes
-  float yaw = 0.0F;  ///< radians about Z
-  Material material;
-  float cosine = 1.0F;
-  float sine = 0.0F;
-  float bound = 0.0F; ///< radius of a sphere around it
-};
 
 /// A ray's first hit. `distance` is along the unit direction; infinite when there is none.
 struct Hit {
@@ -87,13 +56,6 @@ public:
   const Vector3f& lamp() const { return lamp_; }
 
 private:
-  void furnish();
-  void clutterDesk();
-  void furnishHall();
-  void furnishOffice();
-  void add(Shape shape, const Vector3f& center, const Vector3f& halfSize, const Material& material,
-           float yaw = 0.0F);
-  void addBook(const Vector3f& center, const Vector3f& halfSize, const Vector3f& color, float yaw);
   bool shadowed(const Vector3f& point, const Vector3f& towards) const;
 
   std::vector<Solid> solids_;

@@ -3,6 +3,7 @@
 
 #include "core/base/text_file.h"
 #include "core/simulation/light.h"
+#include "core/simulation/scene_file.h"
 
 #include <Eigen/Geometry>
 

@@ -82,13 +82,6 @@ const std::vector<std::string>& sceneNames();
 /// A built-in scene by name, else a scene TOML file by path.
 Result<Scene> sceneNamed(const std::string& nameOrTomlFile);
 
-/// Parses scene TOML text. Absent keys keep the values of demoScene(); unknown keys, wrong types
-/// and senseless values are errors that name `file` and the key.
-Result<Scene> parseScene(const std::string& text, const std::string& file);
-
-/// The scene as TOML text, every key written; parseScene() reads the same scene from it.
-std::string sceneToml(const Scene& scene);
-
 /// The true center of a ball at `time` seconds, world frame, metres.
 Eigen::Vector3d ballPosition(const Scene& scene, int ball, double time);
 

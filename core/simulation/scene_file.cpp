@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/scene_file.h"
+
 #include "core/base/table_reader.h"
 #include "core/geometry/camera_name.h"
-#include "core/simulation/scene.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simulation/room.h"
+#include "core/simulation/solid.h"
 
 #include <cstdint>
 

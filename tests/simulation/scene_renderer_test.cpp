@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/projector.h"
+#include "core/simulation/scene_file.h"
 #include "core/simulation/scene_renderer.h"
 
 #include <gtest/gtest.h>
