@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/empty_room.h"
 
+#include "core/capture/image_reader.h"
 #include "core/capture/picture_reader.h"
+#include "core/capture/video_reader.h"
 
 #include <algorithm>
 #include <array>

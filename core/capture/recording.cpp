@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/recording.h"
 
+#include "core/capture/generated_reader.h"
+#include "core/capture/image_reader.h"
 #include "core/capture/picture.h"
 #include "core/capture/picture_reader.h"
+#include "core/capture/video_reader.h"
 
 #include <fmt/format.h>
 

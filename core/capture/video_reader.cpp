@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/capture/picture_reader.h"
+#include "core/capture/video_reader.h"
 
 #include <fmt/format.h>
 #include <opencv2/videoio.hpp>
