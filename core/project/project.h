@@ -92,16 +92,4 @@ struct Project {
 /// Puts a correction behind those of its frame.
 void addPerson(Project& project, const PersonCorrection& person);
 
-/// Reads and checks a project file (TOML). The error names the file and the key.
-Result<Project> loadProject(const std::filesystem::path& file);
-/// Whether a run can be made of it: names that are there and differ, usable color ranges and radii,
-/// positive image sizes. The error names the field as the project file does.
-Status checkProject(const Project& project);
-/// The project file: paths below `folder` relative to it, all others absolute.
-std::string projectText(const Project& project, const std::filesystem::path& folder);
-/// Writes beside, flushes, renames: the old file is never broken. Paths below the file's folder
-/// are written relative to it. Comments in the file that the project was loaded from are kept where
-/// what they stand at still exists.
-Status saveProject(const Project& project, const std::filesystem::path& file);
-
 } // namespace dewpoint::project

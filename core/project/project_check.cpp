@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/project.h"
+#include "core/project/project_check.h"
+
 #include "core/project/project_format.h"
 #include "core/project/project_people.h"
 #include "core/project/project_room.h"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project_load.h"
+
 #include "core/base/table_reader.h"
 #include "core/base/toml_text.h"
 #include "core/calibration/formats/calibration_file.h"
 #include "core/calibration/formats/camera_calibration.h"
-#include "core/project/project.h"
+#include "core/project/project_check.h"
 #include "core/project/project_format.h"
 #include "core/project/project_migration.h"
 #include "core/project/project_people.h"

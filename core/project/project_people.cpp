@@ -103,10 +103,4 @@ Status checkPeople(const Project& project) {
   return {};
 }
 
-void addPerson(Project& project, const PersonCorrection& person) {
-  const auto place =
-      std::ranges::upper_bound(project.people, person.frame, {}, &PersonCorrection::frame);
-  project.people.insert(place, person);
-}
-
 } // namespace dewpoint::project

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project_save.h"
+
 #include "core/base/table_reader.h"
 #include "core/base/text_file.h"
 #include "core/calibration/formats/camera_calibration.h"
-#include "core/project/project.h"
 #include "core/project/project_comments.h"
 #include "core/project/project_format.h"
 #include "core/project/project_people.h"

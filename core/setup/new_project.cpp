@@ -4,6 +4,7 @@
 #include "core/calibration/formats/calibration_file.h"
 #include "core/capture/recording.h"
 #include "core/geometry/camera_name.h"
+#include "core/project/project_check.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <fmt/format.h>

@@ -2,6 +2,9 @@
 #include "core/base/text_file.h"
 #include "core/project/project.h"
 #include "core/project/project_changes.h"
+#include "core/project/project_check.h"
+#include "core/project/project_load.h"
+#include "core/project/project_save.h"
 
 #include <gtest/gtest.h>
 

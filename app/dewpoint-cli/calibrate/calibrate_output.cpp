@@ -6,6 +6,7 @@
 #include "app/dewpoint-cli/common/progress.h"
 #include "core/base/text_file.h"
 #include "core/calibration/formats/calibration_file.h"
+#include "core/project/project_save.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

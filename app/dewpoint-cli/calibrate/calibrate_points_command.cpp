@@ -3,6 +3,7 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/wiring/open_project.h"
 #include "core/calibration/formats/calibration_file.h"
+#include "core/project/project_save.h"
 #include "core/session/run/tracking_run.h"
 #include "core/setup/wand_views.h"
 

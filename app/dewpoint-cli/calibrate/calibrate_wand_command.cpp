@@ -8,6 +8,7 @@
 #include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
 #include "core/calibration/formats/calibration_file.h"
+#include "core/project/project_save.h"
 #include "core/setup/wand_refinement.h"
 
 #include <CLI/CLI.hpp>

@@ -7,6 +7,8 @@
 #include "core/base/text_file.h"
 #include "core/color/background_suppression.h"
 #include "core/color/match_image.h"
+#include "core/project/project_check.h"
+#include "core/project/project_save.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

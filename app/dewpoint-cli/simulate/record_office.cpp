@@ -6,6 +6,7 @@
 #include "app/wiring/open_office.h"
 #include "core/calibration/formats/calibration_file.h"
 #include "core/capture/frame_writer.h"
+#include "core/project/project_save.h"
 #include "core/session/run/tracking_run.h"
 #include "core/simulation/office.h"
 #include "core/trajectory/trajectory_writer.h"

@@ -6,6 +6,7 @@
 #include "app/wiring/open_project.h"
 #include "core/calibration/formats/calibration_file.h"
 #include "core/capture/frame_writer.h"
+#include "core/project/project_save.h"
 #include "core/session/run/tracking_run.h"
 #include "core/simulation/office_day.h"
 #include "core/simulation/scene_renderer.h"
