@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 
 namespace dewpoint::session {
 
@@ -29,15 +28,6 @@ public:
   /// Forgets everything (the run begins anew).
   virtual void clear() = 0;
 };
-
-/// Frames of a recording, read again by seeking; those decoded last are kept, and small pictures of
-/// all that went by, up to `mostBytes`.
-/// When frames are asked for backwards, some earlier ones are decoded on the way. Moves the source.
-std::unique_ptr<FrameCache> recordedFrames(FrameSetSource& source, std::size_t mostBytes);
-
-/// Frames of live cameras: the newest as they are, older ones as JPEG, compressed by a thread of
-/// its own, up to `mostBytes` in all.
-std::unique_ptr<FrameCache> liveFrames(std::size_t mostBytes);
 
 /// Bytes of the pixels.
 std::size_t bytesOf(const FrameSet& frames);

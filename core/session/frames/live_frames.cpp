@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/frames/frame_cache.h"
+
+#include "core/session/frames/live_frames.h"
 
 #include <opencv2/imgcodecs.hpp>
 
