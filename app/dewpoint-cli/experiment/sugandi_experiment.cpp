@@ -3,6 +3,7 @@
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/dewpoint-cli/experiment/experiment_commands.h"
 #include "core/experiment/report/report_folder.h"
+#include "core/experiment/studies/sugandi_report.h"
 #include "core/experiment/studies/sugandi_study.h"
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Barrera et al. 2005, section III, A and B: figures 3 and 4, the drift and the starts.
+#include "core/experiment/studies/barrera_figures.h"
+
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/figure_parts.h"
 #include "core/experiment/studies/convergence_study.h"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Barrera et al. 2005, section III-C: figures 6, 7 and 8.
+#include "core/experiment/studies/dynamics_figures.h"
+
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/figure_parts.h"
 #include "core/experiment/studies/dynamics_study.h"

@@ -28,14 +28,4 @@ std::span<const FigureExperiment> figureExperiments();
 /// and people-<scenario>. The command line has all their options.
 std::span<const FigureExperiment> studyExperiments();
 
-// Barrera et al. 2005, section III, on the simulated demo.
-Status barreraFigure3(const ExperimentOptions& options);
-Status barreraFigure4(const ExperimentOptions& options);
-Status barreraDrift(const ExperimentOptions& options);
-Status barreraStarts(const ExperimentOptions& options);
-// The same, section III-C.
-Status dynamicsFigure6(const ExperimentOptions& options);
-Status dynamicsFigure7(const ExperimentOptions& options);
-Status dynamicsFigure8(const ExperimentOptions& options);
-
 } // namespace dewpoint::experiment
