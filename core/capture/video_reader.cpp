@@ -10,7 +10,6 @@
 #include <utility>
 
 namespace dewpoint::capture {
-
 namespace {
 
 /// Decoding this many frames costs about as much as one seek to the key frame before them.

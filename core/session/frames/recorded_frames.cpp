@@ -8,7 +8,6 @@
 #include <map>
 
 namespace dewpoint::session {
-
 namespace {
 
 /// Frames decoded before the one asked for when the numbers fall: the next ones asked for.
