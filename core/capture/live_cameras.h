@@ -20,7 +20,7 @@ struct LiveCamera {
   int width = 0;         ///< expected after the rotation, pixels; 0: any
   int height = 0;        ///< expected after the rotation, pixels; 0: any
   bool mirrored = false; ///< left to right, after the rotation
-  double lateBy = 0.0;   ///< seconds from what a picture shows to its grab, beyond the others'
+  double delay = 0.0;    ///< seconds from what a picture shows to its grab, beyond the others'
 };
 
 /// Starts one thread per camera, each opening, reading and reconnecting on its own, and returns at

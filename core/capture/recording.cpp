@@ -27,7 +27,7 @@ struct Camera {
   std::string path;
   PictureReaderPtr reader;
   cv::Mat first;          ///< frame 0, decoded when the recording was opened; handed out once
-  double lateBy = 0.0;    ///< seconds
+  double delay = 0.0;     ///< seconds
   std::int64_t ahead = 0; ///< its pictures are taken from so many farther on
 };
 
@@ -48,7 +48,7 @@ public:
       : cameras_(std::move(cameras)), rate_(rate), notices_(std::move(notices)) {
     count_ = frames(*std::ranges::min_element(cameras_, {}, frames));
     for (Camera& camera : cameras_) {
-      camera.ahead = std::llround(camera.lateBy * rate_);
+      camera.ahead = std::llround(camera.delay * rate_);
     }
   }
 
@@ -78,7 +78,7 @@ public:
       if (picture->empty()) {
         return FrameSetPtr();
       }
-      const TimeStamp taken = timeStamp(static_cast<double>(number) / rate_ - camera.lateBy);
+      const TimeStamp taken = timeStamp(static_cast<double>(number) / rate_ - camera.delay);
       set->frames.push_back(std::make_shared<Frame>(Frame{number, taken, std::move(*picture)}));
     }
     ++next_;
@@ -121,7 +121,7 @@ Result<Camera> openCamera(const RecordedCamera& description) {
   camera.shape = {description.name, description.rotateDegrees, description.width,
                   description.height, description.mirrored};
   camera.path = description.path;
-  camera.lateBy = description.lateBy;
+  camera.delay = description.delay;
   if (auto usable = checkShape(camera.shape, camera.path); !usable) {
     return tl::make_unexpected(usable.error());
   }

@@ -36,7 +36,7 @@ enum class ColorWord : std::uint8_t {
 ColorWord colorWord(const BgrColor& color);
 
 /// Something that is not the target and matches its color too.
-struct LookAlikeRegion {
+struct DistractorRegion {
   int camera = 0;
   cv::Rect box;
   double share = 0.0; ///< of the image's pixels
@@ -48,16 +48,16 @@ struct LookAlikeRegion {
 
 /// What a person can do about it.
 enum class Suggestion : std::uint8_t {
-  None,             ///< the color separates well
-  AddSamples,       ///< much of the target does not match: click its light and its dark side
-  ExcludeLookAlike, ///< one thing matches that could be told apart: Alt-click it
-  RemoveLookAlike,  ///< one thing of the same color: cover it or take it out of view
-  MoreLight,        ///< the target is nearly black
-  LessExposure,     ///< the target is nearly white: its color is lost
-  UseStrongerColor, ///< the target is nearly gray
-  UseAnotherColor,  ///< several things in the room have this color
-  ClickThingItself, ///< what was clicked fills much of an image: a wall, not a thing
-  ClickMore,        ///< what was clicked is a speck, of which little matches
+  None,              ///< the color separates well
+  AddSamples,        ///< much of the target does not match: click its light and its dark side
+  ExcludeDistractor, ///< one thing matches that could be told apart: Alt-click it
+  RemoveDistractor,  ///< one thing of the same color: cover it or take it out of view
+  MoreLight,         ///< the target is nearly black
+  LessExposure,      ///< the target is nearly white: its color is lost
+  UseStrongerColor,  ///< the target is nearly gray
+  UseAnotherColor,   ///< several things in the room have this color
+  ClickThingItself,  ///< what was clicked fills much of an image: a wall, not a thing
+  ClickMore,         ///< what was clicked is a speck, of which little matches
 };
 
 /// How well a color range tells the target from the rest.
@@ -72,12 +72,12 @@ struct ColorVerdict {
   /// backgroundShare of a range for the whole target. Where little of it matches, this is why: more
   /// of it would cost more than it wins. Nothing while missesTarget() is false.
   std::optional<double> backgroundShareOfWhole;
-  std::vector<LookAlikeRegion> lookAlikes; ///< largest first, at most kMostLookAlikes
+  std::vector<DistractorRegion> distractors; ///< largest first, at most kMostDistractors
   /// A sample hardly matches the range that was found for all: one range cannot hold both.
   bool sampleLeftOut = false;
   Suggestion suggestion = Suggestion::None;
 
-  static constexpr std::size_t kMostLookAlikes = 5;
+  static constexpr std::size_t kMostDistractors = 5;
   static constexpr double kFewMatch = 0.75; ///< of the target
 
   /// The separability as it is told, 0 to 100.

@@ -18,13 +18,13 @@ namespace dewpoint::color {
 namespace {
 
 /// A thing that matters as a look-alike: this share of the target's size, and no speckle.
-constexpr double kLookAlikeShare = 0.1;
-constexpr double kSmallestLookAlike = 9.0; ///< pixels
-constexpr int kGood = 90;                  ///< score() from which on nothing needs to be done
-constexpr double kDark = 0.08;             ///< intensity
-constexpr double kBright = 0.94;           ///< intensity, with kPale
-constexpr double kPale = 0.12;             ///< saturation
-constexpr double kMostOfImage = 0.25;      ///< that a target fills
+constexpr double kDistractorShare = 0.1;
+constexpr double kSmallestDistractor = 9.0; ///< pixels
+constexpr int kGood = 90;                   ///< score() from which on nothing needs to be done
+constexpr double kDark = 0.08;              ///< intensity
+constexpr double kBright = 0.94;            ///< intensity, with kPale
+constexpr double kPale = 0.12;              ///< saturation
+constexpr double kMostOfImage = 0.25;       ///< that a target fills
 constexpr double kSpeck = 1.0 / 5000.0; ///< of an image: a shadow in a thing, rather than a thing
 constexpr double kLow = 0.4;            ///< F1 score, or share of the target
 constexpr double kTellable = 3.0;       ///< colorDistance()
@@ -44,7 +44,7 @@ BgrColor meanColor(const cv::Mat& image, const cv::Mat& mask) {
 }
 
 struct FoundRegion {
-  LookAlikeRegion region;
+  DistractorRegion region;
   double area = 0.0;
   BgrColor color{};
 };
@@ -53,7 +53,7 @@ FoundRegion described(int camera, const cv::Mat& image, const cv::Mat& labels, i
                       const cv::Mat& statistics, const cv::Mat& centers) {
   FoundRegion found;
   found.area = statistics.at<int>(label, cv::CC_STAT_AREA);
-  LookAlikeRegion& region = found.region;
+  DistractorRegion& region = found.region;
   region.camera = camera;
   region.box = {
       statistics.at<int>(label, cv::CC_STAT_LEFT), statistics.at<int>(label, cv::CC_STAT_TOP),
@@ -122,8 +122,8 @@ Suggestion suggestionFor(const ColorVerdict& verdict, const ColorEvidence& evide
     all += region.area;
   }
   if (!found.empty() && found.front().area > kOneThing * all) {
-    return colorDistance(found.front().color, color) > kTellable ? Suggestion::ExcludeLookAlike
-                                                                 : Suggestion::RemoveLookAlike;
+    return colorDistance(found.front().color, color) > kTellable ? Suggestion::ExcludeDistractor
+                                                                 : Suggestion::RemoveDistractor;
   }
   return found.empty() ? Suggestion::None : Suggestion::UseAnotherColor;
 }
@@ -175,7 +175,7 @@ ColorVerdict verdictOn(const ColorRange& range, const ColorEvidence& evidence,
   }
   std::vector<FoundRegion> found;
   const ColorClassifier classifier(range);
-  const double smallest = std::max(kSmallestLookAlike, kLookAlikeShare * evidence.targetArea);
+  const double smallest = std::max(kSmallestDistractor, kDistractorShare * evidence.targetArea);
   for (std::size_t i = 0; i < images.size(); ++i) {
     if (!evidence.targetMasks[i].empty()) {
       addRegions(int(i), images[i], evidence.targetMasks[i], classifier, smallest, found);
@@ -183,9 +183,9 @@ ColorVerdict verdictOn(const ColorRange& range, const ColorEvidence& evidence,
   }
   std::ranges::stable_sort(found, std::greater(), &FoundRegion::area);
   verdict.suggestion = suggestionFor(verdict, evidence, found);
-  found.resize(std::min(found.size(), ColorVerdict::kMostLookAlikes));
+  found.resize(std::min(found.size(), ColorVerdict::kMostDistractors));
   for (FoundRegion& region : found) {
-    verdict.lookAlikes.push_back(std::move(region.region));
+    verdict.distractors.push_back(std::move(region.region));
   }
   return verdict;
 }

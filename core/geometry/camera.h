@@ -23,7 +23,7 @@ struct Intrinsics {
   bool operator==(const Intrinsics&) const = default;
 };
 
-/// One calibrated camera. World: metres, right-handed, Z up. Camera axes as in OpenCV: x right,
+/// One calibrated camera. World: meters, right-handed, Z up. Camera axes as in OpenCV: x right,
 /// y down, z forward. Distortion coefficients in OpenCV's order: k1 k2 p1 p2 k3 k4 k5 k6 of a
 /// pinhole, k1 k2 k3 k4 (and zeros) of a fisheye.
 struct Camera {
@@ -33,7 +33,7 @@ struct Camera {
   LensModel lens = LensModel::Pinhole;
   Eigen::Isometry3d cameraFromWorld = Eigen::Isometry3d::Identity();
 
-  /// Optical center in the world frame, metres.
+  /// Optical center in the world frame, meters.
   Eigen::Vector3d center() const;
   /// Unit vector of the optical axis in the world frame.
   Eigen::Vector3d opticalAxis() const;
@@ -47,7 +47,7 @@ struct Camera {
 using CameraRig = std::vector<Camera>;
 
 /// The pose (camera from world) of a camera at `position` that looks at `target`, image up along
-/// `up`, then turned by `roll` radians about its optical axis. All in the world frame, metres.
+/// `up`, then turned by `roll` radians about its optical axis. All in the world frame, meters.
 Eigen::Isometry3d lookAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target,
                          const Eigen::Vector3d& up = Eigen::Vector3d::UnitZ(), double roll = 0.0);
 

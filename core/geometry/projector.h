@@ -21,7 +21,7 @@ public:
   /// beyond the angle where the distortion polynomial folds back (there it would invent an image).
   std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& pointWorld) const;
 
-  /// The same for `count` points given as three columns, metres; the pixels go into two more, NaN
+  /// The same for `count` points given as three columns, meters; the pixels go into two more, NaN
   /// where project() returns nothing. Equal to project() to the bit. Columns must not overlap.
   void projectBatch(std::int64_t count, const double* x, const double* y, const double* z,
                     double* column, double* row) const;

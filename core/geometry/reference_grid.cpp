@@ -12,8 +12,8 @@
 namespace dewpoint::geometry {
 namespace {
 
-constexpr double kLargest = 1e4;  ///< metres
-constexpr double kFarthest = 1e3; ///< metres; a ray that meets the grid's plane beyond is level
+constexpr double kLargest = 1e4;  ///< meters
+constexpr double kFarthest = 1e3; ///< meters; a ray that meets the grid's plane beyond is level
 constexpr double kTolerance = 1e-9;
 
 /// Sides of the grid: pairs of axes that span one, the other axis being 0.

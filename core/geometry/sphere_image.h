@@ -24,11 +24,11 @@ class SphereProjector {
 public:
   explicit SphereProjector(const Camera& camera);
 
-  /// Outline of the sphere of `radius` metres around `centerWorld` (metres, world), also outside
+  /// Outline of the sphere of `radius` meters around `centerWorld` (meters, world), also outside
   /// the image; nothing when it reaches behind the camera or past where the lens model holds.
   std::optional<SphereImage> project(const Eigen::Vector3d& centerWorld, double radius) const;
 
-  /// Metres in front of the camera, along its optical axis.
+  /// Meters in front of the camera, along its optical axis.
   double depth(const Eigen::Vector3d& pointWorld) const {
     return (pointWorld - cameraCenter_).dot(axis_);
   }

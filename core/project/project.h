@@ -31,7 +31,7 @@ struct ProjectCamera {
   std::string emptyRoom = {};
   /// Seconds by which its images are late: what they show was so much before their time. Of
   /// recordings the image nearest in time is taken; methods that know of times use the rest.
-  double lateBy = 0.0;
+  double delay = 0.0;
 
   /// Its calibration is the project's own from now on.
   void markAdjusted() { adjusted = adjusted || source == SourceKind::Simulation; }
@@ -59,7 +59,7 @@ struct PersonCorrection {
   };
 
   std::int64_t frame = 0; ///< it holds from the end of this frame on
-  /// On the floor, world x and y in metres. Either this or `click` is there.
+  /// On the floor, world x and y in meters. Either this or `click` is there.
   std::optional<Eigen::Vector2d> place = {};
   std::optional<Click> click = {};
   /// False, only with a place: whom the method has there is not there.

@@ -193,7 +193,7 @@ void readSource(TableReader& reader, const path& folder, ProjectCamera& camera) 
     reader.fail(ErrorCode::BadValue, "rotate", "0, 90, 180 or 270 degrees are expected");
   }
   reader.boolean("mirror", camera.mirrored);
-  reader.number("late_by", camera.lateBy, -kLatest, kLatest);
+  reader.number("late_by", camera.delay, -kLatest, kLatest);
 }
 
 bool hasSource(const toml::table& camera) {

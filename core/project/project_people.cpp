@@ -10,7 +10,7 @@
 namespace dewpoint::project {
 namespace {
 
-constexpr double kFarthest = 1e4;     ///< metres from the origin
+constexpr double kFarthest = 1e4;     ///< meters from the origin
 constexpr double kLargestPixel = 1e6; ///< of any image
 
 PersonCorrection readPerson(const toml::table& table, const std::string& file, std::size_t index,

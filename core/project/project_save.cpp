@@ -81,8 +81,8 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
   if (camera.mirrored) {
     text += "mirror = true   # left to right, after the rotation\n";
   }
-  if (camera.lateBy != 0.0) {
-    text += fmt::format("late_by = {}   # seconds that its images are late\n", camera.lateBy);
+  if (camera.delay != 0.0) {
+    text += fmt::format("late_by = {}   # seconds that its images are late\n", camera.delay);
   }
   if (!camera.emptyRoom.empty()) {
     text += "empty_room = " + storedPath(camera.emptyRoom, folder) + "\n";

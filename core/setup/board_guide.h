@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/board/rig_guidance.h"
 #include "core/base/thread_team.h"
 #include "core/calibration/board/board_guidance.h"
 #include "core/calibration/board/extrinsics_from_board.h"
+#include "core/calibration/board/rig_guidance.h"
 #include "core/capture/frame.h"
 #include "core/project/project.h"
 #include "core/setup/board_outcome.h"
@@ -23,7 +23,7 @@ struct BoardGuideRequest {
   BoardGoal goal;
   GuidanceSettings lenses;        ///< with the accuracy at which a lens is known well enough
   RigGuidance::Settings places;   ///< how often pairs of cameras see the board together
-  double requestedPlace = 0.002;  ///< metres: CameraFit::centerSigma of each camera at the end
+  double requestedPlace = 0.002;  ///< meters: CameraFit::centerSigma of each camera at the end
   int mostInstants = 60;          ///< then it ends whatever the accuracy
   std::size_t outlinesKept = 100; ///< per camera
 };
@@ -45,7 +45,7 @@ struct BoardGuideState {
     Outline outline;                    ///< of it; may be empty
     std::vector<Outline> taken;         ///< of the views that were taken
     std::optional<double> rmsPx;        ///< of the newest calibration of its lens
-    std::optional<double> placeSigma;   ///< metres, of the newest calibration of the places
+    std::optional<double> placeSigma;   ///< meters, of the newest calibration of the places
     int pairViews = 0;                  ///< taken together with another camera
   };
 

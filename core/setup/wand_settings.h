@@ -19,14 +19,14 @@ struct WandSettings {
   bool stick = false;                ///< two balls; else one
   std::string ball;                  ///< names of targets; empty: the first ones
   std::string other;                 ///< the other end of the stick
-  double length = 0.5;               ///< of the stick, between the balls' middles; metres
+  double length = 0.5;               ///< of the stick, between the balls' middles; meters
   WandSize size = WandSize::Cameras; ///< with one ball
-  double distance = 1.0;             ///< between the two places touched; metres
+  double distance = 1.0;             ///< between the two places touched; meters
   bool findOffsets = false;
   bool findFocal = false;
   bool findDistortion = false;
   bool onlySpan = false;                        ///< look only through the frames that are selected
-  double roughPlace = WandOptions().roughPlace; ///< metres
+  double roughPlace = WandOptions().roughPlace; ///< meters
   double roughTurn = WandOptions().roughTurn;   ///< radians
 
   bool operator==(const WandSettings&) const = default;

@@ -10,7 +10,7 @@
 
 namespace dewpoint::simulation {
 
-/// A moving thing at one instant: a ball, or a box of any orientation. World frame, metres.
+/// A moving thing at one instant: a ball, or a box of any orientation. World frame, meters.
 struct Body {
   bool box = false;
   Vector3f center;

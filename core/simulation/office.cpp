@@ -11,7 +11,7 @@
 namespace dewpoint::simulation {
 namespace {
 
-constexpr double kHalfOffice = 3.5; ///< metres from the middle to the walls
+constexpr double kHalfOffice = 3.5; ///< meters from the middle to the walls
 
 } // namespace
 

@@ -9,7 +9,7 @@
 
 namespace dewpoint::simulation {
 
-/// The one lamp: a small area light, so that shadows have soft borders. World frame, metres.
+/// The one lamp: a small area light, so that shadows have soft borders. World frame, meters.
 inline const Vector3f kLampPosition{0.15F, -0.25F, 1.7F};
 /// That of the office, above the heads.
 inline const Vector3f kOfficeLampPosition{0.2F, -0.3F, 2.6F};

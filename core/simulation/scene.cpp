@@ -93,7 +93,7 @@ Result<Scene> sceneNamed(const std::string& nameOrTomlFile) {
   }
   if (name == "smooth" || name == "look-alikes" || name == "occluder") {
     Scene scene = builtIn(name, Motion::Smooth);
-    scene.lookAlikes = name == "look-alikes" ? 3 : 0;
+    scene.distractors = name == "look-alikes" ? 3 : 0;
     scene.occluder = name == "occluder";
     return scene;
   }
@@ -127,9 +127,9 @@ Eigen::Vector3d ballPosition(const Scene& scene, int ball, double time) {
   return body.position + body.extent.cwiseProduct(offset);
 }
 
-Eigen::Vector3d lookAlikePosition(const Scene& scene, int index) {
+Eigen::Vector3d distractorPosition(const Scene& scene, int index) {
   // At rest on the desk, where at least one camera of the demo rig sees it beside the ball's path.
-  static constexpr std::array<std::array<double, 2>, kMaxLookAlikes> kPlaces{
+  static constexpr std::array<std::array<double, 2>, kMaxDistractors> kPlaces{
       {{0.66, 0.62}, {0.36, 0.70}, {0.80, 0.42}, {0.58, 0.78}}};
   const auto& place = kPlaces.at(static_cast<std::size_t>(index));
   return {place[0], place[1], scene.balls.empty() ? 0.035 : scene.balls.front().radius};

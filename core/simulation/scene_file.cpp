@@ -188,7 +188,7 @@ Result<Scene> readScene(const toml::table& table, const std::string& file) {
   reader.integer("frame_count", scene.frameCount, 1, 100'000'000);
   reader.integer("seed", scene.seed, std::numeric_limits<std::int64_t>::min(),
                  std::numeric_limits<std::int64_t>::max());
-  reader.integer("look_alikes", scene.lookAlikes, 0, kMaxLookAlikes);
+  reader.integer("look_alikes", scene.distractors, 0, kMaxDistractors);
   reader.boolean("occluder", scene.occluder);
   reader.boolean("clutter", scene.clutter);
   reader.number("noise_sigma", scene.noiseSigma, 0.0, 100.0);
@@ -282,7 +282,7 @@ std::string sceneToml(const Scene& scene) {
       {"frames_per_second", scene.framesPerSecond},
       {"frame_count", scene.frameCount},
       {"seed", static_cast<std::int64_t>(scene.seed)},
-      {"look_alikes", scene.lookAlikes},
+      {"look_alikes", scene.distractors},
       {"occluder", scene.occluder},
       {"clutter", scene.clutter},
       {"noise_sigma", scene.noiseSigma},

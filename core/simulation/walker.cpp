@@ -11,7 +11,7 @@ namespace dewpoint::simulation {
 namespace {
 
 constexpr double kRounding = 0.4;     ///< seconds over which corners of the way are rounded off
-constexpr double kStrideLength = 1.4; ///< metres of two steps
+constexpr double kStrideLength = 1.4; ///< meters of two steps
 constexpr double kUsualSpeed = 1.2;   ///< m/s at which limbs swing fully
 
 Eigen::Vector2d onWay(const std::vector<Waypoint>& way, double time) {
@@ -27,7 +27,7 @@ Eigen::Vector2d onWay(const std::vector<Waypoint>& way, double time) {
   return before.place + part * (after->place - before.place);
 }
 
-/// Distance gone since the first waypoint, metres.
+/// Distance gone since the first waypoint, meters.
 double gone(const std::vector<Waypoint>& way, double time) {
   double sum = 0.0;
   for (std::size_t k = 1; k < way.size() && way[k - 1].time < time; ++k) {

@@ -11,7 +11,7 @@
 
 namespace dewpoint::simulation {
 
-/// Where a walker is to be at a time. Seconds; world x and y, metres.
+/// Where a walker is to be at a time. Seconds; world x and y, meters.
 struct Waypoint {
   double time = 0.0;
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
@@ -28,7 +28,7 @@ struct Clothes {
 /// A person of the simulation, who goes from waypoint to waypoint.
 struct Walker {
   std::string name;
-  double height = 1.75; ///< metres
+  double height = 1.75; ///< meters
   Clothes clothes;
   std::vector<Waypoint> way;
   double from = -std::numeric_limits<double>::infinity(); ///< is there from this time on, seconds
@@ -41,8 +41,8 @@ struct Walker {
 
 /// A part of a body: an ellipsoid of any orientation.
 struct BodyPart {
-  Vector3f center;                                    ///< world, metres
-  Vector3f halfSize;                                  ///< semi-axes along its own axes, metres
+  Vector3f center;                                    ///< world, meters
+  Vector3f halfSize;                                  ///< semi-axes along its own axes, meters
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< rows: its own axes in the world
   Vector3f color;                                     ///< BGR in full light
 };

@@ -28,9 +28,9 @@ constexpr double kDoubtfulGate = 16.0;
 /// Looks to either side that an outlier pulls along, and how often outliers are looked for.
 constexpr std::size_t kNeighbors = 10;
 constexpr int kMostPasses = 10;
-/// A filled place less sure than this is none, metres.
+/// A filled place less sure than this is none, meters.
 constexpr double kUsefulSigma = 0.1;
-/// An estimate that is taken for a look is not better than this, metres: it has to be inverted.
+/// An estimate that is taken for a look is not better than this, meters: it has to be inverted.
 constexpr double kLeastSigma = 1e-5;
 
 constexpr double kShareOfAStep = 0.03;

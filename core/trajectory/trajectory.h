@@ -14,13 +14,13 @@
 namespace dewpoint::trajectory {
 
 /// What the images of one frame alone say of a place, without what was known before: a measurement
-/// with errors of its own. World frame, metres; covariance in m².
+/// with errors of its own. World frame, meters; covariance in m².
 struct PositionMeasurement {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
 };
 
-/// One target at one frame. World frame, metres, seconds; covariance in m².
+/// One target at one frame. World frame, meters, seconds; covariance in m².
 struct TrajectorySample {
   double time = 0.0;
   std::int64_t frame = 0;

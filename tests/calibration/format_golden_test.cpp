@@ -24,9 +24,9 @@ struct Golden {
   CalibrationHints hints; ///< what the file does not say
 };
 
-CalibrationHints unit(double metres) {
+CalibrationHints unit(double meters) {
   CalibrationHints hints;
-  hints.unit = metres;
+  hints.unit = meters;
   return hints;
 }
 
@@ -144,12 +144,12 @@ TEST(FormatGolden, WhatAFileDoesNotSayIsAskedFor) {
 }
 
 TEST(FormatGolden, WrongUnitsAreNamedWithTheLikelyCause) {
-  // Pose2Sim's metres written in mm: one camera hundreds of "m" away.
+  // Pose2Sim's meters written in mm: one camera hundreds of "m" away.
   expectSentence(errorOf("pose2sim.toml", "0.37092653", "370.92653"), "translation",
                  "likely in mm");
-  // Ours reads metres; the same file in mm without Anipose's mark.
+  // Ours reads meters; the same file in mm without Anipose's mark.
   expectSentence(errorOf("anipose_mm.toml", "adjusted", "remark"), "translation", "likely in mm");
-  // Qualisys' mm, of a file that somebody scaled to metres.
+  // Qualisys' mm, of a file that somebody scaled to meters.
   auto scaled = readCalibration(kGolden / "session.qca.txt", unit(0.001));
   ASSERT_TRUE(scaled);
   for (Camera& camera : scaled->rig) {

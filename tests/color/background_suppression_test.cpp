@@ -39,17 +39,17 @@ TEST(FamiliarColor, TheVerdictLeavesItOut) {
   const auto sample = takeSample(images[0], click);
   ASSERT_TRUE(sample);
   const ColorVerdict blind = judgeColorWithBackground(kReds, {*sample}, images, {});
-  ASSERT_EQ(blind.lookAlikes.size(), 1U);
+  ASSERT_EQ(blind.distractors.size(), 1U);
   EXPECT_GT(blind.backgroundShare, 0.1); // 2000 of 19200 pixels
   const ColorVerdict knowing = judgeColorWithBackground(kReds, {*sample}, images, {room()});
-  EXPECT_TRUE(knowing.lookAlikes.empty());
+  EXPECT_TRUE(knowing.distractors.empty());
   EXPECT_EQ(knowing.backgroundShare, 0.0);
   EXPECT_GT(knowing.separability, blind.separability);
 
   const auto learned = learnColorWithBackground({*sample}, images, {room()});
   ASSERT_TRUE(learned);
   EXPECT_EQ(learned->range, learnColor({*sample}, images)->range);
-  EXPECT_TRUE(learned->verdict.lookAlikes.empty());
+  EXPECT_TRUE(learned->verdict.distractors.empty());
 }
 
 // What is handed on from learning to judging does not change what is judged: with an image that
@@ -69,7 +69,7 @@ TEST(FamiliarColor, LearningAndJudgingAgreeToTheBit) {
     EXPECT_EQ(learned->verdict.separability, anew.separability);
     EXPECT_EQ(learned->verdict.targetShare, anew.targetShare);
     EXPECT_EQ(learned->verdict.backgroundShare, anew.backgroundShare);
-    EXPECT_EQ(learned->verdict.lookAlikes.size(), anew.lookAlikes.size());
+    EXPECT_EQ(learned->verdict.distractors.size(), anew.distractors.size());
     EXPECT_EQ(learned->verdict.suggestion, anew.suggestion);
   }
 }

@@ -124,7 +124,7 @@ TEST(ColorVerdict, SpecklesInTheRoomAskForNothing) {
       judgeColor({350.0, 10.0, 0.1, 1.0, 0.1, 1.0}, {sampleOf({red}, 1000)}, {image});
   EXPECT_EQ(verdict.score(), 72);
   EXPECT_FALSE(verdict.missesTarget());
-  EXPECT_TRUE(verdict.lookAlikes.empty());
+  EXPECT_TRUE(verdict.distractors.empty());
   EXPECT_EQ(verdict.suggestion, Suggestion::None);
 }
 
@@ -194,7 +194,7 @@ TEST(ColorLearning, OneClickFindsTheBallElsewhere) {
   EXPECT_GT(f1(matchImage(later, ColorClassifier(learned->range)), disc({250, 180})), 0.9);
   EXPECT_GT(learned->verdict.separability, 0.9);
   EXPECT_LT(learned->verdict.backgroundShare, 1e-3);
-  EXPECT_TRUE(learned->verdict.lookAlikes.empty());
+  EXPECT_TRUE(learned->verdict.distractors.empty());
   EXPECT_EQ(learned->verdict.suggestion, Suggestion::None);
 }
 
@@ -212,14 +212,14 @@ TEST(ColorLearning, ATwinIsNamedWhereItIs) {
   auto sample = clickAt(image, {120, 100});
   sample.camera = 1;
   const auto seen = learnColor({sample}, {cv::Mat(), image});
-  ASSERT_EQ(seen->verdict.lookAlikes.size(), 1U);
-  const LookAlikeRegion& twin = seen->verdict.lookAlikes.front();
+  ASSERT_EQ(seen->verdict.distractors.size(), 1U);
+  const DistractorRegion& twin = seen->verdict.distractors.front();
   EXPECT_EQ(twin.camera, 1);
   EXPECT_EQ(twin.horizontal, HorizontalPlace::Right);
   EXPECT_EQ(twin.vertical, VerticalPlace::Top);
   EXPECT_EQ(twin.color, ColorWord::Pink);
   EXPECT_TRUE(twin.box.contains({290, 30}));
-  EXPECT_EQ(seen->verdict.suggestion, Suggestion::RemoveLookAlike);
+  EXPECT_EQ(seen->verdict.suggestion, Suggestion::RemoveDistractor);
 }
 
 TEST(ColorLearning, WhatIsExcludedMatchesLess) {

@@ -53,7 +53,7 @@ SessionInputs demoWithMethod(const std::string& method) {
   return inputs;
 }
 
-TEST(EndToEnd, TheDemoIsTrackedToAMillimetre) {
+TEST(EndToEnd, TheDemoIsTrackedToAMillimeter) {
   auto inputs = demoWithMethod("dewpoint");
   const TruthTable truth(inputs.truth);
   const auto trajectory = tracked(std::move(inputs), 150);

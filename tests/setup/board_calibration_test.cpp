@@ -235,12 +235,12 @@ TEST(BoardCalibration, AWrongSquareSizeIsNamed) {
   const auto source = recorded.open();
   auto seen = lookForBoards(recorded.project, *source, wish);
   ASSERT_TRUE(seen);
-  wish.board.squareSize *= 1000.0; // typed in millimetres
+  wish.board.squareSize *= 1000.0; // typed in millimeters
   wish.board.markerSize *= 1000.0;
   const auto outcome = calibrateFromBoards(recorded.project, *seen, wish, {false, true});
   ASSERT_TRUE(outcome) << sentence(outcome.error());
   ASSERT_EQ(outcome->places->faults.size(), 1U);
-  EXPECT_EQ(outcome->places->faults[0].fault, CalibrationFault::MillimetresMixed);
+  EXPECT_EQ(outcome->places->faults[0].fault, CalibrationFault::MillimetersMixed);
 }
 
 } // namespace

@@ -53,7 +53,7 @@ Corners triangulated(const CameraRig& cameras, const std::vector<CameraFit>& fit
   return crossed(rays);
 }
 
-/// How far corners are from the published ones after the best rigid alignment, metres, rising.
+/// How far corners are from the published ones after the best rigid alignment, meters, rising.
 std::vector<double> apart(const char* what, const Corners& corners, const Corners& published) {
   std::vector<Eigen::Vector3d> from;
   std::vector<Eigen::Vector3d> to;
@@ -95,7 +95,7 @@ std::vector<std::vector<double>> rowsOf(const fs::path& file) {
   return rows;
 }
 
-/// Distances between neighbors along rows and columns, metres.
+/// Distances between neighbors along rows and columns, meters.
 std::vector<double> spacings(const Corners& corners, const BoardDescription& board) {
   std::vector<double> result;
   for (const auto& [key, point] : corners) {
@@ -215,7 +215,7 @@ TEST(BoardRecordings, StereoTray) {
     GTEST_SKIP() << "DEWPOINT_DATA has no stereo_tray";
   }
   ExtrinsicsRequest request;
-  request.board = boardOf("chessboard:7x5:1"); // metres stand for squares
+  request.board = boardOf("chessboard:7x5:1"); // meters stand for squares
   for (const char* side : {"left", "right"}) {
     const auto files = picturesIn(folder, side);
     const auto lens = lensFrom(files, request.board);

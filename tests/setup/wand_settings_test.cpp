@@ -79,7 +79,7 @@ TEST(WandSettings, OptionsSayWhatWasDecided) {
   const WandOptions options = toOptions(wish, moments, withBalls(1), FrameStretch{10, 99});
   EXPECT_EQ(options.targets, std::vector<std::string>{"a"});
   ASSERT_TRUE(options.distance);
-  EXPECT_EQ(options.distance->metres, 1.5);
+  EXPECT_EQ(options.distance->meters, 1.5);
   EXPECT_EQ(options.floorTimes, (std::vector<double>{1.0, 4.0}));
   ASSERT_TRUE(options.drop);
   EXPECT_EQ((*options.drop)[1], 5.5);

@@ -118,7 +118,7 @@ void CalibrationImportTest::goldenFilesAreTaken() {
   QFETCH(int, cameras);
   CalibrationHints hints;
   if (!unit.isEmpty()) {
-    hints.unit = metresOfUnit(unit.toStdString());
+    hints.unit = metersOfUnit(unit.toStdString());
   }
   if (!size.isEmpty()) {
     hints.size = {1280, 720};

@@ -272,7 +272,7 @@ void ColorPanel::showVerdict(const ColorVerdict& verdict) {
   said_ = verdict;
   sayVerdict();
   std::map<int, std::vector<ImagePickOverlay::Region>> regions;
-  for (const LookAlikeRegion& region : verdict.lookAlikes) {
+  for (const DistractorRegion& region : verdict.distractors) {
     QPolygonF outline;
     for (const cv::Point& point : region.outline) {
       outline << QPointF(point.x, point.y);

@@ -39,9 +39,9 @@ QString suggestionSentence(Suggestion suggestion) {
   switch (suggestion) {
   case Suggestion::AddSamples:
     return Words::tr("Much of the target does not match: Shift-click its light and its dark side.");
-  case Suggestion::ExcludeLookAlike:
+  case Suggestion::ExcludeDistractor:
     return Words::tr("Alt-click what matches too: it can be told apart.");
-  case Suggestion::RemoveLookAlike:
+  case Suggestion::RemoveDistractor:
     return Words::tr("Cover what has the same color, or take it out of view.");
   case Suggestion::MoreLight:
     return Words::tr("The target is nearly black here: more light would help.");
@@ -100,8 +100,8 @@ QString verdictText(const ColorVerdict& verdict, const std::vector<QString>& cam
   if (verdict.sampleLeftOut) {
     sentences << Words::tr("One sample does not go with the others: no single range holds both.");
   }
-  if (!verdict.lookAlikes.empty()) {
-    const LookAlikeRegion& region = verdict.lookAlikes.front();
+  if (!verdict.distractors.empty()) {
+    const DistractorRegion& region = verdict.distractors.front();
     const auto camera = static_cast<std::size_t>(region.camera);
     sentences << Words::tr("Something %1 %2 of %3 matches too.")
                      .arg(colorName(region.color), placeName(region.horizontal, region.vertical),

@@ -58,7 +58,7 @@ void sayPoints(const Project& project, const PointSolution& solution) {
     fmt::print("{:<24} {:<16} {:>8.3f} {:>8.2f}\n",
                project.points[static_cast<std::size_t>(residual.point)].name,
                solution.rig[static_cast<std::size_t>(residual.camera)].name, residual.pixels,
-               1000.0 * residual.metres);
+               1000.0 * residual.meters);
   }
   if (solution.worst) {
     const std::string& name = project.points[static_cast<std::size_t>(*solution.worst)].name;

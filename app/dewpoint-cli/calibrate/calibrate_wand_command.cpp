@@ -102,7 +102,7 @@ void sayCameras(const WandRefinement& refinement) {
     const Camera& camera = result.cameras[c];
     const PoseShift shift = poseShift(refinement.before[c], camera);
     fmt::print("{:<16} {:>6} {:>8} {:>7.3f} {:>9.2f} {:>10.2f}", camera.name, result.views[c],
-               result.dropped[c], result.cameraMedianPx[c], 100.0 * shift.metres,
+               result.dropped[c], result.cameraMedianPx[c], 100.0 * shift.meters,
                shift.radians / kDegree);
     if (options.findOffsets) {
       fmt::print(" {:>9.2f}", -1000.0 * result.offsets[c] + 0.0); // no -0.00

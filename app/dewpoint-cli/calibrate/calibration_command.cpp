@@ -23,13 +23,13 @@ struct ConvertOptions {
   CalibrationTarget target;
 };
 
-/// A unit's metres, checked by the command line already.
-std::optional<double> metres(const std::string& unit) {
-  return unit.empty() ? std::nullopt : metresOfUnit(unit);
+/// A unit's meters, checked by the command line already.
+std::optional<double> meters(const std::string& unit) {
+  return unit.empty() ? std::nullopt : metersOfUnit(unit);
 }
 
 std::string wrongUnit(const std::string& text) {
-  return metresOfUnit(text) ? "" : "a unit is m, mm, cm, in, ft or the metres of one unit";
+  return metersOfUnit(text) ? "" : "a unit is m, mm, cm, in, ft or the metres of one unit";
 }
 
 std::string wrongSize(const std::string& text) {
@@ -41,8 +41,8 @@ std::string wrongSize(const std::string& text) {
 }
 
 void takeHints(ConvertOptions& options) {
-  options.hints.unit = metres(options.unit);
-  options.target.unit = metres(options.outUnit);
+  options.hints.unit = meters(options.unit);
+  options.target.unit = meters(options.outUnit);
   if (!options.size.empty()) {
     auto& size = options.hints.size.emplace();
     std::sscanf(options.size.c_str(), "%dx%d", &size[0], &size[1]);

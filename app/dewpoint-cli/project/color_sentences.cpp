@@ -20,7 +20,7 @@ const char* nameOf(ColorWord word) {
   return kNames[static_cast<int>(word)];
 }
 
-std::string placeOf(const LookAlikeRegion& region) {
+std::string placeOf(const DistractorRegion& region) {
   static constexpr const char* kPlaces[3][3] = {
       {"at the top left", "at the top", "at the top right"},
       {"at the left", "in the middle", "at the right"},
@@ -32,9 +32,9 @@ const char* advice(Suggestion suggestion) {
   switch (suggestion) {
   case Suggestion::AddSamples:
     return "Much of the target does not match: add its light and its dark side with --more.";
-  case Suggestion::ExcludeLookAlike:
+  case Suggestion::ExcludeDistractor:
     return "Exclude what matches too with --exclude: it can be told apart.";
-  case Suggestion::RemoveLookAlike:
+  case Suggestion::RemoveDistractor:
     return "Cover what has the same color, or take it out of view.";
   case Suggestion::MoreLight:
     return "The target is nearly black here: more light would help.";
@@ -77,7 +77,7 @@ std::vector<std::string> verdictSentences(const ColorVerdict& verdict,
   if (verdict.sampleLeftOut) {
     sentences.emplace_back("One sample does not go with the others: no single range holds both.");
   }
-  for (const LookAlikeRegion& region : verdict.lookAlikes) {
+  for (const DistractorRegion& region : verdict.distractors) {
     const cv::Point middle = (region.box.tl() + region.box.br()) / 2;
     sentences.push_back(fmt::format(
         "Something {} {} of {} matches too, about pixel {},{}.", nameOf(region.color),

@@ -29,7 +29,7 @@ struct SimulateOptions {
   std::optional<std::uint64_t> seed;
   std::optional<std::int64_t> frames;
   std::optional<std::string> motion;
-  std::optional<int> lookAlikes;
+  std::optional<int> distractors;
   bool occluder = false;
   bool images = false;
 };
@@ -46,7 +46,7 @@ Result<Scene> chosenScene(const SimulateOptions& options) {
   }
   scene->seed = options.seed.value_or(scene->seed);
   scene->frameCount = options.frames.value_or(scene->frameCount);
-  scene->lookAlikes = options.lookAlikes.value_or(scene->lookAlikes);
+  scene->distractors = options.distractors.value_or(scene->distractors);
   scene->occluder = scene->occluder || options.occluder;
   if (options.motion) {
     scene->balls.front().motion = kMotions.at(*options.motion);
@@ -83,7 +83,7 @@ Status writeCamera(const SceneRenderer& renderer, int index, const SimulateOptio
 
 /// The scene of people has a story of its own: of the options only those that are not about balls.
 int simulateOffice(const SimulateOptions& options) {
-  if (options.motion || options.lookAlikes || options.occluder || options.images) {
+  if (options.motion || options.distractors || options.occluder || options.images) {
     report({ErrorCode::BadValue, "", "--motion, --look-alikes, --occluder, --images",
             "they are for scenes with balls, not for the office"});
     return kExitUsage;
@@ -155,7 +155,7 @@ void addSimulateCommand(CLI::App& app, int& exitCode) {
   }
   command->add_option("--motion", options->motion, "How the first ball moves")
       ->check(CLI::IsMember(motions));
-  command->add_option("--look-alikes", options->lookAlikes, "Further balls of the same color")
+  command->add_option("--look-alikes", options->distractors, "Further balls of the same color")
       ->check(CLI::Range(0, 4));
   command->add_flag("--occluder", options->occluder, "Let a box pass in front of camera 1");
   command->add_flag("--images", options->images,

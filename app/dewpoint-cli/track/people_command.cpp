@@ -64,7 +64,7 @@ Status applyOptions(const PeopleOptions& options, Project& project) {
 
 /// Whether somebody's middle can be there: above the floor that is watched.
 Status inArea(const std::string& text, const Eigen::Vector3d& place, const PeopleArea& area) {
-  constexpr double kReach = 3.0; // metres above the floor
+  constexpr double kReach = 3.0; // meters above the floor
   if (area.contains(place.head<2>()) && place.z() >= area.floor &&
       place.z() <= area.floor + kReach) {
     return {};

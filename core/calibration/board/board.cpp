@@ -11,7 +11,7 @@ namespace dewpoint::calibration {
 namespace {
 
 constexpr int kMostSquares = 200;
-constexpr double kLargestSquare = 10.0; // metres: anything above was meant in millimetres
+constexpr double kLargestSquare = 10.0; // meters: anything above was meant in millimeters
 
 std::vector<std::string> partsOf(const std::string& text, char separator) {
   std::vector<std::string> parts(1);

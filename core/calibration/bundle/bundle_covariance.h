@@ -18,7 +18,7 @@ enum class CameraQuantity {
   TurnX, ///< rotation vector about the camera's own axes: true rotation = exp(turn) * estimate, rad
   TurnY,
   TurnZ,
-  CenterX, ///< optical center in the world, metres
+  CenterX, ///< optical center in the world, meters
   CenterY,
   CenterZ,
   Focal,  ///< focalX, pixels; focalY keeps its ratio to it

@@ -21,7 +21,7 @@ struct CalibrationText {
 /// What a person says about a file because the file does not say it.
 struct CalibrationHints {
   std::string format;            ///< name of the format; recognized from the content unless given
-  std::optional<double> unit;    ///< metres in one unit of the file's lengths
+  std::optional<double> unit;    ///< meters in one unit of the file's lengths
   std::optional<LensModel> lens; ///< what four coefficients mean
   std::optional<std::array<int, 2>> size; ///< width and height of the images, pixels
   /// Which way the file's poses go; where it is given, nothing is doubted.
@@ -32,7 +32,7 @@ struct CalibrationHints {
 struct ReadCalibration {
   CameraRig rig;
   std::string format;         ///< name of the format
-  std::optional<double> unit; ///< metres in one unit of the lengths, as far as the file says it
+  std::optional<double> unit; ///< meters in one unit of the lengths, as far as the file says it
   bool hasPoses = true;       ///< false: intrinsics only, every pose is the identity
   std::vector<std::string>
       decisions; ///< whole sentences: units, directions, axes, what is left out
@@ -66,7 +66,7 @@ struct CalibrationFormat {
   LensRange lenses;
   bool sharesKeys = false;         ///< one of the TOML dialects that only a person may tell apart
   bool firstCameraIsWorld = false; ///< poses relative to the first camera only
-  std::optional<double> unit;      ///< metres in its unit where its documentation fixes it
+  std::optional<double> unit;      ///< meters in its unit where its documentation fixes it
   double usualUnit = 1.0;          ///< in which it is written unless asked otherwise
   /// Why this text is of this format, or nothing. Looks at the text only, so that a broken file is
   /// still recognized and its own error said.
@@ -79,8 +79,8 @@ struct CalibrationFormat {
                                         const std::filesystem::path& out) = nullptr;
 };
 
-/// The metres in one m, mm, cm, in or ft, or in as many as a number says; nothing for other texts.
-std::optional<double> metresOfUnit(const std::string& text);
+/// The meters in one m, mm, cm, in or ft, or in as many as a number says; nothing for other texts.
+std::optional<double> metersOfUnit(const std::string& text);
 
 /// Every format known here, ours first.
 const std::vector<CalibrationFormat>& calibrationFormats();

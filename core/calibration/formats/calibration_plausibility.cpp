@@ -13,9 +13,9 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr double kWidestRoom = 100.0;   // metres
-constexpr double kNarrowestRoom = 0.02; // metres: two cameras cannot stand closer
-constexpr double kCertainlyMillimetres = 50.0;
+constexpr double kWidestRoom = 100.0;   // meters
+constexpr double kNarrowestRoom = 0.02; // meters: two cameras cannot stand closer
+constexpr double kCertainlyMillimeters = 50.0;
 constexpr double kSameDirection = 0.94; // cosine of 20 degrees
 constexpr double kClearlyBetter = 3.0;
 
@@ -105,7 +105,7 @@ double cameraSpread(const CameraRig& rig) {
 }
 
 const char* likelyUnit(double spread) {
-  return spread > kCertainlyMillimetres ? "mm" : "m";
+  return spread > kCertainlyMillimeters ? "mm" : "m";
 }
 
 CameraRig withInvertedPoses(CameraRig rig) {

@@ -15,7 +15,7 @@ namespace dewpoint::calibration {
 namespace {
 
 constexpr int kGrid = 9;
-constexpr double kDepths[] = {0.3, 1.0, 3.0, 10.0}; // metres along the ray
+constexpr double kDepths[] = {0.3, 1.0, 3.0, 10.0}; // meters along the ray
 
 /// The format a person named, or the only one with the path's ending.
 Result<const CalibrationFormat*> targetFormat(const CalibrationTarget& target) {
@@ -65,7 +65,7 @@ Status holdsRig(const CalibrationFormat& format, const CameraRig& rig, const std
   return {};
 }
 
-/// The rig as the format holds it, in metres, with what had to be changed as sentences.
+/// The rig as the format holds it, in meters, with what had to be changed as sentences.
 CameraRig fitted(const CalibrationFormat& format, const CameraRig& rig,
                  CalibrationConversion& conversion) {
   CameraRig result;

@@ -49,8 +49,8 @@ std::string unitSentence(double unit) {
   return unit == 1.0 ? "Lengths are metres." : fmt::format("Lengths are in units of {} m.", unit);
 }
 
-/// Brings the lengths to metres: as asked, else as the format says, else it is an error.
-Status toMetres(const CalibrationFormat& format, const CalibrationHints& hints,
+/// Brings the lengths to meters: as asked, else as the format says, else it is an error.
+Status toMeters(const CalibrationFormat& format, const CalibrationHints& hints,
                 const std::string& file, ReadCalibration& calibration) {
   if (!calibration.hasPoses) {
     return {};
@@ -89,7 +89,7 @@ Status finish(const CalibrationFormat& format, const CalibrationHints& hints,
     calibration.rig = withInvertedPoses(std::move(calibration.rig));
     calibration.decisions.emplace_back("Poses were inverted, as asked.");
   }
-  if (auto status = toMetres(format, hints, file, calibration); !status) {
+  if (auto status = toMeters(format, hints, file, calibration); !status) {
     return status;
   }
   if (!calibration.hasPoses) {

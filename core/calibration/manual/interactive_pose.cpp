@@ -19,9 +19,9 @@ Camera rotatedBy(const Camera& camera, const Eigen::Matrix3d& rotation) {
 
 } // namespace
 
-Camera moved(const Camera& camera, const Eigen::Vector3d& metres, NudgeFrame frame) {
+Camera moved(const Camera& camera, const Eigen::Vector3d& meters, NudgeFrame frame) {
   const Eigen::Vector3d inCamera =
-      frame == NudgeFrame::Camera ? metres : camera.cameraFromWorld.linear() * metres;
+      frame == NudgeFrame::Camera ? meters : camera.cameraFromWorld.linear() * meters;
   Camera result = camera;
   result.cameraFromWorld.translation() -= inCamera;
   return result;
@@ -82,7 +82,7 @@ Camera withPosition(const Camera& camera, const Eigen::Vector3d& position) {
 }
 
 Eigen::Vector3d lookedAt(const Camera& camera, double height) {
-  constexpr double kFarthest = 100.0; // metres
+  constexpr double kFarthest = 100.0; // meters
   const Eigen::Vector3d center = camera.center();
   const Eigen::Vector3d axis = camera.opticalAxis();
   const double distance = (height - center.z()) / axis.z();

@@ -14,8 +14,8 @@ enum class NudgeFrame {
   World   ///< as the project's: z up
 };
 
-/// Moved by so many metres.
-Camera moved(const Camera& camera, const Eigen::Vector3d& metres, NudgeFrame frame);
+/// Moved by so many meters.
+Camera moved(const Camera& camera, const Eigen::Vector3d& meters, NudgeFrame frame);
 /// Turned about its own center: a rotation vector, radians.
 Camera turned(const Camera& camera, const Eigen::Vector3d& rotation, NudgeFrame frame);
 /// Focal lengths times this factor.
@@ -33,10 +33,10 @@ struct Heading {
 Heading headingOf(const Camera& camera);
 Camera withHeading(const Camera& camera, const Heading& heading);
 
-/// The same camera with its center elsewhere (world, metres), looking the same way.
+/// The same camera with its center elsewhere (world, meters), looking the same way.
 Camera withPosition(const Camera& camera, const Eigen::Vector3d& position);
 
-/// Where the optical axis meets the horizontal plane at `height` (metres), if it does so in front
+/// Where the optical axis meets the horizontal plane at `height` (meters), if it does so in front
 /// of the camera within 100 m; else the point 1 m in front.
 Eigen::Vector3d lookedAt(const Camera& camera, double height);
 /// Looking at this point from where it stands, with the same roll. A target at the center of the

@@ -26,8 +26,8 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr double kHuber = 2.0;        // sigmas
 constexpr double kAgrees = 3.0;       // sigmas
-constexpr double kBackgroundAt = 3.0; // metres
-constexpr double kStep = 1e-6;        // radians and metres, of the differences
+constexpr double kBackgroundAt = 3.0; // meters
+constexpr double kStep = 1e-6;        // radians and meters, of the differences
 constexpr double kUnseen = 50.0;      // pixels a sighting counts as off that the camera cannot see
 
 /// The camera after a turn (rad) about its center and a shift (m) of it, both in camera axes.

@@ -21,10 +21,10 @@ Camera idealCamera(const std::string& name, int width, int height, double fieldO
 Camera inFarthestCorner(Camera camera, const CameraRig& rig, const Eigen::AlignedBox3d& volume);
 
 struct PlacementSettings {
-  Eigen::AlignedBox3d volume;  ///< to measure in; world, metres
-  double wallDistance = 0.0;   ///< walls and ceiling are this far outside of it, metres
+  Eigen::AlignedBox3d volume;  ///< to measure in; world, meters
+  double wallDistance = 0.0;   ///< walls and ceiling are this far outside of it, meters
   double pixelSigma = 0.5;     ///< of a sighting, pixels
-  double goodSigma = 0.005;    ///< what is good enough, metres
+  double goodSigma = 0.005;    ///< what is good enough, meters
   std::size_t cellCount = 900; ///< that the volume is cut into while a place is looked for
   /// What is told of the place is measured on so many cells, those of a map that is shown, so that
   /// the figures agree; 0: on those of the search.

@@ -17,7 +17,7 @@ namespace dewpoint::calibration {
 struct RigMap {
   VolumeGrid grid;
   std::size_t cameraCount = 0; ///< of the rig
-  /// Per cell (VolumeGrid::index): standard deviation along the worst direction, metres; NaN where
+  /// Per cell (VolumeGrid::index): standard deviation along the worst direction, meters; NaN where
   /// a point cannot be triangulated.
   std::vector<float> sigmas;
   std::vector<std::uint8_t> counts; ///< cameras that see the cell's center
@@ -27,7 +27,7 @@ struct RigMap {
 struct RigMapSummary {
   double within = 0.0; ///< share of the volume with a sigma of at most the limit, 0 to 1
   double tooFew = 0.0; ///< share that fewer than two cameras see
-  /// Half of the volume has a sigma below it, metres; NaN when less than half has one.
+  /// Half of the volume has a sigma below it, meters; NaN when less than half has one.
   double medianSigma = 0.0;
 };
 RigMapSummary summaryOf(const RigMap& map, double limit);

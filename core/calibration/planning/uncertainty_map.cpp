@@ -15,7 +15,7 @@ namespace dewpoint::calibration {
 namespace {
 
 constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
-constexpr double kStep = 1e-4;     // metres, of the differences
+constexpr double kStep = 1e-4;     // meters, of the differences
 constexpr double kFlattest = 1e-7; // smallest by largest eigenvalue of the information
 
 /// Pixels of many points, and of the same points moved by a step along each axis.

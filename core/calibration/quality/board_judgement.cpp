@@ -12,11 +12,11 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr double kRulerSigma = 0.2e-3;    ///< metres
-constexpr double kFlatnessSigma = 0.5e-3; ///< metres
-constexpr double kStep = 1e-6;            ///< radians, metres: of derivatives
+constexpr double kRulerSigma = 0.2e-3;    ///< meters
+constexpr double kFlatnessSigma = 0.5e-3; ///< meters
+constexpr double kStep = 1e-6;            ///< radians, meters: of derivatives
 constexpr double kCornerSigma = 0.3;      ///< pixels
-constexpr double kLeastSpread = 0.01;     ///< metres: cameras all in one place are not placed yet
+constexpr double kLeastSpread = 0.01;     ///< meters: cameras all in one place are not placed yet
 /// A former rig that leaves more than this, in pixels and in times of what the board itself leaves,
 /// was no knowledge.
 constexpr double kMostSigma = 1.0;

@@ -24,7 +24,7 @@ constexpr double kClearlyLarger = 1.5;    ///< five solutions scatter by chance 
 constexpr double kNinetyFive = 1.96;      ///< standard deviations, one axis
 constexpr double kNinetyFivePlane = 2.45; ///< two axes: sqrt(-2 log 0.05)
 constexpr double kGravity = 9.81;
-constexpr double kTouchSigma = 1e-3; ///< metres: how well a ball is held on the floor
+constexpr double kTouchSigma = 1e-3; ///< meters: how well a ball is held on the floor
 
 /// The instants whose stretch is (or is not) of a fold, with their observations.
 BundleProblem stretches(const BundleProblem& problem, std::size_t fold, bool ofFold) {

@@ -21,8 +21,8 @@ struct AccuracyKnowledge {
 /// How good a calibration is, in numbers. Errors are those after the best rigid motion: what does
 /// not depend on where the origin was put.
 struct CalibrationAccuracy {
-  double position95 = 0.0; ///< metres: 95 % of the places where the target was are nearer than this
-  double cameras95 = 0.0;  ///< metres: the part of it that no averaging of images takes away
+  double position95 = 0.0; ///< meters: 95 % of the places where the target was are nearer than this
+  double cameras95 = 0.0;  ///< meters: the part of it that no averaging of images takes away
   std::optional<double> scale95; ///< relative
   std::optional<double> up95;    ///< radians
   /// By how much more the cameras change than their covariance says when a share of the instants is

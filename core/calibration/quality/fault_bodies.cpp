@@ -51,7 +51,7 @@ std::vector<SeenBoard> seenBoards(const BundleProblem& problem, const PointPlace
 /// Where a body's points come to lie, and how well.
 struct Laid {
   Similarity worldFromBody;
-  double rms = 0.0; ///< metres, in the world of the cameras
+  double rms = 0.0; ///< meters, in the world of the cameras
 };
 
 std::optional<Laid> laid(const SeenBoard& board, const std::vector<Eigen::Vector3d>& points) {
@@ -184,7 +184,7 @@ std::optional<NamedFault> lengths(const FaultQuestion& question, const PointPlac
            clear;
   };
   if (near(1000.0)) {
-    return NamedFault{CalibrationFault::MillimetresMixed, {}, ratio};
+    return NamedFault{CalibrationFault::MillimetersMixed, {}, ratio};
   }
   for (const double inches : {1.0 / 0.0254, 25.4, 2.54}) {
     if (near(inches)) {

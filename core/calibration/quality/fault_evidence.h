@@ -29,7 +29,7 @@ ImagePoints pointLooks(const BundleProblem& problem);
 /// How far the rig may be off.
 struct RoughSigma {
   double turn = 0.06;  ///< radians
-  double place = 0.12; ///< metres
+  double place = 0.12; ///< meters
 };
 
 /// A rig that explains points by themselves.

@@ -18,7 +18,7 @@ constexpr double kClean =
     2.0; ///< cameras agree when their residuals are within the best times this
 constexpr double kLeastGainOfSwap = 30.0;
 constexpr double kSwapExplains = 0.5; ///< exchanged cameras fit at least so much better
-constexpr double kWidestRoom = 100.0; ///< metres; a larger rig is in millimetres
+constexpr double kWidestRoom = 100.0; ///< meters; a larger rig is in millimeters
 
 /// Lens data of another size than the video: no question of residuals.
 std::optional<NamedFault> declaredSize(const FaultQuestion& question) {

@@ -13,7 +13,7 @@ namespace dewpoint::calibration {
 namespace {
 
 constexpr double kAngleStep = 1e-6;
-constexpr double kMetreStep = 1e-6;
+constexpr double kMeterStep = 1e-6;
 constexpr double kLensStep = 1e-4; ///< pixels, and of dimensionless numbers a thousandth of it
 
 std::vector<Eigen::Vector3d> seenPlaces(const BundleProblem& problem, const BundleResult& result) {
@@ -42,7 +42,7 @@ double stepOf(CameraQuantity quantity) {
     return kAngleStep;
   }
   if (quantity <= CameraQuantity::CenterZ) {
-    return kMetreStep;
+    return kMeterStep;
   }
   return quantity == CameraQuantity::Focal || quantity == CameraQuantity::PrincipalX ||
                  quantity == CameraQuantity::PrincipalY
@@ -113,8 +113,8 @@ void addPlace(const std::vector<VariedCamera>& cameras, const Eigen::Vector3d& p
     }
     Eigen::Matrix<double, 2, 3> byPlace;
     for (int axis = 0; axis < 3; ++axis) {
-      const auto there = camera.projector.project(place + kMetreStep * Eigen::Vector3d::Unit(axis));
-      byPlace.col(axis) = there ? Eigen::Vector2d((*there - *here) / kMetreStep)
+      const auto there = camera.projector.project(place + kMeterStep * Eigen::Vector3d::Unit(axis));
+      byPlace.col(axis) = there ? Eigen::Vector2d((*there - *here) / kMeterStep)
                                 : Eigen::Vector2d(Eigen::Vector2d::Zero());
     }
     information += byPlace.transpose() * byPlace;

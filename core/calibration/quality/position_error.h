@@ -11,7 +11,7 @@ namespace dewpoint::calibration {
 
 /// How errors of cameras become errors of places that are triangulated with them, by first order.
 struct PositionErrors {
-  std::vector<Eigen::Vector3d> places; ///< metres
+  std::vector<Eigen::Vector3d> places; ///< meters
   Eigen::MatrixXd fromCameras;         ///< 3 places x columns of the covariance
   std::vector<Eigen::Matrix3d> noise;  ///< of one look, for a pixel's sigma of 1
 };

@@ -20,7 +20,7 @@ struct BoardReport {
     std::vector<ViewFit> views;
     std::vector<EstimatedParameter> parameters; ///< empty where intrinsics were given
     std::optional<double> projectionPx;         ///< IntrinsicsResult::worstProjectionPx
-    std::optional<double> centerSigma;          ///< metres, where poses were found
+    std::optional<double> centerSigma;          ///< meters, where poses were found
     std::optional<double> turnSigma;            ///< radians
   };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/report/wand_report.h"
 
-#include "core/calibration/report/space_drawing.h"
 #include "core/base/markup.h"
 #include "core/calibration/manual/pose_change.h"
 #include "core/calibration/report/report_drawing.h"
+#include "core/calibration/report/space_drawing.h"
 
 #include <fmt/format.h>
 
@@ -70,7 +70,7 @@ void addFigures(std::string& html, const WandReport& report) {
                    "<tr><td>{}</td><td>{}</td><td>{}</td><td>{:.3f}</td><td>{:.3f}</td>"
                    "<td>{:.2f}</td><td>{:.2f}°</td>",
                    escaped(camera.name), result.views[c], result.dropped[c],
-                   result.bundle.cameraRms.at(c), result.cameraMedianPx[c], 100.0 * shift.metres,
+                   result.bundle.cameraRms.at(c), result.cameraMedianPx[c], 100.0 * shift.meters,
                    shift.radians / kDegree);
     if (report.offsetsFound) {
       fmt::format_to(out, "<td>{:.2f}</td>", -1000.0 * result.offsets[c] + 0.0);

@@ -92,7 +92,7 @@ std::optional<Passing> passing(const Eigen::Vector3d& a, const Eigen::Vector3d& 
   return Passing{0.5 * (a + alongU * u + b + alongV * v), apart.dot(normal) / std::sqrt(square)};
 }
 
-/// Median of what the gaps are off a polynomial of the place, metres.
+/// Median of what the gaps are off a polynomial of the place, meters.
 double unexplained(const std::vector<Passing>& samples) {
   const auto count = static_cast<Eigen::Index>(samples.size());
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();

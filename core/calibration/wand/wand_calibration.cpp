@@ -18,8 +18,8 @@ namespace dewpoint::calibration {
 namespace {
 
 constexpr int kInstantsOfStart = 120; ///< a start is judged on so many
-constexpr double kLooseStick = 0.02;  ///< metres: while the cameras are still far off
-constexpr double kTightStick = 2e-4;  ///< metres
+constexpr double kLooseStick = 0.02;  ///< meters: while the cameras are still far off
+constexpr double kTightStick = 2e-4;  ///< meters
 constexpr int kStartIterations = 40;
 constexpr int kMostRounds = 10;
 constexpr double kLeastLimitPx = 1.5; ///< views nearer than this to the solution are never dropped

@@ -34,15 +34,15 @@ enum class WandScale {
 struct TouchedDistance {
   double firstTime = 0.0;  ///< seconds
   double secondTime = 0.0; ///< seconds
-  double metres = 0.0;
+  double meters = 0.0;
 };
 
 /// A waved target, and how its images are to be read.
 struct WandProblem {
   CameraRig rough;                                   ///< where the cameras are, roughly
   std::vector<std::vector<MarkerObservation>> views; ///< per camera of `rough`
-  std::array<double, 2> ballRadius = {0.0, 0.0};     ///< metres; 0: unknown, taken for points
-  double stickLength = 0.0; ///< between the middles of balls 0 and 1, metres; 0: one ball
+  std::array<double, 2> ballRadius = {0.0, 0.0};     ///< meters; 0: unknown, taken for points
+  double stickLength = 0.0; ///< between the middles of balls 0 and 1, meters; 0: one ball
   WandScale scale = WandScale::Rough;
   TouchedDistance distance;                  ///< for WandScale::Distance
   std::vector<double> floorTimes;            ///< when ball 0 lay on or touched the floor, seconds
@@ -51,7 +51,7 @@ struct WandProblem {
   bool findFocal = false;                    ///< focal lengths, in their ratio
   bool findDistortion = false;               ///< k1 of every camera
   double roughTurn = 0.06;                   ///< by how much the rough rig may be off, radians
-  double roughPlace = 0.12;                  ///< metres
+  double roughPlace = 0.12;                  ///< meters
   int starts = 6;                            ///< the rough rig, and it perturbed by as much
   std::uint64_t seed = 1;                    ///< of the perturbations
   int mostInstants = 900;                    ///< used, spread evenly over the recording
@@ -65,7 +65,7 @@ struct WandStart {
 
 /// What was read off a fall.
 struct WandDrop {
-  double gravity = 0.0;  ///< metres per second squared; 9.81 if the scale is right
+  double gravity = 0.0;  ///< meters per second squared; 9.81 if the scale is right
   double sigma = 0.0;    ///< its standard deviation
   std::size_t looks = 0; ///< instants used
 };
@@ -83,7 +83,7 @@ struct WandResult {
   double scaleFactor = 1.0; ///< by which sizes were corrected against the rough rig
   double scaleSigma = 0.0;  ///< relative standard deviation of the size; 0: not known
   bool floorFound = false;
-  double floorRms = 0.0; ///< metres, of the touched places about the plane
+  double floorRms = 0.0; ///< meters, of the touched places about the plane
   std::optional<WandDrop> drop;
   double upTurned = 0.0;               ///< radians between the rough rig's up and the result's
   BundleProblem problem;               ///< what was adjusted last, in the result's world

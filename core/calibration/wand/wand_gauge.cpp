@@ -19,7 +19,7 @@ constexpr double kTouchSeconds = 0.1; ///< before and after a touch, while the b
 constexpr std::size_t kFewestOfFall = 5;
 /// By how much all edges of a ball may lie too far in or out alike: that does not average out.
 constexpr double kEdgePx = 0.05;
-constexpr double kFlatEnough = 0.05; ///< metres that floor touches must spread in both directions
+constexpr double kFlatEnough = 0.05; ///< meters that floor touches must spread in both directions
 
 Eigen::Vector3d meanOf(const std::vector<Eigen::Vector3d>& points) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -41,11 +41,11 @@ Result<ScaleFound> scaleOfDistance(const WandProblem& problem, const BundleResul
     return notSeen("distance", first ? problem.distance.secondTime : problem.distance.firstTime);
   }
   const double seen = (*second - *first).norm();
-  if (!(problem.distance.metres > 0.0) || !(seen > 0.0)) {
+  if (!(problem.distance.meters > 0.0) || !(seen > 0.0)) {
     return failure(ErrorCode::BadValue, "", "distance", "it must be more than zero");
   }
-  // A millimetre at either end, as a hand holds a ball to a mark.
-  return ScaleFound{problem.distance.metres / seen, 0.0015 / problem.distance.metres};
+  // A millimeter at either end, as a hand holds a ball to a mark.
+  return ScaleFound{problem.distance.meters / seen, 0.0015 / problem.distance.meters};
 }
 
 /// Apparent against expected radius. The median: a hidden or blurred ball is too small or large.
@@ -253,7 +253,7 @@ Result<ScaleFound> scaleOf(const WandProblem& problem, const BundleProblem& bund
     return scaleOfDistance(problem, now);
   case WandScale::Diameter:
     return scaleOfDiameter(problem, bundle, now);
-  case WandScale::Stick: // a stick is measured to half a millimetre
+  case WandScale::Stick: // a stick is measured to half a millimeter
     return ScaleFound{1.0, problem.stickLength > 0.0 ? 5e-4 / problem.stickLength : 0.0};
   default:
     return ScaleFound{};

@@ -33,7 +33,7 @@ struct Bearing {
   double focalLength = 1.0; ///< pixels
 };
 
-/// A place that bearings of at least two cameras agree on. World frame, metres.
+/// A place that bearings of at least two cameras agree on. World frame, meters.
 struct TriangulatedPoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   /// From the geometry alone: each bearing is off by kCenterSigmaPx across its ray.

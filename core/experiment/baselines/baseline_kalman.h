@@ -19,7 +19,7 @@ struct KalmanSetup {
 
 /// Constant-velocity Kalman filter on positions with known covariance (Bar-Shalom, Li &
 /// Kirubarajan 2001, section 6.3.2: white-noise acceleration, piecewise constant). World frame,
-/// metres and seconds.
+/// meters and seconds.
 class KalmanPoint {
 public:
   explicit KalmanPoint(const KalmanSetup& setup = {}) : setup_(setup) {}

@@ -13,7 +13,7 @@ namespace {
 
 /// Blobs per camera that are looked at beyond the number of targets.
 constexpr std::size_t kSpareBlobs = 4;
-/// Metres that a target seen nowhere yet is away from every place: it takes what others leave.
+/// Meters that a target seen nowhere yet is away from every place: it takes what others leave.
 constexpr double kNeverSeen = 1e3;
 
 /// Which place each member gets; places.size() for none.

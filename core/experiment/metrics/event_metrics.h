@@ -14,7 +14,7 @@
 
 namespace dewpoint::experiment {
 
-/// One target at one frame: what the metrics of events look at. World frame, metres.
+/// One target at one frame: what the metrics of events look at. World frame, meters.
 struct TargetFrame {
   std::int64_t frame = 0;
   std::optional<Eigen::Vector3d> truth;    ///< nothing: the target is not there

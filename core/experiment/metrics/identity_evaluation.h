@@ -17,7 +17,7 @@ namespace dewpoint::experiment {
 
 /// How several targets are compared whose names have nothing to do with each other.
 struct IdentityComparison {
-  double gate = 0.5;   ///< metres within which an estimate belongs to a truth; cutoff of GOSPA
+  double gate = 0.5;   ///< meters within which an estimate belongs to a truth; cutoff of GOSPA
   bool ground = false; ///< places are compared on the floor: z does not count
 };
 
@@ -38,7 +38,7 @@ struct IdentityEvaluation {
 Result<IdentityEvaluation> evaluateIdentities(const Trajectory& estimate, const Trajectory& truth,
                                               const IdentityComparison& comparison);
 
-/// As `dewpoint-cli evaluate --identities` prints it; metres and millimetres.
+/// As `dewpoint-cli evaluate --identities` prints it; meters and millimeters.
 std::string identityText(const IdentityEvaluation& evaluation);
 nlohmann::json identityJson(const IdentityEvaluation& evaluation);
 

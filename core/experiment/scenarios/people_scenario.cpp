@@ -138,7 +138,7 @@ void accompany(PeopleScenario& scenario, Draws& draws) {
   const Vector2d aside(-along.y(), along.x());
   const double gap = draws.uniform(0.5, 0.62);
   const double pace = draws.uniform(0.75, 0.95);
-  const double together = 1.3; // metres before and after the middle
+  const double together = 1.3; // meters before and after the middle
   const double join = kAppear + 1.2;
   const double part = join + 2.0 * together / pace;
   for (int k = 0; k < 2; ++k) {

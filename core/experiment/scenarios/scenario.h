@@ -45,7 +45,7 @@ struct ScenarioRun {
   CameraRig rig;     ///< as the method believes it
   CameraRig trueRig; ///< as the images were rendered, until a bump
   std::vector<Target> targets;
-  Eigen::Vector3d startCenter = Eigen::Vector3d::Zero(); ///< where the search starts, metres
+  Eigen::Vector3d startCenter = Eigen::Vector3d::Zero(); ///< where the search starts, meters
   Eigen::Vector3d startHalf = Eigen::Vector3d::Zero();   ///< half size of the box around it
   double framesPerSecond = 30.0;
   std::int64_t frameCount = 0;

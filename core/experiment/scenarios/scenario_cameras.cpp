@@ -57,7 +57,7 @@ bool withDropouts(ScenarioDraft& draft) {
 /// as much everywhere, and moved anywhere.
 Camera bumped(Camera camera, Draws& draws) {
   constexpr double kTurn = 1.5 * std::numbers::pi / 180.0;
-  constexpr double kShift = 0.01; // metres
+  constexpr double kShift = 0.01; // meters
   const double angle = draws.uniform(0.0, 2.0 * std::numbers::pi);
   const Eigen::AngleAxisd turn(kTurn, Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0));
   const Eigen::Vector3d center = camera.center() + kShift * draws.direction();

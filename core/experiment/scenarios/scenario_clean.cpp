@@ -129,7 +129,7 @@ std::vector<ScenarioRecipe> cleanScenarios() {
   return {slow, fast};
 }
 
-std::vector<ScenarioRecipe> lookAlikeScenarios() {
+std::vector<ScenarioRecipe> distractorScenarios() {
   std::vector<ScenarioRecipe> recipes;
   for (const bool moving : {false, true}) {
     for (int count = 1; count <= 5; ++count) {

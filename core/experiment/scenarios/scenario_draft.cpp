@@ -18,7 +18,7 @@ namespace {
 constexpr double kRadialDistortion = -0.15; // k1; k2 keeps the image monotonous to its corners
 constexpr double kRadialDistortion2 = 0.04;
 constexpr double kFocalError = 0.005; // standard deviation, of the focal length
-constexpr double kPlaceError = 0.002; // metres, per axis
+constexpr double kPlaceError = 0.002; // meters, per axis
 constexpr double kTurnError = 0.2 * std::numbers::pi / 180.0; // about a random axis
 constexpr int kJpegQuality = 70;
 constexpr double kVignette = 0.25;

@@ -24,7 +24,7 @@ struct Plate {
 };
 
 constexpr double kAlong = 0.4;       // of the way from the eye to the target
-constexpr double kPlateWide = 0.045; // half sizes, metres
+constexpr double kPlateWide = 0.045; // half sizes, meters
 constexpr double kPlateTall = 0.075;
 constexpr double kPlateThick = 0.001;
 

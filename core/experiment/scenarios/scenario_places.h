@@ -11,8 +11,8 @@ inline constexpr int kMostDraws = 4000;
 /// A closed path: center + extent .* (sin a, sin 2a, sin 3a), each with a phase of its own, once
 /// round in `period` seconds.
 struct RoundPath {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< metres
-  Eigen::Vector3d extent = Eigen::Vector3d::Zero(); ///< metres
+  Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters
+  Eigen::Vector3d extent = Eigen::Vector3d::Zero(); ///< meters
   Eigen::Vector3d phase = Eigen::Vector3d::Zero();  ///< radians
   double period = 6.0;                              ///< seconds
   Eigen::Vector3d operator()(double time) const;

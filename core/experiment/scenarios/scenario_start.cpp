@@ -18,8 +18,8 @@ namespace {
 struct Volume {
   Eigen::Vector3d low;
   Eigen::Vector3d high;
-  double radius = 0.035; ///< of the target, metres
-  double nearest = 0.25; ///< no thing of the target's color is nearer to a camera, metres
+  double radius = 0.035; ///< of the target, meters
+  double nearest = 0.25; ///< no thing of the target's color is nearer to a camera, meters
   double drift = 0.2;    ///< the target's greatest speed, m/s
   Eigen::Vector3d center() const { return 0.5 * (low + high); }
   Eigen::Vector3d half() const { return 0.5 * (high - low); }
@@ -66,35 +66,35 @@ std::optional<simulation::Path> drawWay(ScenarioDraft& draft, const Volume& volu
   return std::nullopt;
 }
 
-enum class LookAlike { SmallBall, BigBall, SmallBox, BigBox, Patch };
+enum class Distractor { SmallBall, BigBall, SmallBox, BigBox, Patch };
 
 /// The target's color, but another physical size (0.5 to 0.7 or 1.6 to 2 times) or shape.
-simulation::StageBody drawLookAlike(Draws& draws, LookAlike kind, double radius) {
+simulation::StageBody drawDistractor(Draws& draws, Distractor kind, double radius) {
   simulation::StageBody body;
   const double small = draws.uniform(0.5, 0.7) * radius;
   const double big = draws.uniform(1.6, 2.0) * radius;
   const double other = draws.uniform(1.6, 2.4) * radius;
   const Eigen::AngleAxisd yaw(draws.uniform(0.0, 2.0 * std::numbers::pi), Eigen::Vector3d::UnitZ());
   switch (kind) {
-  case LookAlike::SmallBall:
+  case Distractor::SmallBall:
     body.radius = small;
     return body;
-  case LookAlike::BigBall:
+  case Distractor::BigBall:
     body.radius = big;
     return body;
-  case LookAlike::SmallBox:
+  case Distractor::SmallBox:
     body.halfSize = {0.8 * small, 0.8 * small, 0.8 * small};
     break;
-  case LookAlike::BigBox:
+  case Distractor::BigBox:
     body.halfSize = {big, 0.8 * big, 0.9 * big};
     break;
-  case LookAlike::Patch:
+  case Distractor::Patch:
     body.halfSize = {big, other, 0.02 * radius};
     break;
   }
   body.box = true;
   body.axes = yaw.toRotationMatrix().transpose();
-  if (kind == LookAlike::Patch && draws.coin()) {
+  if (kind == Distractor::Patch && draws.coin()) {
     // Upright like a poster instead of flat like a sheet.
     body.axes = (yaw * Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitX()))
                     .toRotationMatrix()
@@ -123,13 +123,13 @@ bool isPossible(const ScenarioDraft& draft, const Volume& volume, const simulati
   return seen >= cameras && farFromCameras(draft.stage, volume, place);
 }
 
-bool addLookAlikes(ScenarioDraft& draft, const Volume& volume) {
-  std::array<LookAlike, 5> kinds{LookAlike::SmallBall, LookAlike::BigBall, LookAlike::SmallBox,
-                                 LookAlike::BigBox, LookAlike::Patch};
+bool addDistractors(ScenarioDraft& draft, const Volume& volume) {
+  std::array<Distractor, 5> kinds{Distractor::SmallBall, Distractor::BigBall, Distractor::SmallBox,
+                                  Distractor::BigBox, Distractor::Patch};
   for (int count = 0; count < 3; ++count) {
     const auto first = static_cast<std::size_t>(count);
     std::swap(kinds[first], kinds[static_cast<std::size_t>(draft.draws.whole(count, 4))]);
-    simulation::StageBody body = drawLookAlike(draft.draws, kinds[first], volume.radius);
+    simulation::StageBody body = drawDistractor(draft.draws, kinds[first], volume.radius);
     body.name = fmt::format("look-alike {}", count + 1);
     const int cameras = count == 0 ? 2 : 1;
     bool placed = false;
@@ -163,7 +163,7 @@ bool startAnywhere(ScenarioDraft& draft, const Volume& volume, bool cloud) {
       return false;
     }
     addTarget(draft, *way, volume.radius);
-    if (!addLookAlikes(draft, volume)) {
+    if (!addDistractors(draft, volume)) {
       continue;
     }
     draft.startCenter = cloud ? volume.center() : draft.draws.inBox(volume.low, volume.high);

@@ -16,7 +16,7 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr double kConvergedError = 0.03; // metres: "position error < 3 cm once converged"
+constexpr double kConvergedError = 0.03; // meters: "position error < 3 cm once converged"
 constexpr int kDistinctFrames = 16;      // frames of a still ball differ by their noise only
 
 Scene stillScene(const Eigen::Vector3d& ball) {
@@ -137,7 +137,7 @@ ConvergenceResult resultOf(const ConvergenceCase& setup, const Trial& trial) {
   return result;
 }
 
-/// Metres along the optical axis after each iteration, mean over the runs, starting on the ball.
+/// Meters along the optical axis after each iteration, mean over the runs, starting on the ball.
 std::vector<double> driftOf(const Eigen::Vector3d& start, const Trial& trial, int runs,
                             int iterations) {
   std::vector<double> moved(static_cast<std::size_t>(iterations), 0.0);

@@ -14,11 +14,11 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr double kHalfFloor = 3.6; // metres: a little more than the office
+constexpr double kHalfFloor = 3.6; // meters: a little more than the office
 constexpr int kFloorPixels = 480;
 constexpr int kViewWidth = 320;
 
-/// How many people are in the office, and the least distance of two of them (metres).
+/// How many people are in the office, and the least distance of two of them (meters).
 struct Gathering {
   int people = 0;
   double nearest = std::numeric_limits<double>::infinity();
@@ -72,9 +72,9 @@ cv::Mat emptyFloor(const CameraRig& rig) {
   const cv::Scalar grid(62, 58, 54);
   const cv::Scalar marks(190, 190, 190);
   cv::Mat floor(kFloorPixels, kFloorPixels, CV_8UC3, cv::Scalar(34, 31, 28));
-  for (int metre = -3; metre <= 3; ++metre) {
-    cv::line(floor, onFloor({metre, -kHalfFloor}), onFloor({metre, kHalfFloor}), grid);
-    cv::line(floor, onFloor({-kHalfFloor, metre}), onFloor({kHalfFloor, metre}), grid);
+  for (int meter = -3; meter <= 3; ++meter) {
+    cv::line(floor, onFloor({meter, -kHalfFloor}), onFloor({meter, kHalfFloor}), grid);
+    cv::line(floor, onFloor({-kHalfFloor, meter}), onFloor({kHalfFloor, meter}), grid);
   }
   for (std::size_t k = 0; k < rig.size(); ++k) {
     const cv::Point at = onFloor(rig[k].center().head<2>());

@@ -30,9 +30,9 @@ struct PeopleTrial {
   /// Everybody had an identity before the meeting, and has the same one after it.
   bool kept = false;
   double mota = 0.0;
-  double motp = 0.0; ///< metres
+  double motp = 0.0; ///< meters
   double hota = 0.0;
-  double gospa = 0.0; ///< metres, mean, cutoff kPeopleGate
+  double gospa = 0.0; ///< meters, mean, cutoff kPeopleGate
   int identitySwitches = 0;
   double longestGhost = 0.0;  ///< seconds in a row that an estimate belongs to nobody
   double longestMissed = 0.0; ///< seconds that somebody whom two cameras see has no estimate
@@ -41,7 +41,7 @@ struct PeopleTrial {
   std::vector<PeoplePicture> pictures; ///< of tellingMoments(), where they were asked for
 };
 
-/// Metres within which an estimate belongs to a person.
+/// Meters within which an estimate belongs to a person.
 inline constexpr double kPeopleGate = 0.5;
 
 struct PeopleStudySetup {

@@ -21,8 +21,8 @@ namespace dewpoint::experiment {
 namespace {
 
 constexpr double kSeconds = 30.0;
-constexpr double kStick = 0.6;   ///< metres between the balls
-constexpr double kRadius = 0.04; ///< metres
+constexpr double kStick = 0.6;   ///< meters between the balls
+constexpr double kRadius = 0.04; ///< meters
 constexpr double kClockError = 0.016;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kOffsetBar = 5e-4;                ///< seconds

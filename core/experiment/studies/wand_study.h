@@ -25,7 +25,7 @@ struct WandRecording {
   int jpegQuality = 0; ///< 1 to 100: images go through JPEG; 0: they do not
 };
 
-/// The figures of one calibration of the simulated hall. Lengths in metres.
+/// The figures of one calibration of the simulated hall. Lengths in meters.
 struct WandTrial {
   std::uint64_t seed = 0;
   WandCase kind = WandCase::Near;
@@ -47,7 +47,7 @@ struct WandTrial {
 std::vector<WandTrial> studyWand(std::uint64_t seed, const WandRecording& recording,
                                  const std::function<bool(const WandTrial&)>& report);
 
-/// The bar of a case: largest RMS of cameras and points, metres; infinite where there is none.
+/// The bar of a case: largest RMS of cameras and points, meters; infinite where there is none.
 double wandBar(WandCase kind);
 std::string wandCaseName(WandCase kind);
 

@@ -27,7 +27,7 @@ inline constexpr double kLostAfter = 1.0;
 /// One target as it was believed at one frame.
 struct TrackedTarget {
   TrackEstimate estimate;
-  Eigen::ArrayXXf particles; ///< rows x y z, metres
+  Eigen::ArrayXXf particles; ///< rows x y z, meters
   Eigen::ArrayXf weights;    ///< one per row, linear
   std::vector<ProposedPosition> proposals;
   std::vector<CameraReport> reasons; ///< per camera, why it does not confirm the target

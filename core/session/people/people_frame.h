@@ -19,7 +19,7 @@ namespace dewpoint::session {
 struct PeopleFrame {
   struct Person {
     PersonEstimate estimate;
-    Eigen::ArrayXXf points; ///< rows x y z, metres
+    Eigen::ArrayXXf points; ///< rows x y z, meters
     Eigen::ArrayXf weights; ///< one per row, linear
     BodyCloud body() const { return {points.cast<double>(), weights.cast<double>()}; }
   };

@@ -11,7 +11,7 @@
 namespace dewpoint::session {
 namespace {
 
-/// A person who is said not to be there stands at most so far from the place, metres: less than
+/// A person who is said not to be there stands at most so far from the place, meters: less than
 /// two people do from each other.
 constexpr double kReach = 0.3;
 

@@ -22,7 +22,7 @@ namespace dewpoint::session {
 struct TargetSnapshot {
   Target target;
   TrackEstimate estimate;
-  Eigen::ArrayXXd particles;         ///< up to 10,000 rows x y z, metres
+  Eigen::ArrayXXd particles;         ///< up to 10,000 rows x y z, meters
   Eigen::ArrayXd weights;            ///< one per row, linear
   std::vector<Eigen::Vector3d> tail; ///< last frames' places, oldest first; NaN where not held
   std::optional<Eigen::Vector3d> truth;
@@ -111,12 +111,12 @@ struct IterationRecord {
   std::int64_t iteration = 0; ///< since the (re)start, from 1
   std::int64_t frame = 0;
   int target = 0;
-  double spread = 0.0; ///< metres, all axes together
+  double spread = 0.0; ///< meters, all axes together
   double effectiveSampleSize = 0.0;
-  double error = -1.0;       ///< metres against truth; negative when unknown
+  double error = -1.0;       ///< meters against truth; negative when unknown
   double time = 0.0;         ///< seconds, of the frame
   double microseconds = 0.0; ///< this iteration took, per target
-  Eigen::Vector3d spreadPerAxis = Eigen::Vector3d::Zero(); ///< standard deviations x y z, metres
+  Eigen::Vector3d spreadPerAxis = Eigen::Vector3d::Zero(); ///< standard deviations x y z, meters
   int particleCount = 0;
   double existence = 0.0; ///< probability, all cameras together
   bool held = false;      ///< see isHeld()

@@ -107,7 +107,7 @@ public:
   std::vector<TrajectorySample> samples() const;
   /// The boxes of the current frame, of methods that follow boxes.
   std::vector<BoxSample> boxSamples() const;
-  /// Up to `limit` particles of a target; rows x y z, metres, and their weights, linear.
+  /// Up to `limit` particles of a target; rows x y z, meters, and their weights, linear.
   void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
                  Eigen::ArrayXd& weights) const;
   /// What is believed now, without particles in space; `recorded` is the moment that was kept of

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/manual/point_drag.h"
 #include "core/base/random.h"
 #include "core/calibration/manual/interactive_pose.h"
+#include "core/calibration/manual/point_drag.h"
 
 #include <gtest/gtest.h>
 
@@ -254,7 +254,7 @@ TEST(Conversions, AGridSuitsItsRig) {
   camera.cameraFromWorld = lookAt({3.0, -3.0, 2.0}, {1.0, 2.0, 0.0});
   const ReferenceGrid grid = gridFor({camera});
   EXPECT_TRUE(checkGrid(grid));
-  // 5.7 m away: half a metre from line to line, around (1, 2).
+  // 5.7 m away: half a meter from line to line, around (1, 2).
   EXPECT_EQ(grid.step, 0.5);
   EXPECT_LT((grid.middle() - Eigen::Vector3d(1.0, 2.0, 0.0)).norm(), 1e-9);
   EXPECT_EQ(gridFor({}), ReferenceGrid());

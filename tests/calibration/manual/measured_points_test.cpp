@@ -87,18 +87,18 @@ TEST(MeasuredPoints, TheFocalLengthComesBackToo) {
   EXPECT_LT(apart(solution.rig[0], rig[0]), 1e-4);
 }
 
-TEST(MeasuredPoints, ResidualsAreInPixelsAndMetres) {
+TEST(MeasuredPoints, ResidualsAreInPixelsAndMeters) {
   const CameraRig rig{cameraAt({0.0, -3.0, 1.0}, "only")};
   auto points = pointsSeenBy(rig, 5);
-  // A click 5 px beside, at the point's distance d: 5 d / f metres from the ray, roughly.
+  // A click 5 px beside, at the point's distance d: 5 d / f meters from the ray, roughly.
   points[2].clicks[0].pixel.x() += 5.0;
   const auto residuals = clickResiduals(rig, points);
   ASSERT_EQ(residuals.size(), 5U);
   EXPECT_NEAR(residuals[2].pixels, 5.0, 1e-9);
   const double distance = (points[2].world - rig[0].center()).norm();
-  EXPECT_NEAR(residuals[2].metres, 5.0 * distance / 520.0, 0.15 * 5.0 * distance / 520.0);
+  EXPECT_NEAR(residuals[2].meters, 5.0 * distance / 520.0, 0.15 * 5.0 * distance / 520.0);
   EXPECT_LT(residuals[1].pixels, 1e-9);
-  EXPECT_LT(residuals[1].metres, 1e-9);
+  EXPECT_LT(residuals[1].meters, 1e-9);
 }
 
 TEST(MeasuredPoints, TheMistypedPointIsNamed) {
@@ -121,7 +121,7 @@ TEST(MeasuredPoints, TapeErrorsDoNotShakeTheCameras) {
     points[k].world += Eigen::Vector3d(way, k % 3 == 0 ? -0.003 : 0.003, 0.0);
   }
   const PointSolution solution = solveFromPoints(displaced(rig), points);
-  // 3 mm on 8 points around the middle: some millimetres at the cameras, 3.5 m away.
+  // 3 mm on 8 points around the middle: some millimeters at the cameras, 3.5 m away.
   EXPECT_LT(apart(solution.rig[0], rig[0]), 0.03);
   EXPECT_LT(solution.rmsPx, 2.0);
   EXPECT_FALSE(solution.worstExplains);

@@ -189,14 +189,14 @@ TEST(FaultFinder, MixedUnitsAreNamed) {
     SCOPED_TRACE(seed);
     WandProblem problem = clean(seed);
     problem.stickLength = 1000.0 * kStick;
-    expectOnly(find(problem), CalibrationFault::MillimetresMixed, {});
+    expectOnly(find(problem), CalibrationFault::MillimetersMixed, {});
     problem.stickLength = kStick / 0.0254;
     expectOnly(find(problem), CalibrationFault::InchesMixed, {});
     problem.stickLength = kStick;
     for (Camera& camera : problem.rough) {
       camera.cameraFromWorld.translation() *= 1000.0;
     }
-    expectOnly(find(problem), CalibrationFault::MillimetresMixed, {});
+    expectOnly(find(problem), CalibrationFault::MillimetersMixed, {});
   }
 }
 

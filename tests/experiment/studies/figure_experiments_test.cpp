@@ -129,7 +129,7 @@ TEST(FigureParts, EveryPointIsWithinTheAxes) {
   EXPECT_GT(plot.x.high, 3.0);
   EXPECT_LT(plot.y.low, -0.7);
   EXPECT_GT(plot.y.high, 1.4);
-  // A metre is as long across as upwards: a plot is 320 by 200 units.
+  // A meter is as long across as upwards: a plot is 320 by 200 units.
   EXPECT_NEAR((plot.x.high - plot.x.low) / (plot.y.high - plot.y.low), 1.6, 1e-9);
 }
 

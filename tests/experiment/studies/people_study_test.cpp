@@ -62,7 +62,7 @@ TEST(PeopleStudy, OursKeepsTwoInSimilarClothesApart) {
   const PeopleTrial& trial = trials->front();
   EXPECT_TRUE(trial.kept);
   EXPECT_GT(trial.mota, 0.85);
-  EXPECT_LT(trial.motp, 0.1);         // metres
+  EXPECT_LT(trial.motp, 0.1);         // meters
   EXPECT_LE(trial.longestGhost, 1.0); // seconds: the bar
   EXPECT_LE(trial.longestMissed, 1.0);
   // A person of 1.75 m and 75 kg is 0.075 m³; the hull is larger.

@@ -11,7 +11,7 @@ namespace dewpoint::tests {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kRadius = 0.1; // metres
+constexpr double kRadius = 0.1; // meters
 
 CameraRig threeCameras() {
   CameraRig rig;

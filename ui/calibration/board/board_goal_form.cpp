@@ -111,8 +111,8 @@ void BoardGoalForm::connectFields() {
   connect(lensAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double pixels) {
     edit([pixels](BoardGuideRequest& wish) { wish.lenses.requestedProjectionPx = pixels; });
   });
-  connect(placeAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double millimetres) {
-    edit([=](BoardGuideRequest& wish) { wish.requestedPlace = kMillimetre * millimetres; });
+  connect(placeAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double millimeters) {
+    edit([=](BoardGuideRequest& wish) { wish.requestedPlace = kMillimetre * millimeters; });
   });
 }
 

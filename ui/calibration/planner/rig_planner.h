@@ -71,7 +71,7 @@ public:
 
   // The search for a place.
   double wallDistance() const { return wallDistance_; }
-  void setWallDistance(double metres);
+  void setWallDistance(double meters);
   /// Looks for the best place for one more camera, and adds it there.
   void findPlace();
   BackgroundJob& search() { return search_; }

@@ -222,7 +222,7 @@ void WandOutcome::fillTable() {
     const PoseShift shift = poseShift(found.before[k], result.cameras[k]);
     set(k, Name, cameraName(found.before, k));
     set(k, Pixels, numberText(result.bundle.cameraRms[k], 2));
-    set(k, Moved, numberText(100.0 * shift.metres, 1));
+    set(k, Moved, numberText(100.0 * shift.meters, 1));
     set(k, Turned, numberText(shift.radians * 180.0 / std::numbers::pi, 2));
     // True time is the camera's plus the offset: a late image has a negative one.
     set(k, Offset, numberText(-1000.0 * result.offsets[k], 1, NumberForm::Signed));
