@@ -61,7 +61,7 @@ enum class Suggestion : std::uint8_t {
 };
 
 /// How well a color range tells the target from the rest.
-struct ColorVerdict {
+struct ColorAssessment {
   /// False when there is no sample: then nothing but backgroundShare, of all pixels, is known.
   bool targetKnown = true;
   /// F1 score of the range, 0 to 1: of what matches and what is target, the share that is both.
@@ -88,7 +88,7 @@ struct ColorVerdict {
 
 struct LearnedColor {
   ColorRange range;
-  ColorVerdict verdict;
+  ColorAssessment assessment;
 };
 
 struct ColorEvidence;
@@ -101,15 +101,16 @@ struct ColorEvidence;
 Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
                                 const std::vector<cv::Mat>& images);
 
-/// The verdict alone, on a range however made.
-ColorVerdict judgeColor(const ColorRange& range, const std::vector<ColorSample>& samples,
-                        const std::vector<cv::Mat>& images);
+/// The assessment alone, of a range however it was made.
+ColorAssessment assessColor(const ColorRange& range, const std::vector<ColorSample>& samples,
+                            const std::vector<cv::Mat>& images);
 
 /// The two steps of learnColor(), for callers that look at the evidence, which is most of the work,
 /// in other ways as well: the range, from the evidence of the samples without a range...
 Result<ColorRange> learnRange(const ColorEvidence& evidence);
-/// ... and the verdict on a range in these images, which may be others than the evidence is from.
-ColorVerdict judgeColor(const ColorRange& range, const std::vector<ColorSample>& samples,
-                        const std::vector<cv::Mat>& images, const ColorEvidence& evidence);
+/// ... and the assessment of a range in these images, which may be others than the evidence is
+/// from.
+ColorAssessment assessColor(const ColorRange& range, const std::vector<ColorSample>& samples,
+                            const std::vector<cv::Mat>& images, const ColorEvidence& evidence);
 
 } // namespace dewpoint::color

@@ -3,7 +3,7 @@
 
 #include "core/base/thread_team.h"
 #include "core/calibration/board/view_choice.h"
-#include "core/calibration/quality/board_judgement.h"
+#include "core/calibration/quality/board_accuracy.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/board_outcome.h"
 
-#include "core/calibration/quality/board_judgement.h"
+#include "core/calibration/quality/board_accuracy.h"
 
 namespace dewpoint::setup {
 namespace {
 
 BoardReport placesReport(const BoardCalibrationRequest& wish, const BoardOutcome& outcome) {
   BoardReport report = reportOf(wish.board, *outcome.places);
-  report.verdict = outcome.verdictSentence;
+  report.accuracy = outcome.accuracySentence;
   for (const NamedFault& fault : outcome.places->faults) {
-    report.verdict += " " + fault.sentence;
+    report.accuracy += " " + fault.sentence;
   }
   return report;
 }
@@ -36,10 +36,10 @@ Status addPlaces(const SeenBoards& seen, const BoardCalibrationRequest& wish, Bo
   if (!goesOn(progress, CalibrationStage::Assessment, 0.5)) {
     return cancelled();
   }
-  const auto verdict = judgeBoard(*places, wish.board, wish.worldFrame);
-  outcome.verdict = verdict ? std::optional(*verdict) : std::nullopt;
-  outcome.verdictSentence =
-      verdict ? verdictSentence(*verdict) : "none; " + sentence(verdict.error());
+  const auto accuracy = assessBoard(*places, wish.board, wish.worldFrame);
+  outcome.accuracy = accuracy ? std::optional(*accuracy) : std::nullopt;
+  outcome.accuracySentence =
+      accuracy ? accuracySentence(*accuracy) : "none; " + sentence(accuracy.error());
   outcome.project = withCameras(std::move(outcome.project), places->cameras);
   outcome.places = std::move(*places);
   return {};

@@ -24,9 +24,10 @@ struct BoardOutcome {
   std::optional<LensesFromBoards> lenses;
   std::optional<ExtrinsicsResult> places;
   std::optional<Error> noPlaces; ///< why only the lenses were found, although both were wanted
-  std::optional<CalibrationAccuracy> verdict; ///< on the places; nothing: it could not be judged
-  std::string verdictSentence;                ///< or why there is none; empty without places
-  std::string report;                         ///< one HTML page
+  std::optional<CalibrationAccuracy>
+      accuracy;                 ///< of the camera positions; nothing: it could not be assessed
+  std::string accuracySentence; ///< or why there is none; empty without places
+  std::string report;           ///< one HTML page
 };
 
 /// Lenses, then places with these lenses, from where the board was seen: the same bits for the

@@ -19,7 +19,7 @@ struct CameraSightings {
 };
 
 /// Whether a camera saw the target often and in enough of its image: a calibration from less may
-/// succeed, but its verdict will be wide.
+/// succeed, but its accuracy will be low.
 bool sawEnough(const CameraSightings& camera);
 
 /// Looks for the balls of a wand in frame sets as they come from live cameras, in a thread of its

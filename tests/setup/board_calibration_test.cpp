@@ -216,13 +216,13 @@ TEST(BoardCalibration, SaysAVerdictAndNoFault) {
         return calibrateFromBoards(recorded.project, seen, wish, {false, true});
       });
   ASSERT_TRUE(outcome) << sentence(outcome.error());
-  ASSERT_TRUE(outcome->verdict) << outcome->verdictSentence;
+  ASSERT_TRUE(outcome->accuracy) << outcome->accuracySentence;
   EXPECT_TRUE(outcome->places->faults.empty()) << outcome->places->faults[0].sentence;
   // 0.2 mm over 7 squares of 30 mm are 0.1 % (one sigma), at least.
-  EXPECT_NEAR(outcome->verdict->scale95.value(), 1.96 * 0.2 / 210.0, 0.0005);
-  EXPECT_GT(outcome->verdict->up95.value(), 0.001);
-  EXPECT_LT(outcome->verdict->up95.value(), 0.05);
-  EXPECT_LT(outcome->verdict->position95, 0.002);
+  EXPECT_NEAR(outcome->accuracy->scale95.value(), 1.96 * 0.2 / 210.0, 0.0005);
+  EXPECT_GT(outcome->accuracy->up95.value(), 0.001);
+  EXPECT_LT(outcome->accuracy->up95.value(), 0.05);
+  EXPECT_LT(outcome->accuracy->position95, 0.002);
   EXPECT_NE(outcome->report.find("In this volume"), std::string::npos);
 }
 

@@ -2,7 +2,7 @@
 // Calibration from a board on real recordings. The bars are those of issue 5, the published figures
 // those beside the recordings.
 #include "core/base/toml_text.h"
-#include "core/calibration/quality/board_judgement.h"
+#include "core/calibration/quality/board_accuracy.h"
 #include "core/capture/recording.h"
 #include "core/geometry/ray.h"
 #include "core/setup/board_calibration.h"
@@ -203,9 +203,9 @@ TEST(BoardRecordings, Charuco4) {
   std::printf("charuco4: rms %.3f px, %zu instants, spacing %.2f mm\n", result->rmsPx,
               result->places.size(), 1e3 * spacing);
   EXPECT_NEAR(spacing, 0.054, 0.0005);
-  const auto verdict = judgeBoard(*result, wish.board, {});
-  ASSERT_TRUE(verdict) << sentence(verdict.error());
-  std::printf("charuco4: %s\n", verdictSentence(*verdict).c_str());
+  const auto accuracy = assessBoard(*result, wish.board, {});
+  ASSERT_TRUE(accuracy) << sentence(accuracy.error());
+  std::printf("charuco4: %s\n", accuracySentence(*accuracy).c_str());
   EXPECT_TRUE(result->faults.empty()) << result->faults.front().sentence;
 }
 

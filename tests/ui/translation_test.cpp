@@ -234,7 +234,7 @@ void TranslationTest::whatIsOpenFollowsToo() {
 
 void TranslationTest::aVerdictSaysWhatItsScoreIsMadeOf() {
   useLanguage(QStringLiteral("en"));
-  ColorVerdict verdict;
+  ColorAssessment verdict;
   verdict.separability = 0.04;
   verdict.targetShare = 0.02;
   verdict.backgroundShare = 0.0;

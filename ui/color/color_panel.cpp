@@ -190,7 +190,7 @@ void ColorPanel::refresh() {
   }
   samples_->setSamples(document_.project(), target_);
   if (judged_) {
-    sayVerdict();
+    printAccuracy();
   } else {
     verdict_->setText(any ? tr("Drag ring and bars, or press Learn and click the target.")
                           : tr("Click the thing to follow in any camera image."));
@@ -254,7 +254,7 @@ void ColorPanel::setInFront(bool inFront) {
   }
 }
 
-void ColorPanel::sayVerdict() {
+void ColorPanel::printAccuracy() {
   std::vector<QString> cameras;
   for (const auto& camera : document_.project().cameras) {
     cameras.push_back(QString::fromStdString(camera.camera.name));
@@ -262,7 +262,7 @@ void ColorPanel::sayVerdict() {
   verdict_->setText(verdictText(said_, cameras));
 }
 
-void ColorPanel::showVerdict(const ColorVerdict& verdict) {
+void ColorPanel::showVerdict(const ColorAssessment& verdict) {
   if (!picker_->isEnabled()) {
     return; // its target has gone meanwhile
   }
@@ -270,7 +270,7 @@ void ColorPanel::showVerdict(const ColorVerdict& verdict) {
   judgedFrame_ = snapshot_ ? snapshot_->frame : -1;
   outlined_ = true;
   said_ = verdict;
-  sayVerdict();
+  printAccuracy();
   std::map<int, std::vector<ImagePickOverlay::Region>> regions;
   for (const DistractorRegion& region : verdict.distractors) {
     QPolygonF outline;

@@ -61,8 +61,8 @@ private:
   void showBox();
   void pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
   void editRange(const ColorRange& range);
-  void sayVerdict();
-  void showVerdict(const ColorVerdict& verdict);
+  void printAccuracy();
+  void showVerdict(const ColorAssessment& verdict);
   void judgeNow();
   void keepVerdictCurrent();
   void clearRegions();
@@ -81,7 +81,7 @@ private:
   TrackSnapshotPtr snapshot_;
   int target_ = 0;
   bool picking_ = false;
-  ColorVerdict said_;
+  ColorAssessment said_;
   bool inFront_ = false;          ///< the panel is seen, not behind another tab
   bool judged_ = false;           ///< the verdict is about the range shown
   std::int64_t judgedFrame_ = -1; ///< and about this frame

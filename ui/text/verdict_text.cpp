@@ -62,7 +62,7 @@ QString suggestionSentence(Suggestion suggestion) {
 }
 
 /// What the score is made of: the target that does not match, the background that does.
-QString sharesSentence(const ColorVerdict& verdict) {
+QString sharesSentence(const ColorAssessment& verdict) {
   const QString background = percentText(verdict.backgroundShare, 2);
   if (!verdict.missesTarget()) {
     return Words::tr("%1 % of the background matches too.").arg(background);
@@ -90,7 +90,7 @@ QString colorName(ColorWord color) {
   return Words::tr(kNames[static_cast<int>(color)]);
 }
 
-QString verdictText(const ColorVerdict& verdict, const std::vector<QString>& cameras) {
+QString verdictText(const ColorAssessment& verdict, const std::vector<QString>& cameras) {
   if (!verdict.targetKnown) {
     return Words::tr(
                "%1 % of the images match. Shift-click the target to learn how well it stands out.")

@@ -117,7 +117,7 @@ void sayPlaces(const SeenBoards& seen, const BoardOutcome& outcome) {
   for (const std::string& notice : result.notices) {
     fmt::print("note: {}.\n", notice);
   }
-  sayVerdict(outcome.verdict, outcome.verdictSentence, result.faults);
+  printAccuracy(outcome.accuracy, outcome.accuracySentence, result.faults);
 }
 
 /// Calibrates, says what was found, and writes it.

@@ -92,13 +92,13 @@ CalibrationProgress interruptibleProgress() {
   };
 }
 
-void sayVerdict(const std::optional<CalibrationAccuracy>& verdict, const std::string& sentence,
-                const std::vector<NamedFault>& faults) {
+void printAccuracy(const std::optional<CalibrationAccuracy>& accuracy, const std::string& sentence,
+                   const std::vector<NamedFault>& faults) {
   fmt::print("Verdict: {}\n", sentence);
-  if (verdict && verdict->modelFactor > 1.0) {
+  if (accuracy && accuracy->modelFactor > 1.0) {
     fmt::print("Solutions without a part of the recording differ {:.1f} times more than noise "
                "explains; the verdict includes that.\n",
-               verdict->modelFactor);
+               accuracy->modelFactor);
   }
   for (const NamedFault& fault : faults) {
     fmt::print("Fault: {}\n", fault.sentence);

@@ -31,10 +31,10 @@ Status writeCalibrated(const CalibrateOutput& output, const Project& calibrated,
 /// Shows the stages of a computation as progress bars, and ends it on Ctrl-C.
 CalibrationProgress interruptibleProgress();
 
-/// The verdict's sentence (or why there is none), what it was widened by, and the faults that have
-/// a name.
-void sayVerdict(const std::optional<CalibrationAccuracy>& verdict, const std::string& sentence,
-                const std::vector<NamedFault>& faults);
+/// Prints the sentence of the accuracy (or why there is none), what it was widened by, and the
+/// faults that have a name.
+void printAccuracy(const std::optional<CalibrationAccuracy>& accuracy, const std::string& sentence,
+                   const std::vector<NamedFault>& faults);
 
 /// What the process returns after an error: kExitInterrupted when it was Ctrl-C, without a word
 /// besides that nothing was changed.

@@ -144,11 +144,11 @@ void sayDecisions(const WandOptions& options, const WandResult& result) {
   }
 }
 
-void sayVerdictOn(const WandRefinement& refinement) {
-  const auto& verdict = refinement.verdict;
-  sayVerdict(verdict ? std::optional(*verdict) : std::nullopt,
-             verdict ? verdictSentence(*verdict) : "none; " + sentence(verdict.error()),
-             refinement.result.faults);
+void printAccuracyOf(const WandRefinement& refinement) {
+  const auto& accuracy = refinement.accuracy;
+  printAccuracy(accuracy ? std::optional(*accuracy) : std::nullopt,
+                accuracy ? accuracySentence(*accuracy) : "none; " + sentence(accuracy.error()),
+                refinement.result.faults);
 }
 
 int calibrate(WandCommandOptions options) {
@@ -172,7 +172,7 @@ int calibrate(WandCommandOptions options) {
   }
   sayCameras(*result);
   sayDecisions(options.wand, result->result);
-  sayVerdictOn(*result);
+  printAccuracyOf(*result);
   const CameraRig& cameras = result->result.cameras;
   const bool better = !saysTooLittle(*result);
   if (!better) {

@@ -63,27 +63,27 @@ std::string rangeSentence(const ColorRange& range) {
                      range.intensityMin, range.intensityMax);
 }
 
-std::vector<std::string> verdictSentences(const ColorVerdict& verdict,
-                                          const std::vector<std::string>& cameras) {
+std::vector<std::string> assessmentSentences(const ColorAssessment& assessment,
+                                             const std::vector<std::string>& cameras) {
   std::vector<std::string> sentences{
-      fmt::format("{}: {} of 100.", separation(verdict.score()), verdict.score()),
+      fmt::format("{}: {} of 100.", separation(assessment.score()), assessment.score()),
       fmt::format("{:.0f} % of the target and {:.2f} % of the background match.",
-                  100.0 * verdict.targetShare, 100.0 * verdict.backgroundShare)};
-  if (verdict.backgroundShareOfWhole) {
+                  100.0 * assessment.targetShare, 100.0 * assessment.backgroundShare)};
+  if (assessment.backgroundShareOfWhole) {
     sentences.push_back(
         fmt::format("A range for all of the target would match {:.2f} % of the background.",
-                    100.0 * *verdict.backgroundShareOfWhole));
+                    100.0 * *assessment.backgroundShareOfWhole));
   }
-  if (verdict.sampleLeftOut) {
+  if (assessment.sampleLeftOut) {
     sentences.emplace_back("One sample does not go with the others: no single range holds both.");
   }
-  for (const DistractorRegion& region : verdict.distractors) {
+  for (const DistractorRegion& region : assessment.distractors) {
     const cv::Point middle = (region.box.tl() + region.box.br()) / 2;
     sentences.push_back(fmt::format(
         "Something {} {} of {} matches too, about pixel {},{}.", nameOf(region.color),
         placeOf(region), cameras.at(static_cast<std::size_t>(region.camera)), middle.x, middle.y));
   }
-  if (const std::string text = advice(verdict.suggestion); !text.empty()) {
+  if (const std::string text = advice(assessment.suggestion); !text.empty()) {
     sentences.push_back(text);
   }
   return sentences;

@@ -13,7 +13,7 @@ std::string rangeSentence(const ColorRange& range);
 
 /// How well the color stands out, what matches too and where, and what to do about it: a sentence
 /// each. `cameras` are the names, in the order of the project.
-std::vector<std::string> verdictSentences(const ColorVerdict& verdict,
-                                          const std::vector<std::string>& cameras);
+std::vector<std::string> assessmentSentences(const ColorAssessment& assessment,
+                                             const std::vector<std::string>& cameras);
 
 } // namespace dewpoint::app

@@ -143,7 +143,7 @@ void say(const Target& target, const LearnedColor& learned, const Project& proje
   }
   fmt::print("{}: {} pixels were clicked.\n", target.name, target.samples.front().area);
   fmt::print("{}\n", rangeSentence(learned.range));
-  for (const std::string& text : verdictSentences(learned.verdict, cameras)) {
+  for (const std::string& text : assessmentSentences(learned.assessment, cameras)) {
     fmt::print("{}\n", text);
   }
 }

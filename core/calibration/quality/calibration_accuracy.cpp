@@ -190,30 +190,30 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
   const double noise = std::max(result.noiseFactor, 1e-9);
   const Eigen::MatrixXd covariance = noise * noise * result.covariance.matrix;
   const Folds folds = leaveOut(problem, result);
-  CalibrationAccuracy verdict;
-  verdict.changeRatio = changeRatio(perCamera, covariance, folds.changes);
-  verdict.modelFactor = verdict.changeRatio > kClearlyLarger ? verdict.changeRatio : 1.0;
-  verdict.heldOut = folds.points;
-  verdict.heldOutPx =
+  CalibrationAccuracy accuracy;
+  accuracy.changeRatio = changeRatio(perCamera, covariance, folds.changes);
+  accuracy.modelFactor = accuracy.changeRatio > kClearlyLarger ? accuracy.changeRatio : 1.0;
+  accuracy.heldOut = folds.points;
+  accuracy.heldOutPx =
       folds.points > 0 ? std::sqrt(folds.squares / static_cast<double>(folds.points)) : 0.0;
-  const Eigen::MatrixXd deviation = verdict.modelFactor * root(covariance);
+  const Eigen::MatrixXd deviation = accuracy.modelFactor * root(covariance);
   const double scale = known.scaleKnown ? known.scaleSigma : 0.0;
-  verdict.cameras95 = ninetyFive(errors, perCamera * deviation, scale, 0.0);
-  verdict.position95 =
+  accuracy.cameras95 = ninetyFive(errors, perCamera * deviation, scale, 0.0);
+  accuracy.position95 =
       ninetyFive(errors, perCamera * deviation, scale, noise * typicalSigma(problem));
   if (known.scaleKnown && (!sizeless || known.scaleSigma > 0.0)) {
     const double found =
         sizeless ? 0.0 : sizeChange(errors.places, errors.fromCameras * deviation).norm();
-    verdict.scale95 = kNinetyFive * std::hypot(found, known.scaleSigma);
+    accuracy.scale95 = kNinetyFive * std::hypot(found, known.scaleSigma);
   }
   if (known.upSigma) {
-    verdict.up95 = kNinetyFivePlane * *known.upSigma;
+    accuracy.up95 = kNinetyFivePlane * *known.upSigma;
   }
-  return verdict;
+  return accuracy;
 }
 
-Result<CalibrationAccuracy> judgeWand(const WandResult& result,
-                                      const std::vector<double>& floorTimes) {
+Result<CalibrationAccuracy> assessWand(const WandResult& result,
+                                       const std::vector<double>& floorTimes) {
   AccuracyKnowledge known;
   known.scaleKnown = result.scale != WandScale::Rough;
   known.scaleSigma = result.scaleSigma;
@@ -225,12 +225,12 @@ Result<CalibrationAccuracy> judgeWand(const WandResult& result,
   return assessCalibration(result.problem, result.bundle, known);
 }
 
-std::string verdictSentence(const CalibrationAccuracy& verdict) {
-  std::string text = fmt::format("In this volume +-{:.2g} mm (95 %)", 1e3 * verdict.position95);
-  text += verdict.scale95 ? fmt::format(", scale +-{:.2g} %", 1e2 * *verdict.scale95)
-                          : std::string(", scale unknown");
-  text += verdict.up95
-              ? fmt::format(", up +-{:.2g} degrees", *verdict.up95 * 180.0 / std::numbers::pi)
+std::string accuracySentence(const CalibrationAccuracy& accuracy) {
+  std::string text = fmt::format("In this volume +-{:.2g} mm (95 %)", 1e3 * accuracy.position95);
+  text += accuracy.scale95 ? fmt::format(", scale +-{:.2g} %", 1e2 * *accuracy.scale95)
+                           : std::string(", scale unknown");
+  text += accuracy.up95
+              ? fmt::format(", up +-{:.2g} degrees", *accuracy.up95 * 180.0 / std::numbers::pi)
               : std::string(", up not measured");
   return text + ".";
 }

@@ -30,10 +30,10 @@ struct CalibrationAccuracy {
   double modelFactor = 1.0;
   double heldOutPx = 0.0;   ///< root mean square distance in instants that were left out
   std::size_t heldOut = 0;  ///< image points in them
-  double changeRatio = 0.0; ///< what was found before it was judged: see modelFactor
+  double changeRatio = 0.0; ///< what was found before it was assessed: see modelFactor
 };
 
-/// The verdict on an adjustment and its outcome (both in the result's world).
+/// The accuracy of an adjustment from its outcome (both in the result's world).
 ///
 /// The covariance of the cameras is carried to places spread over those that were seen, by first
 /// order (Hartley & Zisserman, Multiple View Geometry, 5.2), without their common rigid motion;
@@ -49,10 +49,10 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
                                               const AccuracyKnowledge& known = {});
 
 /// The same for a waved target; `floorTimes` are those of its WandProblem.
-Result<CalibrationAccuracy> judgeWand(const WandResult& result,
-                                      const std::vector<double>& floorTimes);
+Result<CalibrationAccuracy> assessWand(const WandResult& result,
+                                       const std::vector<double>& floorTimes);
 
 /// "In this volume +-3.1 mm (95 %), scale +-0.10 %, up +-0.20 degrees."
-std::string verdictSentence(const CalibrationAccuracy& verdict);
+std::string accuracySentence(const CalibrationAccuracy& accuracy);
 
 } // namespace dewpoint::calibration

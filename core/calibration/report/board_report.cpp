@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/report/board_report.h"
 
-#include "core/calibration/report/space_drawing.h"
 #include "core/base/markup.h"
 #include "core/calibration/report/report_drawing.h"
+#include "core/calibration/report/space_drawing.h"
 
 #include <fmt/format.h>
 
@@ -92,8 +92,8 @@ void addCamera(std::string& html, const BoardReport::CameraPart& camera) {
 void addReport(std::string& html, const BoardReport& report) {
   html += fmt::format("<h1>{}</h1>\n<p>Board: <code>{}</code></p>\n", escaped(report.title),
                       escaped(boardText(report.board)));
-  if (!report.verdict.empty()) {
-    html += fmt::format("<p><b>{}</b></p>\n", escaped(report.verdict));
+  if (!report.accuracy.empty()) {
+    html += fmt::format("<p><b>{}</b></p>\n", escaped(report.accuracy));
   }
   for (const std::string& notice : report.notices) {
     html += fmt::format("<p class=\"notice\">{}.</p>\n", escaped(notice));

@@ -29,7 +29,7 @@ struct BoardReport {
   std::vector<CameraPart> cameras;
   std::vector<BoardPlace> places; ///< for the plot in space; empty: no plot
   std::vector<std::string> notices;
-  std::string verdict; ///< a sentence; may be empty
+  std::string accuracy; ///< a sentence; may be empty
 };
 
 /// The part of a report about one camera's intrinsics.

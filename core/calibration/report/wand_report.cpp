@@ -100,7 +100,7 @@ std::string htmlText(const WandReport& report) {
       fmt::format("Poses of {} cameras from a waved target", result.cameras.size());
   std::string html = pageHead(title);
   html += fmt::format("<h1>{}</h1>\n<p><strong>{}</strong></p>\n", escaped(title),
-                      escaped(report.verdict));
+                      escaped(report.accuracy));
   for (const NamedFault& fault : result.faults) {
     html += fmt::format("<p class=\"notice\">{}</p>\n", escaped(fault.sentence));
   }

@@ -326,14 +326,14 @@ Status barreraStarts(const ExperimentOptions& options) {
               {"From one point (0.5, y, 0.15), at and beyond the ball",
                sharePlot("y, m", beyond, *pointShares)}});
   page.heading("What the paper says");
-  page.claim("From random starts it does not converge at all.", verdictOnNone(*boxShares),
+  page.claim("From random starts it does not converge at all.", claimOfNone(*boxShares),
              fmt::format("It depends on the volume, which the paper does not state: here {:.0f} % "
                          "converge from a cube of 0.4 m, {:.0f} % from one of 1 m, {:.0f} % from "
                          "one of 4 m.",
                          100.0 * (*boxShares)[2], 100.0 * (*boxShares)[4],
                          100.0 * boxShares->back()));
   page.claim("From a start farther than the ball it does not converge at all.",
-             verdictOnNone({pointShares->begin() + 1, pointShares->end()}),
+             claimOfNone({pointShares->begin() + 1, pointShares->end()}),
              fmt::format("It depends on how far: here {:.0f} % converge from 0.1 m beyond the "
                          "ball, {:.0f} % from 0.3 m, {:.0f} % from 0.5 m.",
                          100.0 * (*pointShares)[2], 100.0 * (*pointShares)[6],

@@ -34,7 +34,7 @@ struct BoxRow {
   std::vector<std::optional<ImageBox>> boxes;
 };
 
-/// A requirement with its verdict.
+/// A requirement, and whether it was reached.
 struct BoxBar {
   std::string sentence;
   bool reached = false;

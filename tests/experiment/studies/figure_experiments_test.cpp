@@ -92,9 +92,9 @@ std::string pageOf(Status (*run)(const ExperimentOptions&), const char* name) {
 }
 
 TEST(BarreraStarts, TheVerdictFollowsFromAllStarts) {
-  EXPECT_EQ(verdictOnNone({1.0, 0.58, 0.07}), Verdict::InPart); // as measured with 100 runs
-  EXPECT_EQ(verdictOnNone({0.0, 0.09}), Verdict::Reproduced);
-  EXPECT_EQ(verdictOnNone({1.0, 0.1}), Verdict::NotReproduced);
+  EXPECT_EQ(claimOfNone({1.0, 0.58, 0.07}), ClaimOutcome::InPart); // as measured with 100 runs
+  EXPECT_EQ(claimOfNone({0.0, 0.09}), ClaimOutcome::Reproduced);
+  EXPECT_EQ(claimOfNone({1.0, 0.1}), ClaimOutcome::NotReproduced);
 }
 
 TEST(DynamicsFigure7, SaysOnceWhereTheCloudStarts) {

@@ -183,7 +183,7 @@ QString outcomeWords(const BoardCalibrator& desk, const BoardOutcome& outcome) {
   }
   if (outcome.places) {
     addPlaces(desk, *outcome.places, lines);
-    lines << (outcome.verdict ? verdictWords(*outcome.verdict)
+    lines << (outcome.accuracy ? verdictWords(*outcome.accuracy)
                               : Words::tr("How good it is cannot be said: too few places were seen "
                                           "by two cameras."));
     QStringList names;

@@ -164,8 +164,8 @@ void WandOutcome::showOutcome() {
     notes << tr("The cameras are as they were.");
   }
   if (found) {
-    verdict = found->verdict ? verdictWords(*found->verdict)
-                             : QStringLiteral("⚠ ") + errorSentence(found->verdict.error());
+    verdict = found->accuracy ? verdictWords(*found->accuracy)
+                             : QStringLiteral("⚠ ") + errorSentence(found->accuracy.error());
     if (desk_.isStale()) {
       notes << tr("The cameras were changed since; this is about how they were refined.");
     }
@@ -180,10 +180,10 @@ void WandOutcome::showOutcome() {
     if (!desk_.isApplied()) {
       notes << tr("The cameras are as they were.");
     }
-    if (found->verdict && found->verdict->modelFactor > 1.0) {
+    if (found->accuracy && found->accuracy->modelFactor > 1.0) {
       notes << tr("Solutions without a part of the recording differ %1 times more than noise "
                   "explains; the verdict includes that.")
-                   .arg(numberText(found->verdict->modelFactor, 1));
+                   .arg(numberText(found->accuracy->modelFactor, 1));
     }
     if (found->result.drop) {
       notes << tr("The fall says %1 m/s² (9.81 is expected).")

@@ -10,13 +10,13 @@
 
 namespace dewpoint::calibration {
 
-/// The verdict on poses from a board (assessCalibration). Size: as well as a ruler shows the
+/// The accuracy of poses from a board (assessCalibration). Size: as well as a ruler shows the
 /// board's longer side, 0.2 mm. Up, where the board lay on the floor at `worldInstant`: from the
 /// corners' noise at that instant and a floor (or board) that is flat to 0.5 mm. Errors: those of
 /// assessCalibration().
-Result<CalibrationAccuracy> judgeBoard(const ExtrinsicsResult& result,
-                                       const BoardDescription& board,
-                                       std::optional<std::int64_t> worldInstant);
+Result<CalibrationAccuracy> assessBoard(const ExtrinsicsResult& result,
+                                        const BoardDescription& board,
+                                        std::optional<std::int64_t> worldInstant);
 
 /// Looks for faults in where the board was seen (findFaults). The request's cameras stand where
 /// they stood before. Where what is seen does not fit that rig at all, or it is no rig, it was not

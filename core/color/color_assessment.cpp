@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/color/color_verdict.h"
+#include "core/color/color_assessment.h"
 
 #include "core/color/color_region.h"
 #include "core/color/hsi.h"
@@ -89,7 +89,7 @@ void addRegions(int camera, const cv::Mat& image, const cv::Mat& targetMask,
   }
 }
 
-Suggestion suggestionFor(const ColorVerdict& verdict, const ColorEvidence& evidence,
+Suggestion suggestionFor(const ColorAssessment& assessment, const ColorEvidence& evidence,
                          const std::vector<FoundRegion>& found) {
   const BgrColor& color = evidence.typicalColor;
   const Hsi typical = hsiFromBgr(color[0], color[1], color[2]);
@@ -102,16 +102,17 @@ Suggestion suggestionFor(const ColorVerdict& verdict, const ColorEvidence& evide
   if (evidence.imageShare > kMostOfImage) {
     return Suggestion::ClickThingItself;
   }
-  if (typical.saturation < kPale && verdict.score() >= kGood) {
+  if (typical.saturation < kPale && assessment.score() >= kGood) {
     return Suggestion::UseStrongerColor; // the next change of light makes it like the walls
   }
-  if (verdict.score() >= kGood) {
+  if (assessment.score() >= kGood) {
     return Suggestion::None;
   }
-  if (verdict.separability < kLow && verdict.targetShare < kLow && evidence.imageShare < kSpeck) {
+  if (assessment.separability < kLow && assessment.targetShare < kLow &&
+      evidence.imageShare < kSpeck) {
     return Suggestion::ClickMore;
   }
-  if (verdict.missesTarget() && found.empty()) {
+  if (assessment.missesTarget() && found.empty()) {
     return Suggestion::AddSamples;
   }
   if (typical.saturation < kPale) {
@@ -157,20 +158,20 @@ ColorWord colorWord(const BgrColor& bgr) {
   return warm && color.hueDegrees > 8.0 && color.intensity < 0.4 ? ColorWord::Brown : word->word;
 }
 
-ColorVerdict verdictOn(const ColorRange& range, const ColorEvidence& evidence,
-                       const std::vector<cv::Mat>& images) {
+ColorAssessment assessRange(const ColorRange& range, const ColorEvidence& evidence,
+                            const std::vector<cv::Mat>& images) {
   const RangeScore score = scoreRange(range, evidence.target, evidence.rest);
-  ColorVerdict verdict;
-  verdict.separability = score.f1;
-  verdict.targetShare = evidence.targetWeight > 0.0 ? score.target / evidence.targetWeight : 0.0;
-  verdict.backgroundShare = evidence.restWeight > 0.0 ? score.rest / evidence.restWeight : 0.0;
-  verdict.targetKnown = evidence.targetWeight > 0.0;
-  if (!verdict.targetKnown) {
-    return verdict;
+  ColorAssessment assessment;
+  assessment.separability = score.f1;
+  assessment.targetShare = evidence.targetWeight > 0.0 ? score.target / evidence.targetWeight : 0.0;
+  assessment.backgroundShare = evidence.restWeight > 0.0 ? score.rest / evidence.restWeight : 0.0;
+  assessment.targetKnown = evidence.targetWeight > 0.0;
+  if (!assessment.targetKnown) {
+    return assessment;
   }
-  if (verdict.missesTarget()) {
+  if (assessment.missesTarget()) {
     const RangeScore whole = scoreRange(fitRange(evidence.target, {}), {}, evidence.rest);
-    verdict.backgroundShareOfWhole =
+    assessment.backgroundShareOfWhole =
         evidence.restWeight > 0.0 ? whole.rest / evidence.restWeight : 0.0;
   }
   std::vector<FoundRegion> found;
@@ -182,12 +183,12 @@ ColorVerdict verdictOn(const ColorRange& range, const ColorEvidence& evidence,
     }
   }
   std::ranges::stable_sort(found, std::greater(), &FoundRegion::area);
-  verdict.suggestion = suggestionFor(verdict, evidence, found);
-  found.resize(std::min(found.size(), ColorVerdict::kMostDistractors));
+  assessment.suggestion = suggestionFor(assessment, evidence, found);
+  found.resize(std::min(found.size(), ColorAssessment::kMostDistractors));
   for (FoundRegion& region : found) {
-    verdict.distractors.push_back(std::move(region.region));
+    assessment.distractors.push_back(std::move(region.region));
   }
-  return verdict;
+  return assessment;
 }
 
 } // namespace dewpoint::color

@@ -7,7 +7,7 @@
 namespace dewpoint::color {
 
 /// How well the range does on the evidence that was collected from these images.
-ColorVerdict verdictOn(const ColorRange& range, const ColorEvidence& evidence,
-                       const std::vector<cv::Mat>& images);
+ColorAssessment assessRange(const ColorRange& range, const ColorEvidence& evidence,
+                            const std::vector<cv::Mat>& images);
 
 } // namespace dewpoint::color

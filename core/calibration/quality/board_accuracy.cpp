@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/quality/board_judgement.h"
+#include "core/calibration/quality/board_accuracy.h"
 
 #include "core/base/statistics.h"
 #include "core/calibration/formats/calibration_plausibility.h"
@@ -137,9 +137,9 @@ void countFrames(FaultReport& report, double stride, const ExtrinsicsRequest& re
 
 } // namespace
 
-Result<CalibrationAccuracy> judgeBoard(const ExtrinsicsResult& result,
-                                       const BoardDescription& board,
-                                       std::optional<std::int64_t> worldInstant) {
+Result<CalibrationAccuracy> assessBoard(const ExtrinsicsResult& result,
+                                        const BoardDescription& board,
+                                        std::optional<std::int64_t> worldInstant) {
   AccuracyKnowledge known;
   known.scaleSigma =
       kRulerSigma / (board.squareSize * std::max(board.squareColumns(), board.squareRows()));
