@@ -34,11 +34,11 @@ Result<std::vector<cv::Mat>> readSome(PictureReader& reader, const PictureShape&
     if (picture->empty()) {
       break;
     }
-    auto turned = shaped(*picture, camera, reader.fileOf(frame));
-    if (!turned) {
-      return tl::make_unexpected(turned.error());
+    auto rotated = shaped(*picture, camera, reader.fileOf(frame));
+    if (!rotated) {
+      return tl::make_unexpected(rotated.error());
     }
-    pictures.push_back(turned->clone());
+    pictures.push_back(rotated->clone());
   }
   if (pictures.empty()) {
     return failure(ErrorCode::FileUnreadable, reader.fileOf(0), cameraField(camera.camera),

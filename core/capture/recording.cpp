@@ -176,9 +176,9 @@ void noteDifferences(const std::vector<Camera>& cameras, std::vector<Error>& not
   }
 }
 
-double rateOf(const std::vector<Camera>& cameras, double asked) {
-  if (asked > 0) {
-    return asked;
+double rateOf(const std::vector<Camera>& cameras, double requested) {
+  if (requested > 0) {
+    return requested;
   }
   for (const Camera& camera : cameras) {
     if (camera.reader->framesPerSecond() > 0) {

@@ -120,11 +120,11 @@ void Playback::advance(std::optional<std::int64_t> next, std::int64_t head) {
   }
 }
 
-void Playback::rerun(const RerunState& range, std::optional<std::int64_t> lookAgain) {
+void Playback::rerun(const RerunState& range, std::optional<std::int64_t> thenView) {
   const PlayState afterwards = hasInputEnded() ? PlayState::Ended
                                : viewed()      ? PlayState::Paused
                                                : playState();
-  state_ = Rerunning{range, afterwards, lookAgain};
+  state_ = Rerunning{range, afterwards, thenView};
   leaveHead(range.from);
 }
 
@@ -166,7 +166,7 @@ std::optional<std::int64_t> Playback::reach(std::int64_t head) {
   const auto* holding = std::get_if<Holding>(&state_);
   const Rerunning done = holding != nullptr ? holding->rerun : std::get<Rerunning>(state_);
   state_ = headState(done.afterwards);
-  return done.lookAgain;
+  return done.thenView;
 }
 
 void Playback::forgetEstimates() {

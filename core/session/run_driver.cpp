@@ -23,7 +23,7 @@ RunDriver::RunDriver(SessionInputs inputs, FrameTapSlot& tap, RunLog& log, const
       threads_(filterThreads(inputs.threads)), tap_(tap), log_(log),
       definition_(
           std::make_shared<const RunDefinition>(RunDefinition::of(project_, inputs.emptyRooms))),
-      bumps_(*definition_->rig), recorder_(log, truth) {
+      motionWatch_(*definition_->rig), recorder_(log, truth) {
   replaceRun(*definition_, 0);
   if (source_) {
     const std::size_t usual = source_->isLive() ? kLiveHistory : kRecordedHistory;
@@ -161,7 +161,7 @@ bool RunDriver::restart(std::optional<std::uint64_t> seed) {
   log_.restart(project(), threads_);
   travel_->clear();
   if (!source_->isLive()) { // live cameras stay where they are; the calibrated place is still known
-    bumps_.restart();
+    motionWatch_.restart();
   }
   recorder_.restart();
   playback_.restart();
@@ -188,7 +188,7 @@ std::int64_t RunDriver::beginOf(const command::SetMethod& method, std::int64_t f
   return from;
 }
 
-void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool lookAgain) {
+void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool thenView) {
   const auto nearest = travel_->nearest(from);
   if (!nearest) {
     return;
@@ -218,7 +218,7 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
   if (isPast) {
     travel_->forgetFrom(from);
     log_.goBack(from);
-    playback_.rerun(range, lookAgain ? playback_.viewed() : std::nullopt);
+    playback_.rerun(range, thenView ? playback_.viewed() : std::nullopt);
   } else {
     playback_.trackOnFrom(from);
   }
@@ -309,7 +309,7 @@ void RunDriver::setCameras(const CameraRig& rig) {
   RunDefinition wanted = *definition_;
   wanted.rig = std::make_shared<const CameraRig>(rig);
   if (change(std::move(wanted))) {
-    bumps_.setCameras(rig);
+    motionWatch_.setCameras(rig);
   }
 }
 
@@ -374,14 +374,14 @@ void RunDriver::describe(const SnapshotBuilder& builder, bool quickly, TrackSnap
   snapshot.state = playback_.playState();
   snapshot.rerun = playback_.rerunning();
   snapshot.notices = errors_;
-  snapshot.bumps = bumps_.reports();
+  snapshot.cameraMotions = motionWatch_.reports();
   if (source_) {
     std::ranges::move(source_->notices(), std::back_inserter(snapshot.notices));
     snapshot.frameCount = source_->frameCount();
     snapshot.droppedFrames = source_->droppedFrames();
     snapshot.history = travel_->state();
   }
-  std::ranges::move(bumps_.notices(), std::back_inserter(snapshot.notices));
+  std::ranges::move(motionWatch_.notices(), std::back_inserter(snapshot.notices));
   recorder_.addFigures(snapshot);
   log_.setFinished(playback_.hasInputEnded());
 }

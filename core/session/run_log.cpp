@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kChangedAt = "changed_at_frame_";
 
 /// Makes a reader of another generation begin anew; whether it does.
-bool beginsAnew(std::uint64_t own, std::uint64_t& generation, std::size_t& position) {
+bool restartsReader(std::uint64_t own, std::uint64_t& generation, std::size_t& position) {
   if (generation == own) {
     return false;
   }
@@ -179,7 +179,7 @@ void RunLog::append(const std::vector<BoxSample>& samples) {
 RunLog::Piece RunLog::since(std::uint64_t& generation, std::size_t& position) const {
   const std::lock_guard lock(mutex_);
   Piece piece;
-  piece.restarted = beginsAnew(generation_, generation, position);
+  piece.restarted = restartsReader(generation_, generation, position);
   piece.records = records_.since(position);
   return piece;
 }
@@ -187,7 +187,7 @@ RunLog::Piece RunLog::since(std::uint64_t& generation, std::size_t& position) co
 RunLog::FramePiece RunLog::framesSince(std::uint64_t& generation, std::size_t& position) const {
   const std::lock_guard lock(mutex_);
   FramePiece piece;
-  piece.restarted = beginsAnew(generation_, generation, position);
+  piece.restarted = restartsReader(generation_, generation, position);
   piece.records = frames_.since(position);
   return piece;
 }
@@ -195,7 +195,7 @@ RunLog::FramePiece RunLog::framesSince(std::uint64_t& generation, std::size_t& p
 RunLog::SamplesPiece RunLog::samplesSince(std::uint64_t& generation, std::size_t& position) const {
   const std::lock_guard lock(mutex_);
   SamplesPiece piece;
-  piece.restarted = beginsAnew(generation_, generation, position);
+  piece.restarted = restartsReader(generation_, generation, position);
   takeSince(trajectory_.samples, position, piece);
   return piece;
 }
@@ -203,7 +203,7 @@ RunLog::SamplesPiece RunLog::samplesSince(std::uint64_t& generation, std::size_t
 RunLog::BoxesPiece RunLog::boxesSince(std::uint64_t& generation, std::size_t& position) const {
   const std::lock_guard lock(mutex_);
   BoxesPiece piece;
-  piece.restarted = beginsAnew(generation_, generation, position);
+  piece.restarted = restartsReader(generation_, generation, position);
   takeSince(boxes_, position, piece);
   return piece;
 }

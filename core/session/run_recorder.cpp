@@ -99,12 +99,12 @@ void RunRecorder::countAgainstBudget(const ParameterValues& parameters, double m
   budget_.late += milliseconds > budget ? 1 : 0;
 }
 
-void RunRecorder::record(const TrackingRun& run, const TrackedFrame& moment) {
+void RunRecorder::record(const TrackingRun& run, const TrackedFrame& trackedFrame) {
   log_.append(run.samples());
   log_.append(run.boxSamples());
-  log_.append(frameRecord(moment, *run.frames()));
-  if (run.family().findsTargets() && !moment.targets.empty()) {
-    log_.append(peopleFrame(moment));
+  log_.append(frameRecord(trackedFrame, *run.frames()));
+  if (run.family().findsTargets() && !trackedFrame.targets.empty()) {
+    log_.append(peopleFrame(trackedFrame));
   }
 }
 

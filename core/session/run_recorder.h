@@ -32,7 +32,7 @@ public:
   void iterated(const TrackingRun& run, double microseconds) override;
   Status tracked(const TrackingRun& run) override;
   /// The estimates of the run's frame, in place of earlier ones of the same frame.
-  void record(const TrackingRun& run, const TrackedFrame& moment);
+  void record(const TrackingRun& run, const TrackedFrame& trackedFrame);
 
   /// Frame rate, time of an iteration, latency and time budget.
   void addFigures(TrackSnapshot& snapshot) const;

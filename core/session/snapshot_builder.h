@@ -42,7 +42,7 @@ public:
 
 private:
   /// What every frame shows of a moment; `tailEnd` is the last frame of the tails.
-  static void show(const TrackedFrame& moment, const TrackingRun& run, const History* history,
+  static void show(const TrackedFrame& trackedFrame, const TrackingRun& run, const History* history,
                    std::int64_t tailEnd, TrackSnapshot& snapshot);
   /// What every frame shows of its images.
   void addImages(TrackSnapshot& snapshot) const;

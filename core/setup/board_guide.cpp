@@ -48,7 +48,7 @@ BoardGuide::BoardGuide(Project project, const BoardGuideRequest& wish, int threa
   state_.seen = std::make_shared<const SeenBoards>(seen_);
 }
 
-BoardGuide::Detections BoardGuide::look(const FrameSet& frames) {
+BoardGuide::Detections BoardGuide::detectIn(const FrameSet& frames) {
   Detections found(state_.cameras.size());
   const auto count = static_cast<std::int64_t>(std::min(found.size(), frames.frames.size()));
   team_.forEachRange(count, [&](std::int64_t begin, std::int64_t end) {
@@ -61,7 +61,7 @@ BoardGuide::Detections BoardGuide::look(const FrameSet& frames) {
   for (std::size_t k = 0; k < found.size(); ++k) {
     state_.cameras[k].seen = found[k];
     state_.cameras[k].outline = found[k] ? outlineOf(*found[k]) : BoardGuideState::Outline();
-    seen_.cameras[k].looked += k < frames.frames.size() && frames.frames[k] != nullptr ? 1 : 0;
+    seen_.cameras[k].searched += k < frames.frames.size() && frames.frames[k] != nullptr ? 1 : 0;
   }
   return found;
 }
@@ -90,7 +90,7 @@ BoardGuideState BoardGuide::step(const FrameSet& frames) {
   if (state_.phase == BoardGuideState::Phase::Finished) {
     return state_;
   }
-  const Detections found = look(frames);
+  const Detections found = detectIn(frames);
   const double time = seconds(frames.time);
   if (state_.phase == BoardGuideState::Phase::Lenses) {
     stepLenses(time, found);

@@ -83,7 +83,7 @@ public:
 
 private:
   using Detections = std::vector<std::optional<BoardDetection>>;
-  Detections look(const FrameSet& frames);
+  Detections detectIn(const FrameSet& frames);
   void begin(const FrameSet& frames);
   void stepLenses(double time, const Detections& found);
   void stepPlaces(double time, const Detections& found);

@@ -76,7 +76,7 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoard
 Result<BoardOutcome> calibrateFromBoards(const Project& project, FrameSetSource& source,
                                          const BoardCalibrationRequest& wish, const BoardGoal& goal,
                                          const CalibrationProgress& progress) {
-  return lookForBoards(project, source, wish, progress).and_then([&](const SeenBoards& seen) {
+  return findBoards(project, source, wish, progress).and_then([&](const SeenBoards& seen) {
     return calibrateFromBoards(project, seen, wish, goal, progress);
   });
 }

@@ -39,7 +39,7 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoard
                                          const CalibrationProgress& progress = {});
 
 /// The same from a recording, in which the board is looked for first. Errors: those of
-/// lookForBoards() too.
+/// findBoards() too.
 Result<BoardOutcome> calibrateFromBoards(const Project& project, FrameSetSource& source,
                                          const BoardCalibrationRequest& wish, const BoardGoal& goal,
                                          const CalibrationProgress& progress = {});

@@ -136,9 +136,9 @@ bool isDevice(const std::string& location) {
 
 /// A folder with an image in it.
 bool holdsImages(const fs::path& folder) {
-  std::error_code said;
-  for (const auto& entry : fs::directory_iterator(folder, said)) {
-    if (entry.is_regular_file(said) && holds(kImageEndings, entry.path())) {
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(folder, problem)) {
+    if (entry.is_regular_file(problem) && holds(kImageEndings, entry.path())) {
       return true;
     }
   }
@@ -164,19 +164,19 @@ bool isFootage(const fs::path& file) {
 }
 
 bool showsImages(const std::string& location) {
-  std::error_code said;
-  if (fs::is_directory(location, said)) {
+  std::error_code problem;
+  if (fs::is_directory(location, problem)) {
     return holdsImages(location);
   }
-  return !fs::exists(location, said) || isDevice(location) || isFootage(location);
+  return !fs::exists(location, problem) || isDevice(location) || isFootage(location);
 }
 
 std::vector<std::string> footageIn(const fs::path& folder) {
   std::vector<std::string> found;
-  std::error_code said;
-  for (const auto& entry : fs::directory_iterator(folder, said)) {
-    const bool folderOfImages = entry.is_directory(said) && holdsImages(entry.path());
-    const bool video = entry.is_regular_file(said) && isFootage(entry.path()) &&
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(folder, problem)) {
+    const bool folderOfImages = entry.is_directory(problem) && holdsImages(entry.path());
+    const bool video = entry.is_regular_file(problem) && isFootage(entry.path()) &&
                        !holds(kImageEndings, entry.path());
     if (folderOfImages || video) {
       found.push_back(entry.path().string());
@@ -187,9 +187,9 @@ std::vector<std::string> footageIn(const fs::path& folder) {
 
 std::vector<std::string> connectedCameras() {
   std::vector<std::string> devices;
-  std::error_code said;
-  for (const auto& entry : fs::directory_iterator("/dev", said)) {
-    if (entry.path().filename().string().starts_with("video") && entry.is_character_file(said)) {
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator("/dev", problem)) {
+    if (entry.path().filename().string().starts_with("video") && entry.is_character_file(problem)) {
       devices.push_back(entry.path().string());
     }
   }

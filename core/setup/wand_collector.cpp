@@ -48,16 +48,16 @@ void WandCollector::run(const std::stop_token& stop) {
       frames = std::move(queue_.front());
       queue_.pop_front();
     }
-    look(*frames);
+    search(*frames);
   }
 }
 
-void WandCollector::look(const FrameSet& frames) {
+void WandCollector::search(const FrameSet& frames) {
   finder_.add(frames);
   auto found = finder_.take();
   const double time = seconds(frames.time);
   const std::lock_guard lock(seenMutex_);
-  ++looked_;
+  ++searched_;
   first_ = first_.value_or(time);
   newest_ = std::max(newest_, time);
   for (std::size_t c = 0; c < found.size(); ++c) {
@@ -81,8 +81,8 @@ WandCollector::State WandCollector::state() const {
   }
   const std::lock_guard lock(seenMutex_);
   state.seconds = first_ ? newest_ - *first_ : 0.0;
-  state.looked = looked_;
-  state.waiting -= looked_;
+  state.searched = searched_;
+  state.waiting -= searched_;
   state.cameras = cameras_;
   return state;
 }

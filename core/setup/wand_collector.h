@@ -39,7 +39,7 @@ public:
 
   struct State {
     double seconds = 0.0; ///< from the first frame set's time to the newest one's
-    std::int64_t looked = 0;
+    std::int64_t searched = 0;
     std::int64_t waiting = 0; ///< taken, but not yet looked at
     std::int64_t dropped = 0;
     std::vector<CameraSightings> cameras;
@@ -50,7 +50,7 @@ public:
 
 private:
   void run(const std::stop_token& stop);
-  void look(const FrameSet& frames);
+  void search(const FrameSet& frames);
 
   mutable std::mutex queueMutex_;
   std::condition_variable_any wake_;
@@ -61,7 +61,7 @@ private:
   mutable std::mutex seenMutex_; ///< guards what follows; the finders work without it
   std::vector<std::vector<MarkerObservation>> views_;
   std::vector<CameraSightings> cameras_;
-  std::int64_t looked_ = 0;
+  std::int64_t searched_ = 0;
   std::optional<double> first_; ///< seconds
   double newest_ = 0.0;
 

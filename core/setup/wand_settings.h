@@ -36,17 +36,17 @@ struct WandSettings {
 enum class TouchRole { Floor, DistanceFrom, DistanceTo, FallBegins, FallEnds };
 constexpr int kTouchRoles = 5;
 
-struct TouchedMoment {
+struct TouchedInstant {
   std::int64_t frame = 0;
   double seconds = 0.0;
   TouchRole role = TouchRole::Floor;
 
-  bool operator==(const TouchedMoment&) const = default;
+  bool operator==(const TouchedInstant&) const = default;
 };
 
 /// A moment is taken: the floor may be touched often, each of the others happens once, and what was
 /// said of it before is replaced. Ascending in time.
-void addMoment(std::vector<TouchedMoment>& moments, const TouchedMoment& taken);
+void addInstant(std::vector<TouchedInstant>& instants, const TouchedInstant& taken);
 
 /// The names of the balls: as wished, or the project's first targets. A stick has two, as far as
 /// the project has as many targets.
@@ -63,7 +63,7 @@ enum class WandObstacle {
   HalfAFall         ///< only one end of a fall is known
 };
 /// The first one, in this order.
-WandObstacle obstacleOf(const WandSettings& wish, const std::vector<TouchedMoment>& moments,
+WandObstacle obstacleOf(const WandSettings& wish, const std::vector<TouchedInstant>& instants,
                         const Project& project);
 
 /// Frames from the first to the last, both included.
@@ -73,7 +73,7 @@ struct FrameStretch {
 };
 
 /// The options for a wish without an obstacle. `selected`: the frames for WandSettings::onlySpan.
-WandOptions toOptions(const WandSettings& wish, const std::vector<TouchedMoment>& moments,
+WandOptions toOptions(const WandSettings& wish, const std::vector<TouchedInstant>& instants,
                       const Project& project, const std::optional<FrameStretch>& selected = {});
 
 } // namespace dewpoint::setup

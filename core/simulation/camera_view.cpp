@@ -102,7 +102,7 @@ void CameraView::seeRoom(const Room& room) {
         const Vector3f ray = direction(column, row, right, down);
         const auto jitter =
             static_cast<std::uint32_t>(pixel) * 4U + static_cast<std::uint32_t>(sample);
-        const Sight sight = room.look(center, ray, room.cast(center, ray), jitter);
+        const Sight sight = room.sightOf(center, ray, room.cast(center, ray), jitter);
         color += sight.color / (kSide * kSide);
         lit[pixel] += sight.lit / (kSide * kSide);
       }

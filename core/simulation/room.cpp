@@ -166,8 +166,8 @@ bool Room::shadowed(const Vector3f& point, const Vector3f& towards) const {
   return false;
 }
 
-Sight Room::look(const Vector3f& origin, const Vector3f& direction, const Hit& hit,
-                 std::uint32_t jitter) const {
+Sight Room::sightOf(const Vector3f& origin, const Vector3f& direction, const Hit& hit,
+                    std::uint32_t jitter) const {
   if (!(hit.distance < kInfinity)) {
     return {};
   }

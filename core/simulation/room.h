@@ -50,8 +50,8 @@ public:
 
   Hit cast(const Vector3f& origin, const Vector3f& direction) const;
   /// The color of a hit; `jitter` varies the place on the lamp that shadows are cast from.
-  Sight look(const Vector3f& origin, const Vector3f& direction, const Hit& hit,
-             std::uint32_t jitter) const;
+  Sight sightOf(const Vector3f& origin, const Vector3f& direction, const Hit& hit,
+                std::uint32_t jitter) const;
   /// Where its lamp hangs: kLampPosition, or higher in a room for people.
   const Vector3f& lamp() const { return lamp_; }
 

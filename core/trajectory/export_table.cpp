@@ -273,8 +273,8 @@ void turnAndScale(ExportTable& table) {
     for (ExportCell& cell : column) {
       cell.position = scale * (turn * cell.position);
       if (cell.covariance) {
-        const Eigen::Matrix3d turned = turn * *cell.covariance * turn.transpose();
-        cell.covariance = scale * scale * turned;
+        const Eigen::Matrix3d rotated = turn * *cell.covariance * turn.transpose();
+        cell.covariance = scale * scale * rotated;
         table.covariance = true;
       }
     }

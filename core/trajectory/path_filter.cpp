@@ -140,8 +140,8 @@ constexpr double kNoGate = std::numeric_limits<double>::infinity();
 
 /// Calls `look(index, innovation, begins)` for each seen place until it returns false; those that
 /// only begin the path are told as such.
-template <int Order, class Look>
-void forward(std::span<const PathPoint> path, const PathModel& model, double gate, Look look) {
+template <int Order, class Visit>
+void forward(std::span<const PathPoint> path, const PathModel& model, double gate, Visit visit) {
   const auto found =
       std::ranges::find_if(path, [](const auto& point) { return point.seen.has_value(); });
   if (found == path.end()) {
@@ -150,17 +150,17 @@ void forward(std::span<const PathPoint> path, const PathModel& model, double gat
   const Motion<Order> motion(path, model);
   State<Order> state = motion.first(found->seen->position);
   double time = found->time;
-  int looks = 0;
+  int measurements = 0;
   for (auto k = static_cast<std::size_t>(found - path.begin()); k < path.size(); ++k) {
     if (!path[k].seen) {
       continue;
     }
     motion.predict(state, path[k].time - time);
     time = path[k].time;
-    const bool begins = looks++ < kBeginning;
+    const bool begins = measurements++ < kBeginning;
     const Innovation innovation =
         update(state, *path[k].seen, model.noiseFactor, begins ? kNoGate : gate);
-    if (!look(k, innovation, begins)) {
+    if (!visit(k, innovation, begins)) {
       return;
     }
   }
@@ -239,10 +239,10 @@ double pathLogLikelihood(std::span<const PathPoint> path, const PathModel& model
 
 void eachPathSurprise(std::span<const PathPoint> path, const PathModel& model, double gate,
                       const std::function<bool(std::size_t, double)>& tell) {
-  const auto look = [&](std::size_t k, const Innovation& innovation, bool begins) {
+  const auto visit = [&](std::size_t k, const Innovation& innovation, bool begins) {
     return tell(k, begins ? 0.0 : innovation.squaredDistance);
   };
-  withOrder(model.order, [&]<int Order>() { forward<Order>(path, model, gate, look); });
+  withOrder(model.order, [&]<int Order>() { forward<Order>(path, model, gate, visit); });
 }
 
 std::vector<double> pathSurprises(std::span<const PathPoint> path, const PathModel& model,

@@ -175,8 +175,8 @@ TEST(FormatGolden, PosesTheWrongWayRoundAreSuspected) {
   expectSentence(doubted.error(), "rotation", "--poses world-from-camera");
   CalibrationHints hints;
   hints.posesAreWorldFromCamera = true;
-  const auto turned = readCalibration(file, hints);
-  ASSERT_TRUE(turned) << sentence(turned.error());
+  const auto rotated = readCalibration(file, hints);
+  ASSERT_TRUE(rotated) << sentence(rotated.error());
   hints.posesAreWorldFromCamera = false; // a person may know better
   EXPECT_TRUE(readCalibration(file, hints));
 }

@@ -77,10 +77,10 @@ TEST(BoardCalibration, LensesAndPosesOfARecording) {
   BoardCalibrationRequest wish = recorded.wish();
   wish.worldFrame = 0;
   const auto source = recorded.open();
-  const auto seen = lookForBoards(recorded.project, *source, wish);
+  const auto seen = findBoards(recorded.project, *source, wish);
   ASSERT_TRUE(seen) << sentence(seen.error());
   ASSERT_EQ(seen->cameras.size(), 2U);
-  EXPECT_EQ(seen->cameras[0].looked, kFrames);
+  EXPECT_EQ(seen->cameras[0].searched, kFrames);
   EXPECT_GE(seen->cameras[0].views.size(), 12U);
 
   const auto lenses = intrinsicsFromBoards(*seen, wish);
@@ -100,10 +100,9 @@ TEST(BoardCalibration, LensesAndPosesOfARecording) {
             poses->cameras[1].cameraFromWorld.matrix());
 
   // Once more, the same to the last bit.
-  const auto again =
-      lookForBoards(recorded.project, *source, wish).and_then([&](const auto& boards) {
-        return extrinsicsFromBoards(recorded.project, boards, wish);
-      });
+  const auto again = findBoards(recorded.project, *source, wish).and_then([&](const auto& boards) {
+    return extrinsicsFromBoards(recorded.project, boards, wish);
+  });
   ASSERT_TRUE(again);
   EXPECT_EQ(again->cameras, poses->cameras);
 }
@@ -112,11 +111,11 @@ TEST(BoardCalibration, StopsWhenTold) {
   const Recorded recorded;
   const auto source = recorded.open();
   int calls = 0;
-  const auto seen = lookForBoards(recorded.project, *source, recorded.wish(),
-                                  [&](CalibrationStage stage, double) {
-                                    EXPECT_EQ(stage, CalibrationStage::BoardDetection);
-                                    return ++calls < 3;
-                                  });
+  const auto seen =
+      findBoards(recorded.project, *source, recorded.wish(), [&](CalibrationStage stage, double) {
+        EXPECT_EQ(stage, CalibrationStage::BoardDetection);
+        return ++calls < 3;
+      });
   ASSERT_FALSE(seen);
   EXPECT_EQ(seen.error().code, ErrorCode::Cancelled);
   EXPECT_EQ(calls, 3);
@@ -125,10 +124,10 @@ TEST(BoardCalibration, StopsWhenTold) {
 TEST(BoardCalibration, FramesBetweenThoseLookedAtArePassedOver) {
   const Recorded recorded;
   BoardCalibrationRequest wish = recorded.wish();
-  wish.looks = 5; // every third frame
+  wish.frameLimit = 5; // every third frame
   wish.worldFrame = 7;
   const auto source = recorded.open();
-  const auto seen = lookForBoards(recorded.project, *source, wish);
+  const auto seen = findBoards(recorded.project, *source, wish);
   ASSERT_TRUE(seen);
   std::vector<std::int64_t> instants;
   for (const BoardView& view : seen->cameras[0].views) {
@@ -144,7 +143,7 @@ struct BlindCamera {
 
   BlindCamera() {
     const auto source = recorded.open();
-    seen = lookForBoards(recorded.project, *source, recorded.wish()).value();
+    seen = findBoards(recorded.project, *source, recorded.wish()).value();
     SeenBoards::PerCamera blind = seen.cameras[0];
     blind.name = "door";
     blind.views.clear();
@@ -212,7 +211,7 @@ TEST(BoardCalibration, SaysAVerdictAndNoFault) {
   wish.worldFrame = 0;
   const auto source = recorded.open();
   const auto outcome =
-      lookForBoards(recorded.project, *source, wish).and_then([&](const SeenBoards& seen) {
+      findBoards(recorded.project, *source, wish).and_then([&](const SeenBoards& seen) {
         return calibrateFromBoards(recorded.project, seen, wish, {false, true});
       });
   ASSERT_TRUE(outcome) << sentence(outcome.error());
@@ -233,7 +232,7 @@ TEST(BoardCalibration, AWrongSquareSizeIsNamed) {
   }
   BoardCalibrationRequest wish = recorded.wish();
   const auto source = recorded.open();
-  auto seen = lookForBoards(recorded.project, *source, wish);
+  auto seen = findBoards(recorded.project, *source, wish);
   ASSERT_TRUE(seen);
   wish.board.squareSize *= 1000.0; // typed in millimeters
   wish.board.markerSize *= 1000.0;

@@ -135,7 +135,7 @@ Result<IntrinsicsResult> lensFrom(const std::vector<fs::path>& files,
                                   const BoardDescription& board) {
   BoardCalibrationRequest wish;
   wish.board = board;
-  return lookForBoards(files, board, DetectionEffort::Exact)
+  return findBoards(files, board, DetectionEffort::Exact)
       .and_then([&](const SeenBoards& seen) { return intrinsicsFromBoards(seen, wish); })
       .map([](const LensesFromBoards& lenses) { return lenses.cameras.front().value(); });
 }
@@ -174,7 +174,7 @@ TEST(BoardRecordings, Charuco4) {
   }
   const auto source = openRecording(recorded, 0);
   ASSERT_TRUE(source) << sentence(source.error());
-  const auto seen = lookForBoards(project, **source, wish);
+  const auto seen = findBoards(project, **source, wish);
   ASSERT_TRUE(seen) << sentence(seen.error());
   const auto result = extrinsicsFromBoards(project, *seen, wish);
   ASSERT_TRUE(result) << sentence(result.error());
@@ -223,7 +223,7 @@ TEST(BoardRecordings, StereoTray) {
     std::printf("stereo_tray %s: rms %.3f px, f %.1f %.1f\n", side, lens->rmsPx,
                 lens->camera.intrinsics.focalX, lens->camera.intrinsics.focalY);
     EXPECT_LE(lens->rmsPx, 0.5);
-    const auto seen = lookForBoards(files, request.board, DetectionEffort::Exact);
+    const auto seen = findBoards(files, request.board, DetectionEffort::Exact);
     request.cameras.push_back({lens->camera, seen->cameras[0].views});
     request.cameras.back().camera.name = side;
   }
@@ -252,8 +252,8 @@ TEST(BoardRecordings, Ball9Arena) {
   request.board = boardOf("chessboard:11x8:0.020");
   request.worldInstant = 0;
   for (int k = 0; k < 9; ++k) {
-    const auto floor = lookForBoards({folder / ("board_view" + std::to_string(k) + ".jpg")},
-                                     request.board, DetectionEffort::Exact);
+    const auto floor = findBoards({folder / ("board_view" + std::to_string(k) + ".jpg")},
+                                  request.board, DetectionEffort::Exact);
     ASSERT_TRUE(floor);
     const auto lens =
         lensFrom(picturesIn(folder / "intrinsic_boards" / std::to_string(k), ""), request.board);

@@ -46,7 +46,7 @@ bool isProject(const std::vector<std::string>& inputs) {
   return inputs.size() == 1 && (first.extension() == ".toml" || !first.has_extension());
 }
 
-void sayLens(const Camera& camera) {
+void printLens(const Camera& camera) {
   const auto& in = camera.intrinsics;
   const auto& d = camera.distortion;
   const int count = camera.lens == LensModel::Fisheye           ? 4
@@ -59,7 +59,7 @@ void sayLens(const Camera& camera) {
              fmt::join(d.begin(), d.begin() + count, ", "));
 }
 
-void sayViews(const std::vector<ViewFit>& views) {
+void printViews(const std::vector<ViewFit>& views) {
   for (const ViewFit& view : views) {
     if (!view.used) {
       fmt::print("left out: {}: {}\n", view.name, view.reason);
@@ -69,26 +69,27 @@ void sayViews(const std::vector<ViewFit>& views) {
   }
 }
 
-void sayIntrinsics(const SeenBoards::PerCamera& seen, const IntrinsicsResult& result, bool named) {
+void printIntrinsics(const SeenBoards::PerCamera& seen, const IntrinsicsResult& result,
+                     bool named) {
   if (named) {
     fmt::print("{}\n", seen.name);
   }
   fmt::print("the board is seen in {} of {} pictures; {} are used\n", seen.views.size(),
-             seen.looked, std::ranges::count(result.views, true, &ViewFit::used));
+             seen.searched, std::ranges::count(result.views, true, &ViewFit::used));
   fmt::print("rms {:.4f} px\n", result.rmsPx);
-  sayLens(result.camera);
+  printLens(result.camera);
   const auto& focal = result.parameters.front();
   fmt::print("{} {:.2f} +- {:.2f} px; a ray is known to {:.2f} px (1 sigma) where the image is "
              "known least; corners in {:.0f} % of it\n",
              focal.name, focal.value, focal.sigma, result.worstProjectionPx,
              100.0 * result.coverage.imagePart());
-  sayViews(result.views);
+  printViews(result.views);
 }
 
-void sayLenses(const SeenBoards& seen, const LensesFromBoards& lenses) {
+void printLenses(const SeenBoards& seen, const LensesFromBoards& lenses) {
   for (std::size_t k = 0; k < lenses.cameras.size(); ++k) {
     if (lenses.cameras[k]) {
-      sayIntrinsics(seen.cameras[k], *lenses.cameras[k], lenses.cameras.size() > 1);
+      printIntrinsics(seen.cameras[k], *lenses.cameras[k], lenses.cameras.size() > 1);
     }
   }
   for (const Error& kept : lenses.kept) {
@@ -96,7 +97,7 @@ void sayLenses(const SeenBoards& seen, const LensesFromBoards& lenses) {
   }
 }
 
-void sayPlaces(const SeenBoards& seen, const BoardOutcome& outcome) {
+void printPositions(const SeenBoards& seen, const BoardOutcome& outcome) {
   const ExtrinsicsResult& result = *outcome.places;
   fmt::print("rms {:.4f} px over {} positions of the board\n", result.rmsPx, result.places.size());
   for (std::size_t k = 0; k < result.cameras.size(); ++k) {
@@ -112,7 +113,7 @@ void sayPlaces(const SeenBoards& seen, const BoardOutcome& outcome) {
                  fit.turnSigma * 180.0 / std::numbers::pi);
     }
     fmt::print("\n");
-    sayViews(fit.views);
+    printViews(fit.views);
   }
   for (const std::string& notice : result.notices) {
     fmt::print("note: {}.\n", notice);
@@ -128,10 +129,10 @@ int calibrate(const BoardOptions& options, const BoardGoal& goal, const Project&
     return reportCalibration(outcome.error());
   }
   if (outcome->lenses) {
-    sayLenses(seen, *outcome->lenses);
+    printLenses(seen, *outcome->lenses);
   }
   if (outcome->places) {
-    sayPlaces(seen, *outcome);
+    printPositions(seen, *outcome);
   }
   const auto written = writeCalibrated(options.output, outcome->project, outcome->report);
   return written ? static_cast<int>(kExitDone) : report(written.error());
@@ -142,7 +143,7 @@ int intrinsicsOfPictures(const BoardOptions& options) {
   const auto effort =
       options.corners == "sample" ? DetectionEffort::Sample : DetectionEffort::Exact;
   const auto progress = interruptibleProgress();
-  const auto seen = lookForBoards(files, options.wish.board, effort, progress);
+  const auto seen = findBoards(files, options.wish.board, effort, progress);
   if (!seen) {
     return reportCalibration(seen.error());
   }
@@ -154,12 +155,12 @@ int intrinsicsOfPictures(const BoardOptions& options) {
 }
 
 /// A project's recording, with the board looked for in it.
-struct Looked {
+struct FoundBoards {
   Project project;
   SeenBoards seen;
 };
 
-Result<Looked> look(const BoardOptions& options, const CalibrationProgress& progress) {
+Result<FoundBoards> readBoards(const BoardOptions& options, const CalibrationProgress& progress) {
   auto project = resolveProject(options.inputs.front());
   if (!project) {
     return tl::make_unexpected(project.error());
@@ -171,20 +172,20 @@ Result<Looked> look(const BoardOptions& options, const CalibrationProgress& prog
   if (!inputs) {
     return tl::make_unexpected(inputs.error());
   }
-  auto seen = lookForBoards(inputs->project, *inputs->source, options.wish, progress);
+  auto seen = findBoards(inputs->project, *inputs->source, options.wish, progress);
   if (!seen) {
     return tl::make_unexpected(seen.error());
   }
-  return Looked{std::move(inputs->project), std::move(*seen)};
+  return FoundBoards{std::move(inputs->project), std::move(*seen)};
 }
 
 int calibrateProject(const BoardOptions& options, const BoardGoal& goal) {
   const auto progress = interruptibleProgress();
-  const auto looked = look(options, progress);
-  if (!looked) {
-    return reportCalibration(looked.error());
+  const auto searched = readBoards(options, progress);
+  if (!searched) {
+    return reportCalibration(searched.error());
   }
-  return calibrate(options, goal, looked->project, looked->seen, progress);
+  return calibrate(options, goal, searched->project, searched->seen, progress);
 }
 
 int intrinsics(BoardOptions& options) {
@@ -217,7 +218,8 @@ void addBoardOptions(CLI::App& command, BoardOptions& options) {
                   "charuco:7x5:0.054:0.040:DICT_4X4_50[:legacy][:inverted] (squares, square and "
                   "marker in metres)")
       ->required();
-  command.add_option("--looks", options.wish.looks, "Frames of a recording that are looked at")
+  command
+      .add_option("--looks", options.wish.frameLimit, "Frames of a recording that are looked at")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
 }

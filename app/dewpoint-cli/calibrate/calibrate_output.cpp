@@ -69,7 +69,7 @@ Status writeCalibrated(const CalibrateOutput& output, const Project& calibrated,
 }
 
 CalibrationProgress interruptibleProgress() {
-  heedInterruption();
+  catchInterruption();
   struct Shown {
     std::optional<CalibrationStage> stage;
     std::unique_ptr<Progress> bar;
@@ -88,7 +88,7 @@ CalibrationProgress interruptibleProgress() {
       shown->bar = std::make_unique<Progress>(nameOf(stage), kSteps);
     }
     shown->bar->show(static_cast<std::int64_t>(part * static_cast<double>(kSteps)));
-    return !interruptionAsked();
+    return !interruptionRequested();
   };
 }
 

@@ -38,7 +38,7 @@ const char* troubleText(PoseStatus trouble) {
   return "";
 }
 
-void sayCamera(const CameraRig& rig, const CameraFromPoints& found) {
+void printCamera(const CameraRig& rig, const CameraFromPoints& found) {
   const std::string& name = rig[static_cast<std::size_t>(found.camera)].name;
   fmt::print("{:<16} {:>6} {:>8.3f}  {}\n", name, found.clicks, found.rmsPx,
              troubleText(found.trouble));
@@ -52,7 +52,7 @@ void sayCamera(const CameraRig& rig, const CameraFromPoints& found) {
   }
 }
 
-void sayPoints(const Project& project, const PointSolution& solution) {
+void printPoints(const Project& project, const PointSolution& solution) {
   fmt::print("{:<24} {:<16} {:>8} {:>8}\n", "point", "camera", "px", "mm");
   for (const ClickResidual& residual : solution.residuals) {
     fmt::print("{:<24} {:<16} {:>8.3f} {:>8.2f}\n",
@@ -82,9 +82,9 @@ int calibrate(const PointsCommandOptions& options) {
   const PointSolution solution = solveFromPoints(rigOf(*project), project->points, options.points);
   fmt::print("{:<16} {:>6} {:>8}\n", "camera", "points", "px");
   for (const CameraFromPoints& found : solution.cameras) {
-    sayCamera(solution.rig, found);
+    printCamera(solution.rig, found);
   }
-  sayPoints(*project, solution);
+  printPoints(*project, solution);
   auto written = options.out.empty() ? Status() : saveCalibration(solution.rig, options.out);
   if (written && options.apply) {
     written = saveProject(withCameras(*project, solution.rig), options.project);

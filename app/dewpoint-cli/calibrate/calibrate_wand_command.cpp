@@ -77,7 +77,7 @@ public:
       looking_ = work.looking;
     }
     bar_->show(work.done);
-    return !interruptionAsked();
+    return !interruptionRequested();
   }
   void finish() {
     if (bar_) {
@@ -91,7 +91,7 @@ private:
   bool looking_ = true;
 };
 
-void sayCameras(const WandRefinement& refinement) {
+void printCameras(const WandRefinement& refinement) {
   const WandOptions& options = refinement.options;
   const WandResult& result = refinement.result;
   fmt::print("{:<16} {:>6} {:>8} {:>7} {:>9} {:>9}", "camera", "views", "dropped", "px", "moved cm",
@@ -114,7 +114,7 @@ void sayCameras(const WandRefinement& refinement) {
   }
 }
 
-void sayDecisions(const WandOptions& options, const WandResult& result) {
+void printDecisions(const WandOptions& options, const WandResult& result) {
   fmt::print("Median reprojection error {:.3f} px; best of {} starts; {:.1f} s.\n", result.medianPx,
              result.starts.size(), result.seconds);
   const char* source = result.scale == WandScale::Stick      ? "the stick's length"
@@ -135,10 +135,10 @@ void sayDecisions(const WandOptions& options, const WandResult& result) {
   }
   if (result.drop) {
     fmt::print("Fall: {:.2f} +- {:.2f} m/s^2 ({} instants); 9.81 is expected.\n",
-               result.drop->gravity, result.drop->sigma, result.drop->looks);
+               result.drop->gravity, result.drop->sigma, result.drop->instants);
   }
   if (result.floorFound || result.drop) {
-    fmt::print("Up: turned by {:.2f} degrees.\n", result.upTurned / kDegree);
+    fmt::print("Up: turned by {:.2f} degrees.\n", result.upRotated / kDegree);
   } else {
     fmt::print("World: as it was, up unchanged.\n");
   }
@@ -162,7 +162,7 @@ int calibrate(WandCommandOptions options) {
   if (!inputs) {
     return report(inputs.error());
   }
-  heedInterruption();
+  catchInterruption();
   WandBars bars;
   const auto result = refineFromRecording(inputs->project, *inputs->source, options.wand,
                                           [&](const WandWork& work) { return bars.show(work); });
@@ -170,8 +170,8 @@ int calibrate(WandCommandOptions options) {
   if (!result) {
     return report(result.error());
   }
-  sayCameras(*result);
-  sayDecisions(options.wand, result->result);
+  printCameras(*result);
+  printDecisions(options.wand, result->result);
   printAccuracyOf(*result);
   const CameraRig& cameras = result->result.cameras;
   const bool better = !saysTooLittle(*result);

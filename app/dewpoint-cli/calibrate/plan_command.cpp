@@ -61,7 +61,7 @@ Result<Eigen::AlignedBox3d> volumeOf(const PlanOptions& options, const Project& 
   return volume;
 }
 
-void sayRig(const CameraRig& rig, const PlacementSettings& settings) {
+void printRig(const CameraRig& rig, const PlacementSettings& settings) {
   const RigMap map =
       RigMapper().map(gridOver(settings.volume, kMapCells), settings.pixelSigma, rig);
   const RigMapSummary summary = summaryOf(map, settings.goodSigma);
@@ -88,10 +88,10 @@ int plan(PlanOptions& options) {
   options.placement.volume = *volume;
   options.placement.reportedCells = kMapCells;
   CameraRig rig = rigOf(*project);
-  sayRig(rig, options.placement);
-  heedInterruption();
+  printRig(rig, options.placement);
+  catchInterruption();
   const auto found = placeCamera(rig, newCamera(options, rig), options.placement,
-                                 [](CalibrationStage, double) { return !interruptionAsked(); });
+                                 [](CalibrationStage, double) { return !interruptionRequested(); });
   if (!found) {
     return found.error().code == ErrorCode::Cancelled ? static_cast<int>(kExitInterrupted)
                                                       : report(found.error());

@@ -7,18 +7,18 @@
 namespace dewpoint::app {
 namespace {
 
-std::atomic<bool> asked = false;
+std::atomic<bool> requested = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
 
 } // namespace
 
-void heedInterruption() {
-  std::signal(SIGINT, [](int) { asked = true; });
-  std::signal(SIGTERM, [](int) { asked = true; });
+void catchInterruption() {
+  std::signal(SIGINT, [](int) { requested = true; });
+  std::signal(SIGTERM, [](int) { requested = true; });
 }
 
-bool interruptionAsked() {
-  return asked;
+bool interruptionRequested() {
+  return requested;
 }
 
 } // namespace dewpoint::app

@@ -6,8 +6,8 @@
 namespace dewpoint::app {
 
 /// From now on Ctrl-C (and a request to end) only asks for a stop.
-void heedInterruption();
+void catchInterruption();
 /// Whether it was pressed since.
-bool interruptionAsked();
+bool interruptionRequested();
 
 } // namespace dewpoint::app

@@ -37,7 +37,7 @@ int studyBarrera(int runs) {
   return kExitDone;
 }
 
-void sayTrial(const WandTrial& trial) {
+void printTrial(const WandTrial& trial) {
   fmt::print("{:>6} {:<33}", trial.seed, wandCaseName(trial.kind));
   if (!trial.failure.empty()) {
     fmt::print(" {}\n", trial.failure);
@@ -51,15 +51,15 @@ void sayTrial(const WandTrial& trial) {
 }
 
 int studyWands(std::uint64_t first, int seeds, const WandRecording& recording) {
-  heedInterruption();
+  catchInterruption();
   fmt::print("{:>6} {:<33} {:>9} {:>8} {:>8} {:>9} {:>7} {:>6} {:>7}  within the bar\n", "seed",
              "case", "camera mm", "point mm", "scale %", "offset ms", "px", "views", "solve s");
   std::map<WandCase, std::vector<WandTrial>> all;
-  for (int k = 0; k < seeds && !interruptionAsked(); ++k) {
+  for (int k = 0; k < seeds && !interruptionRequested(); ++k) {
     studyWand(first + static_cast<std::uint64_t>(k), recording, [&](const WandTrial& trial) {
-      sayTrial(trial);
+      printTrial(trial);
       all[trial.kind].push_back(trial);
-      return !interruptionAsked();
+      return !interruptionRequested();
     });
   }
   for (const auto& [kind, trials] : all) {
@@ -76,7 +76,7 @@ int studyWands(std::uint64_t first, int seeds, const WandRecording& recording) {
                trials.size(), 1000.0 * wandBar(kind), 1000.0 * worst.cameraRms,
                1000.0 * worst.pointRms, 1000.0 * worst.offsetError, worst.solveSeconds);
   }
-  return interruptionAsked() ? kExitInterrupted : kExitDone;
+  return interruptionRequested() ? kExitInterrupted : kExitDone;
 }
 
 void addWandStudy(CLI::App& group, int& exitCode) {

@@ -16,12 +16,12 @@ namespace dewpoint::app {
 namespace {
 
 int makeFigure(const FigureExperiment& experiment, ExperimentOptions options) {
-  heedInterruption();
+  catchInterruption();
   Progress bar(std::string(experiment.name), 100);
   options.runs = options.runs > 0 ? options.runs : experiment.runs;
   options.progress = [&](double part) {
     bar.show(static_cast<std::int64_t>(100.0 * part));
-    return !interruptionAsked();
+    return !interruptionRequested();
   };
   const auto made = experiment.run(options);
   bar.finish();

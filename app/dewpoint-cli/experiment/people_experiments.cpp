@@ -70,7 +70,7 @@ int studyScenario(const StudyOptions& options) {
       return report(folder.error());
     }
   }
-  heedInterruption();
+  catchInterruption();
   std::vector<PeopleClothes> clothes;
   for (const auto kind : {PeopleClothes::Different, PeopleClothes::Similar}) {
     if (options.clothes == "both" || options.clothes == clothesName(kind)) {
@@ -83,7 +83,7 @@ int studyScenario(const StudyOptions& options) {
   const auto trials =
       studyManyPeople(*setup, clothes, options.seeds, [&](std::int64_t done, std::int64_t) {
         progress.show(done);
-        return !interruptionAsked();
+        return !interruptionRequested();
       });
   progress.finish();
   if (!trials) {
@@ -99,7 +99,7 @@ int studyScenario(const StudyOptions& options) {
       return report(written.error());
     }
   }
-  return interruptionAsked() ? kExitInterrupted : kExitDone;
+  return interruptionRequested() ? kExitInterrupted : kExitDone;
 }
 
 } // namespace

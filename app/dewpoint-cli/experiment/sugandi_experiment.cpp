@@ -40,10 +40,10 @@ int studySugandi(const SugandiOptions& options) {
     }
     std::ranges::move(*recorded, std::back_inserter(clips));
   }
-  heedInterruption();
+  catchInterruption();
   auto study = studyBoxes(clips, options.seeds, [](const BoxRow& row) {
     fmt::print(stderr, "{}: {}\n", row.clip, row.method);
-    return !interruptionAsked();
+    return !interruptionRequested();
   });
   if (!study) {
     return report(study.error());
@@ -52,7 +52,7 @@ int studySugandi(const SugandiOptions& options) {
     auto rows = studySloppyBoxes(clips, options.seeds, [](const SloppyRow& row) {
       fmt::print(stderr, "{}: {}, first box of {:.1f} times the size\n", row.clip, row.method,
                  row.scale);
-      return !interruptionAsked();
+      return !interruptionRequested();
     });
     if (!rows) {
       return report(rows.error());

@@ -66,7 +66,7 @@ Status runJobs(const std::vector<SuiteJob>& jobs, int threads, SuiteStore& store
     progress.show(++finished);
     return store.append(result);
   };
-  auto status = runSuite(jobs, threads, sink, [] { return interruptionAsked(); });
+  auto status = runSuite(jobs, threads, sink, [] { return interruptionRequested(); });
   progress.finish();
   return status;
 }
@@ -81,7 +81,7 @@ int runSuiteCommand(const SuiteOptions& options) {
   if (!store) {
     return report(store.error());
   }
-  heedInterruption();
+  catchInterruption();
   const auto jobs = planSuite(*request, store->results());
   const auto run = runJobs(jobs, options.threads, *store);
   const auto order = reportOrder(store->results(), scenarioCatalog());

@@ -136,7 +136,7 @@ Status writeMask(const std::string& file, const cv::Mat& image, const ColorRange
   return writeTextFile(file, std::string(png.begin(), png.end()));
 }
 
-void say(const Target& target, const LearnedColor& learned, const Project& project) {
+void printLearned(const Target& target, const LearnedColor& learned, const Project& project) {
   std::vector<std::string> cameras;
   for (const ProjectCamera& camera : project.cameras) {
     cameras.push_back(camera.camera.name);
@@ -158,7 +158,7 @@ Status keep(const LearnColorOptions& options, const LearnedColor& learned,
   (*target)->color = learned.range;
   (*target)->samples = std::move(samples);
   (*target)->radius = options.radius.value_or((*target)->radius);
-  say(**target, learned, project);
+  printLearned(**target, learned, project);
   const auto drawn =
       options.mask.empty() ? Status() : writeMask(options.mask, image, learned.range);
   if (!drawn || options.out.empty()) {

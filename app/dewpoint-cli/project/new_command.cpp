@@ -122,8 +122,9 @@ int makeNew(NewOptions& options) {
     return report(added.error());
   }
   // A folder that is missing is made; if it cannot be, writing says why.
-  std::error_code said;
-  std::filesystem::create_directories(std::filesystem::absolute(options.file).parent_path(), said);
+  std::error_code problem;
+  std::filesystem::create_directories(std::filesystem::absolute(options.file).parent_path(),
+                                      problem);
   if (const auto saved = saveProject(made->project, options.file); !saved) {
     return report(saved.error());
   }

@@ -181,13 +181,14 @@ int runPeople(const PeopleOptions& options) {
   if (!writer) {
     return report(writer.error());
   }
-  heedInterruption();
+  catchInterruption();
   FrameSetSource& source = *inputs->source;
   Progress progress("people", frames->count(source).value_or(0));
   PeopleObserver observer(*writer, progress,
                           overlayEvery(options, *frames, source.frameCount().value_or(0)));
   const std::array<FrameObserver*, 1> observers{&observer};
-  auto tracked = trackFrames(source, *frames, *run, observers, [] { return !interruptionAsked(); });
+  auto tracked =
+      trackFrames(source, *frames, *run, observers, [] { return !interruptionRequested(); });
   progress.finish();
   tracked = tracked ? writer->finish() : tracked;
   if (!observer.rows().empty()) {
@@ -205,7 +206,7 @@ int runPeople(const PeopleOptions& options) {
     const int code = report(tracked.error());
     return code == kExitBadInput && observer.frames() > 0 ? kExitEndedEarly : code;
   }
-  return interruptionAsked() ? kExitInterrupted : kExitDone;
+  return interruptionRequested() ? kExitInterrupted : kExitDone;
 }
 
 } // namespace

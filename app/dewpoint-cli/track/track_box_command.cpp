@@ -215,7 +215,7 @@ Status BoxRun::run(const BoxRequest& request, FrameSetSource& source) {
   const std::int64_t end = std::min(request.frames.end.value_or(total), total);
   Progress progress("tracking", std::max<std::int64_t>(0, end - request.frames.first));
   Status status;
-  for (std::int64_t k = request.frames.first; k < end && status && !interruptionAsked(); ++k) {
+  for (std::int64_t k = request.frames.first; k < end && status && !interruptionRequested(); ++k) {
     const auto frames = source.next();
     if (!frames) {
       status = tl::make_unexpected(frames.error());
@@ -230,7 +230,7 @@ Status BoxRun::run(const BoxRequest& request, FrameSetSource& source) {
   if (status && drawing_) {
     status = drawing_->finish();
   }
-  if (status && !tracker_ && !interruptionAsked()) {
+  if (status && !tracker_ && !interruptionRequested()) {
     return failure(ErrorCode::BadValue, options_.source, "--frames",
                    fmt::format("there are {} frames", total));
   }
@@ -252,7 +252,7 @@ int trackBoxes(const TrackBoxOptions& options) {
   if (problem) {
     return report({ErrorCode::FileUnwritable, options.folder.string(), "--out", problem.message()});
   }
-  heedInterruption();
+  catchInterruption();
   BoxRun run(options);
   const auto tracked = run.run(*request, **source);
   if (!run.track().samples.empty()) {
@@ -269,7 +269,7 @@ int trackBoxes(const TrackBoxOptions& options) {
   const auto frames = run.track().samples.size() / std::max<std::size_t>(request->places.size(), 1);
   fmt::print("frames                  {:>10}\nms per frame            {:>10.2f}\n", frames,
              run.millisecondsPerFrame());
-  return interruptionAsked() ? kExitInterrupted : kExitDone;
+  return interruptionRequested() ? kExitInterrupted : kExitDone;
 }
 
 } // namespace

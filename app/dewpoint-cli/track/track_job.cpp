@@ -26,7 +26,7 @@ namespace dewpoint::app {
 namespace {
 
 /// Says each new notice of the source once.
-void sayNotices(const FrameSetSource& source, RunFigures& figures) {
+void noteNotices(const FrameSetSource& source, RunFigures& figures) {
   for (const auto& notice : source.notices()) {
     const std::string text = sentence(notice);
     if (std::find(figures.notices.begin(), figures.notices.end(), text) == figures.notices.end()) {
@@ -37,11 +37,12 @@ void sayNotices(const FrameSetSource& source, RunFigures& figures) {
 }
 
 /// Says each new bump of a camera once.
-void sayBumps(const CameraMotionWatch& bumps, std::size_t& said, RunFigures& figures) {
-  if (said == bumps.reports().size()) {
+void noteCameraMotions(const CameraMotionWatch& motionWatch, std::size_t& said,
+                       RunFigures& figures) {
+  if (said == motionWatch.reports().size()) {
     return;
   }
-  const auto notices = bumps.notices();
+  const auto notices = motionWatch.notices();
   for (; said < notices.size(); ++said) {
     figures.notices.push_back(sentence(notices[said]));
     fmt::print(stderr, "dewpoint-cli: note: {}.\n", figures.notices.back());
@@ -57,7 +58,7 @@ struct TrackOutput {
   std::optional<TrackedFrame> previous = std::nullopt; ///< while there are reasons to write
 
   void takeReasons(const TrackingRun& run) {
-    TrackedFrame now = run.moment(0, previous ? &*previous : nullptr);
+    TrackedFrame now = run.trackedFrame(0, previous ? &*previous : nullptr);
     reasons->append(frameRecord(now, *run.frames()), run.targets());
     previous = std::move(now);
   }
@@ -87,12 +88,13 @@ struct TrackOutput {
 /// Writes and says what becomes of the frames of a job.
 class TrackObserver final : public FrameObserver {
 public:
-  TrackObserver(const FrameSetSource& source, const CameraMotionWatch& bumps, Progress& progress,
-                TrackOutput& output, RunFigures& figures)
-      : source_(source), bumps_(bumps), progress_(progress), output_(output), figures_(figures) {}
+  TrackObserver(const FrameSetSource& source, const CameraMotionWatch& motionWatch,
+                Progress& progress, TrackOutput& output, RunFigures& figures)
+      : source_(source), motionWatch_(motionWatch), progress_(progress), output_(output),
+        figures_(figures) {}
 
   void taken(const FrameSet& /*frames*/) override {
-    sayNotices(source_, figures_);
+    noteNotices(source_, figures_);
     taken_ = Clock::now();
   }
   void iterated(const TrackingRun& /*run*/, double microseconds) override {
@@ -102,7 +104,7 @@ public:
   Status tracked(const TrackingRun& run) override {
     const std::chrono::duration<double> took = std::max(taken_, iterated_) - taken_;
     figures_.latency.add(took.count());
-    sayBumps(bumps_, bumpsSaid_, figures_);
+    noteCameraMotions(motionWatch_, motionsNoted_, figures_);
     if (const auto written = output_.take(run); !written) {
       return written;
     }
@@ -114,29 +116,29 @@ private:
   using Clock = std::chrono::steady_clock;
 
   const FrameSetSource& source_;
-  const CameraMotionWatch& bumps_;
+  const CameraMotionWatch& motionWatch_;
   Progress& progress_;
   TrackOutput& output_;
   RunFigures& figures_;
   Clock::time_point taken_;
   Clock::time_point iterated_; ///< the last time
-  std::size_t bumpsSaid_ = 0;
+  std::size_t motionsNoted_ = 0;
 };
 
 /// Tracks the frames of a job; what stopped it, if it was not the end.
 Status trackJob(const TrackJob& job, FrameSetSource& source, TrackingRun& run, TrackOutput& output,
                 RunFigures& figures) {
-  CameraMotionWatch bumps(run.rig());
-  CameraMotionObserver motionObserver(bumps);
+  CameraMotionWatch motionWatch(run.rig());
+  CameraMotionObserver motionObserver(motionWatch);
   Progress progress("tracking", job.frames.count(source).value_or(0));
-  TrackObserver observer(source, bumps, progress, output, figures);
+  TrackObserver observer(source, motionWatch, progress, output, figures);
   const auto goOn = [&] {
-    sayNotices(source, figures); // also while nothing comes
-    return !interruptionAsked();
+    noteNotices(source, figures); // also while nothing comes
+    return !interruptionRequested();
   };
   const std::array<FrameObserver*, 2> observers{&motionObserver, &observer};
   const Status tracked = trackFrames(source, job.frames, run, observers, goOn);
-  sayNotices(source, figures);
+  noteNotices(source, figures);
   progress.finish();
   return tracked;
 }
@@ -192,7 +194,7 @@ int TrackJob::run(SessionInputs inputs) const {
   if (reasons) {
     output.reasons.emplace(rigOf(inputs.project));
   }
-  heedInterruption();
+  catchInterruption();
 
   // Before the run, so that one that is killed can be compared too.
   if (!inputs.project.scene.empty()) {
@@ -213,7 +215,7 @@ int TrackJob::run(SessionInputs inputs) const {
     tracked = finished;
   }
   figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  figures.finished = tracked.has_value() && !interruptionAsked();
+  figures.finished = tracked.has_value() && !interruptionRequested();
   if (!tracked) {
     figures.notices.push_back(sentence(tracked.error()));
   }
@@ -228,7 +230,7 @@ int TrackJob::run(SessionInputs inputs) const {
   if (!ended) {
     return report(ended.error());
   }
-  return interruptionAsked() ? kExitInterrupted : kExitDone;
+  return interruptionRequested() ? kExitInterrupted : kExitDone;
 }
 
 } // namespace dewpoint::app

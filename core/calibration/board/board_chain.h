@@ -31,7 +31,7 @@ struct BoardChain {
 Result<BoardChain> chainCameras(const ExtrinsicsRequest& request);
 
 /// View `view` turned by quarter turns of the board, with its pose.
-PosedView turnedView(const BoardDescription& board, const Camera& camera, const PosedView& view,
-                     int quarterTurns);
+PosedView rotatedView(const BoardDescription& board, const Camera& camera, const PosedView& view,
+                      int quarterTurns);
 
 } // namespace dewpoint::calibration

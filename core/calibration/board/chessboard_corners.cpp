@@ -117,7 +117,7 @@ Grid ordered(const cv::Mat& gray, const BoardDescription& board, Grid grid) {
   std::pair<bool, float> bestRank;
   for (int turns = 0; turns < 4; turns += columns == board.cornerRows() ? 1 : 2) {
     Grid candidate;
-    for (const std::size_t at : turnedOrder(grid.size(), columns, turns)) {
+    for (const std::size_t at : rotatedOrder(grid.size(), columns, turns)) {
       candidate.push_back(grid[at]);
     }
     const double darkness = firstSquareDarkness(gray, candidate, columns);
@@ -132,7 +132,7 @@ Grid ordered(const cv::Mat& gray, const BoardDescription& board, Grid grid) {
 
 } // namespace
 
-std::vector<std::size_t> turnedOrder(std::size_t cornerCount, int columns, int quarterTurns) {
+std::vector<std::size_t> rotatedOrder(std::size_t cornerCount, int columns, int quarterTurns) {
   std::vector<std::size_t> order(cornerCount);
   std::iota(order.begin(), order.end(), std::size_t{0});
   auto width = static_cast<std::size_t>(columns);

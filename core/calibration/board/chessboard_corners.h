@@ -16,6 +16,6 @@ std::optional<std::vector<cv::Point2f>>
 chessboardCorners(const cv::Mat& gray, const BoardDescription& board, DetectionEffort effort);
 
 /// For each corner of a grid, counted after quarter turns of the board, its number before.
-std::vector<std::size_t> turnedOrder(std::size_t cornerCount, int columns, int quarterTurns);
+std::vector<std::size_t> rotatedOrder(std::size_t cornerCount, int columns, int quarterTurns);
 
 } // namespace dewpoint::calibration

@@ -19,8 +19,8 @@ constexpr double kLossSigmas = 3.0;
 constexpr double kLeastLossWidth = 0.3; // pixels
 
 /// Columns of the covariance after the world was turned: the places of the cameras turn with it.
-Eigen::MatrixXd turnedColumns(const std::vector<CameraColumn>& columns,
-                              const Eigen::Matrix3d& turn) {
+Eigen::MatrixXd rotatedColumns(const std::vector<CameraColumn>& columns,
+                               const Eigen::Matrix3d& turn) {
   const auto count = static_cast<Eigen::Index>(columns.size());
   Eigen::MatrixXd change = Eigen::MatrixXd::Identity(count, count);
   for (Eigen::Index k = 0; k + 2 < count; ++k) {
@@ -47,7 +47,7 @@ void putIntoWorld(const Eigen::Isometry3d& worldFromFirst, BundleProblem& proble
     }
   }
   BundleCovariance& covariance = result.covariance;
-  const Eigen::MatrixXd change = turnedColumns(covariance.columns, worldFromFirst.linear());
+  const Eigen::MatrixXd change = rotatedColumns(covariance.columns, worldFromFirst.linear());
   covariance.matrix = change * covariance.matrix * change.transpose();
 }
 

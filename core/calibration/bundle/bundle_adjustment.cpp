@@ -25,9 +25,9 @@ constexpr double kDraftTolerance = 1e-5;
 /// world is not tied down, its normal equations are singular without.
 constexpr double kLargestTrust = 1e8;
 
-class StopWhenAsked final : public ceres::IterationCallback {
+class StopOnRequest final : public ceres::IterationCallback {
 public:
-  StopWhenAsked(const BundleCallback& callback, std::size_t observations)
+  StopOnRequest(const BundleCallback& callback, std::size_t observations)
       : callback_(callback), observations_(observations) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
     const double rms = std::sqrt(2.0 * summary.cost / static_cast<double>(observations_));
@@ -47,7 +47,7 @@ public:
 
   Result<BundleResult> run(const BundleCallback& callback) {
     ceres::Solver::Options options = solverOptions();
-    StopWhenAsked stop(callback, std::max<std::size_t>(model_.used, 1));
+    StopOnRequest stop(callback, std::max<std::size_t>(model_.used, 1));
     options.callbacks.push_back(&stop);
     ceres::Solver::Summary summary;
     const auto begin = std::chrono::steady_clock::now();

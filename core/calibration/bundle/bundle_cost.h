@@ -25,7 +25,7 @@ void setLens(const std::array<double, kLensSize>& block, Camera& camera);
 Eigen::Matrix3d turnRotation(const Eigen::Vector3d& turn);
 /// d(exp(turn) y)/d(turn) = -[exp(turn) y]x J(turn), J the left Jacobian of SO(3) (Barfoot, State
 /// Estimation for Robotics, eq. 7.77).
-Eigen::Matrix3d turnDerivative(const Eigen::Vector3d& turn, const Eigen::Vector3d& turnedPoint);
+Eigen::Matrix3d turnDerivative(const Eigen::Vector3d& turn, const Eigen::Vector3d& rotatedPoint);
 
 /// Everything about one observation that the solver does not change.
 struct PixelCostSetup {

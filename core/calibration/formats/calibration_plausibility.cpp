@@ -115,8 +115,8 @@ CameraRig withInvertedPoses(CameraRig rig) {
   return rig;
 }
 
-Status doubts(const ReadCalibration& calibration, const CalibrationHints& hints,
-              const std::string& file) {
+Status checkPlausible(const ReadCalibration& calibration, const CalibrationHints& hints,
+                      const std::string& file) {
   const CameraRig& rig = calibration.rig;
   Status status = doubtPrincipalPoint(rig, file);
   if (status && !hints.unit && calibration.hasPoses) {

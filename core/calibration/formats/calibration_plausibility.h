@@ -22,7 +22,7 @@ CameraRig withInvertedPoses(CameraRig rig);
 /// - poses of which the inverse is a room that all cameras look into, while they themselves are
 ///   none: camera from world mixed up with world from camera.
 /// What `hints` say explicitly is not doubted.
-Status doubts(const ReadCalibration& calibration, const CalibrationHints& hints,
-              const std::string& file);
+Status checkPlausible(const ReadCalibration& calibration, const CalibrationHints& hints,
+                      const std::string& file);
 
 } // namespace dewpoint::calibration

@@ -26,23 +26,23 @@ Result<const CalibrationFormat*> formatOf(const CalibrationText& source,
         fmt::format("Read as {}, recognized by {}.", recognized->format->title, recognized->reason);
     return recognized->format;
   }
-  const auto asked = calibrationFormat(hints.format);
-  if (!asked) {
-    return asked;
+  const auto requested = calibrationFormat(hints.format);
+  if (!requested) {
+    return requested;
   }
   // Dialects that share their keys: a person may know better.
-  if (recognized && recognized->format != *asked &&
-      !(recognized->format->sharesKeys && (*asked)->sharesKeys)) {
+  if (recognized && recognized->format != *requested &&
+      !(recognized->format->sharesKeys && (*requested)->sharesKeys)) {
     return failure(ErrorCode::Mismatch, source.file.string(), "",
                    fmt::format("it looks like {}, with {}, not like {}", recognized->format->title,
-                               recognized->reason, (*asked)->title));
+                               recognized->reason, (*requested)->title));
   }
   if (!recognized) {
     return failure(ErrorCode::NotParsed, source.file.string(), "",
-                   fmt::format("it does not look like {}", (*asked)->title));
+                   fmt::format("it does not look like {}", (*requested)->title));
   }
-  reason = fmt::format("Read as {}, as asked.", (*asked)->title);
-  return asked;
+  reason = fmt::format("Read as {}, as asked.", (*requested)->title);
+  return requested;
 }
 
 std::string unitSentence(double unit) {
@@ -100,7 +100,7 @@ Status finish(const CalibrationFormat& format, const CalibrationHints& hints,
     }
     calibration.decisions.emplace_back("There is no pose: the camera's axes are the world.");
   }
-  return doubts(calibration, hints, file);
+  return checkPlausible(calibration, hints, file);
 }
 
 Result<ReadCalibration> readOne(const CalibrationText& source, const CalibrationHints& hints,

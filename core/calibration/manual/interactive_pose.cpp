@@ -27,7 +27,7 @@ Camera moved(const Camera& camera, const Eigen::Vector3d& meters, NudgeFrame fra
   return result;
 }
 
-Camera turned(const Camera& camera, const Eigen::Vector3d& rotation, NudgeFrame frame) {
+Camera rotated(const Camera& camera, const Eigen::Vector3d& rotation, NudgeFrame frame) {
   const Eigen::Vector3d inCamera =
       frame == NudgeFrame::Camera ? rotation : camera.cameraFromWorld.linear() * rotation;
   return rotatedBy(camera, rotationOfVector(-inCamera)); // what it sees turns the other way

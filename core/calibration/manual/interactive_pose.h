@@ -17,7 +17,7 @@ enum class NudgeFrame {
 /// Moved by so many meters.
 Camera moved(const Camera& camera, const Eigen::Vector3d& meters, NudgeFrame frame);
 /// Turned about its own center: a rotation vector, radians.
-Camera turned(const Camera& camera, const Eigen::Vector3d& rotation, NudgeFrame frame);
+Camera rotated(const Camera& camera, const Eigen::Vector3d& rotation, NudgeFrame frame);
 /// Focal lengths times this factor.
 Camera zoomed(const Camera& camera, double factor);
 

@@ -32,7 +32,7 @@ constexpr double kUnseen = 50.0;      // pixels a sighting counts as off that th
 
 /// The camera after a turn (rad) about its center and a shift (m) of it, both in camera axes.
 Camera movedCamera(const Camera& camera, const Vector6& change) {
-  Camera moved = turnedCamera(camera, change.head<3>());
+  Camera moved = rotatedCamera(camera, change.head<3>());
   moved.cameraFromWorld.translation() -= change.tail<3>();
   return moved;
 }
@@ -170,12 +170,12 @@ double medianPixels(const Camera& camera, std::span<const PointSighting> sightin
 
 } // namespace
 
-Camera turnedCamera(const Camera& camera, const Eigen::Vector3d& turn) {
-  Camera turned = camera;
+Camera rotatedCamera(const Camera& camera, const Eigen::Vector3d& turn) {
+  Camera rotated = camera;
   Eigen::Isometry3d rotation = Eigen::Isometry3d::Identity();
   rotation.linear() = rotationOfVector(turn);
-  turned.cameraFromWorld = rotation * camera.cameraFromWorld;
-  return turned;
+  rotated.cameraFromWorld = rotation * camera.cameraFromWorld;
+  return rotated;
 }
 
 Result<ResolvedCamera> resolveCamera(const Camera& camera, const CameraMotionPrior& prior,

@@ -35,7 +35,7 @@ struct ResolvedCamera {
 };
 
 /// The camera turned about its center: (1 + [turn]x) cameraFromWorld, the turn as a whole rotation.
-Camera turnedCamera(const Camera& camera, const Eigen::Vector3d& turn);
+Camera rotatedCamera(const Camera& camera, const Eigen::Vector3d& turn);
 
 /// The pose of one bumped camera; all others, and its lens, stay. Least squares
 /// (Ceres) over its six numbers: sightings (Huber's loss at two sigma) and the prior. A camera that

@@ -10,16 +10,16 @@ constexpr double kLeastGainOfAll = 25.0;
 
 } // namespace
 
-std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImagePoints& looks,
+std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImagePoints& imagePoints,
                                      const PointFit& fit) {
-  const std::vector<bool> everyone(looks.looks.size(), true);
+  const std::vector<bool> everyone(imagePoints.perCamera.size(), true);
   CameraRig rough;
   for (const BundleCamera& camera : question.problem.cameras) {
     rough.push_back(camera.camera);
   }
   const auto free = question.unsynchronized
                         ? std::nullopt
-                        : fitPoints(rough, looks, everyone, question.rough, true);
+                        : fitPoints(rough, imagePoints, everyone, question.rough, true);
   if (!free) {
     return std::nullopt;
   }
@@ -28,10 +28,10 @@ std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImageP
   };
   std::optional<NamedFault> best;
   for (const double shift : {-0.5, 0.5}) {
-    ImagePoints shifted = looks;
-    for (auto& camera : shifted.looks) {
-      for (ImagePoint& look : camera) {
-        look.pixel.array() += shift;
+    ImagePoints shifted = imagePoints;
+    for (auto& camera : shifted.perCamera) {
+      for (ImagePoint& imagePoint : camera) {
+        imagePoint.pixel.array() += shift;
       }
     }
     const auto now = fitPoints(rough, shifted, everyone, question.rough);

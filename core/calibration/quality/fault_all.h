@@ -9,7 +9,7 @@
 namespace dewpoint::calibration {
 
 /// Faults of all cameras together, from the fit of all: half a pixel, resolution.
-std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImagePoints& looks,
+std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImagePoints& imagePoints,
                                      const PointFit& fit);
 
 } // namespace dewpoint::calibration

@@ -30,7 +30,7 @@ struct SeenBoard {
   std::vector<Eigen::Vector3d> places;
 };
 
-std::vector<SeenBoard> seenBoards(const BundleProblem& problem, const PointPlaces& places) {
+std::vector<SeenBoard> seenBoards(const BundleProblem& problem, const PointPositions& places) {
   std::vector<SeenBoard> boards;
   for (std::size_t s = 0; s < problem.states.size(); ++s) {
     SeenBoard board{s, {}, {}};
@@ -146,7 +146,7 @@ std::optional<NamedFault> mirrored(const FaultQuestion& question,
 }
 
 /// Given lengths over those that the cameras show.
-std::vector<double> lengthRatios(const BundleProblem& problem, const PointPlaces& places,
+std::vector<double> lengthRatios(const BundleProblem& problem, const PointPositions& places,
                                  const std::vector<SeenBoard>& boards) {
   std::vector<double> ratios;
   for (const SeenBoard& board : boards) {
@@ -165,7 +165,7 @@ std::vector<double> lengthRatios(const BundleProblem& problem, const PointPlaces
   return ratios;
 }
 
-std::optional<NamedFault> lengths(const FaultQuestion& question, const PointPlaces& places,
+std::optional<NamedFault> lengths(const FaultQuestion& question, const PointPositions& places,
                                   const std::vector<SeenBoard>& boards, double sigma) {
   auto ratios = lengthRatios(question.problem, places, boards);
   const double ratio = upperMedian(ratios);
@@ -203,7 +203,7 @@ double sizeSigma(const CameraRig& rig, const RoughSigma& sigma) {
   return std::max(kLeastSizeSigma, sigma.place / std::max(spread, 1e-6) / cameras);
 }
 
-std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question, const PointPlaces& places,
+std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question, const PointPositions& places,
                                        const CameraRig& rig) {
   const auto boards = seenBoards(question.problem, places);
   if (question.board) {

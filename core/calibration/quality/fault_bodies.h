@@ -9,7 +9,7 @@
 namespace dewpoint::calibration {
 
 /// Faults of typed lengths, boards and floors, from points as all cameras see them.
-std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question, const PointPlaces& places,
+std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question, const PointPositions& places,
                                        const CameraRig& rig);
 
 /// A relative standard deviation of the rough rig's size.

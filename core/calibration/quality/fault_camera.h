@@ -12,9 +12,9 @@ namespace dewpoint::calibration {
 /// One camera that is left out, and what the others say.
 struct Suspect {
   std::size_t camera = 0;
-  const ImagePoints* looks = nullptr;
-  const PointPlaces* places = nullptr; ///< as the others see them
-  double sigmaPx = 1.0;                ///< of image points as the others explain them
+  const ImagePoints* imagePoints = nullptr;
+  const PointPositions* places = nullptr; ///< as the others see them
+  double sigmaPx = 1.0;                   ///< of image points as the others explain them
 };
 
 /// The hypothesis that explains a suspect best, if it does so clearly better than none.

@@ -20,11 +20,11 @@ struct ImagePoint {
 
 /// Image points of all cameras, bodies taken apart: nothing is assumed of lengths.
 struct ImagePoints {
-  std::vector<double> times;                  ///< of the instants, seconds
-  std::vector<std::vector<ImagePoint>> looks; ///< per camera
-  std::size_t ids = 1;                        ///< points an instant can have
+  std::vector<double> times; ///< of the instants, seconds
+  std::vector<std::vector<ImagePoint>> perCamera;
+  std::size_t ids = 1; ///< points an instant can have
 };
-ImagePoints pointLooks(const BundleProblem& problem);
+ImagePoints imagePointsOf(const BundleProblem& problem);
 
 /// How far the rig may be off.
 struct RoughSigma {
@@ -43,15 +43,15 @@ struct PointFit {
 /// The poses of the cameras that `use` names, from up to 240 points that two of them see, near the
 /// rough rig (residuals count as gross where a camera ends far from it); with `centersFree` their
 /// principal points too. Nothing when they cannot be solved.
-std::optional<PointFit> fitPoints(const CameraRig& rough, const ImagePoints& looks,
+std::optional<PointFit> fitPoints(const CameraRig& rough, const ImagePoints& imagePoints,
                                   const std::vector<bool>& use, const RoughSigma& sigma,
                                   bool centersFree = false);
 
 /// Where the points are, as the cameras that `use` names see them with the rig: by instant, then
 /// id.
-using PointPlaces = std::vector<std::vector<std::optional<Eigen::Vector3d>>>;
-PointPlaces triangulated(const CameraRig& rig, const ImagePoints& looks,
-                         const std::vector<bool>& use);
+using PointPositions = std::vector<std::vector<std::optional<Eigen::Vector3d>>>;
+PointPositions triangulated(const CameraRig& rig, const ImagePoints& imagePoints,
+                            const std::vector<bool>& use);
 
 /// A point whose place is known, in the image of one camera.
 struct PointCorrespondence {
@@ -66,7 +66,7 @@ struct CameraResection {
   std::vector<double> squares; ///< of residuals per axis, pixels²; large where it sees nothing
 };
 std::optional<CameraResection> fitCamera(const Camera& rough,
-                                         const std::vector<PointCorrespondence>& looks,
+                                         const std::vector<PointCorrespondence>& correspondences,
                                          const RoughSigma& sigma, bool focalFree,
                                          bool quick = false);
 

@@ -36,7 +36,7 @@ std::optional<NamedFault> declaredSize(const FaultQuestion& question) {
 class FaultSearch {
 public:
   explicit FaultSearch(const FaultQuestion& question)
-      : question_(question), looks_(pointLooks(question.problem)) {
+      : question_(question), imagePoints_(imagePointsOf(question.problem)) {
     for (const BundleCamera& camera : question.problem.cameras) {
       rough_.push_back(camera.camera);
     }
@@ -52,7 +52,7 @@ public:
       report.faults.push_back(*size);
       return finished(std::move(report));
     }
-    all_ = fitPoints(rough_, looks_, everyone_, question_.rough);
+    all_ = fitPoints(rough_, imagePoints_, everyone_, question_.rough);
     fitOthers();
     fitSwapped();
     report.sigmaPx = best_;
@@ -61,7 +61,7 @@ public:
       named = swap;
     }
     if (!named && all_) {
-      named = faultOfAll(question_, looks_, *all_);
+      named = faultOfAll(question_, imagePoints_, *all_);
     }
     if (named) {
       report.faults.push_back(*named);
@@ -69,7 +69,7 @@ public:
     if (all_ && all_->sigmaPx <= kClean * best_ &&
         (!named || named->fault == CalibrationFault::HalfPixel)) {
       for (NamedFault& fault :
-           faultsOfBodies(question_, triangulated(all_->rig, looks_, everyone_), all_->rig)) {
+           faultsOfBodies(question_, triangulated(all_->rig, imagePoints_, everyone_), all_->rig)) {
         report.faults.push_back(fault);
       }
     }
@@ -108,8 +108,9 @@ private:
   void fitOthers() {
     consider(all_);
     for (std::size_t c = 0; c < rough_.size(); ++c) {
-      others_.push_back(rough_.size() < 3 ? std::nullopt
-                                          : fitPoints(rough_, looks_, without(c), question_.rough));
+      others_.push_back(rough_.size() < 3
+                            ? std::nullopt
+                            : fitPoints(rough_, imagePoints_, without(c), question_.rough));
       consider(others_.back());
     }
   }
@@ -129,8 +130,8 @@ private:
     }
     for (std::size_t i = 0; i < rough_.size(); ++i) {
       for (std::size_t j = i + 1; j < rough_.size(); ++j) {
-        ImagePoints exchanged = looks_;
-        std::swap(exchanged.looks[i], exchanged.looks[j]);
+        ImagePoints exchanged = imagePoints_;
+        std::swap(exchanged.perCamera[i], exchanged.perCamera[j]);
         if (auto fit = fitPoints(rough_, exchanged, everyone_, question_.rough)) {
           swaps_.push_back({i, j, std::move(*fit)});
           consider(swaps_.back().fit);
@@ -145,8 +146,8 @@ private:
       if (!others_[c] || others_[c]->sigmaPx > kClean * best_) {
         continue;
       }
-      const PointPlaces places = triangulated(others_[c]->rig, looks_, without(c));
-      const auto found = faultOfCamera(question_, {c, &looks_, &places, others_[c]->sigmaPx});
+      const PointPositions places = triangulated(others_[c]->rig, imagePoints_, without(c));
+      const auto found = faultOfCamera(question_, {c, &imagePoints_, &places, others_[c]->sigmaPx});
       if (found && (!best || found->gain > best->gain)) {
         best = found;
       }
@@ -171,7 +172,7 @@ private:
   }
 
   FaultQuestion question_;
-  ImagePoints looks_;
+  ImagePoints imagePoints_;
   CameraRig rough_;
   std::vector<bool> everyone_;
   std::optional<PointFit> all_;

@@ -26,13 +26,13 @@ constexpr int kTerms = 10;           ///< of a polynomial of second order in spa
 constexpr double kClearGain = 0.5;   ///< of what is left without any offset
 
 /// Views of one ball by one camera, rising in time, with their rays.
-struct Look {
+struct TimedDirection {
   double time;
   Eigen::Vector3d direction;
 };
 struct Track {
   Eigen::Vector3d center;
-  std::vector<Look> looks;
+  std::vector<TimedDirection> directions;
 };
 
 Track trackOf(const WandProblem& problem, std::size_t camera, std::size_t ball) {
@@ -41,29 +41,29 @@ Track trackOf(const WandProblem& problem, std::size_t camera, std::size_t ball) 
   for (const MarkerObservation& view : problem.views[camera]) {
     const auto direction = unprojector.rayWorld(view.pixel);
     if (view.ball == ball && direction && std::isfinite(view.time)) {
-      track.looks.push_back({view.time, *direction});
+      track.directions.push_back({view.time, *direction});
     }
   }
-  std::ranges::stable_sort(track.looks, {}, &Look::time);
+  std::ranges::stable_sort(track.directions, {}, &TimedDirection::time);
   return track;
 }
 
 /// The usual time between two views of a track; 0 if there is none.
 double periodOf(const Track& track) {
   std::vector<double> gaps;
-  for (std::size_t i = 1; i < track.looks.size(); ++i) {
-    gaps.push_back(track.looks[i].time - track.looks[i - 1].time);
+  for (std::size_t i = 1; i < track.directions.size(); ++i) {
+    gaps.push_back(track.directions[i].time - track.directions[i - 1].time);
   }
   return upperMedian(std::move(gaps));
 }
 
 std::optional<Eigen::Vector3d> directionAt(const Track& track, double time, double longestGap) {
-  const auto after = std::ranges::lower_bound(track.looks, time, {}, &Look::time);
-  if (after == track.looks.begin() || after == track.looks.end()) {
+  const auto after = std::ranges::lower_bound(track.directions, time, {}, &TimedDirection::time);
+  if (after == track.directions.begin() || after == track.directions.end()) {
     return std::nullopt;
   }
-  const Look& late = *after;
-  const Look& early = *std::prev(after);
+  const TimedDirection& late = *after;
+  const TimedDirection& early = *std::prev(after);
   const double gap = late.time - early.time;
   if (!(gap > 0.0) || gap > longestGap) {
     return std::nullopt;
@@ -124,11 +124,11 @@ std::vector<Passing> passingsAt(const Tracks& reference, const Tracks& other, do
                                 double longestGap) {
   std::vector<Passing> samples;
   for (std::size_t ball = 0; ball < reference.size(); ++ball) {
-    const auto& looks = reference[ball].looks;
-    const std::size_t stride = looks.size() / kMostSamples + 1;
-    for (std::size_t i = 0; i < looks.size(); i += stride) {
-      const auto direction = directionAt(other[ball], looks[i].time - shift, longestGap);
-      const auto sample = direction ? passing(reference[ball].center, looks[i].direction,
+    const auto& directions = reference[ball].directions;
+    const std::size_t stride = directions.size() / kMostSamples + 1;
+    for (std::size_t i = 0; i < directions.size(); i += stride) {
+      const auto direction = directionAt(other[ball], directions[i].time - shift, longestGap);
+      const auto sample = direction ? passing(reference[ball].center, directions[i].direction,
                                               other[ball].center, *direction)
                                     : std::nullopt;
       if (sample) {
@@ -168,9 +168,10 @@ std::size_t shared(const Tracks& a, const Tracks& b) {
   std::size_t count = 0;
   for (std::size_t ball = 0; ball < a.size(); ++ball) {
     const double gap = kLongestGap * std::max(periodOf(a[ball]), periodOf(b[ball]));
-    count += static_cast<std::size_t>(std::ranges::count_if(a[ball].looks, [&](const Look& look) {
-      return directionAt(b[ball], look.time, gap).has_value();
-    }));
+    count += static_cast<std::size_t>(
+        std::ranges::count_if(a[ball].directions, [&](const TimedDirection& seen) {
+          return directionAt(b[ball], seen.time, gap).has_value();
+        }));
   }
   return count;
 }

@@ -183,7 +183,7 @@ private:
     return bundle;
   }
 
-  void freeWhatIsAsked(BundleProblem& bundle) const {
+  void freeRequested(BundleProblem& bundle) const {
     for (std::size_t c = 0; c < bundle.cameras.size(); ++c) {
       BundleCamera& camera = bundle.cameras[c];
       camera.offsetFree = given_.findOffsets && c > 0;
@@ -202,7 +202,7 @@ private:
   Status narrow(BundleProblem bundle) {
     const bool inTime = followsInTime(bundle); // then an instant costs far more
     bundle = thinned(bundle, given_.mostInstants / (inTime ? 2 : 1), inTime);
-    freeWhatIsAsked(bundle);
+    freeRequested(bundle);
     setStick(bundle, kTightStick);
     result_.dropped.assign(bundle.cameras.size(), 0);
     bundle.loss = RobustLoss::SoftL1;

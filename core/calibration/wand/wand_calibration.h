@@ -65,9 +65,9 @@ struct WandStart {
 
 /// What was read off a fall.
 struct WandDrop {
-  double gravity = 0.0;  ///< meters per second squared; 9.81 if the scale is right
-  double sigma = 0.0;    ///< its standard deviation
-  std::size_t looks = 0; ///< instants used
+  double gravity = 0.0;     ///< meters per second squared; 9.81 if the scale is right
+  double sigma = 0.0;       ///< its standard deviation
+  std::size_t instants = 0; ///< used
 };
 
 /// A calibration from a waved target.
@@ -85,7 +85,7 @@ struct WandResult {
   bool floorFound = false;
   double floorRms = 0.0; ///< meters, of the touched places about the plane
   std::optional<WandDrop> drop;
-  double upTurned = 0.0;               ///< radians between the rough rig's up and the result's
+  double upRotated = 0.0;              ///< radians between the rough rig's up and the result's
   BundleProblem problem;               ///< what was adjusted last, in the result's world
   BundleResult bundle;                 ///< and its outcome, with the covariance
   double seconds = 0.0;                ///< of computing

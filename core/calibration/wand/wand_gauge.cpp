@@ -275,7 +275,7 @@ Result<Similarity> uprightWorld(const WandProblem& problem, const BundleResult& 
   const auto change = problem.floorTimes.empty() ? Result<Similarity>(toUpright(up))
                                                  : onFloor(problem, now, up, result);
   if (change) {
-    result.upTurned = std::acos(std::clamp(change->rotation(2, 2), -1.0, 1.0));
+    result.upRotated = std::acos(std::clamp(change->rotation(2, 2), -1.0, 1.0));
   }
   return change;
 }

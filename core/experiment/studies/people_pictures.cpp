@@ -104,9 +104,9 @@ void drawPerson(const PersonEstimate& person, const PersonShape& shape, cv::Mat&
 
 } // namespace
 
-std::vector<PeopleInstant> tellingMoments(const PeopleScenario& scenario) {
+std::vector<PeopleInstant> tellingInstants(const PeopleScenario& scenario) {
   const OfficeScene& scene = scenario.scene;
-  const auto momentAt = [&](double time, const char* words) {
+  const auto instantAt = [&](double time, const char* words) {
     const auto frame = std::llround(time * scene.framesPerSecond);
     return PeopleInstant{std::clamp<std::int64_t>(frame, 0, scene.frameCount - 1),
                          fmt::format("{}, {:.1f} s", words, time)};
@@ -122,10 +122,10 @@ std::vector<PeopleInstant> tellingMoments(const PeopleScenario& scenario) {
     }
   }
   if (scenario.before <= 0.0) {
-    return {momentAt(nearest, "most people, nearest to each other")};
+    return {instantAt(nearest, "most people, nearest to each other")};
   }
-  return {momentAt(scenario.before, "before"), momentAt(nearest, "nearest to each other"),
-          momentAt(scenario.after, "after")};
+  return {instantAt(scenario.before, "before"), instantAt(nearest, "nearest to each other"),
+          instantAt(scenario.after, "after")};
 }
 
 cv::Mat peoplePicture(const PeopleFinding& people, const FrameSet& frames, const CameraRig& rig,

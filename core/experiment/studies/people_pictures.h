@@ -23,7 +23,7 @@ struct PeopleInstant {
 
 /// Before people meet, when most of them are there and they are nearest to each other, and when
 /// identities are judged; of a scenario that judges none between two instants, only the second.
-std::vector<PeopleInstant> tellingMoments(const PeopleScenario& scenario);
+std::vector<PeopleInstant> tellingInstants(const PeopleScenario& scenario);
 
 /// As Mohedano et al. 2009, figure 2: the images of all cameras with the outlines of the 95 %
 /// volumes, two beside each other, and the floor from above with the level curves of each person's

@@ -277,7 +277,7 @@ Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
     return tl::make_unexpected(all.error());
   }
   const OfficeRenderer renderer(scenario->scene, views);
-  const auto moments = setup.pictures ? tellingMoments(*scenario) : std::vector<PeopleInstant>();
+  const auto moments = setup.pictures ? tellingInstants(*scenario) : std::vector<PeopleInstant>();
   for (std::int64_t frame = 0; frame < scenario->scene.frameCount; ++frame) {
     const OfficeInstant instant = renderInstant(renderer, frame);
     for (EvaluatedTracker& one : *all) {

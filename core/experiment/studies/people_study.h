@@ -38,7 +38,7 @@ struct PeopleTrial {
   double longestMissed = 0.0; ///< seconds that somebody whom two cameras see has no estimate
   double hullVolume = 0.0;    ///< m³, mean over people and frames
   double stepMs = 0.0;        ///< mean CPU time of a frame with people
-  std::vector<PeoplePicture> pictures; ///< of tellingMoments(), where they were asked for
+  std::vector<PeoplePicture> pictures; ///< of tellingInstants(), where they were asked for
 };
 
 /// Meters within which an estimate belongs to a person.

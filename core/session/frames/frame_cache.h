@@ -19,7 +19,7 @@ public:
   virtual Result<FrameSetPtr> at(std::int64_t frame) = 0;
   /// A quick look at a frame: in full when that takes no time, else small and scaled up (`exact` is
   /// false then); null when there is none.
-  virtual FrameSetPtr glance(std::int64_t frame, bool& exact) = 0;
+  virtual FrameSetPtr previewAt(std::int64_t frame, bool& exact) = 0;
   /// The oldest frame that at() still has.
   virtual std::int64_t oldest() const = 0;
   /// The newest frame that at() has.

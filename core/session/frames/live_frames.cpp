@@ -106,7 +106,7 @@ public:
     }
   }
 
-  FrameSetPtr glance(std::int64_t frame, bool& exact) override {
+  FrameSetPtr previewAt(std::int64_t frame, bool& exact) override {
     exact = true;
     return at(frame).value_or(FrameSetPtr());
   }

@@ -39,7 +39,7 @@ public:
   }
 
   Result<FrameSetPtr> at(std::int64_t frame) override {
-    const std::int64_t last = std::exchange(lastAsked_, frame);
+    const std::int64_t last = std::exchange(lastRequested_, frame);
     if (const auto known = found_.find(frame); known != found_.end()) {
       order_.splice(order_.begin(), order_, known->second);
       return order_.front();
@@ -64,7 +64,7 @@ public:
     return wanted;
   }
 
-  FrameSetPtr glance(std::int64_t frame, bool& exact) override {
+  FrameSetPtr previewAt(std::int64_t frame, bool& exact) override {
     exact = found_.contains(frame);
     return exact ? *found_.at(frame) : previews_.at(frame);
   }
@@ -81,7 +81,7 @@ private:
   std::size_t bytes_ = 0;
   std::list<FrameSetPtr> order_; ///< the one used last first
   std::map<std::int64_t, std::list<FrameSetPtr>::iterator> found_;
-  std::int64_t lastAsked_ = -1;
+  std::int64_t lastRequested_ = -1;
 };
 
 } // namespace

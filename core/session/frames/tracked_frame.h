@@ -65,6 +65,6 @@ struct FrameRecord {
 /// Status of a target that is (not) held at `time`, given when it was held last.
 TargetStatus statusOf(bool held, double time, double lastHeld);
 /// The record of a moment.
-FrameRecord frameRecord(const TrackedFrame& moment, const FrameSet& frames);
+FrameRecord frameRecord(const TrackedFrame& trackedFrame, const FrameSet& frames);
 
 } // namespace dewpoint::session

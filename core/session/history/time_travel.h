@@ -33,7 +33,7 @@ public:
   /// The next frame after this one that can be shown; nothing at the end.
   std::optional<std::int64_t> following(std::int64_t frame) const;
   /// As frames(), perhaps as a `preview`: small images, scaled up.
-  Result<FrameSetPtr> glance(std::int64_t frame, bool& preview);
+  Result<FrameSetPtr> previewAt(std::int64_t frame, bool& preview);
   /// Range and memory of what can be shown.
   HistoryState state() const;
   const History& history() const { return history_; }
@@ -67,7 +67,7 @@ private:
   /// copied; `next` is the frame it begins next. False: it begins anew at `frame`.
   bool bringNear(TrackingRun& run, std::int64_t frame, std::int64_t& next) const;
   /// Tracks one frame of the past again, with the changes that were made meanwhile.
-  Status repeat(TrackingRun& run, const TrackedFrame& moment);
+  Status repeat(TrackingRun& run, const TrackedFrame& trackedFrame);
 
   bool live_;
   History history_;

@@ -29,7 +29,7 @@ struct PeopleFrame {
 };
 using PeopleFramePtr = std::shared_ptr<const PeopleFrame>;
 
-PeopleFramePtr peopleFrame(const TrackedFrame& moment);
+PeopleFramePtr peopleFrame(const TrackedFrame& trackedFrame);
 
 /// All that is known of the people of a run; a value of its own, to be written beside it.
 struct PeopleRecord {

@@ -17,14 +17,14 @@ constexpr double kEvery = 1.0;   // seconds
 constexpr double kSettled = 1.0; // seconds after a bump that count for nothing
 constexpr double kWindow = 2.0;  // seconds of residuals that are compared
 constexpr std::size_t kFewest = 10;
-constexpr std::int64_t kSameBump = 60; // frames: where a run that begins anew may notice it
-constexpr double kSightingSigma = 1.0; // pixels: blob, and the other cameras' calibration
+constexpr std::int64_t kSameMotion = 60; // frames: where a run that begins anew may notice it
+constexpr double kSightingSigma = 1.0;   // pixels: blob, and the other cameras' calibration
 
 } // namespace
 
-Result<ResolvedCamera> resolveBump(const Camera& camera, const CameraRotation& turn,
-                                   const std::deque<ReprojectionResidual>& sightings,
-                                   double since) {
+Result<ResolvedCamera> resolveCameraMotion(const Camera& camera, const CameraRotation& turn,
+                                           const std::deque<ReprojectionResidual>& sightings,
+                                           double since) {
   std::vector<PointSighting> points;
   for (const ReprojectionResidual& one : sightings) {
     if (one.time >= since) {
@@ -42,7 +42,7 @@ CameraMotionWatch::CameraMotionWatch(const CameraRig& rig)
 
 bool CameraMotionWatch::isSolved(const CameraMotionEvent& event) const {
   const auto& at = solvedAt_[event.camera];
-  return at && std::abs(event.frame - *at) <= kSameBump;
+  return at && std::abs(event.frame - *at) <= kSameMotion;
 }
 
 void CameraMotionWatch::restart() {
@@ -127,7 +127,7 @@ void CameraMotionWatch::update(CameraMotionReport& report, double time) {
   // With two cameras the estimate leans on the bumped one too: the background alone is better.
   const auto& sightings =
       rig_.size() < 3 ? std::deque<ReprojectionResidual>() : sightings_.of(camera);
-  const auto resolved = resolveBump(rig_[camera], turn, sightings, since);
+  const auto resolved = resolveCameraMotion(rig_[camera], turn, sightings, since);
   report.resolved = resolved && !report.back ? std::optional(*resolved) : std::nullopt;
 }
 

@@ -69,7 +69,8 @@ private:
 
 /// The pose of a camera that was bumped at `event`, from the turn known now and the sightings
 /// since.
-Result<ResolvedCamera> resolveBump(const Camera& camera, const CameraRotation& turn,
-                                   const std::deque<ReprojectionResidual>& sightings, double since);
+Result<ResolvedCamera> resolveCameraMotion(const Camera& camera, const CameraRotation& turn,
+                                           const std::deque<ReprojectionResidual>& sightings,
+                                           double since);
 
 } // namespace dewpoint::session

@@ -101,7 +101,7 @@ struct TrackSnapshot {
   PlayState state = PlayState::Paused;
   std::vector<Error> notices;
   /// Cameras that were bumped since the run began; each has its notice too: the last ones there.
-  std::vector<CameraMotionReport> bumps;
+  std::vector<CameraMotionReport> cameraMotions;
 };
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 

@@ -114,7 +114,7 @@ public:
   /// this frame, null when it was not tracked: how the targets are doing, and why, is from there.
   TrackedFrame present(const TrackedFrame* recorded, int boxParticleLimit) const;
   /// What is kept of the current frame; `previous` is the moment before it, null at the beginning.
-  TrackedFrame moment(int particleLimit, const TrackedFrame* previous) const;
+  TrackedFrame trackedFrame(int particleLimit, const TrackedFrame* previous) const;
   /// Iterations on the current frame.
   int frameIterations() const { return frameIterations_; }
   /// Targets that are tracked now; of people, those who are there.
@@ -122,7 +122,7 @@ public:
 
 private:
   /// What both kinds of moments hold.
-  TrackedFrame commonMoment(const TrackedFrame* before, int boxParticleLimit) const;
+  TrackedFrame commonTrackedFrame(const TrackedFrame* before, int boxParticleLimit) const;
   void correctPeople();
 
   RunDefinitionPtr definition_;

@@ -140,7 +140,7 @@ TEST(BoardDetection, SymmetricChessboardRunsToTheRight) {
         BoardDetector(board).detect(renderBoard(board, camera, pose, 4), DetectionEffort::Live);
     ASSERT_TRUE(found);
     EXPECT_LT(found->pixels.front().x(), found->pixels[6].x());
-    const auto half = turned(*found, board, 2);
+    const auto half = rotated(*found, board, 2);
     EXPECT_EQ(half.pixels.front(), found->pixels.back());
   }
 }

@@ -95,7 +95,7 @@ TEST(ExtrinsicsFromBoard, SymmetricBoardIsCountedAlike) {
   for (std::size_t camera = 1; camera < 4; ++camera) {
     for (std::size_t k = camera; k < request.cameras[camera].views.size(); k += 2) {
       auto& detection = request.cameras[camera].views[k].detection;
-      detection = turned(detection, request.board, 2); // as a camera that is turned may count
+      detection = rotated(detection, request.board, 2); // as a camera that is turned may count
     }
   }
   const auto result = calibrateExtrinsics(request);

@@ -46,7 +46,7 @@ std::vector<MeasuredPoint> pointsSeenBy(const CameraRig& rig, std::size_t count)
 CameraRig displaced(const CameraRig& rig) {
   CameraRig result;
   for (const Camera& camera : rig) {
-    result.push_back(moved(turned(camera, {0.2, -0.3, 0.1}, NudgeFrame::Camera), {0.4, -0.3, 0.2},
+    result.push_back(moved(rotated(camera, {0.2, -0.3, 0.1}, NudgeFrame::Camera), {0.4, -0.3, 0.2},
                            NudgeFrame::World));
   }
   return result;

@@ -135,7 +135,7 @@ TEST(PeopleReport, IdentitiesOfThoseWhoComeAndGoAreJudgedToo) {
 TEST(PeoplePictures, ShowTheMeetingAndBothSidesOfIt) {
   const auto crossing = makePeopleScenario("crossing", PeopleClothes::Different, 1);
   ASSERT_TRUE(crossing);
-  const auto moments = tellingMoments(*crossing);
+  const auto moments = tellingInstants(*crossing);
   ASSERT_EQ(moments.size(), 3U);
   EXPECT_LT(moments[0].frame, moments[1].frame);
   EXPECT_LT(moments[1].frame, moments[2].frame);
@@ -145,7 +145,7 @@ TEST(PeoplePictures, ShowTheMeetingAndBothSidesOfIt) {
             0.7); // 0.45 to 0.6 m is aimed at
   const auto visit = makePeopleScenario("enter-leave", PeopleClothes::Different, 1);
   ASSERT_TRUE(visit);
-  EXPECT_EQ(tellingMoments(*visit).size(), 1U);
+  EXPECT_EQ(tellingInstants(*visit).size(), 1U);
 }
 
 TEST(PeopleStudy, AParameterThatNoMethodHasIsSaid) {
