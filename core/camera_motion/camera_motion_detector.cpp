@@ -53,12 +53,12 @@ cv::Mat thumbnailOf(const cv::Mat& image) {
 
 /// The piece of most structure in one part of the image, among a few places.
 std::optional<BackgroundPatch> bestPiece(const cv::Mat& image, const cv::Rect& part) {
-  constexpr int kPlaces = 5;
+  constexpr int kSamples = 5;
   std::optional<BackgroundPatch> best;
-  for (int i = 0; i < kPlaces * kPlaces; ++i) {
-    const cv::Point place(part.x + (2 * (i % kPlaces) + 1) * part.width / (2 * kPlaces),
-                          part.y + (2 * (i / kPlaces) + 1) * part.height / (2 * kPlaces));
-    auto patch = BackgroundPatch::at(image, place);
+  for (int i = 0; i < kSamples * kSamples; ++i) {
+    const cv::Point cell(part.x + (2 * (i % kSamples) + 1) * part.width / (2 * kSamples),
+                         part.y + (2 * (i / kSamples) + 1) * part.height / (2 * kSamples));
+    auto patch = BackgroundPatch::at(image, cell);
     if (patch && (!best || patch->structure() > best->structure())) {
       best = std::move(patch);
     }
@@ -116,14 +116,14 @@ void CameraMotionDetector::learn(Watched& watched, const cv::Mat& image, double 
   const int height = image.rows / kGridRows;
   for (int tried = 0; tried < kParts && parts > 0; ++tried) {
     const int part = std::exchange(watched.nextPart, (watched.nextPart + 1) % kParts);
-    const cv::Rect place(part % kGridColumns * width, part / kGridColumns * height, width, height);
+    const cv::Rect cell(part % kGridColumns * width, part / kGridColumns * height, width, height);
     if (std::ranges::any_of(watched.pieces, [&](const Piece& piece) {
-          return place.contains(piece.patch.center());
+          return cell.contains(piece.patch.center());
         })) {
       continue;
     }
     --parts;
-    auto patch = bestPiece(image, place);
+    auto patch = bestPiece(image, cell);
     const auto byTurn =
         patch ? pixelsByTurn(watched.camera, Eigen::Vector2d(patch->center().x, patch->center().y))
               : std::nullopt;

@@ -30,8 +30,8 @@ constexpr double kLow = 0.4;            ///< F1 score, or share of the target
 constexpr double kTellable = 3.0;       ///< colorDistance()
 constexpr double kOneThing = 0.5;       ///< of all that matches beside the target
 
-template <class Place> Place third(double at, double size) {
-  return static_cast<Place>(std::clamp(static_cast<int>(3.0 * at / size), 0, 2));
+template <class Third> Third third(double at, double size) {
+  return static_cast<Third>(std::clamp(static_cast<int>(3.0 * at / size), 0, 2));
 }
 
 BgrColor meanColor(const cv::Mat& image, const cv::Mat& mask) {
@@ -59,8 +59,8 @@ FoundRegion described(int camera, const cv::Mat& image, const cv::Mat& labels, i
       statistics.at<int>(label, cv::CC_STAT_LEFT), statistics.at<int>(label, cv::CC_STAT_TOP),
       statistics.at<int>(label, cv::CC_STAT_WIDTH), statistics.at<int>(label, cv::CC_STAT_HEIGHT)};
   region.share = found.area / double(image.total());
-  region.horizontal = third<HorizontalPlace>(centers.at<double>(label, 0), image.cols);
-  region.vertical = third<VerticalPlace>(centers.at<double>(label, 1), image.rows);
+  region.horizontal = third<HorizontalThird>(centers.at<double>(label, 0), image.cols);
+  region.vertical = third<VerticalThird>(centers.at<double>(label, 1), image.rows);
   const cv::Mat mask = labels(region.box) == label;
   std::vector<std::vector<cv::Point>> outlines;
   cv::findContours(mask, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE, region.box.tl());

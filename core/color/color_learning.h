@@ -15,8 +15,8 @@
 
 namespace dewpoint::color {
 
-enum class HorizontalPlace : std::uint8_t { Left, Center, Right };
-enum class VerticalPlace : std::uint8_t { Top, Middle, Bottom };
+enum class HorizontalThird : std::uint8_t { Left, Center, Right };
+enum class VerticalThird : std::uint8_t { Top, Middle, Bottom };
 enum class ColorWord : std::uint8_t {
   Black,
   Gray,
@@ -41,8 +41,8 @@ struct DistractorRegion {
   cv::Rect box;
   double share = 0.0; ///< of the image's pixels
   std::vector<cv::Point> outline;
-  HorizontalPlace horizontal = HorizontalPlace::Center; ///< thirds of the image
-  VerticalPlace vertical = VerticalPlace::Middle;
+  HorizontalThird horizontal = HorizontalThird::Center; ///< thirds of the image
+  VerticalThird vertical = VerticalThird::Middle;
   ColorWord color = ColorWord::Gray;
 };
 

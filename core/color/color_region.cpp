@@ -300,37 +300,37 @@ cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within) {
   return mask;
 }
 
-cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& place) {
-  const cv::Point at(static_cast<int>(std::lround(place.x + place.width / 2.0)),
-                     static_cast<int>(std::lround(place.y + place.height / 2.0)));
+cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& sample) {
+  const cv::Point at(static_cast<int>(std::lround(sample.x + sample.width / 2.0)),
+                     static_cast<int>(std::lround(sample.y + sample.height / 2.0)));
   if (!cv::Rect({0, 0}, bgr.size()).contains(at)) {
     return cv::Mat::zeros(bgr.size(), CV_8UC1);
   }
-  const cv::Rect box = place.isBox()
-                           ? cv::Rect(static_cast<int>(place.x), static_cast<int>(place.y),
-                                      static_cast<int>(std::ceil(place.width)),
-                                      static_cast<int>(std::ceil(place.height)))
+  const cv::Rect box = sample.isBox()
+                           ? cv::Rect(static_cast<int>(sample.x), static_cast<int>(sample.y),
+                                      static_cast<int>(std::ceil(sample.width)),
+                                      static_cast<int>(std::ceil(sample.height)))
                            : cv::Rect{};
   return growRegion(bgr, at, box);
 }
 
-Result<ColorSample> takeSample(const cv::Mat& bgr, ColorSample place) {
+Result<ColorSample> takeSample(const cv::Mat& bgr, ColorSample sample) {
   if (bgr.empty() || bgr.type() != CV_8UC3) {
     return failure(ErrorCode::BadValue, {}, "image", "a color image is expected");
   }
-  const bool inside = place.x >= 0.0 && place.y >= 0.0 && place.x + place.width <= bgr.cols &&
-                      place.y + place.height <= bgr.rows && place.width >= 0.0 &&
-                      place.height >= 0.0 && std::lround(place.x) < bgr.cols &&
-                      std::lround(place.y) < bgr.rows;
+  const bool inside = sample.x >= 0.0 && sample.y >= 0.0 && sample.x + sample.width <= bgr.cols &&
+                      sample.y + sample.height <= bgr.rows && sample.width >= 0.0 &&
+                      sample.height >= 0.0 && std::lround(sample.x) < bgr.cols &&
+                      std::lround(sample.y) < bgr.rows;
   if (!inside) { // NaN comes here too
-    return failure(ErrorCode::BadValue, {}, place.isBox() ? "box" : "pixel",
+    return failure(ErrorCode::BadValue, {}, sample.isBox() ? "box" : "pixel",
                    std::to_string(bgr.cols) + "x" + std::to_string(bgr.rows) +
                        " pixels are in the image");
   }
-  auto colors = colorsIn(bgr, regionOfSample(bgr, place));
-  place.area = static_cast<int>(colors.size());
-  place.colors = evenlyPicked(std::move(colors), ColorSample::kMostColors);
-  return place;
+  auto colors = colorsIn(bgr, regionOfSample(bgr, sample));
+  sample.area = static_cast<int>(colors.size());
+  sample.colors = evenlyPicked(std::move(colors), ColorSample::kMostColors);
+  return sample;
 }
 
 } // namespace dewpoint::color

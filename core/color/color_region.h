@@ -29,7 +29,7 @@ double colorDistance(const BgrColor& one, const BgrColor& other);
 cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within = {});
 
 /// The region of a sample's place in an image, as takeSample() grew it.
-cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& place);
+cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& sample);
 
 /// The median per channel. At least one color.
 BgrColor medianColor(std::vector<BgrColor> colors);

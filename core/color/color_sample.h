@@ -38,6 +38,6 @@ struct ColorSample {
 
 /// The same place with the area and the colors of the region that grows from it in `bgr` (CV_8UC3).
 /// BadValue naming "pixel" or "box" where the place is not in the image, "image" for another type.
-Result<ColorSample> takeSample(const cv::Mat& bgr, ColorSample place);
+Result<ColorSample> takeSample(const cv::Mat& bgr, ColorSample sample);
 
 } // namespace dewpoint::color

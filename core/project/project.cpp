@@ -6,9 +6,9 @@
 namespace dewpoint::project {
 
 void addPerson(Project& project, const PersonCorrection& person) {
-  const auto place =
+  const auto found =
       std::ranges::upper_bound(project.people, person.frame, {}, &PersonCorrection::frame);
-  project.people.insert(place, person);
+  project.people.insert(found, person);
 }
 
 } // namespace dewpoint::project

@@ -60,7 +60,7 @@ struct PersonCorrection {
 
   std::int64_t frame = 0; ///< it holds from the end of this frame on
   /// On the floor, world x and y in meters. Either this or `click` is there.
-  std::optional<Eigen::Vector2d> place = {};
+  std::optional<Eigen::Vector2d> position = {};
   std::optional<Click> click = {};
   /// False, only with a place: whom the method has there is not there.
   bool present = true;

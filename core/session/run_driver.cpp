@@ -286,10 +286,10 @@ void RunDriver::setTargets(const std::vector<Target>& targets) {
 
 void RunDriver::changeBoxes(RunDefinition wanted) {
   const auto from = firstChange(definition_->targets, wanted.targets);
-  const std::vector<int> places = placesOf(definition_->targets, wanted.targets);
+  const std::vector<int> numbers = numbersOf(definition_->targets, wanted.targets);
   change(std::move(wanted));
-  if (!keepTheirPlaces(places)) {
-    log_.renumber(places, definition_->targets.size());
+  if (!keepTheirNumbers(numbers)) {
+    log_.renumber(numbers, definition_->targets.size());
   }
   const auto viewed = playback_.viewed();
   if ((!from && run_->frames()) || from == head()) { // a target may begin in the image shown

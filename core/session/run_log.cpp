@@ -137,29 +137,29 @@ void RunLog::goBack(std::int64_t frame) {
   }
 }
 
-void RunLog::renumber(const std::vector<int>& places, std::size_t count) {
+void RunLog::renumber(const std::vector<int>& numbers, std::size_t count) {
   const std::lock_guard lock(mutex_);
   ++generation_;
-  const auto placeOf = [&](int target) {
+  const auto numberOf = [&](int target) {
     const auto k = static_cast<std::size_t>(target);
-    return k < places.size() ? places[k] : -1;
+    return k < numbers.size() ? numbers[k] : -1;
   };
   records_.changeAll([&](IterationRecord& record) {
-    record.target = placeOf(record.target);
+    record.target = numberOf(record.target);
     return record.target >= 0;
   });
   frames_.changeAll([&](FrameRecord& record) {
     std::vector<FrameRecord::Entry> entries(count, {TargetStatus::Gone, 0.0F, {}});
     for (std::size_t k = 0; k < record.targets.size(); ++k) {
-      if (const int place = placeOf(static_cast<int>(k)); place >= 0) {
-        entries[static_cast<std::size_t>(place)] = std::move(record.targets[k]);
+      if (const int number = numberOf(static_cast<int>(k)); number >= 0) {
+        entries[static_cast<std::size_t>(number)] = std::move(record.targets[k]);
       }
     }
     record.targets = std::move(entries);
     return true;
   });
   std::erase_if(boxes_, [&](BoxSample& sample) {
-    sample.target = placeOf(sample.target - 1) + 1; // they count from 1
+    sample.target = numberOf(sample.target - 1) + 1; // they count from 1
     return sample.target == 0;
   });
   std::ranges::stable_sort(

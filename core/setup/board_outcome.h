@@ -13,7 +13,7 @@ namespace dewpoint::setup {
 /// What is to be found with a board: one of them at least.
 struct BoardGoal {
   bool lenses = true;
-  bool places = false;
+  bool poses = false;
 
   bool operator==(const BoardGoal&) const = default;
 };
@@ -22,8 +22,9 @@ struct BoardGoal {
 struct BoardOutcome {
   Project project;
   std::optional<LensesFromBoards> lenses;
-  std::optional<ExtrinsicsResult> places;
-  std::optional<Error> noPlaces; ///< why only the lenses were found, although both were wanted
+  std::optional<ExtrinsicsResult> extrinsics;
+  std::optional<Error>
+      extrinsicsError; ///< why only the lenses were found, although both were wanted
   std::optional<CalibrationAccuracy>
       accuracy;                 ///< of the camera positions; nothing: it could not be assessed
   std::string accuracySentence; ///< or why there is none; empty without places

@@ -20,7 +20,7 @@ Result<WandRefinement> judged(const Project& project, const WandOptions& options
 } // namespace
 
 bool saysTooLittle(const WandRefinement& refinement) {
-  return refinement.accuracy && refinement.accuracy->cameras95 > refinement.options.roughPlace;
+  return refinement.accuracy && refinement.accuracy->cameras95 > refinement.options.roughPosition;
 }
 
 bool isDoubtful(const WandRefinement& refinement) {

@@ -85,7 +85,7 @@ WandOptions toOptions(const WandSettings& wish, const std::vector<TouchedInstant
   options.findOffsets = wish.findOffsets;
   options.findFocal = wish.findFocal;
   options.findDistortion = wish.findDistortion;
-  options.roughPlace = wish.roughPlace;
+  options.roughPosition = wish.roughPosition;
   options.roughTurn = wish.roughTurn;
   if (wish.onlySpan && selected) {
     options.firstFrame = selected->first;

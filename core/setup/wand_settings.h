@@ -25,9 +25,9 @@ struct WandSettings {
   bool findOffsets = false;
   bool findFocal = false;
   bool findDistortion = false;
-  bool onlySpan = false;                        ///< look only through the frames that are selected
-  double roughPlace = WandOptions().roughPlace; ///< meters
-  double roughTurn = WandOptions().roughTurn;   ///< radians
+  bool onlySpan = false; ///< look only through the frames that are selected
+  double roughPosition = WandOptions().roughPosition; ///< meters
+  double roughTurn = WandOptions().roughTurn;         ///< radians
 
   bool operator==(const WandSettings&) const = default;
 };

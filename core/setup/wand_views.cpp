@@ -117,7 +117,7 @@ Result<WandProblem> wandProblem(const Project& project, const WandOptions& optio
   problem.findOffsets = options.findOffsets;
   problem.findFocal = options.findFocal;
   problem.findDistortion = options.findDistortion;
-  problem.roughPlace = options.roughPlace;
+  problem.roughPosition = options.roughPosition;
   problem.roughTurn = options.roughTurn;
   return problem;
 }

@@ -49,8 +49,8 @@ struct WandOptions {
   std::optional<TouchedDistance> distance;
   std::vector<double> floorTimes; ///< seconds
   std::optional<std::array<double, 2>> drop;
-  double roughPlace = 0.12; ///< meters by which the project's cameras may be off
-  double roughTurn = 0.06;  ///< radians
+  double roughPosition = 0.12; ///< meters by which the project's cameras may be off
+  double roughTurn = 0.06;     ///< radians
 };
 
 /// The problem that the options make of a project: its cameras as the rough rig, radii and size;

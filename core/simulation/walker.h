@@ -14,7 +14,7 @@ namespace dewpoint::simulation {
 /// Where a walker is to be at a time. Seconds; world x and y, meters.
 struct Waypoint {
   double time = 0.0;
-  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
 };
 
 /// What a walker wears; BGR in full light, [0, 255].
@@ -36,7 +36,7 @@ struct Walker {
 
   bool presentAt(double time) const { return time >= from && time < until; }
   /// The point of the floor below the middle of the body: the way with its corners rounded off.
-  Eigen::Vector2d place(double time) const;
+  Eigen::Vector2d position(double time) const;
 };
 
 /// A part of a body: an ellipsoid of any orientation.

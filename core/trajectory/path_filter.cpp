@@ -56,9 +56,9 @@ public:
     strength_ = model.strength * std::pow(unit_, 2 * Order - 1);
   }
 
-  State<Order> first(const Eigen::Vector3d& place) const {
+  State<Order> first(const Eigen::Vector3d& position) const {
     State<Order> state;
-    state.mean.template head<3>() = place;
+    state.mean.template head<3>() = position;
     for (int i = 0; i < Order; ++i) {
       const double sigma = kFirstSigmas[i] * std::pow(unit_, i);
       state.covariance.template block<3, 3>(3 * i, 3 * i).diagonal().setConstant(sigma * sigma);

@@ -13,7 +13,7 @@ namespace dewpoint::trajectory {
 /// A place at a time.
 struct TimedPosition {
   double time = 0.0;
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
 /// The place between `begin` and `end`, which have different times: a cubic Hermite polynomial

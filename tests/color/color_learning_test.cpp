@@ -215,8 +215,8 @@ TEST(ColorLearning, ATwinIsNamedWhereItIs) {
   ASSERT_EQ(seen->assessment.distractors.size(), 1U);
   const DistractorRegion& twin = seen->assessment.distractors.front();
   EXPECT_EQ(twin.camera, 1);
-  EXPECT_EQ(twin.horizontal, HorizontalPlace::Right);
-  EXPECT_EQ(twin.vertical, VerticalPlace::Top);
+  EXPECT_EQ(twin.horizontal, HorizontalThird::Right);
+  EXPECT_EQ(twin.vertical, VerticalThird::Top);
   EXPECT_EQ(twin.color, ColorWord::Pink);
   EXPECT_TRUE(twin.box.contains({290, 30}));
   EXPECT_EQ(seen->assessment.suggestion, Suggestion::RemoveDistractor);

@@ -81,7 +81,7 @@ TEST(ProjectFile, WhatWasSaidOfPeopleComesBackInTheOrderOfTheirFrames) {
   ASSERT_TRUE(again) << sentence(again.error());
   EXPECT_EQ(again->people, expected);
   addPerson(*project, {12, Eigen::Vector2d(3.0, 3.0), std::nullopt, true});
-  EXPECT_EQ(project->people.at(2).place, Eigen::Vector2d(3.0, 3.0));
+  EXPECT_EQ(project->people.at(2).position, Eigen::Vector2d(3.0, 3.0));
   EXPECT_TRUE(changesBetween(*again, *project).people);
   EXPECT_TRUE(changesBetween(*again, *project).any());
 }

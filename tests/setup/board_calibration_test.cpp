@@ -167,8 +167,8 @@ TEST(BoardCalibration, ACameraThatNeverSawTheBoardKeepsWhatItHas) {
   ASSERT_EQ(remarks.size(), 2U);
   EXPECT_EQ(remarks[0], "door keeps its lens: it never saw the board, in 14 pictures.");
   EXPECT_EQ(remarks[1], "'door' never saw the board: it keeps its pose.");
-  EXPECT_TRUE(outcome->places->fits[0].views.empty());
-  EXPECT_GE(outcome->places->fits[2].views.size(), 10U);
+  EXPECT_TRUE(outcome->extrinsics->fits[0].views.empty());
+  EXPECT_GE(outcome->extrinsics->fits[2].views.size(), 10U);
   // The distance between the other two is that of the scene.
   const double apart =
       (outcome->project.cameras[1].camera.center() - outcome->project.cameras[2].camera.center())
@@ -183,8 +183,8 @@ TEST(BoardCalibration, LensesRemainWherePlacesCannotBeFound) {
   const auto outcome =
       calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(), {true, true});
   ASSERT_TRUE(outcome) << sentence(outcome.error());
-  ASSERT_TRUE(outcome->noPlaces);
-  EXPECT_NE(outcome->noPlaces->detail.find("'right'"), std::string::npos);
+  ASSERT_TRUE(outcome->extrinsicsError);
+  EXPECT_NE(outcome->extrinsicsError->detail.find("'right'"), std::string::npos);
   EXPECT_TRUE(outcome->lenses->cameras[1]);
   EXPECT_EQ(remarksOn(*outcome).size(), 3U);
   EXPECT_FALSE(calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(),
@@ -216,7 +216,7 @@ TEST(BoardCalibration, SaysAVerdictAndNoFault) {
       });
   ASSERT_TRUE(outcome) << sentence(outcome.error());
   ASSERT_TRUE(outcome->accuracy) << outcome->accuracySentence;
-  EXPECT_TRUE(outcome->places->faults.empty()) << outcome->places->faults[0].sentence;
+  EXPECT_TRUE(outcome->extrinsics->faults.empty()) << outcome->extrinsics->faults[0].sentence;
   // 0.2 mm over 7 squares of 30 mm are 0.1 % (one sigma), at least.
   EXPECT_NEAR(outcome->accuracy->scale95.value(), 1.96 * 0.2 / 210.0, 0.0005);
   EXPECT_GT(outcome->accuracy->up95.value(), 0.001);
@@ -238,8 +238,8 @@ TEST(BoardCalibration, AWrongSquareSizeIsNamed) {
   wish.board.markerSize *= 1000.0;
   const auto outcome = calibrateFromBoards(recorded.project, *seen, wish, {false, true});
   ASSERT_TRUE(outcome) << sentence(outcome.error());
-  ASSERT_EQ(outcome->places->faults.size(), 1U);
-  EXPECT_EQ(outcome->places->faults[0].fault, CalibrationFault::MillimetersMixed);
+  ASSERT_EQ(outcome->extrinsics->faults.size(), 1U);
+  EXPECT_EQ(outcome->extrinsics->faults[0].fault, CalibrationFault::MillimetersMixed);
 }
 
 } // namespace

@@ -201,7 +201,7 @@ TEST(BoardRecordings, Charuco4) {
   EXPECT_LE(own[own.size() / 2], 0.0025);
   const double spacing = meanOf(spacings(ours, wish.board));
   std::printf("charuco4: rms %.3f px, %zu instants, spacing %.2f mm\n", result->rmsPx,
-              result->places.size(), 1e3 * spacing);
+              result->boardPoses.size(), 1e3 * spacing);
   EXPECT_NEAR(spacing, 0.054, 0.0005);
   const auto accuracy = assessBoard(*result, wish.board, {});
   ASSERT_TRUE(accuracy) << sentence(accuracy.error());

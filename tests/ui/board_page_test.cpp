@@ -226,8 +226,8 @@ void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
   openLive({true, true});
   BoardGuideRequest wish = desk().wish();
   wish.lenses.requestedProjectionPx = 20.0; // coarse: it ends after the fewest views
-  wish.requestedPlace = 0.05;
-  wish.places.instantsPerPair = 4;
+  wish.requestedPosition = 0.05;
+  wish.rig.instantsPerPair = 4;
   desk().setWish(wish);
   const auto before = project().cameras;
   QSignalSpy over(&desk(), &BoardCalibrator::calibrated);

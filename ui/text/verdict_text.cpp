@@ -15,7 +15,7 @@ class Words {
 };
 
 /// Where in the image: nine whole phrases, because languages put them together differently.
-QString placeName(HorizontalPlace horizontal, VerticalPlace vertical) {
+QString placeName(HorizontalThird horizontal, VerticalThird vertical) {
   static constexpr const char* kPlaces[3][3] = {
       {QT_TRANSLATE_NOOP("Verdict", "at the top left"), QT_TRANSLATE_NOOP("Verdict", "at the top"),
        QT_TRANSLATE_NOOP("Verdict", "at the top right")},

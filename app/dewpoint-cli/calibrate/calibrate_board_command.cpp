@@ -98,8 +98,9 @@ void printLenses(const SeenBoards& seen, const LensesFromBoards& lenses) {
 }
 
 void printPositions(const SeenBoards& seen, const BoardOutcome& outcome) {
-  const ExtrinsicsResult& result = *outcome.places;
-  fmt::print("rms {:.4f} px over {} positions of the board\n", result.rmsPx, result.places.size());
+  const ExtrinsicsResult& result = *outcome.extrinsics;
+  fmt::print("rms {:.4f} px over {} positions of the board\n", result.rmsPx,
+             result.boardPoses.size());
   for (std::size_t k = 0; k < result.cameras.size(); ++k) {
     const Camera& camera = result.cameras[k];
     const CameraFit& fit = result.fits[k];
@@ -131,7 +132,7 @@ int calibrate(const BoardOptions& options, const BoardGoal& goal, const Project&
   if (outcome->lenses) {
     printLenses(seen, *outcome->lenses);
   }
-  if (outcome->places) {
+  if (outcome->extrinsics) {
     printPositions(seen, *outcome);
   }
   const auto written = writeCalibrated(options.output, outcome->project, outcome->report);

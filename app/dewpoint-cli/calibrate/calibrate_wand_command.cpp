@@ -52,7 +52,7 @@ Status settle(WandCommandOptions& options) {
     wand.drop = std::array<double, 2>{options.drop[0], options.drop[1]};
   }
   if (!options.rough.empty()) {
-    wand.roughPlace = options.rough[0];
+    wand.roughPosition = options.rough[0];
     wand.roughTurn = options.rough[1] * kDegree;
   }
   const auto frames = parseFrames(options.frames);
@@ -179,7 +179,7 @@ int calibrate(WandCommandOptions options) {
     report({ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
             fmt::format("less sure than they were, off by up to {:.2f} m: wave through more of the "
                         "volume{}",
-                        options.wand.roughPlace,
+                        options.wand.roughPosition,
                         options.apply ? "; the project stays as it was" : "")});
   }
   auto written = options.out.empty() ? Status() : saveCalibration(cameras, options.out);

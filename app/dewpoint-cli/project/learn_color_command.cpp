@@ -37,8 +37,8 @@ struct LearnColorOptions {
 using FrameImages = std::map<std::int64_t, std::vector<cv::Mat>>;
 
 /// The first place is the click itself. Their colors are not taken yet.
-Result<std::vector<ColorSample>> placesOf(const LearnColorOptions& options,
-                                          const Project& project) {
+Result<std::vector<ColorSample>> markedSamplesOf(const LearnColorOptions& options,
+                                                 const Project& project) {
   auto click =
       options.box.empty() ? clickFrom(options.pixel, "--pixel") : boxFrom(options.box, "--box");
   const auto camera = cameraNamed(project, options.camera, "--camera");
@@ -47,21 +47,21 @@ Result<std::vector<ColorSample>> placesOf(const LearnColorOptions& options,
   }
   click->camera = *camera;
   click->frame = options.frame;
-  std::vector<ColorSample> places{*click};
+  std::vector<ColorSample> markedSamples{*click};
   const auto add = [&](const std::vector<std::string>& texts, const char* option, bool excluded) {
     for (const std::string& text : texts) {
-      auto place = placeFrom(project, text, option);
-      if (!place) {
-        return Status(tl::make_unexpected(place.error()));
+      auto marked = sampleFrom(project, text, option);
+      if (!marked) {
+        return Status(tl::make_unexpected(marked.error()));
       }
-      place->excluded = excluded;
-      places.push_back(*place);
+      marked->excluded = excluded;
+      markedSamples.push_back(*marked);
     }
     return Status();
   };
   return add(options.more, "--more", false)
       .and_then([&] { return add(options.excluded, "--exclude", true); })
-      .map([&] { return places; });
+      .map([&] { return markedSamples; });
 }
 
 Status readImages(FrameSetSource& source, std::int64_t frame, FrameImages& images) {
@@ -94,21 +94,22 @@ Status readImages(FrameSetSource& source, std::int64_t frame, FrameImages& image
 }
 
 /// Reads the frames of all places and takes the colors there.
-Result<FrameImages> takeSamples(FrameSetSource& source, std::vector<ColorSample>& places) {
+Result<FrameImages> takeSamples(FrameSetSource& source, std::vector<ColorSample>& markedSamples) {
   FrameImages images;
   if (source.isLive()) {
     return failure(ErrorCode::BadValue, "", "PROJECT",
                    "its cameras are live; a color is learned from a recording here");
   }
-  for (ColorSample& place : places) {
-    if (const auto read = readImages(source, place.frame, images); !read) {
+  for (ColorSample& marked : markedSamples) {
+    if (const auto read = readImages(source, marked.frame, images); !read) {
       return tl::make_unexpected(read.error());
     }
-    auto sample = takeSample(images[place.frame].at(static_cast<std::size_t>(place.camera)), place);
+    auto sample =
+        takeSample(images[marked.frame].at(static_cast<std::size_t>(marked.camera)), marked);
     if (!sample) {
       return tl::make_unexpected(sample.error());
     }
-    place = std::move(*sample);
+    marked = std::move(*sample);
   }
   return images;
 }
@@ -194,7 +195,7 @@ int learn(const LearnColorOptions& options) {
   if (!project) {
     return report(project.error());
   }
-  auto samples = placesOf(options, *project);
+  auto samples = markedSamplesOf(options, *project);
   if (!samples) {
     report(samples.error());
     return kExitUsage;
@@ -229,10 +230,10 @@ void addLearnColorCommand(CLI::App& app, int& exitCode) {
   command->add_option("--frame", options->frame, "Frame clicked, from 0")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40))
       ->capture_default_str();
-  auto* place = command->add_option_group("place");
-  place->add_option("--pixel", options->pixel, "X,Y of the click on the target");
-  place->add_option("--box", options->box, "X,Y,WIDTH,HEIGHT of a box around the target");
-  place->require_option(1);
+  auto* marked = command->add_option_group("place");
+  marked->add_option("--pixel", options->pixel, "X,Y of the click on the target");
+  marked->add_option("--box", options->box, "X,Y,WIDTH,HEIGHT of a box around the target");
+  marked->require_option(1);
   command->add_option("--more", options->more, "Another click on it, CAMERA:FRAME:X,Y");
   command->add_option("--exclude", options->excluded,
                       "A click on what is not the target, CAMERA:FRAME:X,Y");

@@ -63,10 +63,10 @@ Result<ColorSample> clickFrom(const std::string& text, const char* option) {
   if (!numbers || numbers->size() != 2) {
     return expected(option, "X,Y", text);
   }
-  ColorSample place;
-  place.x = numbers->at(0);
-  place.y = numbers->at(1);
-  return place;
+  ColorSample sample;
+  sample.x = numbers->at(0);
+  sample.y = numbers->at(1);
+  return sample;
 }
 
 Result<ColorSample> boxFrom(const std::string& text, const char* option) {
@@ -74,15 +74,16 @@ Result<ColorSample> boxFrom(const std::string& text, const char* option) {
   if (!numbers || numbers->size() != 4 || !(numbers->at(2) > 0.0) || !(numbers->at(3) > 0.0)) {
     return expected(option, "X,Y,WIDTH,HEIGHT", text);
   }
-  ColorSample place;
-  place.x = numbers->at(0);
-  place.y = numbers->at(1);
-  place.width = numbers->at(2);
-  place.height = numbers->at(3);
-  return place;
+  ColorSample sample;
+  sample.x = numbers->at(0);
+  sample.y = numbers->at(1);
+  sample.width = numbers->at(2);
+  sample.height = numbers->at(3);
+  return sample;
 }
 
-Result<ColorSample> placeFrom(const Project& project, const std::string& text, const char* option) {
+Result<ColorSample> sampleFrom(const Project& project, const std::string& text,
+                               const char* option) {
   // From the right: a camera's name may hold a colon.
   const auto second = text.rfind(':');
   const auto first =
@@ -98,12 +99,12 @@ Result<ColorSample> placeFrom(const Project& project, const std::string& text, c
   if (!camera) {
     return tl::make_unexpected(camera.error());
   }
-  auto place = clickFrom(text.substr(second + 1), option);
-  if (place) {
-    place->camera = *camera;
-    place->frame = *frame;
+  auto sample = clickFrom(text.substr(second + 1), option);
+  if (sample) {
+    sample->camera = *camera;
+    sample->frame = *frame;
   }
-  return place;
+  return sample;
 }
 
 } // namespace dewpoint::app

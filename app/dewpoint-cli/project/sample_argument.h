@@ -19,6 +19,6 @@ Result<ColorSample> clickFrom(const std::string& text, const char* option);
 Result<ColorSample> boxFrom(const std::string& text, const char* option);
 
 /// A click elsewhere "CAMERA:FRAME:X,Y". BadValue names `option`.
-Result<ColorSample> placeFrom(const Project& project, const std::string& text, const char* option);
+Result<ColorSample> sampleFrom(const Project& project, const std::string& text, const char* option);
 
 } // namespace dewpoint::app

@@ -63,10 +63,10 @@ Status applyOptions(const PeopleOptions& options, Project& project) {
 }
 
 /// Whether somebody's middle can be there: above the floor that is watched.
-Status inArea(const std::string& text, const Eigen::Vector3d& place, const PeopleArea& area) {
+Status inArea(const std::string& text, const Eigen::Vector3d& position, const PeopleArea& area) {
   constexpr double kReach = 3.0; // meters above the floor
-  if (area.contains(place.head<2>()) && place.z() >= area.floor &&
-      place.z() <= area.floor + kReach) {
+  if (area.contains(position.head<2>()) && position.z() >= area.floor &&
+      position.z() <= area.floor + kReach) {
     return {};
   }
   const Eigen::Vector2d low = area.center - area.half;
@@ -81,16 +81,17 @@ Status inArea(const std::string& text, const Eigen::Vector3d& place, const Peopl
 
 Status addPersons(const std::vector<std::string>& texts, const PeopleArea& area, TrackingRun& run) {
   for (const std::string& text : texts) {
-    Eigen::Vector3d place;
+    Eigen::Vector3d position;
     int used = 0;
-    if (std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &place[0], &place[1], &place[2], &used) != 3 ||
-        static_cast<std::size_t>(used) != text.size() || !place.allFinite()) {
+    if (std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &position[0], &position[1], &position[2],
+                    &used) != 3 ||
+        static_cast<std::size_t>(used) != text.size() || !position.allFinite()) {
       return failure(ErrorCode::BadValue, "", "--person", text + " is not x,y,z in metres");
     }
-    if (const auto inside = inArea(text, place, area); !inside) {
+    if (const auto inside = inArea(text, position, area); !inside) {
       return inside;
     }
-    run.apply(PeopleChange{place, std::nullopt});
+    run.apply(PeopleChange{position, std::nullopt});
   }
   return {};
 }

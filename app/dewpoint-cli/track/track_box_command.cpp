@@ -44,7 +44,7 @@ struct TrackBoxOptions {
 
 /// What the options say, read before any file is opened.
 struct BoxRequest {
-  std::vector<ColorSample> places; ///< boxes, then clicks
+  std::vector<ColorSample> marks; ///< boxes, then clicks
   ParameterValues parameters;
   FrameRange frames;
 };
@@ -62,14 +62,14 @@ Result<BoxRequest> requestOf(const TrackBoxOptions& options) {
   request.frames = *frames;
   for (const bool isBox : {true, false}) {
     for (const std::string& text : isBox ? options.boxes : options.clicks) {
-      auto place = isBox ? boxFrom(text, "--box") : clickFrom(text, "--click");
-      if (!place) {
-        return tl::make_unexpected(place.error());
+      auto mark = isBox ? boxFrom(text, "--box") : clickFrom(text, "--click");
+      if (!mark) {
+        return tl::make_unexpected(mark.error());
       }
-      request.places.push_back(std::move(*place));
+      request.marks.push_back(std::move(*mark));
     }
   }
-  if (request.places.empty()) {
+  if (request.marks.empty()) {
     return failure(ErrorCode::MissingKey, "", "--box", "a box or a click says what to follow");
   }
   return request;
@@ -135,7 +135,7 @@ Status BoxRun::begin(const BoxRequest& request, const FrameSetPtr& frames) {
                                fmt::format("{}", request.parameters.at(declaration.key)));
   }
   auto tracker = makeTracker(options_.method, request.parameters, CameraRig(1),
-                             std::vector<Target>(request.places.size()));
+                             std::vector<Target>(request.marks.size()));
   if (!tracker) {
     return tl::make_unexpected(tracker.error());
   }
@@ -143,11 +143,11 @@ Status BoxRun::begin(const BoxRequest& request, const FrameSetPtr& frames) {
   if (following == nullptr) {
     return failure(ErrorCode::BadValue, "", "--method", options_.method + " follows no boxes");
   }
-  for (std::size_t i = 0; i < request.places.size(); ++i) {
-    const ColorSample& place = request.places[i];
-    const auto box = place.isBox()
-                         ? Result<ImageBox>(ImageBox{place.x, place.y, place.width, place.height})
-                         : boxFromClick(first.image, place.x, place.y);
+  for (std::size_t i = 0; i < request.marks.size(); ++i) {
+    const ColorSample& mark = request.marks[i];
+    const auto box = mark.isBox()
+                         ? Result<ImageBox>(ImageBox{mark.x, mark.y, mark.width, mark.height})
+                         : boxFromClick(first.image, mark.x, mark.y);
     if (!box) {
       return tl::make_unexpected(box.error());
     }
@@ -266,7 +266,7 @@ int trackBoxes(const TrackBoxOptions& options) {
     const int code = report(error);
     return code == kExitBadInput && !run.track().samples.empty() ? kExitEndedEarly : code;
   }
-  const auto frames = run.track().samples.size() / std::max<std::size_t>(request->places.size(), 1);
+  const auto frames = run.track().samples.size() / std::max<std::size_t>(request->marks.size(), 1);
   fmt::print("frames                  {:>10}\nms per frame            {:>10.2f}\n", frames,
              run.millisecondsPerFrame());
   return interruptionRequested() ? kExitInterrupted : kExitDone;

@@ -236,7 +236,7 @@ private:
       seen.insert(fit.views.back().instant);
     }
     for (const std::int64_t instant : seen) {
-      result.places.push_back({instant, *world * chain_.firstFromBoard[instant]});
+      result.boardPoses.push_back({instant, *world * chain_.firstFromBoard[instant]});
     }
     putIntoWorld(*world, problem_, bundle_);
     result.covariance = bundle_.covariance;

@@ -31,7 +31,7 @@ struct ExtrinsicsRequest {
 };
 
 /// Where the board was at an instant.
-struct BoardPlace {
+struct BoardPose {
   std::int64_t instant = 0;
   Eigen::Isometry3d worldFromBoard = Eigen::Isometry3d::Identity();
 };
@@ -48,7 +48,7 @@ struct CameraFit {
 struct ExtrinsicsResult {
   CameraRig cameras; ///< in the order of the request
   std::vector<CameraFit> fits;
-  std::vector<BoardPlace> places; ///< in the order of the instants
+  std::vector<BoardPose> boardPoses; ///< in the order of the instants
   double rmsPx = 0.0;
   BundleCovariance covariance; ///< of the cameras' poses, for the residuals as found
   int iterations = 0;

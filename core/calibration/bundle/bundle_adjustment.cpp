@@ -254,14 +254,14 @@ private:
       return failure(ErrorCode::Undetermined, "", "",
                      "the places and directions that were seen leave the cameras open");
     }
-    covariance.matrix = turnedIntoPlace(std::move(*matrix), covariance.columns);
+    covariance.matrix = rotatedIntoWorld(std::move(*matrix), covariance.columns);
     return {};
   }
 
   /// Turns are parameters of a rotation vector against a fixed rotation; what is reported is a turn
   /// of the result.
-  Eigen::MatrixXd turnedIntoPlace(Eigen::MatrixXd matrix,
-                                  const std::vector<CameraColumn>& columns) const {
+  Eigen::MatrixXd rotatedIntoWorld(Eigen::MatrixXd matrix,
+                                   const std::vector<CameraColumn>& columns) const {
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if (columns[i].quantity != CameraQuantity::TurnX) {
         continue;

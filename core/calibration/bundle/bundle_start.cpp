@@ -131,11 +131,11 @@ private:
           }
         }
       }
-      const auto place = nearestPoint(rays);
-      if (!place) {
+      const auto position = nearestPoint(rays);
+      if (!position) {
         return false;
       }
-      there.ends[point] = *place;
+      there.ends[point] = *position;
     }
     return true;
   }

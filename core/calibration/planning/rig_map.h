@@ -33,7 +33,7 @@ struct RigMapSummary {
 RigMapSummary summaryOf(const RigMap& map, double limit);
 
 /// Cell that a place lies in, an index of RigMap's columns; nothing outside the volume.
-std::optional<std::size_t> cellAt(const VolumeGrid& grid, const Eigen::Vector3d& place);
+std::optional<std::size_t> cellAt(const VolumeGrid& grid, const Eigen::Vector3d& position);
 
 /// A volume cut into about `cellCount` cells that are nearly cubes, at least one along each axis.
 VolumeGrid gridOver(const Eigen::AlignedBox3d& volume, std::size_t cellCount);

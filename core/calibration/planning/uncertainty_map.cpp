@@ -58,9 +58,9 @@ bool isInside(const Intrinsics& in, double column, double row) {
 } // namespace
 
 Eigen::Vector3d VolumeGrid::center(int x, int y, int z) const {
-  const Eigen::Array3d place(x + 0.5, y + 0.5, z + 0.5);
+  const Eigen::Array3d position(x + 0.5, y + 0.5, z + 0.5);
   const Eigen::Array3d count(cells[0], cells[1], cells[2]);
-  return low + ((high - low).array() * place / count).matrix();
+  return low + ((high - low).array() * position / count).matrix();
 }
 
 PoseCovariance poseCovariance(double angle, double distance) {

@@ -16,7 +16,7 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr std::size_t kPlaces = 80;
+constexpr std::size_t kPositions = 80;
 constexpr std::uint32_t kDraws = 200;
 constexpr std::size_t kFolds = 5;
 constexpr std::size_t kStretches = 20;
@@ -116,9 +116,9 @@ double ninetyFive(const PositionErrors& errors, const Eigen::MatrixXd& perDraw, 
                   double pixelSigma) {
   std::vector<Eigen::Matrix3d> noise;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < errors.places.size(); ++i) {
+  for (std::size_t i = 0; i < errors.positions.size(); ++i) {
     noise.emplace_back(pixelSigma * root(errors.noise[i]));
-    middle += errors.places[i] / static_cast<double>(errors.places.size());
+    middle += errors.positions[i] / static_cast<double>(errors.positions.size());
   }
   std::vector<double> distances;
   for (std::uint32_t draw = 0; draw < kDraws; ++draw) {
@@ -129,10 +129,10 @@ double ninetyFive(const PositionErrors& errors, const Eigen::MatrixXd& perDraw, 
     }
     const Eigen::VectorXd moved = perDraw * numbers;
     const double size = scaleSigma * random.normal4(0, 1)[0];
-    for (std::size_t i = 0; i < errors.places.size(); ++i) {
+    for (std::size_t i = 0; i < errors.positions.size(); ++i) {
       const auto own = random.normal4(static_cast<std::uint32_t>(i), 2);
       distances.push_back((moved.segment<3>(static_cast<Eigen::Index>(3 * i)) +
-                           size * (errors.places[i] - middle) +
+                           size * (errors.positions[i] - middle) +
                            noise[i] * Eigen::Vector3d(own[0], own[1], own[2]))
                               .norm());
     }
@@ -157,8 +157,8 @@ std::optional<double> upFromFloor(const WandResult& result, const std::vector<do
   std::vector<Eigen::Vector2d> touches;
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (const double time : times) {
-    if (const auto place = ballAt(result.bundle, time)) {
-      touches.emplace_back(place->head<2>());
+    if (const auto position = ballAt(result.bundle, time)) {
+      touches.emplace_back(position->head<2>());
       middle += touches.back();
     }
   }
@@ -180,13 +180,14 @@ std::optional<double> upFromFloor(const WandResult& result, const std::vector<do
 Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
                                               const BundleResult& result,
                                               const AccuracyKnowledge& known) {
-  const PositionErrors errors = propagateToPositions(problem, result, kPlaces);
-  if (result.covariance.columns.empty() || errors.places.size() < 4) {
+  const PositionErrors errors = propagateToPositions(problem, result, kPositions);
+  if (result.covariance.columns.empty() || errors.positions.size() < 4) {
     return failure(ErrorCode::Undetermined, "", "verdict",
                    "no cameras were adjusted, or too few places are seen by two of them");
   }
   const bool sizeless = result.covariance.gaugeFreedoms % 2 == 1; // 1 or 7: size is a convention
-  const Eigen::MatrixXd perCamera = removeRigidMotion(errors.places, errors.fromCameras, sizeless);
+  const Eigen::MatrixXd perCamera =
+      removeRigidMotion(errors.positions, errors.fromCameras, sizeless);
   const double noise = std::max(result.noiseFactor, 1e-9);
   const Eigen::MatrixXd covariance = noise * noise * result.covariance.matrix;
   const Folds folds = leaveOut(problem, result);
@@ -203,7 +204,7 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
       ninetyFive(errors, perCamera * deviation, scale, noise * typicalSigma(problem));
   if (known.scaleKnown && (!sizeless || known.scaleSigma > 0.0)) {
     const double found =
-        sizeless ? 0.0 : sizeChange(errors.places, errors.fromCameras * deviation).norm();
+        sizeless ? 0.0 : sizeChange(errors.positions, errors.fromCameras * deviation).norm();
     accuracy.scale95 = kNinetyFive * std::hypot(found, known.scaleSigma);
   }
   if (known.upSigma) {

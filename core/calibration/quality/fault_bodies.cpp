@@ -27,17 +27,17 @@ constexpr double kMostColumns = 24;
 struct SeenBoard {
   std::size_t state = 0;
   std::vector<std::size_t> ids;
-  std::vector<Eigen::Vector3d> places;
+  std::vector<Eigen::Vector3d> positions;
 };
 
-std::vector<SeenBoard> seenBoards(const BundleProblem& problem, const PointPositions& places) {
+std::vector<SeenBoard> seenBoards(const BundleProblem& problem, const PointPositions& positions) {
   std::vector<SeenBoard> boards;
   for (std::size_t s = 0; s < problem.states.size(); ++s) {
     SeenBoard board{s, {}, {}};
-    for (std::size_t id = 0; id < places[s].size(); ++id) {
-      if (places[s][id]) {
+    for (std::size_t id = 0; id < positions[s].size(); ++id) {
+      if (positions[s][id]) {
         board.ids.push_back(id);
-        board.places.push_back(*places[s][id]);
+        board.positions.push_back(*positions[s][id]);
       }
     }
     if (problem.bodies[problem.states[s].body].kind == BundleBody::Kind::Board &&
@@ -72,9 +72,9 @@ std::optional<Laid> laid(const SeenBoard& board, const std::vector<Eigen::Vector
   if (axes[1] < 1e-3 * axes[2]) {
     return std::nullopt; // one row says nothing
   }
-  Laid found{alignment(from, board.places, true), 0.0};
+  Laid found{alignment(from, board.positions, true), 0.0};
   for (std::size_t i = 0; i < from.size(); ++i) {
-    found.rms += (found.worldFromBody * from[i] - board.places[i]).squaredNorm();
+    found.rms += (found.worldFromBody * from[i] - board.positions[i]).squaredNorm();
   }
   found.rms = std::sqrt(found.rms / static_cast<double>(from.size()));
   return found;
@@ -146,7 +146,7 @@ std::optional<NamedFault> mirrored(const FaultQuestion& question,
 }
 
 /// Given lengths over those that the cameras show.
-std::vector<double> lengthRatios(const BundleProblem& problem, const PointPositions& places,
+std::vector<double> lengthRatios(const BundleProblem& problem, const PointPositions& positions,
                                  const std::vector<SeenBoard>& boards) {
   std::vector<double> ratios;
   for (const SeenBoard& board : boards) {
@@ -157,17 +157,17 @@ std::vector<double> lengthRatios(const BundleProblem& problem, const PointPositi
   }
   for (std::size_t s = 0; s < problem.states.size(); ++s) {
     const BundleBody& body = problem.bodies[problem.states[s].body];
-    if (body.kind == BundleBody::Kind::Stick && places[s].size() > 1 && places[s][0] &&
-        places[s][1]) {
-      ratios.push_back(body.length / (*places[s][0] - *places[s][1]).norm());
+    if (body.kind == BundleBody::Kind::Stick && positions[s].size() > 1 && positions[s][0] &&
+        positions[s][1]) {
+      ratios.push_back(body.length / (*positions[s][0] - *positions[s][1]).norm());
     }
   }
   return ratios;
 }
 
-std::optional<NamedFault> lengths(const FaultQuestion& question, const PointPositions& places,
+std::optional<NamedFault> lengths(const FaultQuestion& question, const PointPositions& positions,
                                   const std::vector<SeenBoard>& boards, double sigma) {
-  auto ratios = lengthRatios(question.problem, places, boards);
+  auto ratios = lengthRatios(question.problem, positions, boards);
   const double ratio = upperMedian(ratios);
   for (double& value : ratios) {
     value = std::abs(std::log(value / ratio));
@@ -200,12 +200,12 @@ std::optional<NamedFault> lengths(const FaultQuestion& question, const PointPosi
 double sizeSigma(const CameraRig& rig, const RoughSigma& sigma) {
   const double spread = 0.5 * cameraSpread(rig);
   const double cameras = std::sqrt(static_cast<double>(std::max<std::size_t>(rig.size(), 1)));
-  return std::max(kLeastSizeSigma, sigma.place / std::max(spread, 1e-6) / cameras);
+  return std::max(kLeastSizeSigma, sigma.position / std::max(spread, 1e-6) / cameras);
 }
 
-std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question, const PointPositions& places,
-                                       const CameraRig& rig) {
-  const auto boards = seenBoards(question.problem, places);
+std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question,
+                                       const PointPositions& positions, const CameraRig& rig) {
+  const auto boards = seenBoards(question.problem, positions);
   if (question.board) {
     if (auto count = squareCount(question, boards)) {
       return {*count};
@@ -215,7 +215,7 @@ std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question, const Poin
   if (auto side = mirrored(question, boards, rig)) {
     faults.push_back(*side);
   }
-  if (auto length = lengths(question, places, boards, sizeSigma(rig, question.rough))) {
+  if (auto length = lengths(question, positions, boards, sizeSigma(rig, question.rough))) {
     faults.push_back(*length);
   }
   return faults;

@@ -9,8 +9,8 @@
 namespace dewpoint::calibration {
 
 /// Faults of typed lengths, boards and floors, from points as all cameras see them.
-std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question, const PointPositions& places,
-                                       const CameraRig& rig);
+std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question,
+                                       const PointPositions& positions, const CameraRig& rig);
 
 /// A relative standard deviation of the rough rig's size.
 double sizeSigma(const CameraRig& rig, const RoughSigma& sigma);

@@ -29,7 +29,7 @@ constexpr double kMovedCost = 2.0;
 constexpr double kLeastZoom = 0.03; ///< lenses are rarely known better when others calibrated
 constexpr int kMostLate = 120;      ///< frames
 constexpr int kLeastLate = 2;
-constexpr double kPlacesNoise = 1.5; ///< noise of the places adds to that of the image points
+constexpr double kPositionNoise = 1.5; ///< noise of the places adds to that of the image points
 constexpr std::array<double, 8> kResolutions{2.0, 0.5,       1.5,       2.0 / 3.0,
                                              3.0, 1.0 / 3.0, 4.0 / 3.0, 0.75};
 
@@ -44,7 +44,7 @@ public:
   CameraSuspicion(const FaultQuestion& question, const Suspect& suspect)
       : question_(question), suspect_(suspect),
         rough_(question.problem.cameras[suspect.camera].camera),
-        sigma_(kPlacesNoise * std::max(suspect.sigmaPx, 1e-3)) {}
+        sigma_(kPositionNoise * std::max(suspect.sigmaPx, 1e-3)) {}
 
   std::optional<NamedFault> run() {
     const auto correspondences = spreadOver(known(0.0), kMostCorrespondences);
@@ -77,8 +77,8 @@ private:
       if (!instant) {
         continue;
       }
-      if (const auto& place = (*suspect_.places)[*instant][seen.id]) {
-        correspondences.push_back({*place, seen.pixel, times[seen.instant]});
+      if (const auto& position = (*suspect_.positions)[*instant][seen.id]) {
+        correspondences.push_back({*position, seen.pixel, times[seen.instant]});
       }
     }
     return correspondences;
@@ -186,8 +186,8 @@ private:
                         const std::vector<PointCorrespondence>& correspondences) {
     std::vector<double> distances;
     for (const PointCorrespondence& seen : correspondences) {
-      const auto a = Projector(one).project(seen.place);
-      const auto b = Projector(other).project(seen.place);
+      const auto a = Projector(one).project(seen.position);
+      const auto b = Projector(other).project(seen.position);
       if (a && b) {
         distances.push_back((*a - *b).norm());
       }
@@ -196,7 +196,7 @@ private:
   }
 
   /// A camera that was moved may be farther off than the rough rig.
-  RoughSigma wide() const { return {2.0 * question_.rough.turn, 2.0 * question_.rough.place}; }
+  RoughSigma wide() const { return {2.0 * question_.rough.turn, 2.0 * question_.rough.position}; }
 
   void tryLate() {
     const auto& times = suspect_.imagePoints->times;

@@ -13,8 +13,8 @@ namespace dewpoint::calibration {
 struct Suspect {
   std::size_t camera = 0;
   const ImagePoints* imagePoints = nullptr;
-  const PointPositions* places = nullptr; ///< as the others see them
-  double sigmaPx = 1.0;                   ///< of image points as the others explain them
+  const PointPositions* positions = nullptr; ///< as the others see them
+  double sigmaPx = 1.0;                      ///< of image points as the others explain them
 };
 
 /// The hypothesis that explains a suspect best, if it does so clearly better than none.

@@ -47,7 +47,7 @@ BundleProblem pointProblem(const CameraRig& rough, const ImagePoints& imagePoint
       renamed[c] = problem.cameras.size();
       problem.cameras.push_back({.camera = rough[c],
                                  .centerFree = centersFree,
-                                 .posePrior = PosePrior{sigma.turn, sigma.place}});
+                                 .posePrior = PosePrior{sigma.turn, sigma.position}});
     }
   }
   problem.bodies.push_back({.name = "point"});
@@ -111,7 +111,7 @@ bool plausible(const Camera& rough, const Camera& found, const RoughSigma& sigma
       Eigen::AngleAxisd(found.cameraFromWorld.linear() * rough.cameraFromWorld.linear().transpose())
           .angle();
   return turn < kMostSigmas * sigma.turn &&
-         (found.center() - rough.center()).norm() < kMostSigmas * sigma.place;
+         (found.center() - rough.center()).norm() < kMostSigmas * sigma.position;
 }
 
 } // namespace
@@ -169,9 +169,9 @@ PointPositions triangulated(const CameraRig& rig, const ImagePoints& imagePoints
   for (const Camera& camera : rig) {
     unprojectors.emplace_back(camera);
   }
-  PointPositions places;
+  PointPositions positions;
   for (const auto& instant : seenBy(imagePoints, use)) {
-    auto& there = places.emplace_back();
+    auto& there = positions.emplace_back();
     for (const SeenBy& seen : instant) {
       std::vector<Ray> rays;
       for (const auto& [camera, pixel] : seen) {
@@ -182,20 +182,21 @@ PointPositions triangulated(const CameraRig& rig, const ImagePoints& imagePoints
       there.push_back(rays.size() >= 2 ? nearestPoint(rays) : std::nullopt);
     }
   }
-  return places;
+  return positions;
 }
 
 std::optional<CameraResection> fitCamera(const Camera& rough,
                                          const std::vector<PointCorrespondence>& correspondences,
                                          const RoughSigma& sigma, bool focalFree, bool quick) {
   BundleProblem problem;
-  problem.cameras.push_back(
-      {.camera = rough, .focalFree = focalFree, .posePrior = PosePrior{sigma.turn, sigma.place}});
+  problem.cameras.push_back({.camera = rough,
+                             .focalFree = focalFree,
+                             .posePrior = PosePrior{sigma.turn, sigma.position}});
   problem.bodies.push_back({.name = "point"});
   for (const PointCorrespondence& seen : correspondences) {
     problem.observations.push_back(
         {.camera = 0, .state = problem.states.size(), .pixel = seen.pixel});
-    problem.states.push_back({.fixed = true, .ends = {seen.place, seen.place}});
+    problem.states.push_back({.fixed = true, .ends = {seen.position, seen.position}});
   }
   problem.loss = RobustLoss::SoftL1;
   problem.draft = true;

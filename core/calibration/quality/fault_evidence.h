@@ -28,8 +28,8 @@ ImagePoints imagePointsOf(const BundleProblem& problem);
 
 /// How far the rig may be off.
 struct RoughSigma {
-  double turn = 0.06;  ///< radians
-  double place = 0.12; ///< meters
+  double turn = 0.06;     ///< radians
+  double position = 0.12; ///< meters
 };
 
 /// A rig that explains points by themselves.
@@ -55,7 +55,7 @@ PointPositions triangulated(const CameraRig& rig, const ImagePoints& imagePoints
 
 /// A point whose place is known, in the image of one camera.
 struct PointCorrespondence {
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double time = 0.0;
 };

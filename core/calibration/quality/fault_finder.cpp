@@ -41,7 +41,7 @@ public:
       rough_.push_back(camera.camera);
     }
     if (cameraSpread(rough_) > kWidestRoom) {
-      question_.rough.place *= 1000.0;
+      question_.rough.position *= 1000.0;
     }
     everyone_.assign(rough_.size(), true);
   }
@@ -146,8 +146,9 @@ private:
       if (!others_[c] || others_[c]->sigmaPx > kClean * best_) {
         continue;
       }
-      const PointPositions places = triangulated(others_[c]->rig, imagePoints_, without(c));
-      const auto found = faultOfCamera(question_, {c, &imagePoints_, &places, others_[c]->sigmaPx});
+      const PointPositions positions = triangulated(others_[c]->rig, imagePoints_, without(c));
+      const auto found =
+          faultOfCamera(question_, {c, &imagePoints_, &positions, others_[c]->sigmaPx});
       if (found && (!best || found->gain > best->gain)) {
         best = found;
       }
@@ -191,7 +192,7 @@ Result<FaultReport> findWandFaults(const WandProblem& problem) {
   return wandBundle(problem).map([&](const BundleProblem& bundle) {
     FaultQuestion question;
     question.problem = bundle;
-    question.rough = {problem.roughTurn, problem.roughPlace};
+    question.rough = {problem.roughTurn, problem.roughPosition};
     question.focalUnknown = problem.findFocal;
     question.unsynchronized =
         problem.findOffsets ||

@@ -49,7 +49,7 @@ std::vector<SpaceLine> outlines(const BoardReport& report) {
   const BoardDescription& board = report.board;
   const int columns = board.cornerColumns();
   const int count = board.cornerCount();
-  for (const BoardPlace& place : report.places) {
+  for (const BoardPose& place : report.boardPoses) {
     SpaceLine& outline = lines.emplace_back(SpaceLine{"board", {}});
     for (const int id : {0, columns - 1, count - 1, count - columns, 0}) {
       outline.points.push_back(place.worldFromBoard * board.corner(id));
@@ -98,7 +98,7 @@ void addReport(std::string& html, const BoardReport& report) {
   for (const std::string& notice : report.notices) {
     html += fmt::format("<p class=\"notice\">{}.</p>\n", escaped(notice));
   }
-  if (!report.places.empty()) {
+  if (!report.boardPoses.empty()) {
     CameraRig rig;
     for (const auto& part : report.cameras) {
       rig.push_back(part.camera);
@@ -129,7 +129,7 @@ BoardReport reportOf(const BoardDescription& board, const ExtrinsicsResult& resu
   BoardReport report;
   report.title = fmt::format("Poses of {} cameras from a board", result.cameras.size());
   report.board = board;
-  report.places = result.places;
+  report.boardPoses = result.boardPoses;
   report.notices = result.notices;
   for (std::size_t k = 0; k < result.cameras.size(); ++k) {
     const CameraFit& fit = result.fits[k];

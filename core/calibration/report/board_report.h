@@ -27,7 +27,7 @@ struct BoardReport {
   std::string title;
   BoardDescription board;
   std::vector<CameraPart> cameras;
-  std::vector<BoardPlace> places; ///< for the plot in space; empty: no plot
+  std::vector<BoardPose> boardPoses; ///< for the plot in space; empty: no plot
   std::vector<std::string> notices;
   std::string accuracy; ///< a sentence; may be empty
 };

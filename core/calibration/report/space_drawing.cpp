@@ -89,7 +89,7 @@ std::string drawn(const SpaceScene& scene, const Eigen::Matrix<double, 2, 3>& vi
   const double scale =
       std::min((kWidth - 2.0 * kMargin) / sizes.x(), (kHeight - 2.0 * kMargin) / sizes.y());
   const Eigen::Vector2d middle(0.5 * kWidth, 0.5 * kHeight);
-  const auto place = [&](const Eigen::Vector3d& point) {
+  const auto toDrawing = [&](const Eigen::Vector3d& point) {
     return Eigen::Vector2d(middle + scale * (view * point - box.center()));
   };
   std::string svg = fmt::format("<svg role=\"img\" aria-label=\"{0}\" viewBox=\"0 0 {1} {2}\" "
@@ -99,13 +99,13 @@ std::string drawn(const SpaceScene& scene, const Eigen::Matrix<double, 2, 3>& vi
   for (const SpaceLine& line : scene.lines) {
     fmt::format_to(out, "<polyline class=\"{}\" points=\"", line.kind);
     for (const auto& point : line.points) {
-      const Eigen::Vector2d at = place(point);
+      const Eigen::Vector2d at = toDrawing(point);
       fmt::format_to(out, "{:.1f},{:.1f} ", at.x(), at.y());
     }
     svg += "\"/>\n";
   }
   for (const Label& words : scene.labels) {
-    const Eigen::Vector2d at = place(words.at);
+    const Eigen::Vector2d at = toDrawing(words.at);
     fmt::format_to(out, "<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", at.x() + 4.0, at.y() - 4.0,
                    escaped(words.text));
   }

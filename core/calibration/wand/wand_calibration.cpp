@@ -100,7 +100,7 @@ private:
       const double share = 1.0 / std::sqrt(3.0); // so that the length is about what was asked for
       const Eigen::Vector3d center =
           rig[c].center() +
-          share * given_.roughPlace * Eigen::Vector3d(place[0], place[1], place[2]);
+          share * given_.roughPosition * Eigen::Vector3d(place[0], place[1], place[2]);
       auto& pose = rig[c].cameraFromWorld;
       pose.linear() =
           turnRotation(share * given_.roughTurn * Eigen::Vector3d(turn[0], turn[1], turn[2])) *

@@ -51,7 +51,7 @@ struct WandProblem {
   bool findFocal = false;                    ///< focal lengths, in their ratio
   bool findDistortion = false;               ///< k1 of every camera
   double roughTurn = 0.06;                   ///< by how much the rough rig may be off, radians
-  double roughPlace = 0.12;                  ///< meters
+  double roughPosition = 0.12;               ///< meters
   int starts = 6;                            ///< the rough rig, and it perturbed by as much
   std::uint64_t seed = 1;                    ///< of the perturbations
   int mostInstants = 900;                    ///< used, spread evenly over the recording

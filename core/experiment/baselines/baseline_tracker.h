@@ -73,7 +73,7 @@ private:
     KalmanPoint filter;
     std::optional<Eigen::Vector3d> last; ///< where it was seen last
   };
-  using Places = std::vector<std::optional<TriangulatedPoint>>;
+  using Measured = std::vector<std::optional<TriangulatedPoint>>;
 
   std::vector<cv::Mat> masksOf(const ColorRange& color) const;
   std::optional<Bearing> bearingOf(std::size_t camera, std::size_t blob,
@@ -81,9 +81,9 @@ private:
   std::optional<TriangulatedPoint> findOne(Tracked& tracked,
                                            const std::vector<cv::Mat>& masks) const;
   void findMany(const std::vector<std::size_t>& members, const std::vector<cv::Mat>& masks,
-                Places& places) const;
+                Measured& measured) const;
   void predict();
-  void conclude(std::size_t target, const std::optional<TriangulatedPoint>& place);
+  void conclude(std::size_t target, const std::optional<TriangulatedPoint>& position);
 
   BaselineSetup setup_;
   std::vector<Unprojector> cameras_;

@@ -33,8 +33,8 @@ bool withDropouts(ScenarioDraft& draft) {
   }
   std::vector<int> order;
   for (int camera = 0; camera < count; ++camera) {
-    const auto place = order.begin() + draft.draws.whole(0, camera);
-    order.insert(place, camera);
+    const auto found = order.begin() + draft.draws.whole(0, camera);
+    order.insert(found, camera);
   }
   std::vector<Dropout> dropouts;
   for (const int camera : order) {

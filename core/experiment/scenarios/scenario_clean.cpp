@@ -44,16 +44,16 @@ bool seenSomewhere(const simulation::Stage& stage, const Eigen::Vector3d& center
 bool isPossible(const ScenarioDraft& draft, const RoundPath& twin) {
   for (std::int64_t frame = 0; frame < draft.frameCount; ++frame) {
     const double time = draft.timeOf(frame);
-    const Eigen::Vector3d place = twin(time);
+    const Eigen::Vector3d position = twin(time);
     for (const simulation::StageBody& body : draft.stage.bodies) {
-      if ((body.path(time) - place).norm() < kTwinDistance) {
+      if ((body.path(time) - position).norm() < kTwinDistance) {
         return false;
       }
     }
     const Eigen::Vector3d target = draft.stage.bodies[draft.targets.front()].path(time);
     for (const auto& view : draft.stage.views) {
-      const bool begins = frame > 0 || apart(*view, target, kRadius, place, kRadius);
-      if (!begins || !leavesTargetVisible(*view, target, place)) {
+      const bool begins = frame > 0 || apart(*view, target, kRadius, position, kRadius);
+      if (!begins || !leavesTargetVisible(*view, target, position)) {
         return false;
       }
     }

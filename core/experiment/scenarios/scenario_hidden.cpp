@@ -107,12 +107,12 @@ bool withMovingPlate(ScenarioDraft& draft) {
   return hidesNothingElse(draft, camera, kEnd);
 }
 
-bool halfHidden(ScenarioDraft& draft, bool (*place)(ScenarioDraft&)) {
+bool halfHidden(ScenarioDraft& draft, bool (*arrange)(ScenarioDraft&)) {
   draft.frameCount = 180;
   for (int i = 0; i < kMostDraws; ++i) {
     draft.stage.bodies.clear();
     draft.targets.clear();
-    if (place(draft)) {
+    if (arrange(draft)) {
       startNearTruth(draft);
       return true;
     }

@@ -29,20 +29,20 @@ const Volume kDesk{{0.0, 0.0, 0.0}, {1.0, 1.0, 0.5}, 0.035, 0.25, 0.2};
 const Volume kHall{{-2.0, -2.0, 0.0}, {2.0, 2.0, 2.0}, 0.10, 1.0, 0.5};
 
 bool farFromCameras(const simulation::Stage& stage, const Volume& volume,
-                    const Eigen::Vector3d& place) {
+                    const Eigen::Vector3d& position) {
   return std::ranges::all_of(stage.views, [&](const auto& view) {
-    return (view->center.template cast<double>() - place).norm() >= volume.nearest;
+    return (view->center.template cast<double>() - position).norm() >= volume.nearest;
   });
 }
 
 /// A place in the volume that all cameras see.
-std::optional<Eigen::Vector3d> drawPlace(ScenarioDraft& draft, const Volume& volume) {
+std::optional<Eigen::Vector3d> drawPosition(ScenarioDraft& draft, const Volume& volume) {
   const Eigen::Vector3d up = volume.radius * Eigen::Vector3d::UnitZ();
   for (int i = 0; i < kMostDraws; ++i) {
-    const Eigen::Vector3d place = draft.draws.inBox(volume.low + up, volume.high);
-    if (farFromCameras(draft.stage, volume, place) &&
-        fullyVisible(draft.stage, place, volume.radius)) {
-      return place;
+    const Eigen::Vector3d position = draft.draws.inBox(volume.low + up, volume.high);
+    if (farFromCameras(draft.stage, volume, position) &&
+        fullyVisible(draft.stage, position, volume.radius)) {
+      return position;
     }
   }
   return std::nullopt;
@@ -51,13 +51,13 @@ std::optional<Eigen::Vector3d> drawPlace(ScenarioDraft& draft, const Volume& vol
 /// A slow straight way that begins anywhere in the volume.
 std::optional<simulation::Path> drawWay(ScenarioDraft& draft, const Volume& volume) {
   for (int i = 0; i < kMostDraws; ++i) {
-    const auto place = drawPlace(draft, volume);
-    if (!place) {
+    const auto position = drawPosition(draft, volume);
+    if (!position) {
       return std::nullopt;
     }
     const Eigen::Vector3d speed = draft.draws.uniform(0.0, volume.drift) * draft.draws.direction();
     const simulation::Path way = [=](double time) -> Eigen::Vector3d {
-      return *place + time * speed;
+      return *position + time * speed;
     };
     if (staysVisible(draft, way, volume.radius)) {
       return way;
@@ -106,21 +106,21 @@ simulation::StageBody drawDistractor(Draws& draws, Distractor kind, double radiu
 /// Where a look-alike may be: not near the target, not before or beside it in any image, seen by
 /// at least `cameras` cameras.
 bool isPossible(const ScenarioDraft& draft, const Volume& volume, const simulation::StageBody& body,
-                const Eigen::Vector3d& place, int cameras) {
+                const Eigen::Vector3d& position, int cameras) {
   constexpr double kGap = 0.01; // radians: about 3 pixels
   const simulation::Path& target = draft.stage.bodies[draft.targets.front()].path;
   const double last = draft.timeOf(draft.frameCount - 1);
   int seen = 0;
   for (const auto& view : draft.stage.views) {
     for (const double time : {0.0, 0.5 * last, last}) {
-      if ((target(time) - place).norm() < 3.0 * volume.radius + body.bound() ||
-          !apart(*view, target(time), volume.radius, place, body.bound(), kGap)) {
+      if ((target(time) - position).norm() < 3.0 * volume.radius + body.bound() ||
+          !apart(*view, target(time), volume.radius, position, body.bound(), kGap)) {
         return false;
       }
     }
-    seen += fullyVisible(*view, place, body.bound()) ? 1 : 0;
+    seen += fullyVisible(*view, position, body.bound()) ? 1 : 0;
   }
-  return seen >= cameras && farFromCameras(draft.stage, volume, place);
+  return seen >= cameras && farFromCameras(draft.stage, volume, position);
 }
 
 bool addDistractors(ScenarioDraft& draft, const Volume& volume) {
@@ -134,14 +134,14 @@ bool addDistractors(ScenarioDraft& draft, const Volume& volume) {
     const int cameras = count == 0 ? 2 : 1;
     bool placed = false;
     for (int i = 0; i < kMostDraws / 10 && !placed; ++i) {
-      Eigen::Vector3d place = draft.draws.inBox(volume.low, volume.high);
+      Eigen::Vector3d position = draft.draws.inBox(volume.low, volume.high);
       if (draft.draws.coin()) {
-        place.z() = 0.0; // on the ground: that high is half of what stands on it
+        position.z() = 0.0; // on the ground: that high is half of what stands on it
       }
-      place.z() = std::max(place.z(), body.box ? body.halfSize.z() : body.radius);
-      placed = isPossible(draft, volume, body, place, cameras);
+      position.z() = std::max(position.z(), body.box ? body.halfSize.z() : body.radius);
+      placed = isPossible(draft, volume, body, position, cameras);
       if (placed) {
-        body.path = [place](double) { return place; };
+        body.path = [position](double) { return position; };
         draft.stage.bodies.push_back(body);
       }
     }
@@ -177,7 +177,7 @@ bool jumpBy(ScenarioDraft& draft, const Volume& volume, double length) {
   constexpr std::int64_t kJumpFrame = 30;
   draft.frameCount = 60;
   for (int i = 0; i < kMostDraws; ++i) {
-    const auto from = drawPlace(draft, volume);
+    const auto from = drawPosition(draft, volume);
     if (!from) {
       return false;
     }

@@ -209,10 +209,10 @@ Status barreraFigure4(const ExperimentOptions& options) {
     legend.emplace_back(style, fmt::format("iteration {}", iteration));
     rows.push_back(rowOf(iteration, instant, setup, rig.front().opticalAxis()));
   }
-  Eigen::ArrayXXd places(3, 3);
-  places << setup.ball.transpose().array(), rig[0].center().transpose().array(),
+  Eigen::ArrayXXd positions(3, 3);
+  positions << setup.ball.transpose().array(), rig[0].center().transpose().array(),
       rig[1].center().transpose().array();
-  plot.series.push_back(pointsOf("m5", places, 0, 1, 60.0));
+  plot.series.push_back(pointsOf("m5", positions, 0, 1, 60.0));
   legend.emplace_back("m5", "the ball and both cameras");
   showAll({&plot});
   page.plots({{"The room from above, all particles of each instant", plot}}, legend);

@@ -30,18 +30,18 @@ struct Gathering {
 
 Gathering gatheringAt(const OfficeScene& scene, double time) {
   Gathering result;
-  std::vector<Eigen::Vector2d> places;
+  std::vector<Eigen::Vector2d> positions;
   for (const simulation::Walker& walker : scene.people) {
-    const Eigen::Vector2d place = walker.place(time);
-    if (!walker.presentAt(time) || place.cwiseAbs().maxCoeff() > kHalfFloor) {
+    const Eigen::Vector2d position = walker.position(time);
+    if (!walker.presentAt(time) || position.cwiseAbs().maxCoeff() > kHalfFloor) {
       continue;
     }
-    for (const Eigen::Vector2d& other : places) {
-      result.nearest = std::min(result.nearest, (other - place).norm());
+    for (const Eigen::Vector2d& other : positions) {
+      result.nearest = std::min(result.nearest, (other - position).norm());
     }
-    places.push_back(place);
+    positions.push_back(position);
   }
-  result.people = static_cast<int>(places.size());
+  result.people = static_cast<int>(positions.size());
   return result;
 }
 
@@ -51,18 +51,18 @@ cv::Mat folded(const cv::Mat& row, int width) {
   const int rows = (count + 1) / 2;
   cv::Mat page = cv::Mat::zeros(rows * row.rows, 2 * width, CV_8UC3);
   for (int k = 0; k < count; ++k) {
-    cv::Mat place = page(cv::Rect(k % 2 * width, k / 2 * row.rows, width, row.rows));
-    row(cv::Rect(k * width, 0, width, row.rows)).copyTo(place);
-    cv::putText(place, std::to_string(k + 1), {6, 16}, cv::FONT_HERSHEY_SIMPLEX, 0.45,
+    cv::Mat position = page(cv::Rect(k % 2 * width, k / 2 * row.rows, width, row.rows));
+    row(cv::Rect(k * width, 0, width, row.rows)).copyTo(position);
+    cv::putText(position, std::to_string(k + 1), {6, 16}, cv::FONT_HERSHEY_SIMPLEX, 0.45,
                 {255, 255, 255}, 1, cv::LINE_AA);
   }
   return page;
 }
 
-cv::Point onFloor(const Eigen::Vector2d& place) {
+cv::Point onFloor(const Eigen::Vector2d& position) {
   const double scale = kFloorPixels / (2.0 * kHalfFloor);
   const Eigen::Vector2d pixel =
-      (scale * Eigen::Vector2d(place.x() + kHalfFloor, kHalfFloor - place.y()))
+      (scale * Eigen::Vector2d(position.x() + kHalfFloor, kHalfFloor - position.y()))
           .cwiseMax(-1e4)
           .cwiseMin(1e4);
   return {cvRound(pixel.x()), cvRound(pixel.y())};

@@ -157,9 +157,9 @@ private:
     const double interval = 1.0 / renderer.scene().framesPerSecond;
     for (std::size_t k = 0; k < renderer.scene().people.size(); ++k) {
       if (renderer.inside(k, time)) {
-        Eigen::Vector3d place = renderer.middle(k, time);
-        place.z() = 0.0;
-        frame.truth.push_back({static_cast<int>(k), place});
+        Eigen::Vector3d position = renderer.middle(k, time);
+        position.z() = 0.0;
+        frame.truth.push_back({static_cast<int>(k), position});
       }
     }
     for (const PersonEstimate& person : found().people()) {

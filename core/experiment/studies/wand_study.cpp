@@ -142,17 +142,17 @@ private:
     options.fromDiameter = !stick;
     options.findOffsets = kind == WandCase::Unsynced;
     if (kind == WandCase::Far) {
-      options.roughPlace = 0.3;
+      options.roughPosition = 0.3;
       options.roughTurn = 10.0 * kDegree;
     }
     return options;
   }
 
-  CameraRig roughRig(double place, double turn) const {
+  CameraRig roughRig(double position, double turn) const {
     CameraRig rough = rig_;
     for (std::size_t c = 0; c < rough.size(); ++c) {
       auto& pose = rough[c].cameraFromWorld;
-      const Eigen::Vector3d center = rough[c].center() + place * directions_[c][0];
+      const Eigen::Vector3d center = rough[c].center() + position * directions_[c][0];
       pose.linear() = Eigen::AngleAxisd(turn, directions_[c][1]) * pose.linear();
       pose.translation() = -pose.linear() * center;
     }

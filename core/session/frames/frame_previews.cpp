@@ -50,10 +50,10 @@ void FramePreviews::add(const FrameSet& frames) {
 
 void FramePreviews::thin() {
   spacing_ *= 2;
-  for (auto place = entries_.begin(); place != entries_.end();) {
-    const bool wanted = place->first % spacing_ == 0 && spacing_ <= kFarthest;
-    bytes_ -= wanted ? 0 : place->second.bytes;
-    place = wanted ? std::next(place) : entries_.erase(place);
+  for (auto found = entries_.begin(); found != entries_.end();) {
+    const bool wanted = found->first % spacing_ == 0 && spacing_ <= kFarthest;
+    bytes_ -= wanted ? 0 : found->second.bytes;
+    found = wanted ? std::next(found) : entries_.erase(found);
   }
 }
 

@@ -71,13 +71,13 @@ void History::beforeFrame(std::int64_t frame, const TrackingRun& run) {
 
 void History::thinCheckpoints() {
   bool wanted = true; // the first stays
-  for (auto place = checkpoints_.begin(); place != checkpoints_.end(); wanted = !wanted) {
-    if (wanted || std::next(place) == checkpoints_.end()) {
-      ++place;
+  for (auto found = checkpoints_.begin(); found != checkpoints_.end(); wanted = !wanted) {
+    if (wanted || std::next(found) == checkpoints_.end()) {
+      ++found;
       continue;
     }
-    checkpointBytes_ -= place->second.state.bytes;
-    place = checkpoints_.erase(place);
+    checkpointBytes_ -= found->second.state.bytes;
+    found = checkpoints_.erase(found);
   }
   spacing_ *= 2;
 }
@@ -147,9 +147,9 @@ void History::forgetFrom(std::int64_t frame) {
     trackedFrameBytes_ -= trackedFrames_.back().bytes();
     trackedFrames_.pop_back();
   }
-  for (auto place = checkpoints_.upper_bound(frame); place != checkpoints_.end();) {
-    checkpointBytes_ -= place->second.state.bytes;
-    place = checkpoints_.erase(place);
+  for (auto found = checkpoints_.upper_bound(frame); found != checkpoints_.end();) {
+    checkpointBytes_ -= found->second.state.bytes;
+    found = checkpoints_.erase(found);
   }
   changes_.erase(changes_.lower_bound({frame, 0}), changes_.end());
   tailBegins_.erase(tailBegins_.lower_bound(frame), tailBegins_.end());
@@ -186,18 +186,18 @@ std::deque<TrackedFrame>::const_iterator History::lowerBound(std::int64_t frame)
 }
 
 const TrackedFrame* History::at(std::int64_t frame) const {
-  const auto place = lowerBound(frame);
-  return place != trackedFrames_.end() && place->frame == frame ? &*place : nullptr;
+  const auto found = lowerBound(frame);
+  return found != trackedFrames_.end() && found->frame == frame ? &*found : nullptr;
 }
 
 const TrackedFrame* History::before(std::int64_t frame) const {
-  const auto place = lowerBound(frame);
-  return place != trackedFrames_.begin() ? &*std::prev(place) : nullptr;
+  const auto found = lowerBound(frame);
+  return found != trackedFrames_.begin() ? &*std::prev(found) : nullptr;
 }
 
 const TrackedFrame* History::after(std::int64_t frame) const {
-  const auto place = lowerBound(frame + 1);
-  return place != trackedFrames_.end() ? &*place : nullptr;
+  const auto found = lowerBound(frame + 1);
+  return found != trackedFrames_.end() ? &*found : nullptr;
 }
 
 std::vector<Eigen::Vector3d> History::tail(std::size_t target, std::int64_t frame,
@@ -225,8 +225,8 @@ const History::Checkpoint* History::checkpointFor(std::int64_t frame) const {
 }
 
 std::vector<RunChange> History::changesAt(std::int64_t frame, int iterations) const {
-  const auto place = changes_.find({frame, iterations});
-  return place != changes_.end() ? place->second : std::vector<RunChange>();
+  const auto found = changes_.find({frame, iterations});
+  return found != changes_.end() ? found->second : std::vector<RunChange>();
 }
 
 } // namespace dewpoint::session

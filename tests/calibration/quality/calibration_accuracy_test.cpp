@@ -19,10 +19,10 @@ std::vector<double> trueErrors(const CameraRig& truth, const CameraRig& found, d
   const RandomStream random(21, seed, 0, RandomPurpose::Noise);
   std::vector<Eigen::Vector3d> real, exact, noisy;
   for (std::uint32_t i = 0; i < 100; ++i) {
-    const Eigen::Vector3d place = waved(seed, 0.31 * i, 0);
+    const Eigen::Vector3d position = waved(seed, 0.31 * i, 0);
     std::vector<Ray> clean, rays;
     for (std::size_t c = 0; c < truth.size(); ++c) {
-      const auto pixel = Projector(truth[c]).project(place);
+      const auto pixel = Projector(truth[c]).project(position);
       if (!pixel || !inImage(truth[c], *pixel)) {
         continue;
       }
@@ -34,7 +34,7 @@ std::vector<double> trueErrors(const CameraRig& truth, const CameraRig& found, d
     const auto a = nearestPoint(clean);
     const auto b = nearestPoint(rays);
     if (a && b) {
-      real.push_back(place);
+      real.push_back(position);
       exact.push_back(*a);
       noisy.push_back(*b);
     }

@@ -212,8 +212,8 @@ FaultQuestion shown(std::uint32_t seed, bool floor, double noise = 0.1) {
   }
   const RandomStream random(22, seed, 0, RandomPurpose::Noise);
   std::uint32_t count = 0;
-  const int places = floor ? 1 : 25;
-  for (int k = 0; k < places; ++k) {
+  const int positions = floor ? 1 : 25;
+  for (int k = 0; k < positions; ++k) {
     BundleState state;
     state.time = k;
     state.fixed = floor;

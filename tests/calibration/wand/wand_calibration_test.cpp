@@ -113,7 +113,7 @@ TEST(WandCalibration, HalfAPixelOfNoiseIsMillimeters) {
   const CameraRig rig = trueRig();
   WandProblem problem = wave(rig, 2, 0.3);
   problem.rough = moved(rig, 0.3, 10.0 / 180.0 * std::numbers::pi);
-  problem.roughPlace = 0.3;
+  problem.roughPosition = 0.3;
   problem.roughTurn = 0.17;
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());

@@ -15,9 +15,9 @@ TEST(PeopleScenario, IsDrawnFromItsSeedAlone) {
     const auto one = makePeopleScenario(name, PeopleClothes::Different, 5);
     const auto again = makePeopleScenario(name, PeopleClothes::Different, 5);
     ASSERT_TRUE(one) << name;
-    EXPECT_EQ(one->scene.people[0].place(3.0), again->scene.people[0].place(3.0));
+    EXPECT_EQ(one->scene.people[0].position(3.0), again->scene.people[0].position(3.0));
     const auto other = makePeopleScenario(name, PeopleClothes::Different, 6);
-    EXPECT_NE(one->scene.people[0].place(3.0), other->scene.people[0].place(3.0));
+    EXPECT_NE(one->scene.people[0].position(3.0), other->scene.people[0].position(3.0));
   }
   EXPECT_FALSE(makePeopleScenario("dance", PeopleClothes::Similar, 1));
 }
@@ -28,9 +28,9 @@ TEST(PeopleScenario, CrossingComesAsNearAsItSays) {
     ASSERT_TRUE(scenario);
     double nearest = 10.0;
     for (double time = 1.3; time < 5.5; time += 0.01) {
-      nearest = std::min(
-          nearest,
-          (scenario->scene.people[0].place(time) - scenario->scene.people[1].place(time)).norm());
+      nearest = std::min(nearest, (scenario->scene.people[0].position(time) -
+                                   scenario->scene.people[1].position(time))
+                                      .norm());
     }
     EXPECT_GT(nearest, 0.44);
     EXPECT_LT(nearest, 0.61);
@@ -141,7 +141,7 @@ TEST(PeoplePictures, ShowTheMeetingAndBothSidesOfIt) {
   EXPECT_LT(moments[1].frame, moments[2].frame);
   const double time = crossing->scene.timeOf(moments[1].frame);
   const auto& people = crossing->scene.people;
-  EXPECT_LT((people[0].place(time) - people[1].place(time)).norm(),
+  EXPECT_LT((people[0].position(time) - people[1].position(time)).norm(),
             0.7); // 0.45 to 0.6 m is aimed at
   const auto visit = makePeopleScenario("enter-leave", PeopleClothes::Different, 1);
   ASSERT_TRUE(visit);

@@ -165,7 +165,7 @@ void WandOutcome::showOutcome() {
   }
   if (found) {
     verdict = found->accuracy ? verdictWords(*found->accuracy)
-                             : QStringLiteral("⚠ ") + errorSentence(found->accuracy.error());
+                              : QStringLiteral("⚠ ") + errorSentence(found->accuracy.error());
     if (desk_.isStale()) {
       notes << tr("The cameras were changed since; this is about how they were refined.");
     }
@@ -175,7 +175,7 @@ void WandOutcome::showOutcome() {
     if (saysTooLittle(*found)) {
       notes << QStringLiteral("⚠ ") + tr("That is less sure than the cameras were (off by up to %1 "
                                          "cm): wave through more of the volume.")
-                                          .arg(numberText(100.0 * found->options.roughPlace, 1));
+                                          .arg(numberText(100.0 * found->options.roughPosition, 1));
     }
     if (!desk_.isApplied()) {
       notes << tr("The cameras are as they were.");
