@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/camera_motion/camera_motion_detector.h"
 
+#include "core/base/angle.h"
 #include "core/base/statistics.h"
 
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace dewpoint::camera_motion {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kInterval = 0.2;        // seconds between two checks of one camera
 constexpr std::size_t kChecks = 5;       // whose median counts
 constexpr double kBump = 0.05 * kDegree; // half of what must be reported

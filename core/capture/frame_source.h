@@ -10,6 +10,9 @@
 
 namespace dewpoint::capture {
 
+/// Frames per second where neither the project nor the source states them. Origin not recorded.
+inline constexpr double kDefaultFramesPerSecond = 30;
+
 /// Frame sets of all cameras, one after the other. Implementations turn every exception of the
 /// libraries they use into an Error. Used by one thread only.
 class FrameSetSource {

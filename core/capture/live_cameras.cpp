@@ -2,6 +2,7 @@
 #include "core/capture/live_cameras.h"
 
 #include "core/capture/camera_thread.h"
+#include "core/capture/frame_source.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,7 +18,6 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kLongestWait = 100ms; ///< so that whoever asks stays responsive
 constexpr auto kTogether = 40ms;     ///< how long one camera's frame waits for the others'
 constexpr auto kPatience = 1s;       ///< with threads that do not end, for all cameras together
-constexpr double kUsualRate = 30;
 
 /// The frame at the time of what it shows.
 FramePtr inTime(FramePtr frame, TimeStamp delay) {
@@ -72,7 +72,7 @@ double LiveCameras::framesPerSecond() const {
       return camera.framesPerSecond();
     }
   }
-  return kUsualRate;
+  return kDefaultFramesPerSecond;
 }
 
 /// When the frames at hand make a set: now when all cameras that deliver have one, else as soon as

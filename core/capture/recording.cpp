@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/recording.h"
 
+#include "core/capture/frame_source.h"
 #include "core/capture/generated_reader.h"
 #include "core/capture/image_reader.h"
 #include "core/capture/picture.h"
@@ -15,10 +16,8 @@
 #include <utility>
 
 namespace dewpoint::capture {
-
 namespace {
 
-constexpr double kDefaultRate = 30;
 /// Rates further apart than this share cannot be one rate, rounded in different ways.
 constexpr double kSameRate = 0.01;
 
@@ -185,7 +184,7 @@ double rateOf(const std::vector<Camera>& cameras, double requested) {
       return camera.reader->framesPerSecond();
     }
   }
-  return kDefaultRate;
+  return kDefaultFramesPerSecond;
 }
 
 } // namespace

@@ -17,9 +17,6 @@
 namespace dewpoint::setup {
 namespace {
 
-constexpr int kGuessedWidth = 640; ///< of a camera that cannot be asked without opening it
-constexpr int kGuessedHeight = 480;
-
 bool isRecording(SourceKind source) {
   return source == SourceKind::Video || source == SourceKind::Images;
 }

@@ -9,6 +9,11 @@
 
 namespace dewpoint::setup {
 
+/// Size of the images, pixels, of a camera that cannot be asked for it without opening it. Origin
+/// not recorded.
+inline constexpr int kGuessedWidth = 640;
+inline constexpr int kGuessedHeight = 480;
+
 /// A camera as a person names it before there is a project.
 struct NewCamera {
   std::string name; ///< empty: as its file is called

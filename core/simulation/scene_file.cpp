@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/scene_file.h"
 
+#include "core/base/angle.h"
 #include "core/base/table_reader.h"
 #include "core/geometry/camera_name.h"
 
@@ -12,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <sstream>
 #include <utility>
 
@@ -23,7 +23,6 @@ constexpr std::array<std::pair<Motion, const char*>, 4> kMotionNames{{{Motion::S
                                                                       {Motion::Smooth, "smooth"},
                                                                       {Motion::Fast, "fast"},
                                                                       {Motion::Jump, "jump"}}};
-constexpr double kDegree = std::numbers::pi / 180.0;
 /// Larger pictures than this are a typing error, and would fill the memory.
 constexpr std::int64_t kMaxSide = 8192;
 

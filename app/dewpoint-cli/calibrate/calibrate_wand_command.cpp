@@ -6,6 +6,7 @@
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/dewpoint-cli/common/progress.h"
 #include "app/wiring/open_project.h"
+#include "core/base/angle.h"
 #include "core/base/text_file.h"
 #include "core/calibration/formats/calibration_file.h"
 #include "core/project/project_save.h"
@@ -15,13 +16,10 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <numbers>
 #include <optional>
 
 namespace dewpoint::app {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 struct WandCommandOptions {
   std::string project;

@@ -3,25 +3,24 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/wiring/open_project.h"
+#include "core/base/angle.h"
 #include "core/calibration/formats/calibration_file.h"
 #include "core/calibration/manual/interactive_pose.h"
 #include "core/calibration/planning/camera_placement.h"
 #include "core/calibration/planning/rig_map.h"
 #include "core/geometry/camera_name.h"
 #include "core/project/project_rig.h"
+#include "core/setup/new_project.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 namespace dewpoint::app {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 struct PlanOptions {
   std::string project;
@@ -34,13 +33,11 @@ struct PlanOptions {
 
 /// Like the project's first camera where it is not said.
 Camera newCamera(const PlanOptions& options, const CameraRig& rig) {
-  constexpr int kWidth = 640;
-  constexpr int kHeight = 480;
   constexpr double kUsual = 1.0; // radians
   const bool known = !rig.empty() && rig.front().intrinsics.width > 0;
   const std::vector<int> like =
       known ? std::vector{rig.front().intrinsics.width, rig.front().intrinsics.height}
-            : std::vector{kWidth, kHeight};
+            : std::vector{kGuessedWidth, kGuessedHeight};
   const std::vector<int>& size = options.size.empty() ? like : options.size;
   const double angle = options.fieldOfView ? *options.fieldOfView * kDegree
                        : known             ? fieldOfView(rig.front())

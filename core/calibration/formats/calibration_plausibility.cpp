@@ -13,7 +13,6 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr double kWidestRoom = 100.0;   // meters
 constexpr double kNarrowestRoom = 0.02; // meters: two cameras cannot stand closer
 constexpr double kCertainlyMillimeters = 50.0;
 constexpr double kSameDirection = 0.94; // cosine of 20 degrees

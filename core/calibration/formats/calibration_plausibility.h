@@ -5,6 +5,10 @@
 
 namespace dewpoint::calibration {
 
+/// Meters that cameras of one room are apart at most; a wider rig is in another unit. Origin not
+/// recorded.
+inline constexpr double kWidestRoom = 100.0;
+
 /// The greatest distance between two cameras, or of the only one from the origin, in the rig's
 /// unit.
 double cameraSpread(const CameraRig& rig);

@@ -16,7 +16,6 @@ namespace {
 constexpr std::size_t kMostCorrespondences = 150;
 constexpr std::size_t kQuickCorrespondences = 40;
 constexpr std::size_t kFewestCorrespondences = 12;
-constexpr double kLeastGain = 30.0;
 constexpr double kLeastGainShare = 0.1;
 constexpr double kLeastGainShareUnsynchronized = 0.5;
 constexpr double kWellExplained = 3.0; ///< residuals against those of the cameras that agree

@@ -14,11 +14,9 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr double kClean =
-    2.0; ///< cameras agree when their residuals are within the best times this
-constexpr double kLeastGainOfSwap = 30.0;
+/// Cameras agree when their residuals are within the best times this.
+constexpr double kClean = 2.0;
 constexpr double kSwapExplains = 0.5; ///< exchanged cameras fit at least so much better
-constexpr double kWidestRoom = 100.0; ///< meters; a larger rig is in millimeters
 
 /// Lens data of another size than the video: no question of residuals.
 std::optional<NamedFault> declaredSize(const FaultQuestion& question) {
@@ -165,7 +163,7 @@ private:
       }
       const double gain = static_cast<double>(swap.fit.squares.size()) *
                           (meanCost(all_->squares, best_) - meanCost(swap.fit.squares, best_));
-      if (gain > kLeastGainOfSwap && (!best || gain > best->gain)) {
+      if (gain > kLeastGain && (!best || gain > best->gain)) {
         best = NamedFault{CalibrationFault::CamerasSwapped, {swap.one, swap.other}, 0.0, gain};
       }
     }

@@ -11,6 +11,10 @@
 
 namespace dewpoint::calibration {
 
+/// What a hypothesis about one or two cameras must gain in log-likelihood (Student's, 4 degrees of
+/// freedom) to be named. Origin not recorded.
+inline constexpr double kLeastGain = 30.0;
+
 /// What was seen and what was said about it, before anything was solved or dropped.
 struct FaultQuestion {
   /// Cameras: the former, rough rig with the lenses as given. Bodies: as typed. A fixed state of a

@@ -12,6 +12,9 @@ namespace dewpoint::calibration {
 
 /// The beginning of a self-contained HTML page, up to its body; styles for the drawings below.
 std::string pageHead(const std::string& title);
+/// Width of the widest drawings, SVG units. Origin not recorded.
+inline constexpr double kDrawingWidth = 460.0;
+
 inline constexpr const char* kPageEnd = "</body></html>\n";
 
 /// Something seen in an image, and how far it is from where it is projected.

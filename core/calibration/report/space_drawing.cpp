@@ -2,6 +2,7 @@
 #include "core/calibration/report/space_drawing.h"
 
 #include "core/base/markup.h"
+#include "core/calibration/report/report_drawing.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +13,6 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr double kWidth = 460.0;
 constexpr double kHeight = 380.0;
 constexpr double kMargin = 28.0;
 constexpr double kFrustumPart = 0.08; // of the scene's size: how long a camera is drawn
@@ -87,14 +87,14 @@ std::string drawn(const SpaceScene& scene, const Eigen::Matrix<double, 2, 3>& vi
   }
   const Eigen::Vector2d sizes = box.sizes().cwiseMax(1e-9);
   const double scale =
-      std::min((kWidth - 2.0 * kMargin) / sizes.x(), (kHeight - 2.0 * kMargin) / sizes.y());
-  const Eigen::Vector2d middle(0.5 * kWidth, 0.5 * kHeight);
+      std::min((kDrawingWidth - 2.0 * kMargin) / sizes.x(), (kHeight - 2.0 * kMargin) / sizes.y());
+  const Eigen::Vector2d middle(0.5 * kDrawingWidth, 0.5 * kHeight);
   const auto toDrawing = [&](const Eigen::Vector3d& point) {
     return Eigen::Vector2d(middle + scale * (view * point - box.center()));
   };
   std::string svg = fmt::format("<svg role=\"img\" aria-label=\"{0}\" viewBox=\"0 0 {1} {2}\" "
                                 "width=\"{1}\"><text x=\"4\" y=\"14\">{0}</text>\n",
-                                label, kWidth, kHeight);
+                                label, kDrawingWidth, kHeight);
   auto out = std::back_inserter(svg);
   for (const SpaceLine& line : scene.lines) {
     fmt::format_to(out, "<polyline class=\"{}\" points=\"", line.kind);
@@ -109,8 +109,10 @@ std::string drawn(const SpaceScene& scene, const Eigen::Matrix<double, 2, 3>& vi
     fmt::format_to(out, "<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", at.x() + 4.0, at.y() - 4.0,
                    escaped(words.text));
   }
-  double bar = std::pow(10.0, std::floor(std::log10(0.3 * kWidth / scale)));
-  bar *= 5.0 * bar * scale < 0.3 * kWidth ? 5.0 : 2.0 * bar * scale < 0.3 * kWidth ? 2.0 : 1.0;
+  double bar = std::pow(10.0, std::floor(std::log10(0.3 * kDrawingWidth / scale)));
+  bar *= 5.0 * bar * scale < 0.3 * kDrawingWidth   ? 5.0
+         : 2.0 * bar * scale < 0.3 * kDrawingWidth ? 2.0
+                                                   : 1.0;
   fmt::format_to(out,
                  "<path class=\"axis\" d=\"M8 {0:.1f}h{1:.1f}\"/><text x=\"{2:.1f}\" "
                  "y=\"{3:.1f}\">{4:g} m</text>\n</svg>\n",

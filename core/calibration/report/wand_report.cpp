@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/report/wand_report.h"
 
+#include "core/base/angle.h"
 #include "core/base/markup.h"
 #include "core/calibration/manual/pose_change.h"
 #include "core/calibration/report/report_drawing.h"
@@ -9,12 +10,10 @@
 #include <fmt/format.h>
 
 #include <iterator>
-#include <numbers>
 
 namespace dewpoint::calibration {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kMostSticks = 300; ///< drawn in space
 
 /// Residuals per camera, those that took part.

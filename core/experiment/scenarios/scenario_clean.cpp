@@ -13,8 +13,7 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-constexpr double kRadius = 0.035;
-constexpr double kTwinDistance = 3.0 * kRadius; // least distance of a look-alike to the target
+constexpr double kTwinDistance = 3.0 * kBallRadius; // least distance of a look-alike to the target
 
 /// Radii of balls of unknown size: that of a walnut to that of an orange.
 constexpr double kSmallest = 0.02;
@@ -28,12 +27,12 @@ bool cleanDesk(ScenarioDraft& draft, bool fast) {
 bool leavesTargetVisible(const simulation::CameraView& view, const Eigen::Vector3d& target,
                          const Eigen::Vector3d& twin) {
   const Eigen::Vector3d eye = view.center.cast<double>();
-  return (twin - eye).norm() > (target - eye).norm() || apart(view, target, 0.0, twin, kRadius);
+  return (twin - eye).norm() > (target - eye).norm() || apart(view, target, 0.0, twin, kBallRadius);
 }
 
 bool seenSomewhere(const simulation::Stage& stage, const Eigen::Vector3d& center) {
   for (const auto& view : stage.views) {
-    if (fullyVisible(*view, center, kRadius)) {
+    if (fullyVisible(*view, center, kBallRadius)) {
       return true;
     }
   }
@@ -52,7 +51,7 @@ bool isPossible(const ScenarioDraft& draft, const RoundPath& twin) {
     }
     const Eigen::Vector3d target = draft.stage.bodies[draft.targets.front()].path(time);
     for (const auto& view : draft.stage.views) {
-      const bool begins = frame > 0 || apart(*view, target, kRadius, position, kRadius);
+      const bool begins = frame > 0 || apart(*view, target, kBallRadius, position, kBallRadius);
       if (!begins || !leavesTargetVisible(*view, target, position)) {
         return false;
       }
@@ -65,9 +64,9 @@ bool addTwin(ScenarioDraft& draft, bool moving) {
   Draws& draws = draft.draws;
   for (int i = 0; i < kMostDraws; ++i) {
     RoundPath twin;
-    twin.center = draws.inBox({0.25, 0.3, moving ? 0.1 : kRadius}, {0.85, 0.85, 0.3});
+    twin.center = draws.inBox({0.25, 0.3, moving ? 0.1 : kBallRadius}, {0.85, 0.85, 0.3});
     if (!moving && draws.coin()) {
-      twin.center.z() = kRadius; // on the desk
+      twin.center.z() = kBallRadius; // on the desk
     }
     if (moving) {
       twin.extent = draws.uniform(0.6, 1.1) * Eigen::Vector3d{0.09, 0.07, 0.05};
@@ -78,7 +77,7 @@ bool addTwin(ScenarioDraft& draft, bool moving) {
     if (isPossible(draft, twin)) {
       simulation::StageBody& body = draft.stage.bodies.emplace_back();
       body.name = fmt::format("twin {}", draft.stage.bodies.size() - 1);
-      body.radius = kRadius;
+      body.radius = kBallRadius;
       body.path = twin;
       return true;
     }

@@ -14,6 +14,9 @@
 
 namespace dewpoint::experiment::scenarios {
 
+/// Radius of the ball of most scenarios, meters: that of the demo's (SceneBall).
+inline constexpr double kBallRadius = 0.035;
+
 /// When a camera takes its frames: frame j at `offset` + j / `framesPerSecond` seconds.
 struct CameraClock {
   double framesPerSecond = 30.0;
@@ -60,7 +63,7 @@ ScenarioDeclaration declared(ScenarioRecipe recipe, std::shared_ptr<simulation::
 Target pinkTarget(const std::string& name, double radius);
 
 /// Adds a pink ball that is to be tracked ("ball 1", "ball 2", ...).
-void addTarget(ScenarioDraft& draft, simulation::Path path, double radius = 0.035);
+void addTarget(ScenarioDraft& draft, simulation::Path path, double radius = kBallRadius);
 
 /// Lets the search start near the first target's true first place: a box of half size 0.1 m whose
 /// center is up to 0.05 m off along each axis.

@@ -18,14 +18,14 @@ namespace {
 struct Volume {
   Eigen::Vector3d low;
   Eigen::Vector3d high;
-  double radius = 0.035; ///< of the target, meters
-  double nearest = 0.25; ///< no thing of the target's color is nearer to a camera, meters
-  double drift = 0.2;    ///< the target's greatest speed, m/s
+  double radius = kBallRadius; ///< of the target, meters
+  double nearest = 0.25;       ///< no thing of the target's color is nearer to a camera, meters
+  double drift = 0.2;          ///< the target's greatest speed, m/s
   Eigen::Vector3d center() const { return 0.5 * (low + high); }
   Eigen::Vector3d half() const { return 0.5 * (high - low); }
 };
 
-const Volume kDesk{{0.0, 0.0, 0.0}, {1.0, 1.0, 0.5}, 0.035, 0.25, 0.2};
+const Volume kDesk{{0.0, 0.0, 0.0}, {1.0, 1.0, 0.5}, kBallRadius, 0.25, 0.2};
 const Volume kHall{{-2.0, -2.0, 0.0}, {2.0, 2.0, 2.0}, 0.10, 1.0, 0.5};
 
 bool farFromCameras(const simulation::Stage& stage, const Volume& volume,
@@ -154,8 +154,7 @@ bool addDistractors(ScenarioDraft& draft, const Volume& volume) {
 
 bool startAnywhere(ScenarioDraft& draft, const Volume& volume, bool cloud) {
   draft.frameCount = 10;
-  constexpr int kLayouts = 50;
-  for (int i = 0; i < kLayouts; ++i) {
+  for (int i = 0; i < kMostLayouts; ++i) {
     draft.stage.bodies.clear();
     draft.targets.clear();
     const auto way = drawWay(draft, volume);

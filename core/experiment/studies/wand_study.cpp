@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/studies/wand_study.h"
 
+#include "core/base/angle.h"
 #include "core/calibration/wand/wand_gauge.h"
 #include "core/experiment/scenarios/random_draws.h"
 #include "core/experiment/scenarios/scenario_draft.h"
@@ -24,7 +25,6 @@ constexpr double kSeconds = 30.0;
 constexpr double kStick = 0.6;   ///< meters between the balls
 constexpr double kRadius = 0.04; ///< meters
 constexpr double kClockError = 0.016;
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kOffsetBar = 5e-4;                ///< seconds
 constexpr double kSolveBar = 5.0;                  ///< seconds
 const Eigen::Vector3d kViolet{200.0, 60.0, 130.0}; ///< BGR: a color that nothing in the hall has

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/run/camera_motion_watch.h"
 
+#include "core/base/angle.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace dewpoint::session {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kPuttingDown =
     3.0;                         // seconds from the end of a calibration until its board is gone
 constexpr double kEvery = 1.0;   // seconds
