@@ -25,7 +25,7 @@ struct ReprojectionResidual {
 
 /// Middle of the pixels of the target's color around where it is expected (CV_8UC3, pixels);
 /// nothing when they are not about as many as its outline holds, or reach the edge of what was
-/// looked at: it is hidden in part, or something else has its color.
+/// looked at: it is hidden in part, or another object has its color.
 std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRange& color,
                                              const SphereImage& expected);
 

@@ -28,7 +28,7 @@ struct LiveCamera {
 /// multiple of 90) fail. A camera that cannot be opened (DeviceUnavailable), stopped delivering
 /// (ConnectionLost) or sends another picture size (Mismatch) is a notice for as long as that lasts.
 /// Frames carry the steady clock's reading right after the grab, counted from this call, less what
-/// their camera is late by.
+/// of their camera's delay.
 Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras);
 
 } // namespace dewpoint::capture

@@ -11,7 +11,7 @@
 
 namespace dewpoint::capture {
 
-/// The pictures of one recorded camera by number, as stored: not yet turned, size not yet checked.
+/// The pictures of one recorded camera by number, as stored: not yet rotated, size not yet checked.
 class PictureReader {
 public:
   virtual ~PictureReader() = default;

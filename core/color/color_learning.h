@@ -32,7 +32,7 @@ enum class ColorWord : std::uint8_t {
   Pink,
 };
 
-/// What a person would call a color.
+/// The everyday name of a color.
 ColorWord colorWord(const BgrColor& color);
 
 /// Something that is not the target and matches its color too.
@@ -46,21 +46,21 @@ struct DistractorRegion {
   ColorWord color = ColorWord::Gray;
 };
 
-/// What a person can do about it.
+/// What the user can do about it.
 enum class Suggestion : std::uint8_t {
   None,              ///< the color separates well
   AddSamples,        ///< much of the target does not match: click its light and its dark side
-  ExcludeDistractor, ///< one thing matches that could be told apart: Alt-click it
-  RemoveDistractor,  ///< one thing of the same color: cover it or take it out of view
+  ExcludeDistractor, ///< one object matches that could be excluded: Alt-click it
+  RemoveDistractor,  ///< one object of the same color: cover it or take it out of view
   MoreLight,         ///< the target is nearly black
   LessExposure,      ///< the target is nearly white: its color is lost
   UseStrongerColor,  ///< the target is nearly gray
-  UseAnotherColor,   ///< several things in the room have this color
-  ClickThingItself,  ///< what was clicked fills much of an image: a wall, not a thing
+  UseAnotherColor,   ///< several objects in the room have this color
+  ClickThingItself,  ///< what was clicked fills much of an image: a wall, not an object
   ClickMore,         ///< what was clicked is a speck, of which little matches
 };
 
-/// How well a color range tells the target from the rest.
+/// How well a color range distinguishes the target from the rest.
 struct ColorAssessment {
   /// False when there is no sample: then nothing but backgroundShare, of all pixels, is known.
   bool targetKnown = true;
@@ -80,7 +80,7 @@ struct ColorAssessment {
   static constexpr std::size_t kMostDistractors = 5;
   static constexpr double kFewMatch = 0.75; ///< of the target
 
-  /// The separability as it is told, 0 to 100.
+  /// The separability as it is shown, 0 to 100.
   int score() const { return static_cast<int>(std::lround(100.0 * separability)); }
   /// Whether the score is low, or lower, because much of the target does not match.
   bool missesTarget() const { return targetKnown && targetShare < kFewMatch; }
@@ -95,9 +95,9 @@ struct ColorEvidence;
 
 /// The range of hue, saturation and intensity with the greatest F1 score between what was sampled
 /// and the rest of the images (one per camera of the project, empty where there is none). The
-/// sampled colors are also taken a little lighter, darker and paler, as other places of the room
-/// will show them. An excluded sample counts as much background as a target is large.
-/// BadValue when no sample shows the target.
+/// sampled colors are also taken a little lighter, darker and paler, as other positions in the room
+/// will show them. An excluded sample counts as much background as a target is large. BadValue when
+/// no sample shows the target.
 Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
                                 const std::vector<cv::Mat>& images);
 

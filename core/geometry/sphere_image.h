@@ -17,7 +17,7 @@ struct SphereImage {
   double radius = 0.0;
 };
 
-/// Where a sphere appears in one camera. The middle of its outline is not the projection of its
+/// Where a sphere appears in one camera. The center of its outline is not the projection of its
 /// center: perspective pushes it away from the optical axis, by half a pixel and more for a near
 /// ball.
 class SphereProjector {

@@ -39,7 +39,7 @@ struct ProjectCamera {
   bool operator==(const ProjectCamera&) const = default;
 };
 
-/// A moment of the recording that a person named.
+/// A marker: a frame of the recording with a name that the user gave it.
 struct ProjectMark {
   std::int64_t frame = 0;
   std::string name;
@@ -47,7 +47,7 @@ struct ProjectMark {
   bool operator==(const ProjectMark&) const = default;
 };
 
-/// What was said in the window of the people in a recording, for methods that find people by
+/// A correction of the people in a recording, made in the window, for methods that find people by
 /// themselves: somebody stands at a place, is seen at a pixel, or is not there after all.
 struct PersonCorrection {
   /// A click on somebody in the image of a camera.

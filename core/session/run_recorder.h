@@ -20,9 +20,9 @@ public:
   /// Both must outlive it. `truth` is what errors are measured against.
   RunRecorder(RunLog& log, const TruthTable& truth) : log_(log), truth_(truth) {}
 
-  /// The run begins anew.
+  /// The run begins again.
   void restart();
-  /// Frames will not come as evenly as they did: their rate is measured anew.
+  /// Frames will not come as evenly as they did: their rate is measured again.
   void interrupt() { frameTimes_.clear(); }
   /// A frame was taken.
   void arrive();

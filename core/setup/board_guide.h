@@ -17,7 +17,7 @@
 
 namespace dewpoint::setup {
 
-/// What a person who shows a board to live cameras wants.
+/// The request of a user who shows a board to live cameras.
 struct BoardGuideRequest {
   BoardCalibrationRequest board;
   BoardGoal goal;
@@ -45,7 +45,7 @@ struct BoardGuideState {
     Outline outline;                     ///< of it; may be empty
     std::vector<Outline> taken;          ///< of the views that were taken
     std::optional<double> rmsPx;         ///< of the newest calibration of its lens
-    std::optional<double> positionSigma; ///< meters, of the newest calibration of the places
+    std::optional<double> positionSigma; ///< meters, of the newest calibration of the poses
     int pairViews = 0;                   ///< taken together with another camera
   };
 
@@ -63,7 +63,7 @@ using BoardGuideStatePtr = std::shared_ptr<const BoardGuideState>;
 /// found from all of them, and the world is that of the floor that was shown.
 BoardCalibrationRequest wishForTaken(const BoardGuideRequest& wish, const BoardGuideState& state);
 
-/// Leads a person through calibrating live cameras with a board: looks for it in the images, says
+/// Leads the user through calibrating live cameras with a board: looks for it in the images, says
 /// what to show next, takes what is held still, calibrates in between and ends by itself when the
 /// requested accuracy is reached. No clock and no thread of its own besides those that share the
 /// images: the same frames give the same states.
@@ -73,11 +73,11 @@ public:
 
   /// The newest images, in rising order.
   BoardGuideState step(const FrameSet& frames);
-  /// Takes the images given last, where they show the board: the person asked for it.
+  /// Takes the images given last, where they show the board: on the user's request.
   BoardGuideState captureNow();
   /// The same; there the board lies on the floor. What is not seen at all makes no floor.
   BoardGuideState captureFloor();
-  /// Leaves the lenses as well known as they are and goes on to the places.
+  /// Leaves the lenses as well known as they are and goes on to the poses.
   BoardGuideState goOn();
   const BoardGuideState& state() const { return state_; }
 

@@ -11,13 +11,13 @@
 namespace dewpoint::setup {
 
 /// Gives a camera of a project another calibration. One of a simulated camera that differs from
-/// what its scene says is kept from then on (`adjusted`): the one place that decides it.
+/// what its scene says is kept from then on (`adjusted`): the one function that decides it.
 void setCalibration(ProjectCamera& camera, const Camera& calibration);
 
 /// The project with these cameras' calibration, in the same order.
 Project withCameras(Project project, const CameraRig& rig);
 
-/// The project whose cameras are later by these seconds than it says so far, as found in its images
+/// The project whose cameras have these seconds more delay than so far, as found in its images
 /// (WandResult::offsets: those are negative for cameras that are late); simulated ones stay.
 Project withTimeOffsets(Project project, const std::vector<double>& offsets);
 

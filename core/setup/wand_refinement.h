@@ -11,8 +11,8 @@
 
 namespace dewpoint::setup {
 
-/// A calibration from a waved target with all that is said about it: what the command line prints
-/// and what the window shows.
+/// A calibration from a waved target with its report: what the command line prints and what the
+/// window shows.
 struct WandRefinement {
   WandOptions options;
   CameraRig before; ///< the project's cameras as they were
@@ -24,7 +24,7 @@ struct WandRefinement {
 /// then the former ones are better kept.
 bool saysTooLittle(const WandRefinement& refinement);
 
-/// Whether a person should decide about it before it is put into the project: a fault that has a
+/// Whether the user should decide about it before it is put into the project: a fault that has a
 /// name explains the views better, or it says too little.
 bool isDoubtful(const WandRefinement& refinement);
 

@@ -13,15 +13,15 @@ namespace dewpoint::setup {
 /// What gives a calibration from a waved target its size.
 enum class WandSize { Cameras, Diameter, Distance };
 
-/// What a person decides about a calibration from a waved target: kept as it was typed, whether or
-/// not it makes sense yet.
+/// The user's choices for a calibration from a waved target: kept as it was typed, whether or not
+/// it makes sense yet.
 struct WandSettings {
   bool stick = false;                ///< two balls; else one
   std::string ball;                  ///< names of targets; empty: the first ones
   std::string other;                 ///< the other end of the stick
   double length = 0.5;               ///< of the stick, between the balls' middles; meters
   WandSize size = WandSize::Cameras; ///< with one ball
-  double distance = 1.0;             ///< between the two places touched; meters
+  double distance = 1.0;             ///< between the two positions touched; meters
   bool findOffsets = false;
   bool findFocal = false;
   bool findDistortion = false;
@@ -32,7 +32,7 @@ struct WandSettings {
   bool operator==(const WandSettings&) const = default;
 };
 
-/// What the ball did at a moment.
+/// What the ball did at an instant.
 enum class TouchRole { Floor, DistanceFrom, DistanceTo, FallBegins, FallEnds };
 constexpr int kTouchRoles = 5;
 
@@ -44,8 +44,8 @@ struct TouchedInstant {
   bool operator==(const TouchedInstant&) const = default;
 };
 
-/// A moment is taken: the floor may be touched often, each of the others happens once, and what was
-/// said of it before is replaced. Ascending in time.
+/// Adds an instant: the floor may be touched often, each of the others happens once, and what was
+/// recorded for it before is replaced. Ascending in time.
 void addInstant(std::vector<TouchedInstant>& instants, const TouchedInstant& taken);
 
 /// The names of the balls: as wished, or the project's first targets. A stick has two, as far as

@@ -28,7 +28,7 @@ struct Hit {
   const Solid* solid = nullptr; ///< the walls' own when the ray hits nothing else
 };
 
-/// What a camera sees of the room at one place of its image.
+/// What a camera sees of the room at one point of its image.
 struct Sight {
   Vector3f color{0.0F, 0.0F, 0.0F}; ///< BGR, [0, 255]
   float lit = 0.0F;                 ///< share of the color that comes from the lamp directly
@@ -37,19 +37,19 @@ struct Sight {
 /// What stands in the room.
 enum class Furnishing {
   Desk,          ///< a bare desk; its top is z = 0
-  ClutteredDesk, ///< the desk with books, boxes, wood- and skin-colored things
+  ClutteredDesk, ///< the desk with books, boxes, wood- and skin-colored objects
   Hall,          ///< a living room of 4.5 x 4.5 x 2.5 m around the origin; its floor is z = 0
   Office,        ///< an office of 7 x 7 x 2.7 m around the origin; its floor is z = 0
 };
 
-/// The furnished room of the simulation, at rest. Its textures are functions of the place in the
+/// The furnished room of the simulation, at rest. Its textures are functions of the position in the
 /// world, so that all cameras see the same room.
 class Room {
 public:
   explicit Room(Furnishing furnishing);
 
   Hit cast(const Vector3f& origin, const Vector3f& direction) const;
-  /// The color of a hit; `jitter` varies the place on the lamp that shadows are cast from.
+  /// The color of a hit; `jitter` varies the point on the lamp that shadows are cast from.
   Sight sightOf(const Vector3f& origin, const Vector3f& direction, const Hit& hit,
                 std::uint32_t jitter) const;
   /// Where its lamp hangs: kLampPosition, or higher in a room for people.

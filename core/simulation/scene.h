@@ -49,7 +49,7 @@ struct SceneLight {
   double kelvin = 5500.0;  ///< color temperature; the cameras are balanced for 5500 K
 };
 
-/// As many look-alike balls as have a place on the desk.
+/// The most distractors that fit on the desk.
 inline constexpr int kMaxDistractors = 4;
 
 /// A simulated scene: everything that decides its images and its truth. Frame f is taken at
@@ -61,9 +61,10 @@ struct Scene {
   std::int64_t frameCount = 300;
   std::uint64_t seed = 1;
   std::vector<SceneBall> balls;
-  int distractors = 0; ///< further balls of the first ball's color, at rest; up to kMaxDistractors
+  /// Distractors: further balls of the first ball's color, at rest; up to kMaxDistractors.
+  int distractors = 0;
   bool occluder = false;          ///< a box that passes between the first ball and the first camera
-  bool clutter = true;            ///< books, boxes, wood- and skin-colored things on the desk
+  bool clutter = true;            ///< books, boxes, wood- and skin-colored objects on the desk
   std::vector<SceneLight> lights; ///< in the order of their times; none: full light of 5500 K
   double noiseSigma = 3.0;        ///< standard deviation of the sensor noise, gray levels
   double exposureSeconds = 0.01;  ///< how long the shutter is open: the motion blur
@@ -85,7 +86,7 @@ Result<Scene> sceneNamed(const std::string& nameOrTomlFile);
 /// The true center of a ball at `time` seconds, world frame, meters.
 Eigen::Vector3d ballPosition(const Scene& scene, int ball, double time);
 
-/// Where look-alike `index` rests, world frame, meters.
+/// Where distractor `index` rests, world frame, meters.
 Eigen::Vector3d distractorPosition(const Scene& scene, int index);
 
 /// The center of the occluder at `time` seconds, world frame, meters.

@@ -19,7 +19,7 @@ namespace dewpoint::simulation {
 /// Where something is at a time: seconds to meters, world frame.
 using Path = std::function<Eigen::Vector3d(double)>;
 
-/// A thing that moves on a stage: a ball, or a box (a flat one is a patch or an occluder).
+/// An object that moves on a stage: a ball, or a box (a flat one is a patch or an occluder).
 struct StageBody {
   std::string name;
   bool box = false;

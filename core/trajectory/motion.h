@@ -29,7 +29,7 @@ struct TrajectoryGap {
 
 /// Velocity at one sample of a track (one target, frames ascending), meters per second: the slope
 /// of the straight line fitted by least squares to the held samples up to `reach` before and after
-/// it, none beyond a gap. In the middle of 2 reach + 1 evenly spaced ones this is the derivative of
+/// it, none beyond a gap. At the center of 2 reach + 1 evenly spaced ones this is the derivative of
 /// Savitzky & Golay, Anal. Chem. 36 (1964), table of first derivatives, quadratic. Nothing when the
 /// sample is not held or has no held neighbor.
 std::optional<Eigen::Vector3d> velocityAt(std::span<const TrajectorySample> track,

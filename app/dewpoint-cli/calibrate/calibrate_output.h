@@ -24,7 +24,7 @@ struct CalibrateOutput {
 /// Adds the options for it.
 void addOutputOptions(CLI::App& command, CalibrateOutput& output, bool ofProject);
 
-/// Writes what is asked for, everything at the end: a calibration that was stopped changes no file.
+/// Writes what is requested, everything at the end: a calibration that was stopped changes no file.
 Status writeCalibrated(const CalibrateOutput& output, const Project& calibrated,
                        const std::string& reportHtml);
 

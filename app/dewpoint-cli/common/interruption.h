@@ -5,7 +5,7 @@
 
 namespace dewpoint::app {
 
-/// From now on Ctrl-C (and a request to end) only asks for a stop.
+/// From now on Ctrl-C (and a request to end) only requests a stop.
 void catchInterruption();
 /// Whether it was pressed since.
 bool interruptionRequested();

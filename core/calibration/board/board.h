@@ -36,7 +36,7 @@ struct BoardDescription {
 
   /// Where corner `id` lies, in the board's frame; ids run along the rows from the upper left.
   Eigen::Vector3d corner(int id) const;
-  /// The middle of all squares, in the board's frame.
+  /// The center of all squares, in the board's frame.
   Eigen::Vector3d middle() const;
   /// Whether a square is black on the page, `inverted` left aside. On ChArUco boards the white
   /// squares carry the markers.

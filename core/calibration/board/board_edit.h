@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-// Changes of a board as a person makes them, one quantity at a time: in squares, whatever its kind
+// Changes of a board as the user makes them, one quantity at a time: in squares, whatever its kind
 // counts. What comes out may still be impossible; checkBoard() says so.
 
 /// The same squares as a board of this kind. Markers are three quarters of a square, of

@@ -8,7 +8,7 @@
 
 namespace dewpoint::calibration {
 
-/// What a person who shows the board should do now.
+/// What the user who shows the board should do now.
 enum class GuidanceAdvice {
   ShowBoard,  ///< no board is seen
   MoveTo,     ///< to GuidanceState::region of the image
@@ -20,9 +20,9 @@ enum class GuidanceAdvice {
 };
 
 struct GuidanceSettings {
-  double stillPerSecond =
-      0.05;                 ///< held still: slower than this part of the image's width per second
-  double holdSeconds = 0.5; ///< for so long before the view is taken
+  /// Held still: slower than this part of the image's width per second.
+  double stillPerSecond = 0.05;
+  double holdSeconds = 0.5;    ///< for so long before the view is taken
   double softEdgePart = 0.008; ///< edges wider than this part of the image's width are soft
   double nearPart = 0.25;      ///< of the image's area that one view at least should fill
   int leastViews = 10;
@@ -41,10 +41,10 @@ struct GuidanceState {
   std::optional<double> projectionPx; ///< of the newest calibration
 };
 
-/// Leads a person through showing a board to one camera: no pictures, no threads, no clock of its
-/// own. Fed with the detections of a live stream it says what to show next, takes a view by itself
-/// when the board is held still, sharp, and adds something, and ends when the calibration from the
-/// views (computed elsewhere, given to learn()) is accurate enough.
+/// Leads the user through showing a board to one camera: no pictures, no threads, no clock of its
+/// own. Fed with the detections of a live stream it returns what to show next, takes a view by
+/// itself when the board is held still, sharp, and adds something, and ends when the calibration
+/// from the views (computed elsewhere, given to learn()) is accurate enough.
 class BoardGuidance {
 public:
   BoardGuidance(const BoardDescription& board, int width, int height,
@@ -52,7 +52,7 @@ public:
 
   /// The next picture, `seconds` after any fixed instant (rising).
   GuidanceState step(double seconds, const std::optional<BoardDetection>& detection);
-  /// Takes the picture given last as it is, if it shows the board: the person asked for it.
+  /// Takes the picture given last as it is, if it shows the board: on the user's request.
   GuidanceState captureNow();
   /// What the views so far give: better poses, and whether it is enough.
   void learn(const IntrinsicsResult& result);

@@ -41,8 +41,9 @@ struct CameraFit {
   double rmsPx = 0.0; ///< root mean square distance of the corners used
   std::vector<ViewFit> views;
   BoardCoverage coverage;
-  double centerSigma = 0.0; ///< standard deviation of its place, meters: against the first camera
-  double turnSigma = 0.0;   ///< of its direction, radians
+  /// Standard deviation of its position, meters: against the first camera.
+  double centerSigma = 0.0;
+  double turnSigma = 0.0; ///< of its direction, radians
 };
 
 struct ExtrinsicsResult {

@@ -32,7 +32,7 @@ public:
 
   /// What all cameras see now; views are kept under one instant number per capture.
   State step(double seconds, const std::vector<std::optional<BoardDetection>>& detections);
-  /// Takes what was given last as it is, if two cameras saw the board: the person asked for it.
+  /// Takes what was given last as it is, if two cameras saw the board: on the user's request.
   State captureNow();
   /// Each pair that joins the cameras is to be seen so much more often than it was so far.
   void wantMore(int instants);

@@ -40,7 +40,7 @@ struct BundleCamera {
   double focalPriorSigma = 0.0; ///< relative standard deviation around the start; 0: no prior
 };
 
-/// A thing whose points are seen.
+/// A body whose points are seen.
 struct BundleBody {
   enum class Kind {
     Point, ///< one free point
@@ -73,7 +73,7 @@ struct BundleObservation {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double sigma = 1.0; ///< standard deviation along each axis, pixels
   double lag = 0.0;   ///< seconds from the state's time to the image's, by the camera's own clock
-  /// (R/Z)² for the middle of the outline of a ball of radius R at depth Z: that middle is the
+  /// (R/Z)² for the center of the outline of a ball of radius R at depth Z: that center is the
   /// image of (X, Y, Z (1 - (R/Z)²)), see SphereProjector. 0 for points.
   double outlineShift = 0.0;
   double radius = 0.0; ///< of that outline, pixels; takes no part in the adjustment, 0: not known

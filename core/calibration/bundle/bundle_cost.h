@@ -14,7 +14,8 @@
 namespace dewpoint::calibration {
 
 /// The blocks of numbers that describe a camera in an adjustment.
-inline constexpr int kPoseSize = 6; ///< turn (rotation vector against a fixed rotation), then place
+/// Turn (rotation vector against a fixed rotation), then position.
+inline constexpr int kPoseSize = 6;
 inline constexpr int kLensSize = 12; ///< focalX, focalY / focalX, principal point, distortion
 
 std::array<double, kLensSize> lensBlock(const Camera& camera);

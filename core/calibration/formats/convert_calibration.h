@@ -19,7 +19,7 @@ struct CalibrationTarget {
 /// What a conversion did to one camera.
 struct CameraDifference {
   std::string camera;
-  bool refitted = false;      ///< the lens was fitted anew, the format has no such coefficients
+  bool refitted = false;      ///< the lens was fitted again, the format has no such coefficients
   double largestPixels = 0.0; ///< greatest distance between the pixels of the same point
   int lostDirections = 0;     ///< of the 9 x 9, those that the written camera does not see
 };

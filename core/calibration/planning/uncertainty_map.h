@@ -37,8 +37,8 @@ struct VolumeGrid {
 /// camera in camera axes (m).
 using PoseCovariance = Eigen::Matrix<double, 6, 6>;
 
-/// The one of a camera whose direction is known to `angle` (rad) and whose place to `distance` (m),
-/// per axis.
+/// The one of a camera whose direction is known to `angle` (rad) and whose position to `distance`
+/// (m), per axis.
 PoseCovariance poseCovariance(double angle, double distance);
 
 /// How far a triangulated point is expected to be off, over a volume: the rig planner's map.
@@ -47,7 +47,7 @@ PoseCovariance poseCovariance(double angle, double distance);
 /// d(pixel) / dX of its own lens (central differences), K = d(pixel)/d(pose), C the covariance of
 /// its pose; the point's covariance is the inverse of their sum (Hartley & Zisserman, Multiple View
 /// Geometry, 5.2, first order). Errors of different cameras count as independent, and nothing hides
-/// the point. What each camera gives is kept: when one is moved, only that one is computed anew.
+/// the point. What each camera gives is kept: when one is moved, only that one is recomputed.
 class UncertaintyMap {
 public:
   UncertaintyMap(const VolumeGrid& grid, double pixelSigma);

@@ -9,7 +9,7 @@
 
 namespace dewpoint::calibration {
 
-/// One camera that is left out, and what the others say.
+/// One camera that is left out, and what the others show.
 struct Suspect {
   std::size_t camera = 0;
   const ImagePoints* imagePoints = nullptr;

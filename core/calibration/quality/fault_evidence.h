@@ -53,14 +53,14 @@ using PointPositions = std::vector<std::vector<std::optional<Eigen::Vector3d>>>;
 PointPositions triangulated(const CameraRig& rig, const ImagePoints& imagePoints,
                             const std::vector<bool>& use);
 
-/// A point whose place is known, in the image of one camera.
+/// A point of known position in the image of one camera.
 struct PointCorrespondence {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double time = 0.0;
 };
 
-/// One camera's pose (and focal length) from known places.
+/// One camera's pose (and focal length) from points of known position (resection).
 struct CameraResection {
   Camera camera;
   std::vector<double> squares; ///< of residuals per axis, pixels²; large where it sees nothing

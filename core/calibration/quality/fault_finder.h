@@ -19,7 +19,7 @@ struct FaultReport {
 /// Points are taken by themselves (no lengths), so that a wrong length hides nothing. Each camera
 /// in turn is left out; if the others agree, the left-out one is explained from their points: as
 /// it is, flipped, with another focal length, with lens data of another resolution, with another
-/// place from some time on, shifted in time. Pairs are exchanged and all solved again. A hypothesis
+/// pose from some time on, shifted in time. Pairs are exchanged and all solved again. A hypothesis
 /// is named when it gains more than 30 in log-likelihood (Student's, 4 degrees) and 0.1 per number
 /// measured, and explains the images nearly as well as the cameras that agree explain theirs; of
 /// several, the best. When no camera is named: half-pixel shifts of all, lengths against the rough

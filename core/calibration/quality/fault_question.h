@@ -15,7 +15,7 @@ namespace dewpoint::calibration {
 /// freedom) to be named. Origin not recorded.
 inline constexpr double kLeastGain = 30.0;
 
-/// What was seen and what was said about it, before anything was solved or dropped.
+/// What was seen and what was stated about it, before anything was solved or dropped.
 struct FaultQuestion {
   /// Cameras: the former, rough rig with the lenses as given. Bodies: as typed. A fixed state of a
   /// board is the floor (or a wall) that defines the world.

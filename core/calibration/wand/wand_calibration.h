@@ -17,7 +17,7 @@ namespace dewpoint::calibration {
 struct MarkerObservation {
   double time = 0.0;                               ///< seconds, by the camera's own clock
   std::size_t ball = 0;                            ///< 0, or 1 for the other end of a stick
-  Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< middle of its outline
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< center of its outline
   double radius = 0.0;                             ///< of the outline, pixels; 0: not measured
   double sigma = 0.3;                              ///< standard deviation of `pixel` per axis
 };
@@ -26,11 +26,11 @@ struct MarkerObservation {
 enum class WandScale {
   Rough,    ///< the rough rig: sizes are only as good as it
   Stick,    ///< the known length of the stick
-  Distance, ///< between two places that were touched
+  Distance, ///< between two positions that were touched
   Diameter  ///< the ball's apparent radius: to about 0.05 px of it
 };
 
-/// The ball was held at two places a known distance apart.
+/// The ball was held at two positions a known distance apart.
 struct TouchedDistance {
   double firstTime = 0.0;  ///< seconds
   double secondTime = 0.0; ///< seconds
@@ -83,7 +83,7 @@ struct WandResult {
   double scaleFactor = 1.0; ///< by which sizes were corrected against the rough rig
   double scaleSigma = 0.0;  ///< relative standard deviation of the size; 0: not known
   bool floorFound = false;
-  double floorRms = 0.0; ///< meters, of the touched places about the plane
+  double floorRms = 0.0; ///< meters, of the touched positions about the plane
   std::optional<WandDrop> drop;
   double upRotated = 0.0;              ///< radians between the rough rig's up and the result's
   BundleProblem problem;               ///< what was adjusted last, in the result's world

@@ -37,14 +37,14 @@ struct BaselineSetup {
   BearingFinderFactory finder = nullptr;
   bool kalman = false;     ///< a Kalman filter behind the triangulation
   bool manyBlobs = true;   ///< several targets of one color share the blobs; else each has a finder
-  double residualPx = 4.0; ///< several targets: how far from a ray a place may be
+  double residualPx = 4.0; ///< several targets: how far from a ray a position may be
 };
 
-/// The baselines: color mask, a place in each camera's image, least-squares intersection of the
+/// The baselines: color mask, a position in each camera's image, least-squares intersection of the
 /// rays, no particles and no appearance but the mask. A target is valid when two cameras see it (or
 /// while its Kalman filter predicts); it knows no probability, so `existence` is 0 or 1.
 ///
-/// Targets of one color: the places that blobs of two or more cameras agree on are given to the
+/// Targets of one color: the positions that blobs of two or more cameras agree on are given to the
 /// targets so that the sum of the distances to where they were last is least. Deterministic: seed
 /// and parameters mean nothing to it.
 class BaselineTracker final : public Tracker,

@@ -29,8 +29,8 @@ struct ClearMot {
 };
 
 /// Frames in order. A match is kept while both are there and no farther apart than `gate`, even if
-/// another estimate is nearer; what is left is matched anew, most pairs first, then least distance.
-/// A truth remembers its last identity through gaps.
+/// another estimate is nearer; what is left is matched again, most pairs first, then least
+/// distance. A truth remembers its last identity through gaps.
 ClearMot clearMot(std::span<const TrackFrame> frames, double gate);
 
 } // namespace dewpoint::experiment

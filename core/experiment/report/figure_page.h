@@ -32,7 +32,7 @@ public:
   /// A claim of the paper, and what came out here.
   void claim(const std::string& text, bool reproduced, const std::string& here);
   void claim(const std::string& text, ClaimOutcome outcome, const std::string& here);
-  /// Something that is asked for, with a word on whether it came out; `good` gives the color.
+  /// A requirement, with a word on whether it is met; `good` gives the color.
   void bar(const std::string& word, bool good, const std::string& text);
   /// Plots beside each other, each with its caption; `legend` names the styles.
   void plots(const std::vector<std::pair<std::string, Plot>>& plots,

@@ -5,7 +5,7 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// How often a place is drawn anew before a scenario gives up.
+/// How often a position is drawn again before a scenario gives up.
 inline constexpr int kMostDraws = 4000;
 /// How often a whole layout is drawn again before a scenario gives up. Origin not recorded.
 inline constexpr int kMostLayouts = 50;

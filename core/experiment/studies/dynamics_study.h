@@ -34,7 +34,7 @@ struct DynamicsRun {
   /// The same, weighted by what was observed: of the belief. Far from the object, where one
   /// particle has all the weight, it is nearly nothing.
   std::vector<double> beliefSpreads;
-  std::vector<Eigen::ArrayXXd> clouds; ///< at the instants asked for: rows x y z
+  std::vector<Eigen::ArrayXXd> clouds; ///< at the requested instants: rows x y z
 };
 
 /// One iteration per measurement. `instants`: iterations (ascending) whose clouds are kept.

@@ -9,7 +9,7 @@
 
 namespace dewpoint::experiment {
 
-/// A figure or a table of a paper, made anew by one command.
+/// A figure or a table of a paper, reproduced by one command.
 struct FigureExperiment {
   std::string_view name;     ///< as on the command line
   std::string_view title;    ///< for people

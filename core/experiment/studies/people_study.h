@@ -38,7 +38,7 @@ struct PeopleTrial {
   double longestMissed = 0.0; ///< seconds that somebody whom two cameras see has no estimate
   double hullVolume = 0.0;    ///< m³, mean over people and frames
   double stepMs = 0.0;        ///< mean CPU time of a frame with people
-  std::vector<PeoplePicture> pictures; ///< of tellingInstants(), where they were asked for
+  std::vector<PeoplePicture> pictures; ///< of tellingInstants(), where they were requested
 };
 
 /// Meters within which an estimate belongs to a person.
@@ -51,7 +51,7 @@ struct PeopleStudySetup {
   std::uint64_t seed = 1;
   /// Values that differ from the defaults, for the methods that have such a parameter.
   std::vector<std::pair<std::string, double>> parameters;
-  bool pictures = false; ///< draw the telling moments
+  bool pictures = false; ///< draw the instants of tellingInstants()
 };
 
 /// UnknownKey for a parameter that none of the methods has, BadValue for one out of range; `field`

@@ -51,7 +51,7 @@ struct BoxStudy {
   std::vector<BoxRow> rows; ///< clip by clip
   std::vector<BoxBar> bars;
   std::vector<BoxClipFigures> figures; ///< one per clip
-  std::vector<SloppyRow> sloppy;       ///< of studySloppyBoxes(); empty unless asked for
+  std::vector<SloppyRow> sloppy;       ///< of studySloppyBoxes(); empty unless requested
 };
 
 /// Follows every clip with `sugandi` of 100 and of 300 particles, `histogram` and OpenCV's four

@@ -30,8 +30,8 @@ struct WandTrial {
   std::uint64_t seed = 0;
   WandCase kind = WandCase::Near;
   std::string failure;      ///< the sentence, when nothing came out
-  double cameraRms = 0.0;   ///< of the cameras' places, after the best rigid motion of both
-  double pointRms = 0.0;    ///< of the balls' places, under the same motion
+  double cameraRms = 0.0;   ///< of the cameras' positions, after the best rigid motion of both
+  double pointRms = 0.0;    ///< of the balls' positions, under the same motion
   double scaleError = 0.0;  ///< relative
   double offsetError = 0.0; ///< largest, seconds; against the first camera
   double medianPx = 0.0;
@@ -40,10 +40,9 @@ struct WandTrial {
   bool passed = false; ///< within the bar of its case
 };
 
-/// Calibrations of the hall's four VGA cameras from rendered images of a waved stick with two
-/// balls, seen through the color code that tracking uses: for one seed, all cases. `report`
-/// gets each trial as it is done; it returns false to stop. 30 seconds, `framesPerSecond` images
-/// per second.
+/// Calibrations of the hall's four VGA cameras from rendered images of a wand with two balls, seen
+/// through the color code that tracking uses: for one seed, all cases. `report` gets each trial as
+/// it is done; it returns false to stop. 30 seconds, `framesPerSecond` images per second.
 std::vector<WandTrial> studyWand(std::uint64_t seed, const WandRecording& recording,
                                  const std::function<bool(const WandTrial&)>& report);
 

@@ -15,9 +15,9 @@ public:
   virtual ~FrameCache() = default;
   /// A frame set that was taken from the source; numbers only rise.
   virtual void add(const FrameSetPtr& frames) = 0;
-  /// The images of this frame; null when they are gone (live), or not there.
+  /// The images of this frame; null when they were dropped (live), or not there.
   virtual Result<FrameSetPtr> at(std::int64_t frame) = 0;
-  /// A quick look at a frame: in full when that takes no time, else small and scaled up (`exact` is
+  /// A preview of a frame: in full when that takes no time, else small and scaled up (`exact` is
   /// false then); null when there is none.
   virtual FrameSetPtr previewAt(std::int64_t frame, bool& exact) = 0;
   /// The oldest frame that at() still has.
@@ -25,7 +25,7 @@ public:
   /// The newest frame that at() has.
   virtual std::int64_t newest() const = 0;
   virtual std::size_t bytes() const = 0;
-  /// Forgets everything (the run begins anew).
+  /// Forgets everything (the run begins again).
   virtual void clear() = 0;
 };
 

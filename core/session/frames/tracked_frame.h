@@ -64,7 +64,7 @@ struct FrameRecord {
 
 /// Status of a target that is (not) held at `time`, given when it was held last.
 TargetStatus statusOf(bool held, double time, double lastHeld);
-/// The record of a moment.
+/// The record of a frame.
 FrameRecord frameRecord(const TrackedFrame& trackedFrame, const FrameSet& frames);
 
 } // namespace dewpoint::session

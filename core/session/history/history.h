@@ -28,7 +28,7 @@ struct HistoryLimits {
 Eigen::Vector3d tailPlace(const TrackEstimate& estimate);
 
 /// What was believed at every frame tracked so far, and copies of the method from which any of them
-/// can be reached again. When the memory is used up, every second moment of the older half gives up
+/// can be reached again. When the memory is used up, every second frame of the older half gives up
 /// its particles (never its estimate), and every second copy is given up. Used by one thread.
 class History {
 public:
@@ -38,11 +38,11 @@ public:
   void clear();
   /// Before the run begins `frame`: keeps a copy of it from time to time.
   void beforeFrame(std::int64_t frame, const TrackingRun& run);
-  /// The run was told something while it was at `frame`, after so many iterations.
+  /// A change was made while the run was at `frame`, after so many iterations.
   void changed(std::int64_t frame, int iterations, const RunChange& change);
   /// The frame was tracked, or tracked again.
   void record(TrackedFrame trackedFrame);
-  /// Forgets moments, copies and changes of this frame and of later ones; a copy made right before
+  /// Forgets results, copies and changes of this frame and of later ones; a copy made right before
   /// it stays.
   void forgetFrom(std::int64_t frame);
   /// Forgets all copies: they are of another method.
@@ -56,12 +56,12 @@ public:
 
   /// Null when the frame was not tracked.
   const TrackedFrame* at(std::int64_t frame) const;
-  /// The last moment before this frame; null when there is none.
+  /// The last one before this frame; null when there is none.
   const TrackedFrame* before(std::int64_t frame) const;
   const TrackedFrame* newest() const {
     return trackedFrames_.empty() ? nullptr : &trackedFrames_.back();
   }
-  /// The first moment after this frame; null when there is none.
+  /// The first one after this frame; null when there is none.
   const TrackedFrame* after(std::int64_t frame) const;
   /// Places in a tail, at most.
   static constexpr std::size_t kTailLength = 256;

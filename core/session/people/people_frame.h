@@ -37,8 +37,8 @@ struct PeopleRecord {
   std::vector<PeopleFramePtr> frames;
 };
 /// Writes trajectory.csv, volumes.csv, hulls.csv and ground.csv into a folder (PeopleWriter): some
-/// milliseconds per person and frame. `goOn` is told how much is done (0 to 1); at its false the
-/// rest is left out. How many frames were written; FileUnwritable.
+/// milliseconds per person and frame. `goOn` receives the part done (0 to 1); at its false the rest
+/// is left out. How many frames were written; FileUnwritable.
 Result<std::size_t> savePeople(const PeopleRecord& record, const std::filesystem::path& folder,
                                const std::function<bool(double)>& goOn);
 
