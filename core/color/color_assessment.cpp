@@ -17,7 +17,7 @@
 namespace dewpoint::color {
 namespace {
 
-/// A thing that matters as a look-alike: this share of the target's size, and no speckle.
+/// A thing that matters as a distractor: this share of the target's size, and no speckle.
 constexpr double kDistractorShare = 0.1;
 constexpr double kSmallestDistractor = 9.0; ///< pixels
 constexpr int kGood = 90;                   ///< score() from which on nothing needs to be done

@@ -12,7 +12,7 @@ namespace {
 /// Key in the trajectory's header, before the number of the frame.
 constexpr std::string_view kChangedAt = "changed_at_frame_";
 
-/// Makes a reader of another generation begin anew; whether it does.
+/// Makes a reader of another generation begin again; whether it does.
 bool restartsReader(std::uint64_t own, std::uint64_t& generation, std::size_t& position) {
   if (generation == own) {
     return false;

@@ -12,7 +12,7 @@
 
 namespace dewpoint::setup {
 
-/// What a camera saw of a waved target.
+/// What a camera saw of a wand.
 struct CameraSightings {
   std::size_t count = 0;  ///< balls found
   BoardCoverage coverage; ///< in which regions of the image, how often

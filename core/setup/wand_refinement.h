@@ -11,7 +11,7 @@
 
 namespace dewpoint::setup {
 
-/// A calibration from a waved target with its report: what the command line prints and what the
+/// A calibration by wand with its report: what the command line prints and what the
 /// window shows.
 struct WandRefinement {
   WandOptions options;

@@ -10,10 +10,10 @@
 
 namespace dewpoint::setup {
 
-/// What gives a calibration from a waved target its size.
+/// What gives a calibration by wand its size.
 enum class WandSize { Cameras, Diameter, Distance };
 
-/// The user's choices for a calibration from a waved target: kept as it was typed, whether or not
+/// The user's choices for a calibration by wand: kept as it was typed, whether or not
 /// it makes sense yet.
 struct WandSettings {
   bool stick = false;                ///< two balls; else one

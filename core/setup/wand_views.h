@@ -35,7 +35,7 @@ private:
   std::int64_t frameSets_ = 0;
 };
 
-/// The user's choices for a calibration from a waved target.
+/// The user's choices for a calibration by wand.
 struct WandOptions {
   std::vector<std::string>
       targets;              ///< names: one ball, or the two ends of a stick; empty: the only

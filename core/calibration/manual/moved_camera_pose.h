@@ -24,7 +24,7 @@ struct CameraMotionPrior {
   double shiftSigma = 0.01; ///< how far the camera may have been pushed aside; meters
 };
 
-/// A bumped camera, solved anew.
+/// A moved camera, solved again.
 struct ResolvedCamera {
   Camera camera;
   int used = 0;              ///< sightings that agree, within three sigma

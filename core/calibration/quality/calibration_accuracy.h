@@ -49,7 +49,7 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
                                               const BundleResult& result,
                                               const AccuracyKnowledge& known = {});
 
-/// The same for a waved target; `floorTimes` are those of its WandProblem.
+/// The same for a wand; `floorTimes` are those of its WandProblem.
 Result<CalibrationAccuracy> assessWand(const WandResult& result,
                                        const std::vector<double>& floorTimes);
 

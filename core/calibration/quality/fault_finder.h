@@ -27,7 +27,7 @@ struct FaultReport {
 /// With two cameras, faults of a single one cannot be told apart and are not looked for.
 FaultReport findFaults(const FaultQuestion& question);
 
-/// The same for a waved target, as it was seen. Errors: those of calibrateFromWand() about its
+/// The same for a wand, as it was seen. Errors: those of calibrateFromWand() about its
 /// views.
 Result<FaultReport> findWandFaults(const WandProblem& problem);
 

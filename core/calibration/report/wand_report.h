@@ -9,7 +9,7 @@
 
 namespace dewpoint::calibration {
 
-/// What the page about a calibration from a waved target shows.
+/// What the page about a calibration by wand shows.
 struct WandReport {
   CameraRig before;                    ///< the rough rig
   WandResult result;                   ///< with its faults

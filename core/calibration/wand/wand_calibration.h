@@ -37,7 +37,7 @@ struct TouchedDistance {
   double meters = 0.0;
 };
 
-/// A waved target, and how its images are to be read.
+/// A wand, and how its images are to be read.
 struct WandProblem {
   CameraRig rough;                                   ///< where the cameras are, roughly
   std::vector<std::vector<MarkerObservation>> views; ///< per camera of `rough`
@@ -70,7 +70,7 @@ struct WandDrop {
   std::size_t instants = 0; ///< used
 };
 
-/// A calibration from a waved target.
+/// A calibration by wand.
 struct WandResult {
   CameraRig cameras;                  ///< named as the rough ones
   std::vector<double> offsets;        ///< seconds; true time = camera's time + offset
@@ -100,10 +100,10 @@ struct WandProgress {
 };
 using WandCallback = std::function<bool(const WandProgress&)>;
 
-/// Poses (focal lengths, k1, time offsets) of all cameras from a waved ball or stick, starting from
-/// a rough rig: bundle adjustment with robust losses, narrowed in steps, from several starts;
-/// views that no solution explains are dropped one per instant and round. The world stays aligned
-/// to the rough rig unless floor touches or a fall say where up is. Deterministic.
+/// Poses (focal lengths, k1, time offsets) of all cameras from a wand (a waved ball or stick),
+/// starting from a rough rig: bundle adjustment with robust losses, narrowed in steps, from several
+/// starts; views that no solution explains are dropped one per instant and round. The world stays
+/// aligned to the rough rig unless floor touches or a fall say where up is. Deterministic.
 ///
 /// Errors: too few views of a camera (named), cameras that are not connected by common views,
 /// touches at times when the ball was not seen by two cameras, and Cancelled.

@@ -66,7 +66,7 @@ Camera bumped(Camera camera, Draws& draws) {
   return camera;
 }
 
-/// The ball is in the bumped camera's image as well, in every frame from `frame` on.
+/// The ball is in the moved camera's image as well, in every frame from `frame` on.
 bool staysVisibleSince(const ScenarioDraft& draft, std::int64_t frame,
                        const simulation::CameraView& view) {
   const simulation::StageBody& ball = draft.stage.bodies[draft.targets.front()];

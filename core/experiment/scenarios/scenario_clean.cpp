@@ -13,7 +13,7 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-constexpr double kTwinDistance = 3.0 * kBallRadius; // least distance of a look-alike to the target
+constexpr double kTwinDistance = 3.0 * kBallRadius; // least distance of a distractor to the target
 
 /// Radii of balls of unknown size: that of a walnut to that of an orange.
 constexpr double kSmallest = 0.02;
@@ -86,7 +86,7 @@ bool addTwin(ScenarioDraft& draft, bool moving) {
 }
 
 bool amongTwins(ScenarioDraft& draft, int count, bool moving) {
-  // Some targets' paths leave no room for so many twins: draw the path anew as well.
+  // Some targets' paths leave no room for so many twins: draw the path again as well.
   constexpr int kPaths = 20;
   for (int attempt = 0; attempt < kPaths; ++attempt) {
     draft.stage.bodies.clear();

@@ -48,7 +48,7 @@ bool addBall(ScenarioDraft& draft) {
 }
 
 bool crossing(ScenarioDraft& draft, std::size_t count, std::int64_t frames) {
-  // Some first paths leave no room for so many more: begin anew.
+  // Some first paths leave no room for so many more: begin again.
   draft.frameCount = frames;
   for (int layout = 0; layout < kMostLayouts; ++layout) {
     draft.stage.bodies.clear();

@@ -103,7 +103,7 @@ simulation::StageBody drawDistractor(Draws& draws, Distractor kind, double radiu
   return body;
 }
 
-/// Where a look-alike may be: not near the target, not before or beside it in any image, seen by
+/// Where a distractor may be: not near the target, not before or beside it in any image, seen by
 /// at least `cameras` cameras.
 bool isPossible(const ScenarioDraft& draft, const Volume& volume, const simulation::StageBody& body,
                 const Eigen::Vector3d& position, int cameras) {

@@ -17,7 +17,7 @@ constexpr double kEvery = 1.0;   // seconds
 constexpr double kSettled = 1.0; // seconds after a bump that count for nothing
 constexpr double kWindow = 2.0;  // seconds of residuals that are compared
 constexpr std::size_t kFewest = 10;
-constexpr std::int64_t kSameMotion = 60; // frames: where a run that begins anew may notice it
+constexpr std::int64_t kSameMotion = 60; // frames: where a run that begins again may notice it
 constexpr double kSightingSigma = 1.0;   // pixels: blob, and the other cameras' calibration
 
 } // namespace
