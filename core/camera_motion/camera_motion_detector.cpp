@@ -13,11 +13,13 @@
 namespace dewpoint::camera_motion {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr double kInterval = 0.2;        // seconds between two checks of one camera
 constexpr std::size_t kChecks = 5;       // whose median counts
 constexpr double kBump = 0.05 * kDegree; // half of what must be reported
 constexpr double kBack = 0.03 * kDegree; // below it the camera stands as before
 constexpr double kSignificant = 6.0;     // standard errors
+/// Pieces that must agree on a rotation.
 constexpr int kFewestPieces = 6;
 constexpr int kGridColumns = 8; // at most one piece in each part of the image
 constexpr int kGridRows = 6;
@@ -27,6 +29,7 @@ constexpr double kAlike = 0.7;        // normalized correlation
 constexpr double kForgetAfter = 30.0; // seconds without being seen
 constexpr double kLearnEvery = 2.0;   // seconds, while pieces are missing
 constexpr int kThumbnail = 4;         // pixels of the image in one of the thumbnail
+/// Response of phase correlation, at least.
 constexpr double kThumbnailResponse = 0.15;
 
 Eigen::Vector3d medianOf(const std::deque<Eigen::Vector3d>& turns) {
@@ -52,6 +55,7 @@ cv::Mat thumbnailOf(const cv::Mat& image) {
 
 /// The piece of most structure in one part of the image, among a few places.
 std::optional<BackgroundPatch> bestPiece(const cv::Mat& image, const cv::Rect& part) {
+  /// Along each side of a part, at which pieces are tried.
   constexpr int kSamples = 5;
   std::optional<BackgroundPatch> best;
   for (int i = 0; i < kSamples * kSamples; ++i) {

@@ -14,6 +14,7 @@ namespace dewpoint::capture {
 /// of pictures. FileMissing, FileUnreadable or Mismatch name the file and the camera.
 Result<cv::Mat> readEmptyRoom(const std::string& location, const PictureShape& camera);
 
+/// Pictures that a median is taken of.
 inline constexpr int kEmptyRoomPictures = 15;
 
 } // namespace dewpoint::capture

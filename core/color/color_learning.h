@@ -77,6 +77,7 @@ struct ColorAssessment {
   bool sampleLeftOut = false;
   Suggestion suggestion = Suggestion::None;
 
+  /// Distractors that are listed.
   static constexpr std::size_t kMostDistractors = 5;
   static constexpr double kFewMatch = 0.75; ///< of the target
 

@@ -15,6 +15,8 @@
 namespace dewpoint::color {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Of an image of distances.
 constexpr int kLevels = 256;
 constexpr double kLevelsPerUnit = 12.0; ///< so that distances up to 21 are told apart
 constexpr double kShareNoise = 0.02;    ///< of r/(r+g+b): material, compression
@@ -34,6 +36,7 @@ constexpr std::array<double, 3> kReachFromRadius{0.0, 8.0, 16.0};
 constexpr double kLittleSpread = kLevelsPerUnit;
 constexpr double kMostSpread = 3.0 * kLevelsPerUnit;
 constexpr double kOutlineSlack = 1.3; ///< of the area, within which an outline is moved
+/// Times that a click is corrected to the region it hit.
 constexpr int kCorrections = 2;
 constexpr double kSameThing = 4.0; ///< colorDistance() up to which a click is corrected
 

@@ -14,6 +14,7 @@ namespace dewpoint::session {
 namespace {
 
 constexpr std::size_t kRecordedHistory = std::size_t{512} << 20; // bytes
+/// Bytes, of live cameras.
 constexpr std::size_t kLiveHistory = std::size_t{1024} << 20;
 
 } // namespace

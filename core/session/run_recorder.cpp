@@ -10,7 +10,9 @@
 namespace dewpoint::session {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr std::size_t kTimesKept = 101; // odd: the median is one of them
+/// Intervals between frames, for their rate; odd as well.
 constexpr std::size_t kFrameTimesKept = 31;
 
 using Seconds = std::chrono::duration<double>;

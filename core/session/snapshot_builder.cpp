@@ -12,6 +12,8 @@
 namespace dewpoint::session {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Particles of each target: more cannot be distinguished.
 constexpr int kParticlesShown = 10000;
 constexpr int kMapReach = 48;            ///< pixels
 constexpr std::size_t kMostInMask = 255; ///< targets that one byte tells apart

@@ -116,6 +116,7 @@ Result<cv::Size> sizeOf(const ProjectCamera& camera) {
 /// 53 degrees wide, at `index` of a ring of `count` around a box of 1 m.
 Camera guessedCamera(std::size_t index, std::size_t count, const cv::Size& size) {
   constexpr double kDistance = 2.0; // meters
+  /// Meters.
   constexpr double kHeight = 1.2;
   const double angle = 2.0 * std::numbers::pi * static_cast<double>(index) /
                        static_cast<double>(std::max<std::size_t>(4, count));

@@ -8,7 +8,10 @@
 namespace dewpoint::setup {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Instants in which a camera saw the wand.
 constexpr std::size_t kEnoughSightings = 150;
+/// Part of the regions of its image in which it was seen.
 constexpr double kEnoughImage = 0.5;
 
 } // namespace

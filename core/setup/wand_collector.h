@@ -27,6 +27,7 @@ bool sawEnough(const CameraSightings& camera);
 /// dropped, and counted.
 class WandCollector {
 public:
+  /// Frame sets that wait at most.
   static constexpr std::size_t kWaiting = 32;
 
   WandCollector(std::size_t cameraCount, const std::vector<ColorClassifier>& balls);

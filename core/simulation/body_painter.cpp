@@ -12,8 +12,11 @@
 namespace dewpoint::simulation {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr int kEdgeSamples = 4; ///< per side of a pixel on a silhouette
+/// Instants of one exposure.
 constexpr int kMostInstants = 16;
+/// Pixels that a body travels between two of them.
 constexpr double kPixelsPerInstant = 1.5;
 
 /// What one instant contributes to one pixel: color times coverage, and coverage.

@@ -15,6 +15,7 @@ namespace {
 /// The direction (z = 1, camera frame) whose image is `pixel`: a fixed point of the projection.
 /// Nothing where the lens model has no such direction.
 std::optional<Eigen::Vector3d> unproject(const Projector& lens, const Eigen::Vector2d& pixel) {
+  /// Iterations of undistorting a pixel.
   constexpr int kIterations = 30;
   constexpr double kEnough = 1e-4; // pixels
   const Intrinsics& k = lens.intrinsics();

@@ -13,8 +13,11 @@
 namespace dewpoint::simulation {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
+/// Meters: nearer hits are the surface itself.
 constexpr float kNear = 1e-4F;
+/// Share of full light that comes from everywhere.
 constexpr float kAmbient = 0.30F;
 
 /// Slab test; the entry, or the exit when the origin is inside (`inside`: the room's own walls).

@@ -16,6 +16,8 @@
 namespace dewpoint::simulation {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Of Motion::Fast against Smooth.
 constexpr double kFastFactor = 5.0;
 /// The ball gathers speed over this part of a period, instead of starting with a jerk.
 constexpr double kEaseOfPeriod = 0.1;

@@ -12,7 +12,10 @@
 namespace dewpoint::trajectory {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Measurements that a path needs.
 constexpr std::size_t kFewestMeasurements = 5;
+/// Measurements that the model is fitted to.
 constexpr std::size_t kMostMeasurementsToFit = 2000;
 /// Squared standard deviations beyond which a look does not belong to the path (chi-square with
 /// three degrees of freedom: one in 10^8 does), and how many of those in a row are a new path.
@@ -33,6 +36,7 @@ constexpr double kUsefulSigma = 0.1;
 /// An estimate that is taken for a look is not better than this, meters: it has to be inverted.
 constexpr double kLeastSigma = 1e-5;
 
+/// Of the progress: one step of the fit.
 constexpr double kShareOfAStep = 0.03;
 
 using Path = std::vector<PathPoint>;

@@ -10,6 +10,8 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Squares in a row or column.
 constexpr int kMostSquares = 200;
 constexpr double kLargestSquare = 10.0; // meters: anything above was meant in millimeters
 

@@ -12,6 +12,8 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Radians (5 degrees) within which two rotations agree.
 constexpr double kAlikeTurn = 5.0 * std::numbers::pi / 180.0;
 constexpr double kAlikePlace = 0.1;     // of the distance between camera and board
 constexpr double kMostPosePart = 0.005; // of the image's diagonal: 4 px of 640x480

@@ -7,8 +7,10 @@
 
 namespace dewpoint::calibration {
 namespace {
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Radians (15 degrees): see tiltOf().
 constexpr double kFlat = 15.0 * std::numbers::pi / 180.0;
-}
+} // namespace
 
 BoardTilt tiltOf(const Eigen::Isometry3d& cameraFromBoard) {
   const Eigen::Vector3d away = cameraFromBoard.linear().col(2); // into the board

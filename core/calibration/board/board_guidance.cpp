@@ -7,8 +7,11 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr double kAnotherPlacePart = 0.08; // of the image's width: nearer is the same view again
+/// New views after which calibrating again is worth its time.
 constexpr std::size_t kViewsPerCalibration = 3;
+/// Views before the user is led to come nearer.
 constexpr std::size_t kViewsBeforeNear = 4;
 
 /// Part of the image's area that the corners span.

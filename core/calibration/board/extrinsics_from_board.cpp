@@ -13,8 +13,11 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Rounds of solving and leaving out views.
 constexpr int kMostRounds = 5;
 constexpr double kFirstLossWidth = 3.0; // pixels: corners of a wrong view must not pull
+/// Width of the loss in typical residuals.
 constexpr double kLossSigmas = 3.0;
 constexpr double kLeastLossWidth = 0.3; // pixels
 

@@ -18,8 +18,12 @@ namespace {
 
 using Kind = BundleBody::Kind;
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Relative change of the cost at which the solver ends, ...
 constexpr double kFunctionTolerance = 1e-10;
+/// ... and of the parameters.
 constexpr double kParameterTolerance = 1e-10;
+/// The former where a draft is enough (BundleProblem::draft).
 constexpr double kDraftTolerance = 1e-5;
 /// Steps are damped by at least the inverse, in units of each parameter's own precision: where the
 /// world is not tied down, its normal equations are singular without.

@@ -12,6 +12,8 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Radians, below which rotations are taken to first order: exact to rounding there.
 constexpr double kSmallAngle = 1e-7;
 
 Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v) {

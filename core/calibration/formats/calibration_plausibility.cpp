@@ -14,8 +14,10 @@ namespace dewpoint::calibration {
 namespace {
 
 constexpr double kNarrowestRoom = 0.02; // meters: two cameras cannot stand closer
+/// Units: a wider rig is likely in millimeters.
 constexpr double kCertainlyMillimeters = 50.0;
 constexpr double kSameDirection = 0.94; // cosine of 20 degrees
+/// Times, by which inverted poses miss a common point less.
 constexpr double kClearlyBetter = 3.0;
 
 /// How well the cameras of a rig look at one place: the root mean square of the angles' tangents by

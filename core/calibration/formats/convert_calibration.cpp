@@ -14,6 +14,7 @@
 namespace dewpoint::calibration {
 namespace {
 
+/// Points along each side of the image at which lenses are compared.
 constexpr int kGrid = 9;
 constexpr double kDepths[] = {0.3, 1.0, 3.0, 10.0}; // meters along the ray
 

@@ -24,6 +24,7 @@ bool isUsable(const cv::Mat& image) {
 
 /// Whether there is more around a place than the noise of a sensor.
 bool hasContrast(const cv::Mat& piece, cv::Point2f pixel) {
+  /// Pixels around a corner whose contrast is measured.
   constexpr int kReach = 4;
   constexpr double kLeast = 24.0; // gray levels, smoothed
   const cv::Rect around =
@@ -40,6 +41,7 @@ bool hasContrast(const cv::Mat& piece, cv::Point2f pixel) {
 
 /// The strong corner of a piece of an image that is nearest to a place in it.
 std::optional<cv::Point2f> nearestCorner(const cv::Mat& piece, cv::Point2f pixel, double reach) {
+  /// Corners that are considered.
   constexpr int kMost = 12;
   constexpr double kQuality = 0.25; // of the strongest corner there
   constexpr double kApart = 3.0;    // pixels

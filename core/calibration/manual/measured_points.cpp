@@ -45,6 +45,7 @@ double rmsOf(const std::vector<ClickResidual>& residuals, const std::vector<bool
 /// are left for the poses to be overdetermined.
 std::optional<double> rmsWithout(const CameraRig& rig, const std::vector<bool>& solved,
                                  const std::vector<MeasuredPoint>& points, int without) {
+  /// Points per camera that overdetermine its pose.
   constexpr std::size_t kFewest = 5;
   double sum = 0.0;
   std::size_t count = 0;

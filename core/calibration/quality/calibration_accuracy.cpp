@@ -16,13 +16,19 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Positions that errors are carried to.
 constexpr std::size_t kPositions = 80;
+/// Draws that the 95 % are read off.
 constexpr std::uint32_t kDraws = 200;
+/// Solutions, each without a fifth of the stretches.
 constexpr std::size_t kFolds = 5;
+/// Stretches of neighboring instants, left out as wholes.
 constexpr std::size_t kStretches = 20;
 constexpr double kClearlyLarger = 1.5;    ///< five solutions scatter by chance up to here
 constexpr double kNinetyFive = 1.96;      ///< standard deviations, one axis
 constexpr double kNinetyFivePlane = 2.45; ///< two axes: sqrt(-2 log 0.05)
+/// m/s², of a fall.
 constexpr double kGravity = 9.81;
 constexpr double kTouchSigma = 1e-3; ///< meters: how well a ball is held on the floor
 

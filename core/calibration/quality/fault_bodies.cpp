@@ -14,13 +14,18 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr std::size_t kFewest = 5;       ///< instants
 constexpr std::size_t kFewestPoints = 6; ///< of a board at an instant
+/// Relative standard deviation of a rig's size, at least.
 constexpr double kLeastSizeSigma = 0.005;
+/// Standard deviations of the size beyond which a length is wrong.
 constexpr double kClearSigmas = 4.0;
 constexpr double kSameSize = 0.1; ///< relative scatter of the length over the instants
 constexpr double kFits = 0.1; ///< of a square: a board's points lie so near to where they should
+/// Of a square: beyond it a board does not fit.
 constexpr double kFitsNot = 0.4;
+/// Columns of corners that are tried.
 constexpr double kMostColumns = 24;
 
 /// A board as seen at an instant.

@@ -13,10 +13,16 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Correspondences that a hypothesis is weighed on, at most, ...
 constexpr std::size_t kMostCorrespondences = 150;
+/// ... while time offsets are searched, ...
 constexpr std::size_t kQuickCorrespondences = 40;
+/// ... and at least.
 constexpr std::size_t kFewestCorrespondences = 12;
+/// Gain in log-likelihood per number measured, ...
 constexpr double kLeastGainShare = 0.1;
+/// ... and when the cameras run freely.
 constexpr double kLeastGainShareUnsynchronized = 0.5;
 constexpr double kWellExplained = 3.0; ///< residuals against those of the cameras that agree
 constexpr double kLeastMove = 3.0;     ///< standard deviations of an image point
@@ -27,8 +33,10 @@ constexpr double kLeastMove = 3.0;     ///< standard deviations of an image poin
 constexpr double kMovedCost = 2.0;
 constexpr double kLeastZoom = 0.03; ///< lenses are rarely known better when others calibrated
 constexpr int kMostLate = 120;      ///< frames
+/// Frames that a late camera is late by, at least.
 constexpr int kLeastLate = 2;
 constexpr double kPositionNoise = 1.5; ///< noise of the places adds to that of the image points
+/// Ratios of the sizes of videos and lens data that occur.
 constexpr std::array<double, 8> kResolutions{2.0, 0.5,       1.5,       2.0 / 3.0,
                                              3.0, 1.0 / 3.0, 4.0 / 3.0, 0.75};
 

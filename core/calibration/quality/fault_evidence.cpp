@@ -12,7 +12,10 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Points that a rig is fitted to.
 constexpr std::size_t kMostPoints = 240;
+/// Instants, and points, that a fit needs.
 constexpr std::size_t kFewestPoints = 8;
 constexpr double kMostSigmas = 5.0;      ///< that a camera is off the rough rig
 constexpr double kUnseen = 1e6;          ///< pixels², of a point the camera cannot see
@@ -213,6 +216,7 @@ std::optional<CameraResection> fitCamera(const Camera& rough,
 }
 
 double meanCost(const std::vector<double>& squares, double sigmaPx) {
+  /// Of Student's distribution.
   constexpr double kFreedoms = 4.0;
   double sum = 0.0;
   for (const double square : squares) {

@@ -12,7 +12,10 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Radians, of the differences.
 constexpr double kAngleStep = 1e-6;
+/// Meters, of the differences.
 constexpr double kMeterStep = 1e-6;
 constexpr double kLensStep = 1e-4; ///< pixels, and of dimensionless numbers a thousandth of it
 

@@ -16,10 +16,12 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr double kMost = 0.5;             ///< seconds
 constexpr double kStep = 0.5;             ///< of a frame's time
 constexpr double kLongestGap = 2.5;       ///< frames between two views that are joined by a line
 constexpr std::size_t kMostSamples = 300; ///< of one pair and offset
+/// Samples of one pair and offset, at least.
 constexpr std::size_t kFewestSamples = 60;
 constexpr double kFewestShare = 0.6; ///< of those without any offset
 constexpr int kTerms = 10;           ///< of a polynomial of second order in space

@@ -17,10 +17,13 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr int kInstantsOfStart = 120; ///< a start is judged on so many
 constexpr double kLooseStick = 0.02;  ///< meters: while the cameras are still far off
 constexpr double kTightStick = 2e-4;  ///< meters
+/// Of the solver, for each start and width of the loss.
 constexpr int kStartIterations = 40;
+/// Rounds of dropping views.
 constexpr int kMostRounds = 10;
 constexpr double kLeastLimitPx = 1.5; ///< views nearer than this to the solution are never dropped
 constexpr double kLimitMedians = 5.0; ///< and none nearer than so many median residuals

@@ -15,7 +15,9 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr double kTouchSeconds = 0.1; ///< before and after a touch, while the ball is held
+/// Instants that a fall needs.
 constexpr std::size_t kFewestOfFall = 5;
 /// By how much all edges of a ball may lie too far in or out alike: that does not average out.
 constexpr double kEdgePx = 0.05;

@@ -22,6 +22,7 @@ using simulation::Walker;
 using simulation::Waypoint;
 
 constexpr double kAppear = 1.3; ///< seconds: the cameras have learned the empty room by then
+/// Draws of ways before a scenario gives up.
 constexpr int kMostDraws = 2000;
 
 Vector2d heading(double angle) {

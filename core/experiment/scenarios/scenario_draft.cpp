@@ -16,14 +16,18 @@ namespace {
 
 // The constants of grade `room`.
 constexpr double kRadialDistortion = -0.15; // k1; k2 keeps the image monotonous to its corners
+/// k2.
 constexpr double kRadialDistortion2 = 0.04;
 constexpr double kFocalError = 0.005;    // standard deviation, of the focal length
 constexpr double kPositionError = 0.002; // meters, per axis
 constexpr double kTurnError = 0.2 * std::numbers::pi / 180.0; // about a random axis
+/// Quality of JPEG in the grade `Room`.
 constexpr int kJpegQuality = 70;
+/// Loss of light in the corners.
 constexpr double kVignette = 0.25;
 constexpr double kSideLight = 0.12; // at most, per direction
 
+/// Keeps the noise's seed apart from the draws'.
 constexpr std::uint32_t kNoisePart = 0x5EED;
 
 void addDistortion(CameraRig& rig) {

@@ -21,9 +21,11 @@
 namespace dewpoint::experiment {
 namespace {
 
+/// Length of a recording, seconds.
 constexpr double kSeconds = 30.0;
 constexpr double kStick = 0.6;   ///< meters between the balls
 constexpr double kRadius = 0.04; ///< meters
+/// Seconds, either way.
 constexpr double kClockError = 0.016;
 constexpr double kOffsetBar = 5e-4;                ///< seconds
 constexpr double kSolveBar = 5.0;                  ///< seconds

@@ -11,7 +11,9 @@
 namespace dewpoint::session {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr int kWidth = 160; ///< pixels
+/// Quality of JPEG, 1 to 100.
 constexpr int kQuality = 75;
 /// A picture stands for frames up to this many behind it.
 constexpr std::int64_t kFarthest = 16;

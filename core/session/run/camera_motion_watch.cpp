@@ -11,11 +11,13 @@
 namespace dewpoint::session {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr double kPuttingDown =
     3.0;                         // seconds from the end of a calibration until its board is gone
 constexpr double kEvery = 1.0;   // seconds
 constexpr double kSettled = 1.0; // seconds after a bump that count for nothing
 constexpr double kWindow = 2.0;  // seconds of residuals that are compared
+/// Residuals that are compared.
 constexpr std::size_t kFewest = 10;
 constexpr std::int64_t kSameMotion = 60; // frames: where a run that begins again may notice it
 constexpr double kSightingSigma = 1.0;   // pixels: blob, and the other cameras' calibration
