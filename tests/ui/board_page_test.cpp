@@ -159,7 +159,7 @@ void BoardPageTest::theCommandLineGivesTheSameBits() {
   auto inputs = dewpoint::app::openProject(std::filesystem::path(file("board.toml").toStdString()));
   QVERIFY(inputs.has_value());
   const auto& wish = desk().wish();
-  const auto seen = lookForBoards(inputs->project, *inputs->source, wish.board);
+  const auto seen = findBoards(inputs->project, *inputs->source, wish.board);
   QVERIFY(seen.has_value());
   const auto outcome = calibrateFromBoards(inputs->project, *seen, wish.board, wish.goal);
   QVERIFY(outcome.has_value());
