@@ -29,7 +29,7 @@ struct CameraMotionState {
 
 /// Watches, while tracking, whether a camera is moved: pieces of the background are found again in
 /// each camera's images a few times a second, and the turn of the camera that most of them agree on
-/// is fitted. Things that move, shadows, and pieces that something covers do not agree and do not
+/// is fitted. Objects that move, shadows, and pieces that something covers do not agree and do not
 /// count. A turn by more than 0.05 degrees over half of the last checks is an event: one of 0.1
 /// degrees is reported within about a second.
 ///

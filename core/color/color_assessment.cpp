@@ -17,7 +17,7 @@
 namespace dewpoint::color {
 namespace {
 
-/// A thing that matters as a distractor: this share of the target's size, and no speckle.
+/// An object that matters as a distractor: this share of the target's size, and no speckle.
 constexpr double kDistractorShare = 0.1;
 constexpr double kSmallestDistractor = 9.0; ///< pixels
 constexpr int kGood = 90;                   ///< score() from which on nothing needs to be done
@@ -25,10 +25,11 @@ constexpr double kDark = 0.08;              ///< intensity
 constexpr double kBright = 0.94;            ///< intensity, with kPale
 constexpr double kPale = 0.12;              ///< saturation
 constexpr double kMostOfImage = 0.25;       ///< that a target fills
-constexpr double kSpeck = 1.0 / 5000.0; ///< of an image: a shadow in a thing, rather than a thing
-constexpr double kLow = 0.4;            ///< F1 score, or share of the target
-constexpr double kTellable = 3.0;       ///< colorDistance()
-constexpr double kOneThing = 0.5;       ///< of all that matches beside the target
+/// Share of an image: a shadow in an object, rather than an object.
+constexpr double kSpeck = 1.0 / 5000.0;
+constexpr double kLow = 0.4;             ///< F1 score, or share of the target
+constexpr double kDistinguishable = 3.0; ///< colorDistance()
+constexpr double kOneObject = 0.5;       ///< of all that matches beside the target
 
 template <class Third> Third third(double at, double size) {
   return static_cast<Third>(std::clamp(static_cast<int>(3.0 * at / size), 0, 2));
@@ -76,7 +77,7 @@ void addRegions(int camera, const cv::Mat& image, const cv::Mat& targetMask,
                 std::vector<FoundRegion>& found) {
   cv::Mat match = matchImage(image, classifier);
   match.setTo(0, targetMask);
-  // Parts of one thing that touch but for a pixel are one thing to a person.
+  // Parts of one object that touch but for a pixel are one object to a person.
   cv::morphologyEx(match, match, cv::MORPH_CLOSE, cv::Mat::ones(3, 3, CV_8UC1));
   cv::Mat labels;
   cv::Mat statistics;
@@ -100,7 +101,7 @@ Suggestion suggestionFor(const ColorAssessment& assessment, const ColorEvidence&
     return Suggestion::LessExposure;
   }
   if (evidence.imageShare > kMostOfImage) {
-    return Suggestion::ClickThingItself;
+    return Suggestion::ClickObjectItself;
   }
   if (typical.saturation < kPale && assessment.score() >= kGood) {
     return Suggestion::UseStrongerColor; // the next change of light makes it like the walls
@@ -122,9 +123,10 @@ Suggestion suggestionFor(const ColorAssessment& assessment, const ColorEvidence&
   for (const FoundRegion& region : found) {
     all += region.area;
   }
-  if (!found.empty() && found.front().area > kOneThing * all) {
-    return colorDistance(found.front().color, color) > kTellable ? Suggestion::ExcludeDistractor
-                                                                 : Suggestion::RemoveDistractor;
+  if (!found.empty() && found.front().area > kOneObject * all) {
+    return colorDistance(found.front().color, color) > kDistinguishable
+               ? Suggestion::ExcludeDistractor
+               : Suggestion::RemoveDistractor;
   }
   return found.empty() ? Suggestion::None : Suggestion::UseAnotherColor;
 }

@@ -56,7 +56,7 @@ enum class Suggestion : std::uint8_t {
   LessExposure,      ///< the target is nearly white: its color is lost
   UseStrongerColor,  ///< the target is nearly gray
   UseAnotherColor,   ///< several objects in the room have this color
-  ClickThingItself,  ///< what was clicked fills much of an image: a wall, not an object
+  ClickObjectItself, ///< what was clicked fills much of an image: a wall, not an object
   ClickMore,         ///< what was clicked is a speck, of which little matches
 };
 

@@ -24,21 +24,21 @@ constexpr double kGrayLevelNoise = 5.0; ///< of a channel
 constexpr double kShadingScale = 0.5;   ///< natural logarithm of the brightness
 constexpr double kDarkest = 20.0;       ///< sum of channels where brightness stops to say much
 constexpr int kSmallest = 12;           ///< pixels of a region
-constexpr double kLargestShare = 0.5;   ///< of the image: more is no thing in it
-constexpr double kNoOutline = 1.0;      ///< units of colorDistance(): a box lies within the thing
+constexpr double kLargestShare = 0.5;   ///< of the image: more is no object in it
+constexpr double kNoOutline = 1.0;      ///< units of colorDistance(): a box lies within the object
 constexpr int kSeedReach = 2;           ///< pixels around the click whose median begins
-/// Pixels across an outline over which its edge is seen: moving things are blurred, and the larger
+/// Pixels across an outline over which its edge is seen: moving objects are blurred, and the larger
 /// they appear the farther. Each counts from this radius of a region on, pixels.
 constexpr std::array<int, 3> kEdgeReach{2, 3, 4};
 constexpr std::array<double, 3> kReachFromRadius{0.0, 8.0, 16.0};
 /// Mean distance of a region from the clicked color, in levels: what counts little, and what is too
-/// much for one thing.
+/// much for one object.
 constexpr double kLittleSpread = kLevelsPerUnit;
 constexpr double kMostSpread = 3.0 * kLevelsPerUnit;
 constexpr double kOutlineSlack = 1.3; ///< of the area, within which an outline is moved
 /// Times that a click is corrected to the region it hit.
 constexpr int kCorrections = 2;
-constexpr double kSameThing = 4.0; ///< colorDistance() up to which a click is corrected
+constexpr double kSameObject = 4.0; ///< colorDistance() up to which a click is corrected
 
 BgrColor pixelAt(const cv::Mat& bgr, int x, int y) {
   const std::uint8_t* pixel = bgr.ptr<std::uint8_t>(y) + 3 * std::ptrdiff_t{x};
@@ -206,7 +206,7 @@ std::size_t steepestFrom(const NestedRegions& regions, std::size_t level) {
   return best;
 }
 
-/// `bounded`: the image is a box that a person has dragged; it may lie within the thing.
+/// `bounded`: the image is a box that a person has dragged; it may lie within the object.
 cv::Mat regionFrom(const cv::Mat& bgr, cv::Point click, const BgrColor& color, bool bounded) {
   const cv::Mat levels = levelsFrom(bgr, color);
   const double limit = (bounded ? 1.0 : kLargestShare) * static_cast<double>(bgr.total());
@@ -293,7 +293,7 @@ cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within) {
   for (int i = 0; i <= kCorrections; ++i) {
     region = regionFrom(smooth, at, color, !within.empty());
     const BgrColor middle = medianColor(colorsIn(smooth, region));
-    if (colorDistance(middle, color) > kSameThing) {
+    if (colorDistance(middle, color) > kSameObject) {
       break; // it would become something else
     }
     color = middle;

@@ -17,7 +17,7 @@ constexpr int kHues = 360;
 constexpr int kHundredths = 101;
 /// Rounds over the six bounds, at most.
 constexpr int kRounds = 12;
-/// What it must be better to let every hue through: things not in these images have other hues.
+/// What it must be better to let every hue through: objects not in these images have other hues.
 constexpr double kWorthEveryHue = 0.02;
 /// Bins have their middle on whole numbers, bounds lie half a bin beyond.
 constexpr double kHalfBin = 0.5;

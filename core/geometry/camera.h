@@ -47,7 +47,7 @@ struct Camera {
 using CameraRig = std::vector<Camera>;
 
 /// The pose (camera from world) of a camera at `position` that looks at `target`, image up along
-/// `up`, then turned by `roll` radians about its optical axis. All in the world frame, meters.
+/// `up`, then rotated by `roll` radians about its optical axis. All in the world frame, meters.
 Eigen::Isometry3d lookAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target,
                          const Eigen::Vector3d& up = Eigen::Vector3d::UnitZ(), double roll = 0.0);
 

@@ -21,7 +21,7 @@ enum class GridKind {
 
 /// A grid of known size in the world, to be laid over the real surface in the images (Barrera,
 /// Cañas and Matellán 2005 calibrate so). It begins at `origin` and reaches `size` along its own
-/// axes, which are those of the world turned by `turn` about the vertical.
+/// axes, which are those of the world rotated by `turn` about the vertical.
 struct ReferenceGrid {
   GridKind kind = GridKind::Floor;
   Eigen::Vector3d size{4.0, 4.0, 2.0}; ///< meters along x, y and z; a floor has no z, a wall no y

@@ -22,12 +22,12 @@ struct ProjectCamera {
   Camera camera;
   SourceKind source = SourceKind::Simulation;
   std::string location;  ///< absolute path of the video or image folder, device, or address
-  int rotateDegrees = 0; ///< images are turned clockwise by 0, 90, 180 or 270 before use
+  int rotateDegrees = 0; ///< images are rotated clockwise by 0, 90, 180 or 270 before use
   bool mirrored = false; ///< and then mirrored left to right
   /// Of a simulated camera: its calibration is the project's own, not what the scene says.
   bool adjusted = false;
   /// Absolute path of an image, a video or a folder of images that show the scene without any
-  /// target, not yet turned; empty: there is none.
+  /// target, not yet rotated; empty: there is none.
   std::string emptyRoom = {};
   /// Seconds by which its images are late: what they show was so much before their time. Of
   /// recordings the image nearest in time is taken; methods that know of times use the rest.

@@ -21,8 +21,8 @@ Project withCameras(Project project, const CameraRig& rig);
 /// (WandResult::offsets: those are negative for cameras that are late); simulated ones stay.
 Project withTimeOffsets(Project project, const std::vector<double>& offsets);
 
-/// The project whose camera `camera` delivers its pictures turned and mirrored so, after what is
-/// done to them already: how they are turned, its calibration and the clicks on measured points in
+/// The project whose camera `camera` delivers its pictures rotated and mirrored so, after what is
+/// done to them already: how they are rotated, its calibration and the clicks on measured points in
 /// it all change together.
 Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symmetry);
 

@@ -24,7 +24,7 @@ inline Vector3f rgb(float red, float green, float blue) {
 
 enum class Shape { Box, Ellipsoid, Cylinder };
 
-/// An object at rest: a box, an ellipsoid or an upright cylinder, turned about the vertical.
+/// An object at rest: a box, an ellipsoid or an upright cylinder, rotated about the vertical.
 struct Solid {
   Shape shape = Shape::Box;
   Vector3f center;

@@ -17,23 +17,24 @@ namespace {
 constexpr std::size_t kFewestMeasurements = 5;
 /// Measurements that the model is fitted to.
 constexpr std::size_t kMostMeasurementsToFit = 2000;
-/// Squared standard deviations beyond which a look does not belong to the path (chi-square with
-/// three degrees of freedom: one in 10^8 does), and how many of those in a row are a new path.
+/// Squared standard deviations beyond which a measurement does not belong to the path (chi-square
+/// with three degrees of freedom: one in 10^8 does), and how many of those in a row are a new path.
 constexpr double kGate = 40.0;
 constexpr int kNewPathMeasurements = 3;
-/// After that many instants without a look the target may be mistaken for so many instants; and how
-/// many later looks have to agree with what was before.
+/// After that many instants without a measurement the target may be mistaken for so many instants;
+/// and how many later measurements have to agree with what was before.
 constexpr std::size_t kGapInstants = 3;
 constexpr std::size_t kMistakeInstants = 25;
 constexpr int kTellingMeasurements = 5;
-/// The gate of looks that may be a mistake: one right one in 900 is dropped with them.
+/// The gate of measurements that may be a mistake: one right one in 900 is dropped with them.
 constexpr double kDoubtfulGate = 16.0;
-/// Looks to either side that an outlier pulls along, and how often outliers are looked for.
+/// Measurements to either side that an outlier pulls along, and how often outliers are looked for.
 constexpr std::size_t kNeighbors = 10;
 constexpr int kMostPasses = 10;
-/// A filled place less sure than this is none, meters.
+/// A filled position less certain than this is none, meters.
 constexpr double kUsefulSigma = 0.1;
-/// An estimate that is taken for a look is not better than this, meters: it has to be inverted.
+/// An estimate that is taken for a measurement is not better than this, meters: it has to be
+/// inverted.
 constexpr double kLeastSigma = 1e-5;
 
 /// Of the progress: one step of the fit.
@@ -137,7 +138,7 @@ public:
   }
 
 private:
-  /// The points at which paths begin: at a look behind no look for too long.
+  /// The points at which paths begin: at a measurement behind none for too long.
   std::vector<std::size_t> beginsAfterGaps() const {
     std::vector<std::size_t> begins;
     double last = -std::numeric_limits<double>::infinity();
@@ -184,7 +185,7 @@ private:
   /// Where the next path begins; `end` if there is none before.
   std::size_t dropStrayMeasurements(std::size_t begin, std::size_t end, const PathModel& model) {
     std::vector<std::size_t> stray;
-    std::vector<std::size_t> alone; // strays before a look that is where the path is
+    std::vector<std::size_t> alone; // strays before a measurement that is where the path is
     const auto part = std::span(points_).subspan(begin, end - begin);
     eachPathSurprise(part, model, kGate, [&](std::size_t k, double surprise) {
       if (surprise <= kGate) {

@@ -51,7 +51,7 @@ QString suggestionSentence(Suggestion suggestion) {
     return Words::tr("The target is nearly gray: a stronger color would help.");
   case Suggestion::UseAnotherColor:
     return Words::tr("Several things have this color: another one would help.");
-  case Suggestion::ClickThingItself:
+  case Suggestion::ClickObjectItself:
     return Words::tr("This fills much of the image: click the thing itself, or drag a box on it.");
   case Suggestion::ClickMore:
     return Words::tr("Only a speck was clicked: drag a box on the whole thing.");

@@ -44,7 +44,7 @@ const char* advice(Suggestion suggestion) {
     return "The target is nearly gray: a stronger color would help.";
   case Suggestion::UseAnotherColor:
     return "Several things have this color: another one would help.";
-  case Suggestion::ClickThingItself:
+  case Suggestion::ClickObjectItself:
     return "This fills much of the image: point at the thing itself, or give a box on it.";
   case Suggestion::ClickMore:
     return "Only a speck was pointed at: give a box on the whole thing.";

@@ -30,7 +30,7 @@ struct BoardChain {
 /// that cannot be reached from the first.
 Result<BoardChain> chainCameras(const ExtrinsicsRequest& request);
 
-/// View `view` turned by quarter turns of the board, with its pose.
+/// View `view` rotated by quarter turns of the board, with its pose.
 PosedView rotatedView(const BoardDescription& board, const Camera& camera, const PosedView& view,
                       int quarterTurns);
 

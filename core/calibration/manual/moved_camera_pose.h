@@ -34,7 +34,8 @@ struct ResolvedCamera {
   Eigen::Vector3d shiftSigma = Eigen::Vector3d::Zero(); ///< meters, camera axes
 };
 
-/// The camera turned about its center: (1 + [turn]x) cameraFromWorld, the turn as a whole rotation.
+/// The camera rotated about its center: (1 + [turn]x) cameraFromWorld, the turn as a whole
+/// rotation.
 Camera rotatedCamera(const Camera& camera, const Eigen::Vector3d& turn);
 
 /// The pose of one bumped camera; all others, and its lens, stay. Least squares

@@ -25,7 +25,7 @@ constexpr double kMostSigmas = 3.0;
 /// that moves, or of poor lens data: corners are no independent witnesses then.
 constexpr double kSharedErrors = 0.5; ///< pixels, per axis
 
-/// A board's pose, turned and moved a little in its own frame along one of six numbers.
+/// A board's pose, rotated and moved a little in its own frame along one of six numbers.
 Eigen::Isometry3d nudged(const Eigen::Isometry3d& pose, int number) {
   Eigen::Isometry3d change = Eigen::Isometry3d::Identity();
   if (number < 3) {

@@ -35,7 +35,7 @@ constexpr double kLeastZoom = 0.03; ///< lenses are rarely known better when oth
 constexpr int kMostLate = 120;      ///< frames
 /// Frames that a late camera is late by, at least.
 constexpr int kLeastLate = 2;
-constexpr double kPositionNoise = 1.5; ///< noise of the places adds to that of the image points
+constexpr double kPositionNoise = 1.5; ///< noise of the positions adds to that of the image points
 /// Ratios of the sizes of videos and lens data that occur.
 constexpr std::array<double, 8> kResolutions{2.0, 0.5,       1.5,       2.0 / 3.0,
                                              3.0, 1.0 / 3.0, 4.0 / 3.0, 0.75};

@@ -53,7 +53,7 @@ bool withDropouts(ScenarioDraft& draft) {
   return true;
 }
 
-/// The camera after a bump: turned about an axis in its image plane, so that the image shifts by
+/// The camera after a bump: rotated about an axis in its image plane, so that the image shifts by
 /// as much everywhere, and moved anywhere.
 Camera bumped(Camera camera, Draws& draws) {
   constexpr double kTurn = 1.5 * std::numbers::pi / 180.0;
