@@ -6,6 +6,8 @@
 #include "core/color/color_learning.h"
 #include "core/color/hsi.h"
 #include "core/color/match_image.h"
+#include "core/geometry/projector.h"
+#include "core/simulation/scene_file.h"
 #include "core/simulation/scene_renderer.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/tracker.h"
@@ -96,13 +98,13 @@ ColorRange around(const Scene& scene, const FrameSet& frames) {
     std::ranges::sort(values[k]);
     return values[k][static_cast<std::size_t>(share * double(values[k].size() - 1))];
   };
-  const auto turned = [&](double hue) { return std::fmod(hue + own.hueDegrees + 720.0, 360.0); };
+  const auto rotated = [&](double hue) { return std::fmod(hue + own.hueDegrees + 720.0, 360.0); };
   constexpr double kOdd = 0.01;
   constexpr double kHue = 4.0; // degrees
   constexpr double kSaturation = 0.04;
   constexpr double kIntensity = 1.2; // factor
-  return {turned(at(0, kOdd) - kHue),
-          turned(at(0, 1.0 - kOdd) + kHue),
+  return {rotated(at(0, kOdd) - kHue),
+          rotated(at(0, 1.0 - kOdd) + kHue),
           std::max(0.0, at(1, kOdd) - kSaturation),
           std::min(1.0, at(1, 1.0 - kOdd) + kSaturation),
           at(2, kOdd) / kIntensity,
@@ -156,8 +158,8 @@ struct Follower {
     tracker->restart(scene.seed);
   }
 
-  void look(const Scene& scene, const FrameSetPtr& frames, const std::vector<cv::Mat>& truth,
-            ThreadTeam& team) {
+  void sightOf(const Scene& scene, const FrameSetPtr& frames, const std::vector<cv::Mat>& truth,
+               ThreadTeam& team) {
     tracker->beginFrame(frames);
     tracker->iterate(team);
     const auto estimate = std::get<SphereEstimate>(tracker->estimate(0));
@@ -197,7 +199,7 @@ void benchRun(const BallColor& color, const Ramp& ramp, std::uint64_t seed, doub
                                scene.balls.front().radius));
     }
     for (Follower& follower : followers) {
-      follower.look(scene, frames, truth, team);
+      follower.sightOf(scene, frames, truth, team);
     }
   }
   fmt::print("{:8} {:16} {:4}", color.name, ramp.name, seed);

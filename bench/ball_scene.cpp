@@ -2,6 +2,7 @@
 #include "bench/ball_scene.h"
 
 #include "core/color/hsi.h"
+#include "core/geometry/projector.h"
 
 #include <opencv2/imgproc.hpp>
 

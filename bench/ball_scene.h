@@ -7,6 +7,7 @@
 #include "core/filter/multinomial_resampling.h"
 #include "core/filter/particle_filter.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 #include "core/observation/sphere/color_window.h"
 
 #include <opencv2/core.hpp>

@@ -44,7 +44,7 @@ Scene sceneOf(int number, double seconds, const Eigen::Vector3d& turn, int width
   scene.framesPerSecond = kRate;
   scene.frameCount = std::int64_t(seconds * kRate) + 1;
   scene.seed = std::uint64_t(number + 1);
-  scene.cameras[0] = turnedCamera(scene.cameras[0], turn);
+  scene.cameras[0] = rotatedCamera(scene.cameras[0], turn);
   if (width > 0) {
     resize(scene.cameras[0], width);
   }

@@ -6,6 +6,7 @@
 #include "core/color/color_learning.h"
 #include "core/color/match_image.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 #include "core/simulation/scene_renderer.h"
 
 #include <Eigen/Geometry>
@@ -116,7 +117,7 @@ Lesson lesson(const std::map<int, cv::Mat>& images, const Subject& subject, int 
       scores.push_back(scoreIn(images.at(frame), other, subject.rim, learned->range));
     }
   }
-  return {learned->range, learned->verdict.separability, medianOf(scores)};
+  return {learned->range, learned->assessment.separability, medianOf(scores)};
 }
 
 /// A click in the given frame, and others in turn, so that no one lucky frame decides.
@@ -245,7 +246,7 @@ void benchSimulation(const std::string& name, const Eigen::Vector3d& bgr) {
   }
   fmt::print("simulated {:28} {:7.3f}   worst {:.3f}   verdict {:.2f}  {}\n", name, median(scores),
              scores.empty() ? 0.0 : std::ranges::min(scores),
-             learned ? learned->verdict.separability : 0.0,
+             learned ? learned->assessment.separability : 0.0,
              learned ? rangeText(learned->range) : "nothing learned");
   std::fflush(stdout);
 }

@@ -4,6 +4,7 @@
 // views with particles and the bird's-eye view achieve. Needs a display (xvfb-run will do).
 #include "app/wiring/open_project.h"
 #include "app/wiring/quiet_libraries.h"
+#include "core/project/project_save.h"
 #include "core/session/run/snapshot.h"
 #include "core/simulation/scene_renderer.h"
 #include "tests/ui/event_loop_probe.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/dewpoint-cli/box_commands.h"
 #include "app/dewpoint-cli/commands.h"
-#include "app/dewpoint-cli/usage_sentence.h"
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/common/usage_sentence.h"
 #include "app/wiring/quiet_libraries.h"
 
 #include <CLI/CLI.hpp>
@@ -10,21 +10,6 @@
 #include <exception>
 
 namespace dewpoint::app {
-
-int report(const Error& error) {
-  fmt::print(stderr, "dewpoint-cli: {}.\n", sentence(error));
-  switch (error.code) {
-  case ErrorCode::FileUnwritable:
-    return kExitOutput;
-  case ErrorCode::EndedEarly:
-    return kExitEndedEarly;
-  case ErrorCode::Cancelled:
-    return kExitInterrupted;
-  default:
-    return kExitBadInput;
-  }
-}
-
 namespace {
 
 int run(int argc, char** argv) {

@@ -9,7 +9,7 @@ namespace dewpoint::app {
 
 /// The project of the built-in scene of people (officeDay()).
 Project projectOfOffice();
-/// A source that renders the office, with the true places of its people.
+/// A source that renders the office, with the true positions of its people.
 Result<SessionInputs> openOffice(Project project);
 /// Where everybody truly is: middles of bodies, and whether they are inside the walls.
 Trajectory truthOfOffice(const OfficeRenderer& renderer);

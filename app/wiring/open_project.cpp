@@ -4,6 +4,8 @@
 #include "app/wiring/open_office.h"
 #include "core/capture/live_cameras.h"
 #include "core/capture/recording.h"
+#include "core/project/project_check.h"
+#include "core/project/project_load.h"
 #include "core/session/run/background_images.h"
 #include "core/session/run/tracking_run.h"
 #include "core/setup/new_project.h"
@@ -75,7 +77,7 @@ Result<std::unique_ptr<FrameSetSource>> openLiveCameras(const Project& project) 
   for (const auto& camera : project.cameras) {
     const auto& intrinsics = camera.camera.intrinsics;
     cameras.push_back({camera.camera.name, camera.location, camera.rotateDegrees, intrinsics.width,
-                       intrinsics.height, camera.mirrored, camera.lateBy});
+                       intrinsics.height, camera.mirrored, camera.delay});
   }
   return openLive(cameras);
 }
@@ -90,7 +92,7 @@ Result<std::unique_ptr<FrameSetSource>> openRecordings(const Project& project) {
     recorded.path = camera.location;
     recorded.rotateDegrees = camera.rotateDegrees;
     recorded.mirrored = camera.mirrored;
-    recorded.lateBy = camera.lateBy;
+    recorded.delay = camera.delay;
     recorded.width = camera.camera.intrinsics.width;
     recorded.height = camera.camera.intrinsics.height;
     cameras.push_back(std::move(recorded));

@@ -51,7 +51,7 @@ inline tl::unexpected<Error> failure(ErrorCode code, std::string file, std::stri
 /// The plain English words of a code, without file, field or detail ("the file does not exist").
 const char* phrase(ErrorCode code);
 
-/// One clear sentence for a person: "project.toml: camera 1.video: the file does not exist
+/// One clear sentence for the user: "project.toml: camera 1.video: the file does not exist
 /// (a.mkv)".
 std::string sentence(const Error& error);
 

@@ -8,8 +8,8 @@
 
 namespace dewpoint::base {
 
-/// The upper median: the value in the middle of the sorted ones, of an even number the upper of the
-/// two. Always one of the values, which must not be NaN; 0 of none.
+/// The upper median: the middle one of the sorted values, of an even number the upper of the two.
+/// Always one of the values, which must not be NaN; 0 of none.
 double upperMedian(std::vector<double> values);
 
 /// The same in place, without a copy: `values` are reordered.

@@ -18,7 +18,7 @@
 namespace dewpoint::base {
 
 /// Takes the known keys out of one TOML table and keeps the first thing that is wrong with it, with
-/// the line where it stands. Keys nobody asked for are an error: they are typing mistakes.
+/// the line where it stands. Keys that nobody requested are an error: they are typing mistakes.
 class TableReader {
 public:
   TableReader(const toml::table& table, std::string file, std::string prefix)
@@ -157,7 +157,7 @@ public:
     error_ = Error{code, file_, prefix_ + key, std::move(detail)};
   }
 
-  /// The first error, or the first key that nobody asked for.
+  /// The first error, or the first key that nobody requested.
   std::optional<Error> finish() {
     for (const auto& [key, node] : table_) {
       if (std::ranges::find(known_, key.str()) == known_.end()) {

@@ -11,8 +11,8 @@ namespace dewpoint::base {
 /// Reads a whole text file: FileMissing or FileUnreadable.
 Result<std::string> readTextFile(const std::filesystem::path& file);
 
-/// Writes beside, flushes to the disk, renames: a reader, or a crash at any moment, finds the old
-/// text or the new one, never half of one. FileUnwritable says why.
+/// Writes beside, flushes to the disk, renames: a reader, or a crash at any time, finds the old
+/// text or the new one, never half of one. FileUnwritable has the reason.
 Status writeTextFile(const std::filesystem::path& file, const std::string& text);
 
 /// The first half of that: writes the text into this very file and flushes it to the disk. For

@@ -11,12 +11,14 @@
 namespace dewpoint::camera_motion {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr int kSide = BackgroundPatch::kSide;
 constexpr int kHalf = kSide / 2;
 constexpr int kCount = kSide * kSide;
 constexpr int kWide = kSide + 2;           // with a rim, for gradients and interpolation
 constexpr double kLeastStructure = 2500.0; // located to 0.1 px in the worst direction
 constexpr double kNoise = 4.2;             // gray levels, of the difference of two images
+/// Gauss-Newton steps.
 constexpr int kMostSteps = 12;
 constexpr double kEnough = 0.01;  // pixels
 constexpr double kFarthest = 6.0; // pixels from the guess

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/camera_motion/camera_motion_detector.h"
 
+#include "core/base/angle.h"
 #include "core/base/statistics.h"
 
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace dewpoint::camera_motion {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr double kInterval = 0.2;        // seconds between two checks of one camera
 constexpr std::size_t kChecks = 5;       // whose median counts
 constexpr double kBump = 0.05 * kDegree; // half of what must be reported
 constexpr double kBack = 0.03 * kDegree; // below it the camera stands as before
 constexpr double kSignificant = 6.0;     // standard errors
+/// Pieces that must agree on a rotation.
 constexpr int kFewestPieces = 6;
 constexpr int kGridColumns = 8; // at most one piece in each part of the image
 constexpr int kGridRows = 6;
@@ -28,6 +29,7 @@ constexpr double kAlike = 0.7;        // normalized correlation
 constexpr double kForgetAfter = 30.0; // seconds without being seen
 constexpr double kLearnEvery = 2.0;   // seconds, while pieces are missing
 constexpr int kThumbnail = 4;         // pixels of the image in one of the thumbnail
+/// Response of phase correlation, at least.
 constexpr double kThumbnailResponse = 0.15;
 
 Eigen::Vector3d medianOf(const std::deque<Eigen::Vector3d>& turns) {
@@ -53,12 +55,13 @@ cv::Mat thumbnailOf(const cv::Mat& image) {
 
 /// The piece of most structure in one part of the image, among a few places.
 std::optional<BackgroundPatch> bestPiece(const cv::Mat& image, const cv::Rect& part) {
-  constexpr int kPlaces = 5;
+  /// Along each side of a part, at which pieces are tried.
+  constexpr int kSamples = 5;
   std::optional<BackgroundPatch> best;
-  for (int i = 0; i < kPlaces * kPlaces; ++i) {
-    const cv::Point place(part.x + (2 * (i % kPlaces) + 1) * part.width / (2 * kPlaces),
-                          part.y + (2 * (i / kPlaces) + 1) * part.height / (2 * kPlaces));
-    auto patch = BackgroundPatch::at(image, place);
+  for (int i = 0; i < kSamples * kSamples; ++i) {
+    const cv::Point cell(part.x + (2 * (i % kSamples) + 1) * part.width / (2 * kSamples),
+                         part.y + (2 * (i / kSamples) + 1) * part.height / (2 * kSamples));
+    auto patch = BackgroundPatch::at(image, cell);
     if (patch && (!best || patch->structure() > best->structure())) {
       best = std::move(patch);
     }
@@ -116,14 +119,14 @@ void CameraMotionDetector::learn(Watched& watched, const cv::Mat& image, double 
   const int height = image.rows / kGridRows;
   for (int tried = 0; tried < kParts && parts > 0; ++tried) {
     const int part = std::exchange(watched.nextPart, (watched.nextPart + 1) % kParts);
-    const cv::Rect place(part % kGridColumns * width, part / kGridColumns * height, width, height);
+    const cv::Rect cell(part % kGridColumns * width, part / kGridColumns * height, width, height);
     if (std::ranges::any_of(watched.pieces, [&](const Piece& piece) {
-          return place.contains(piece.patch.center());
+          return cell.contains(piece.patch.center());
         })) {
       continue;
     }
     --parts;
-    auto patch = bestPiece(image, place);
+    auto patch = bestPiece(image, cell);
     const auto byTurn =
         patch ? pixelsByTurn(watched.camera, Eigen::Vector2d(patch->center().x, patch->center().y))
               : std::nullopt;

@@ -27,9 +27,9 @@ struct CameraMotionState {
   bool moved = false;  ///< reported; stays until the camera is back or accept()
 };
 
-/// Watches, while tracking, whether a camera is bumped: pieces of the background are found again in
+/// Watches, while tracking, whether a camera is moved: pieces of the background are found again in
 /// each camera's images a few times a second, and the turn of the camera that most of them agree on
-/// is fitted. Things that move, shadows, and pieces that something covers do not agree and do not
+/// is fitted. Objects that move, shadows, and pieces that something covers do not agree and do not
 /// count. A turn by more than 0.05 degrees over half of the last checks is an event: one of 0.1
 /// degrees is reported within about a second.
 ///
@@ -68,7 +68,7 @@ private:
     double due = 0.0;                  ///< seconds
     double learned = 0.0;              ///< when pieces were last looked for, seconds
     int nextPart = 0;                  ///< of the image, to look for a piece in
-    cv::Mat thumbnail;                 ///< of the reference, for bumps that are large
+    cv::Mat thumbnail;                 ///< of the reference, for large motions
     CameraMotionState state;
   };
   void check(std::size_t camera, const Frame& frame, const FrameSet& frames);

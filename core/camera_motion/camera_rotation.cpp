@@ -2,6 +2,7 @@
 #include "core/camera_motion/camera_rotation.h"
 
 #include "core/base/statistics.h"
+#include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
 #include <Eigen/Cholesky>
@@ -14,7 +15,10 @@
 namespace dewpoint::camera_motion {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Shifts that determine a rotation.
 constexpr std::size_t kFewest = 4;
+/// Rounds of reweighted least squares.
 constexpr int kRounds = 12;
 constexpr double kTukey = 4.685;     // 95 % efficiency for normal residuals
 constexpr double kToSigma = 0.8493;  // median length of a normal vector of the plane to its sigma

@@ -11,9 +11,11 @@
 namespace dewpoint::camera_motion {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr double kReach = 2.0;       // radii around the expected outline
 constexpr double kLeastRadius = 2.0; // pixels
 constexpr double kLeastShare = 0.6;  // of the outline's area
+/// Of the outline's area: more is another object.
 constexpr double kMostShare = 1.5;
 constexpr int kLargestStep = 3;        // pixels between those looked at of a large target
 constexpr double kPixelsAcross = 40.0; // as many are enough

@@ -17,7 +17,7 @@ namespace dewpoint::camera_motion {
 /// A target as one camera sees it, and where the other cameras say it is.
 struct ReprojectionResidual {
   double time = 0.0;                                  ///< seconds
-  Eigen::Vector3d world = Eigen::Vector3d::Zero();    ///< by the other cameras alone; metres
+  Eigen::Vector3d world = Eigen::Vector3d::Zero();    ///< by the other cameras alone; meters
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();    ///< of its center
   Eigen::Vector2d residual = Eigen::Vector2d::Zero(); ///< pixel minus that of `world`, pixels
   double othersOff = 0.0; ///< how far the others disagree on `world` among themselves, pixels
@@ -25,7 +25,7 @@ struct ReprojectionResidual {
 
 /// Middle of the pixels of the target's color around where it is expected (CV_8UC3, pixels);
 /// nothing when they are not about as many as its outline holds, or reach the edge of what was
-/// looked at: it is hidden in part, or something else has its color.
+/// looked at: it is hidden in part, or another object has its color.
 std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRange& color,
                                              const SphereImage& expected);
 

@@ -13,10 +13,13 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto kFirstPause = 250ms; ///< before the first new attempt; doubles up to the longest
+/// Between two attempts.
 constexpr auto kLongestPause = 4000ms;
 /// A connected camera that is silent for so long is called lost, though its read still waits.
 constexpr auto kSilence = 2s;
 constexpr auto kReadPatience = 1s; ///< with a read that does not return, when the thread has to end
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Weight of the newest interval in a camera's rate.
 constexpr double kRateSmoothing = 0.1;
 
 } // namespace

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/empty_room.h"
 
+#include "core/capture/image_reader.h"
 #include "core/capture/picture_reader.h"
+#include "core/capture/video_reader.h"
 
 #include <algorithm>
 #include <array>
@@ -32,11 +34,11 @@ Result<std::vector<cv::Mat>> readSome(PictureReader& reader, const PictureShape&
     if (picture->empty()) {
       break;
     }
-    auto turned = shaped(*picture, camera, reader.fileOf(frame));
-    if (!turned) {
-      return tl::make_unexpected(turned.error());
+    auto rotated = shaped(*picture, camera, reader.fileOf(frame));
+    if (!rotated) {
+      return tl::make_unexpected(rotated.error());
     }
-    pictures.push_back(turned->clone());
+    pictures.push_back(rotated->clone());
   }
   if (pictures.empty()) {
     return failure(ErrorCode::FileUnreadable, reader.fileOf(0), cameraField(camera.camera),

@@ -9,11 +9,12 @@
 
 namespace dewpoint::capture {
 
-/// What a camera shows when no target is there (CV_8UC3, turned): the picture in a file, or the
+/// What a camera shows when no target is there (CV_8UC3, rotated): the picture in a file, or the
 /// median, pixel by pixel, of up to kEmptyRoomPictures evenly picked ones of a video or of a folder
 /// of pictures. FileMissing, FileUnreadable or Mismatch name the file and the camera.
 Result<cv::Mat> readEmptyRoom(const std::string& location, const PictureShape& camera);
 
+/// Pictures that a median is taken of.
 inline constexpr int kEmptyRoomPictures = 15;
 
 } // namespace dewpoint::capture

@@ -10,6 +10,9 @@
 
 namespace dewpoint::capture {
 
+/// Frames per second where neither the project nor the source states them. Origin not recorded.
+inline constexpr double kDefaultFramesPerSecond = 30;
+
 /// Frame sets of all cameras, one after the other. Implementations turn every exception of the
 /// libraries they use into an Error. Used by one thread only.
 class FrameSetSource {
@@ -24,7 +27,7 @@ public:
   virtual Result<FrameSetPtr> next() = 0;
   /// Makes `frame` the next one. Live sources ignore it.
   virtual Status seek(std::int64_t frame) = 0;
-  /// Frames a live camera took that were replaced by newer ones before anyone looked.
+  /// Frames a live camera took that were replaced by newer ones before they were taken.
   virtual std::int64_t droppedFrames() const { return 0; }
   /// Sentences worth saying that do not stop the run (videos of different length, a camera lost).
   virtual std::vector<Error> notices() const { return {}; }

@@ -1,34 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/capture/picture_reader.h"
+#include "core/capture/image_reader.h"
 
-#include <fmt/format.h>
+#include "core/capture/natural_order.h"
+
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <filesystem>
-#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace dewpoint::capture {
-
 namespace {
 
 namespace fs = std::filesystem;
-
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-/// Cuts the run of digits off the front of `text`, without its leading zeros.
-std::string_view takeNumber(std::string_view& text) {
-  const auto end = std::ranges::find_if_not(text, isDigit);
-  std::string_view number = text.substr(0, static_cast<std::size_t>(end - text.begin()));
-  text.remove_prefix(number.size());
-  number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
-  return number;
-}
 
 bool isPicture(const fs::path& path) {
   constexpr std::array kEndings{".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff"};
@@ -66,60 +53,10 @@ private:
   std::string field_;
 };
 
-class GeneratedReader final : public PictureReader {
-public:
-  GeneratedReader(const RecordedCamera& camera, std::string field)
-      : camera_(camera), field_(std::move(field)) {}
-
-  std::int64_t frameCount() const override { return camera_.generatedFrames; }
-  std::string fileOf(std::int64_t) const override { return camera_.path; }
-  Result<cv::Mat> read(std::int64_t frame) override {
-    try {
-      cv::Mat picture = camera_.generate(frame);
-      if (picture.empty()) {
-        return failure(ErrorCode::FileUnreadable, camera_.path, field_,
-                       fmt::format("picture {} was not made", frame));
-      }
-      return picture;
-    } catch (const std::exception& problem) {
-      return failure(ErrorCode::FileUnreadable, camera_.path, field_, problem.what());
-    }
-  }
-
-private:
-  RecordedCamera camera_;
-  std::string field_;
-};
-
 } // namespace
 
 bool isPictureFile(const std::string& path) {
   return isPicture(path);
-}
-
-bool naturallyBefore(const std::string& left, const std::string& right) {
-  std::string_view a = left;
-  std::string_view b = right;
-  while (!a.empty() && !b.empty()) {
-    if (isDigit(a.front()) && isDigit(b.front())) {
-      const auto numberA = takeNumber(a);
-      const auto numberB = takeNumber(b);
-      if (numberA.size() != numberB.size()) {
-        return numberA.size() < numberB.size();
-      }
-      if (numberA != numberB) {
-        return numberA < numberB;
-      }
-      continue;
-    }
-    if (a.front() != b.front()) {
-      return static_cast<unsigned char>(a.front()) < static_cast<unsigned char>(b.front());
-    }
-    a.remove_prefix(1);
-    b.remove_prefix(1);
-  }
-  // Equal but for leading zeros or an ending: any fixed order will do.
-  return a.empty() != b.empty() ? a.empty() : left < right;
 }
 
 Result<PictureReaderPtr> openImageReader(const std::string& folder, const std::string& field) {
@@ -152,14 +89,6 @@ Result<PictureReaderPtr> openImageReader(const std::string& folder, const std::s
 
 Result<PictureReaderPtr> openPictureReader(const std::string& file, const std::string& field) {
   return std::make_unique<ImageReader>(std::vector<std::string>{file}, field);
-}
-
-Result<PictureReaderPtr> openGeneratedReader(const RecordedCamera& camera,
-                                             const std::string& field) {
-  if (!camera.generate || camera.generatedFrames < 1) {
-    return failure(ErrorCode::BadValue, camera.path, field, "there is nothing that makes pictures");
-  }
-  return std::make_unique<GeneratedReader>(camera, field);
 }
 
 } // namespace dewpoint::capture

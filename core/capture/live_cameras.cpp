@@ -2,6 +2,7 @@
 #include "core/capture/live_cameras.h"
 
 #include "core/capture/camera_thread.h"
+#include "core/capture/frame_source.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,15 +18,14 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kLongestWait = 100ms; ///< so that whoever asks stays responsive
 constexpr auto kTogether = 40ms;     ///< how long one camera's frame waits for the others'
 constexpr auto kStopPatience = 1s;   ///< with threads that do not end, for all cameras together
-constexpr double kUsualRate = 30;
 
 /// The frame at the time of what it shows.
-FramePtr inTime(FramePtr frame, TimeStamp lateBy) {
-  if (!frame || lateBy == TimeStamp{}) {
+FramePtr inTime(FramePtr frame, TimeStamp delay) {
+  if (!frame || delay == TimeStamp{}) {
     return frame;
   }
   return std::make_shared<const Frame>(
-      Frame{frame->index, frame->captureTime - lateBy, frame->image});
+      Frame{frame->index, frame->captureTime - delay, frame->image});
 }
 
 class LiveCameras final : public FrameSetSource {
@@ -34,7 +34,7 @@ public:
     cameras_.reserve(cameras.size());
     for (const LiveCamera& camera : cameras) {
       cameras_.emplace_back(camera, factory, bell_, zero_);
-      lateBy_.push_back(timeStamp(camera.lateBy));
+      delay_.push_back(timeStamp(camera.delay));
     }
   }
 
@@ -61,7 +61,7 @@ private:
   Clock::time_point zero_ = Clock::now();
   std::shared_ptr<Bell> bell_ = std::make_shared<Bell>();
   std::vector<CameraThread> cameras_;
-  std::vector<TimeStamp> lateBy_; ///< of the cameras
+  std::vector<TimeStamp> delay_; ///< of the cameras
   std::int64_t sets_ = 0;
   TimeStamp last_{};
 };
@@ -72,7 +72,7 @@ double LiveCameras::framesPerSecond() const {
       return camera.framesPerSecond();
     }
   }
-  return kUsualRate;
+  return kDefaultFramesPerSecond;
 }
 
 /// When the frames at hand make a set: now when all cameras that deliver have one, else as soon as
@@ -108,7 +108,7 @@ Result<FrameSetPtr> LiveCameras::next() {
   set->index = sets_++;
   TimeStamp newest{};
   for (CameraThread& camera : cameras_) {
-    set->frames.push_back(inTime(camera.take().value_or(nullptr), lateBy_[set->frames.size()]));
+    set->frames.push_back(inTime(camera.take().value_or(nullptr), delay_[set->frames.size()]));
     if (set->frames.back()) {
       newest = std::max(newest, set->frames.back()->captureTime);
     }

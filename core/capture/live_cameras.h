@@ -20,7 +20,7 @@ struct LiveCamera {
   int width = 0;         ///< expected after the rotation, pixels; 0: any
   int height = 0;        ///< expected after the rotation, pixels; 0: any
   bool mirrored = false; ///< left to right, after the rotation
-  double lateBy = 0.0;   ///< seconds from what a picture shows to its grab, beyond the others'
+  double delay = 0.0;    ///< seconds from what a picture shows to its grab, beyond the others'
 };
 
 /// Starts one thread per camera, each opening, reading and reconnecting on its own, and returns at
@@ -28,7 +28,7 @@ struct LiveCamera {
 /// multiple of 90) fail. A camera that cannot be opened (DeviceUnavailable), stopped delivering
 /// (ConnectionLost) or sends another picture size (Mismatch) is a notice for as long as that lasts.
 /// Frames carry the steady clock's reading right after the grab, counted from this call, less what
-/// their camera is late by.
+/// of their camera's delay.
 Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras);
 
 } // namespace dewpoint::capture

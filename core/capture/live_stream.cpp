@@ -16,7 +16,10 @@ namespace dewpoint::capture {
 
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// After which opening a stream has failed, ...
 constexpr int kOpenTimeoutMilliseconds = 3000;
+/// ... and reading from it.
 constexpr int kReadTimeoutMilliseconds = 2000;
 constexpr std::string_view kPipelinePrefix = "gst:";
 constexpr std::string_view kDevicePrefix = "/dev/video";

@@ -16,7 +16,7 @@ namespace dewpoint::capture {
 class LiveStream {
 public:
   virtual ~LiveStream() = default;
-  /// Connects; the sentence part says why not.
+  /// Connects; the error's detail tells why it failed.
   virtual tl::expected<void, std::string> open() = 0;
   /// Waits for the next picture; false when the connection is lost.
   virtual bool grab() = 0;

@@ -30,7 +30,7 @@ cv::Mat mirrored(const cv::Mat& picture) {
   return result;
 }
 
-cv::Mat turned(const cv::Mat& picture, int degrees) {
+cv::Mat rotated(const cv::Mat& picture, int degrees) {
   if (degrees == 0) {
     return picture;
   }
@@ -68,7 +68,7 @@ Result<cv::Mat> shaped(const cv::Mat& picture, const PictureShape& shape, const 
     if (!bgr) {
       return bgr;
     }
-    cv::Mat result = turned(*bgr, shape.rotateDegrees);
+    cv::Mat result = rotated(*bgr, shape.rotateDegrees);
     result = shape.mirrored ? mirrored(result) : result;
     const bool fits = (shape.width == 0 || result.cols == shape.width) &&
                       (shape.height == 0 || result.rows == shape.height);

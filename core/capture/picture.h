@@ -24,7 +24,7 @@ std::string cameraField(const std::string& name);
 /// Whether the rotation is one of 0, 90, 180 and 270 degrees and the size is not negative.
 Status checkShape(const PictureShape& shape, const std::string& file);
 
-/// The picture as CV_8UC3, turned and mirrored, and of the size asked for; gray and BGRA are
+/// The picture as CV_8UC3, rotated and mirrored, and of the requested size; gray and BGRA are
 /// converted. The result shares the pixels of `picture` when nothing had to change.
 Result<cv::Mat> shaped(const cv::Mat& picture, const PictureShape& shape, const std::string& file);
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/recording.h"
 
+#include "core/capture/frame_source.h"
+#include "core/capture/generated_reader.h"
+#include "core/capture/image_reader.h"
 #include "core/capture/picture.h"
 #include "core/capture/picture_reader.h"
+#include "core/capture/video_reader.h"
 
 #include <fmt/format.h>
 
@@ -12,10 +16,8 @@
 #include <utility>
 
 namespace dewpoint::capture {
-
 namespace {
 
-constexpr double kDefaultRate = 30;
 /// Rates further apart than this share cannot be one rate, rounded in different ways.
 constexpr double kSameRate = 0.01;
 
@@ -24,7 +26,7 @@ struct Camera {
   std::string path;
   PictureReaderPtr reader;
   cv::Mat first;          ///< frame 0, decoded when the recording was opened; handed out once
-  double lateBy = 0.0;    ///< seconds
+  double delay = 0.0;     ///< seconds
   std::int64_t ahead = 0; ///< its pictures are taken from so many farther on
 };
 
@@ -45,7 +47,7 @@ public:
       : cameras_(std::move(cameras)), rate_(rate), notices_(std::move(notices)) {
     count_ = frames(*std::ranges::min_element(cameras_, {}, frames));
     for (Camera& camera : cameras_) {
-      camera.ahead = std::llround(camera.lateBy * rate_);
+      camera.ahead = std::llround(camera.delay * rate_);
     }
   }
 
@@ -75,7 +77,7 @@ public:
       if (picture->empty()) {
         return FrameSetPtr();
       }
-      const TimeStamp taken = timeStamp(static_cast<double>(number) / rate_ - camera.lateBy);
+      const TimeStamp taken = timeStamp(static_cast<double>(number) / rate_ - camera.delay);
       set->frames.push_back(std::make_shared<Frame>(Frame{number, taken, std::move(*picture)}));
     }
     ++next_;
@@ -118,7 +120,7 @@ Result<Camera> openCamera(const RecordedCamera& description) {
   camera.shape = {description.name, description.rotateDegrees, description.width,
                   description.height, description.mirrored};
   camera.path = description.path;
-  camera.lateBy = description.lateBy;
+  camera.delay = description.delay;
   if (auto usable = checkShape(camera.shape, camera.path); !usable) {
     return tl::make_unexpected(usable.error());
   }
@@ -173,16 +175,16 @@ void noteDifferences(const std::vector<Camera>& cameras, std::vector<Error>& not
   }
 }
 
-double rateOf(const std::vector<Camera>& cameras, double asked) {
-  if (asked > 0) {
-    return asked;
+double rateOf(const std::vector<Camera>& cameras, double requested) {
+  if (requested > 0) {
+    return requested;
   }
   for (const Camera& camera : cameras) {
     if (camera.reader->framesPerSecond() > 0) {
       return camera.reader->framesPerSecond();
     }
   }
-  return kDefaultRate;
+  return kDefaultFramesPerSecond;
 }
 
 } // namespace

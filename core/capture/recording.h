@@ -27,9 +27,9 @@ struct RecordedCamera {
   std::function<cv::Mat(std::int64_t)> generate; ///< a fresh CV_8UC3 picture of that frame number
   std::int64_t generatedFrames = 0;
   bool mirrored = false; ///< left to right, after the rotation
-  /// Seconds by which its pictures are late: picture k shows what was k / rate - lateBy seconds
+  /// Seconds by which its pictures are late: picture k shows what was k / rate - delay seconds
   /// after the beginning.
-  double lateBy = 0.0;
+  double delay = 0.0;
 };
 
 /// Opens synchronized recordings: frame k of each camera shows the same instant, k / rate seconds

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/capture/picture_reader.h"
+#include "core/capture/video_reader.h"
 
 #include <fmt/format.h>
 #include <opencv2/videoio.hpp>
@@ -10,7 +10,6 @@
 #include <utility>
 
 namespace dewpoint::capture {
-
 namespace {
 
 /// Decoding this many frames costs about as much as one seek to the key frame before them.

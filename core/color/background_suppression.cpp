@@ -52,12 +52,12 @@ std::vector<cv::Mat> withoutBackgroundColors(const ColorRange& range,
   return result;
 }
 
-ColorVerdict judgeColorWithBackground(const ColorRange& range,
-                                      const std::vector<ColorSample>& samples,
-                                      const std::vector<cv::Mat>& images,
-                                      const std::vector<cv::Mat>& rooms) {
-  return judgeColor(range, samples,
-                    anyRoom(rooms) ? withoutBackgroundColors(range, images, rooms) : images);
+ColorAssessment assessColorWithBackground(const ColorRange& range,
+                                          const std::vector<ColorSample>& samples,
+                                          const std::vector<cv::Mat>& images,
+                                          const std::vector<cv::Mat>& rooms) {
+  return assessColor(range, samples,
+                     anyRoom(rooms) ? withoutBackgroundColors(range, images, rooms) : images);
 }
 
 Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
@@ -66,7 +66,7 @@ Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& sa
   const ColorEvidence evidence = colorEvidence(samples, images);
   return learnRange(evidence).map([&](const ColorRange& range) {
     const auto shown = anyRoom(rooms) ? withoutBackgroundColors(range, images, rooms) : images;
-    return LearnedColor{range, judgeColor(range, samples, shown, evidence)};
+    return LearnedColor{range, assessColor(range, samples, shown, evidence)};
   });
 }
 

@@ -22,13 +22,13 @@ std::vector<cv::Mat> withoutBackgroundColors(const ColorRange& range,
                                              const std::vector<cv::Mat>& images,
                                              const std::vector<cv::Mat>& rooms);
 
-/// judgeColor() for trackers that know the empty rooms.
-ColorVerdict judgeColorWithBackground(const ColorRange& range,
-                                      const std::vector<ColorSample>& samples,
-                                      const std::vector<cv::Mat>& images,
-                                      const std::vector<cv::Mat>& rooms);
+/// assessColor() for trackers that know the empty rooms.
+ColorAssessment assessColorWithBackground(const ColorRange& range,
+                                          const std::vector<ColorSample>& samples,
+                                          const std::vector<cv::Mat>& images,
+                                          const std::vector<cv::Mat>& rooms);
 
-/// learnColor() with such a verdict.
+/// learnColor() with such an assessment.
 Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
                                               const std::vector<cv::Mat>& images,
                                               const std::vector<cv::Mat>& rooms);

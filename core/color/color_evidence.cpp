@@ -52,54 +52,54 @@ void widen(cv::Mat& mask) {
   cv::dilate(mask, mask, cv::getStructuringElement(cv::MORPH_ELLIPSE, size));
 }
 
-/// Things that match a range, as cv::connectedComponentsWithStats() tells them apart.
-struct MatchingThings {
+/// Objects that match a range, as cv::connectedComponentsWithStats() tells them apart.
+struct MatchingObjects {
   cv::Mat labels, statistics;
   int count = 0;
 
-  MatchingThings(const cv::Mat& image, const ColorRange& range) {
+  MatchingObjects(const cv::Mat& image, const ColorRange& range) {
     cv::Mat centers;
     count = cv::connectedComponentsWithStats(matchImage(image, ColorClassifier(range)), labels,
                                              statistics, centers);
   }
-  int area(int thing) const { return statistics.at<int>(thing, cv::CC_STAT_AREA); }
+  int area(int object) const { return statistics.at<int>(object, cv::CC_STAT_AREA); }
   /// Whether it can be a target of this area by its size.
-  bool isAsLarge(int thing, double target) const {
-    return area(thing) > target / (kOtherSize * kOtherSize) && area(thing) < target * kOtherSize;
+  bool isAsLarge(int object, double target) const {
+    return area(object) > target / (kOtherSize * kOtherSize) && area(object) < target * kOtherSize;
   }
 };
 
 /// The largest thing that matches, if it can be the target by its size; else nothing.
 cv::Mat likelyTarget(const cv::Mat& image, const ColorRange& range, double area) {
-  const MatchingThings things(image, range);
+  const MatchingObjects objects(image, range);
   int largest = 0;
-  for (int i = 1; i < things.count; ++i) {
-    if (largest == 0 || things.area(i) > things.area(largest)) {
+  for (int i = 1; i < objects.count; ++i) {
+    if (largest == 0 || objects.area(i) > objects.area(largest)) {
       largest = i;
     }
   }
   cv::Mat mask = cv::Mat::zeros(image.size(), CV_8UC1);
-  if (largest > 0 && things.isAsLarge(largest, area)) {
-    mask.setTo(255, things.labels == largest);
+  if (largest > 0 && objects.isAsLarge(largest, area)) {
+    mask.setTo(255, objects.labels == largest);
   }
   return mask;
 }
 
 /// Adds the rest of things that are in the mask already, by part: shading makes a target of one
 /// color many.
-void completeThings(const cv::Mat& image, const ColorRange& range, double area, cv::Mat& mask) {
-  const MatchingThings things(image, range);
-  std::vector<bool> inMask(std::size_t(things.count), false);
+void completeObjects(const cv::Mat& image, const ColorRange& range, double area, cv::Mat& mask) {
+  const MatchingObjects objects(image, range);
+  std::vector<bool> inMask(std::size_t(objects.count), false);
   for (int y = 0; y < mask.rows; ++y) {
     for (int x = 0; x < mask.cols; ++x) {
       if (mask.at<std::uint8_t>(y, x) != 0) {
-        inMask[std::size_t(things.labels.at<int>(y, x))] = true;
+        inMask[std::size_t(objects.labels.at<int>(y, x))] = true;
       }
     }
   }
-  for (int i = 1; i < things.count; ++i) {
-    if (inMask[std::size_t(i)] && things.isAsLarge(i, area)) {
-      mask.setTo(255, things.labels == i);
+  for (int i = 1; i < objects.count; ++i) {
+    if (inMask[std::size_t(i)] && objects.isAsLarge(i, area)) {
+      mask.setTo(255, objects.labels == i);
     }
   }
 }
@@ -136,7 +136,7 @@ cv::Mat unclickedTarget(const cv::Mat& image, const ColorRange& typical,
   if (range && cv::countNonZero(mask) == 0) {
     mask = likelyTarget(image, *range, area);
   } else if (range) {
-    completeThings(image, *range, area, mask);
+    completeObjects(image, *range, area, mask);
   }
   return mask;
 }

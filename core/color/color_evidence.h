@@ -12,7 +12,8 @@
 
 namespace dewpoint::color {
 
-/// What samples and images say about a color: what is target, and what is not. Weights are pixels.
+/// The evidence of samples and images about a color: what is target, and what is not. Weights are
+/// pixels.
 struct ColorEvidence {
   std::vector<HsiColors> target;
   std::vector<HsiColors> rest;
@@ -21,7 +22,7 @@ struct ColorEvidence {
   double targetArea = 0.0; ///< mean pixels of the samples: how large the target is in an image
   double imageShare = 0.0; ///< of the smallest image that targetArea takes, 0 to 1
   BgrColor typicalColor{}; ///< the median of what was sampled
-  /// Per camera, CV_8UC1: 255 where the target is or may be, so that it says nothing about the
+  /// Per camera, CV_8UC1: 255 where the target is or may be, so that it is no evidence about the
   /// rest. Empty where there is no image.
   std::vector<cv::Mat> targetMasks;
   /// The images it was collected from (pixels are shared, not copied), and per camera, CV_8UC1: 255
@@ -31,8 +32,8 @@ struct ColorEvidence {
 };
 
 /// The target in an image is the region grown from a click, where the image still shows the clicked
-/// thing; elsewhere the one connected thing of its color that is about as large. With a `range`,
-/// all parts of that thing that match it belong to the target.
+/// object; elsewhere the one connected object of its color that is about as large. With a `range`,
+/// all parts of that object that match it belong to the target.
 ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images,
                             const std::optional<ColorRange>& range = std::nullopt);
@@ -43,7 +44,7 @@ ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images, const ColorRange& range,
                             const ColorEvidence& before);
 
-/// The target's colors as other places and moments will show them: lighter and darker, paler and
+/// The target's colors as other positions and times will show them: lighter and darker, paler and
 /// fuller, a little of another hue. The weight stays.
 std::vector<HsiColors> inOtherLight(const std::vector<HsiColors>& colors);
 

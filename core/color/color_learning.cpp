@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/color/color_learning.h"
 
+#include "core/color/color_assessment.h"
 #include "core/color/color_classifier.h"
 #include "core/color/color_evidence.h"
-#include "core/color/color_verdict.h"
 #include "core/color/range_fit.h"
 
 #include <algorithm>
@@ -26,12 +26,12 @@ bool leavesSampleOut(const ColorRange& range, const std::vector<ColorSample>& sa
   return samples.size() > 1 && std::ranges::any_of(samples, isLeftOut);
 }
 
-ColorVerdict verdictFrom(const ColorEvidence& evidence, const ColorRange& range,
-                         const std::vector<ColorSample>& samples,
-                         const std::vector<cv::Mat>& images) {
-  ColorVerdict verdict = verdictOn(range, evidence, images);
-  verdict.sampleLeftOut = leavesSampleOut(range, samples);
-  return verdict;
+ColorAssessment assessmentFrom(const ColorEvidence& evidence, const ColorRange& range,
+                               const std::vector<ColorSample>& samples,
+                               const std::vector<cv::Mat>& images) {
+  ColorAssessment assessment = assessRange(range, evidence, images);
+  assessment.sampleLeftOut = leavesSampleOut(range, samples);
+  return assessment;
 }
 
 } // namespace
@@ -50,18 +50,18 @@ Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
                                 const std::vector<cv::Mat>& images) {
   const ColorEvidence evidence = colorEvidence(samples, images);
   return learnRange(evidence).map([&](const ColorRange& range) {
-    return LearnedColor{range, judgeColor(range, samples, images, evidence)};
+    return LearnedColor{range, assessColor(range, samples, images, evidence)};
   });
 }
 
-ColorVerdict judgeColor(const ColorRange& range, const std::vector<ColorSample>& samples,
-                        const std::vector<cv::Mat>& images) {
-  return verdictFrom(colorEvidence(samples, images, range), range, samples, images);
+ColorAssessment assessColor(const ColorRange& range, const std::vector<ColorSample>& samples,
+                            const std::vector<cv::Mat>& images) {
+  return assessmentFrom(colorEvidence(samples, images, range), range, samples, images);
 }
 
-ColorVerdict judgeColor(const ColorRange& range, const std::vector<ColorSample>& samples,
-                        const std::vector<cv::Mat>& images, const ColorEvidence& evidence) {
-  return verdictFrom(colorEvidence(samples, images, range, evidence), range, samples, images);
+ColorAssessment assessColor(const ColorRange& range, const std::vector<ColorSample>& samples,
+                            const std::vector<cv::Mat>& images, const ColorEvidence& evidence) {
+  return assessmentFrom(colorEvidence(samples, images, range, evidence), range, samples, images);
 }
 
 } // namespace dewpoint::color

@@ -15,8 +15,8 @@
 
 namespace dewpoint::color {
 
-enum class HorizontalPlace : std::uint8_t { Left, Center, Right };
-enum class VerticalPlace : std::uint8_t { Top, Middle, Bottom };
+enum class HorizontalThird : std::uint8_t { Left, Center, Right };
+enum class VerticalThird : std::uint8_t { Top, Middle, Bottom };
 enum class ColorWord : std::uint8_t {
   Black,
   Gray,
@@ -32,36 +32,36 @@ enum class ColorWord : std::uint8_t {
   Pink,
 };
 
-/// What a person would call a color.
+/// The everyday name of a color.
 ColorWord colorWord(const BgrColor& color);
 
 /// Something that is not the target and matches its color too.
-struct LookAlikeRegion {
+struct DistractorRegion {
   int camera = 0;
   cv::Rect box;
   double share = 0.0; ///< of the image's pixels
   std::vector<cv::Point> outline;
-  HorizontalPlace horizontal = HorizontalPlace::Center; ///< thirds of the image
-  VerticalPlace vertical = VerticalPlace::Middle;
+  HorizontalThird horizontal = HorizontalThird::Center; ///< thirds of the image
+  VerticalThird vertical = VerticalThird::Middle;
   ColorWord color = ColorWord::Gray;
 };
 
-/// What a person can do about it.
+/// What the user can do about it.
 enum class Suggestion : std::uint8_t {
-  None,             ///< the color separates well
-  AddSamples,       ///< much of the target does not match: click its light and its dark side
-  ExcludeLookAlike, ///< one thing matches that could be told apart: Alt-click it
-  RemoveLookAlike,  ///< one thing of the same color: cover it or take it out of view
-  MoreLight,        ///< the target is nearly black
-  LessExposure,     ///< the target is nearly white: its color is lost
-  UseStrongerColor, ///< the target is nearly gray
-  UseAnotherColor,  ///< several things in the room have this color
-  ClickThingItself, ///< what was clicked fills much of an image: a wall, not a thing
-  ClickMore,        ///< what was clicked is a speck, of which little matches
+  None,              ///< the color separates well
+  AddSamples,        ///< much of the target does not match: click its light and its dark side
+  ExcludeDistractor, ///< one object matches that could be excluded: Alt-click it
+  RemoveDistractor,  ///< one object of the same color: cover it or take it out of view
+  MoreLight,         ///< the target is nearly black
+  LessExposure,      ///< the target is nearly white: its color is lost
+  UseStrongerColor,  ///< the target is nearly gray
+  UseAnotherColor,   ///< several objects in the room have this color
+  ClickObjectItself, ///< what was clicked fills much of an image: a wall, not an object
+  ClickMore,         ///< what was clicked is a speck, of which little matches
 };
 
-/// How well a color range tells the target from the rest.
-struct ColorVerdict {
+/// How well a color range distinguishes the target from the rest.
+struct ColorAssessment {
   /// False when there is no sample: then nothing but backgroundShare, of all pixels, is known.
   bool targetKnown = true;
   /// F1 score of the range, 0 to 1: of what matches and what is target, the share that is both.
@@ -72,15 +72,16 @@ struct ColorVerdict {
   /// backgroundShare of a range for the whole target. Where little of it matches, this is why: more
   /// of it would cost more than it wins. Nothing while missesTarget() is false.
   std::optional<double> backgroundShareOfWhole;
-  std::vector<LookAlikeRegion> lookAlikes; ///< largest first, at most kMostLookAlikes
+  std::vector<DistractorRegion> distractors; ///< largest first, at most kMostDistractors
   /// A sample hardly matches the range that was found for all: one range cannot hold both.
   bool sampleLeftOut = false;
   Suggestion suggestion = Suggestion::None;
 
-  static constexpr std::size_t kMostLookAlikes = 5;
+  /// Distractors that are listed.
+  static constexpr std::size_t kMostDistractors = 5;
   static constexpr double kFewMatch = 0.75; ///< of the target
 
-  /// The separability as it is told, 0 to 100.
+  /// The separability as it is shown, 0 to 100.
   int score() const { return static_cast<int>(std::lround(100.0 * separability)); }
   /// Whether the score is low, or lower, because much of the target does not match.
   bool missesTarget() const { return targetKnown && targetShare < kFewMatch; }
@@ -88,28 +89,29 @@ struct ColorVerdict {
 
 struct LearnedColor {
   ColorRange range;
-  ColorVerdict verdict;
+  ColorAssessment assessment;
 };
 
 struct ColorEvidence;
 
 /// The range of hue, saturation and intensity with the greatest F1 score between what was sampled
 /// and the rest of the images (one per camera of the project, empty where there is none). The
-/// sampled colors are also taken a little lighter, darker and paler, as other places of the room
-/// will show them. An excluded sample counts as much background as a target is large.
-/// BadValue when no sample shows the target.
+/// sampled colors are also taken a little lighter, darker and paler, as other positions in the room
+/// will show them. An excluded sample counts as much background as a target is large. BadValue when
+/// no sample shows the target.
 Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
                                 const std::vector<cv::Mat>& images);
 
-/// The verdict alone, on a range however made.
-ColorVerdict judgeColor(const ColorRange& range, const std::vector<ColorSample>& samples,
-                        const std::vector<cv::Mat>& images);
+/// The assessment alone, of a range however it was made.
+ColorAssessment assessColor(const ColorRange& range, const std::vector<ColorSample>& samples,
+                            const std::vector<cv::Mat>& images);
 
 /// The two steps of learnColor(), for callers that look at the evidence, which is most of the work,
 /// in other ways as well: the range, from the evidence of the samples without a range...
 Result<ColorRange> learnRange(const ColorEvidence& evidence);
-/// ... and the verdict on a range in these images, which may be others than the evidence is from.
-ColorVerdict judgeColor(const ColorRange& range, const std::vector<ColorSample>& samples,
-                        const std::vector<cv::Mat>& images, const ColorEvidence& evidence);
+/// ... and the assessment of a range in these images, which may be others than the evidence is
+/// from.
+ColorAssessment assessColor(const ColorRange& range, const std::vector<ColorSample>& samples,
+                            const std::vector<cv::Mat>& images, const ColorEvidence& evidence);
 
 } // namespace dewpoint::color

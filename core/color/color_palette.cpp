@@ -11,7 +11,7 @@
 namespace dewpoint::color {
 namespace {
 
-constexpr float kLightness = 0.5F; ///< weight: light and shade are on one thing
+constexpr float kLightness = 0.5F; ///< weight: light and shade are on one object
 constexpr double kAlike = 10.0;    ///< distance in L*a*b* at which colors are still alike
 constexpr int kStep = 2;           ///< pixels, of those that the palette is made of
 constexpr int kRounds = 4;         ///< of k-means

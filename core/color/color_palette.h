@@ -15,6 +15,7 @@ namespace dewpoint::color {
 /// their distance there. The same picture gives the same palette.
 class ColorPalette {
 public:
+  /// Colors of the palette.
   static constexpr std::size_t kColors = 24;
   using Shares = std::array<double, kColors>; ///< something per color
 

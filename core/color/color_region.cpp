@@ -15,6 +15,8 @@
 namespace dewpoint::color {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Of an image of distances.
 constexpr int kLevels = 256;
 constexpr double kLevelsPerUnit = 12.0; ///< so that distances up to 21 are told apart
 constexpr double kShareNoise = 0.02;    ///< of r/(r+g+b): material, compression
@@ -22,20 +24,21 @@ constexpr double kGrayLevelNoise = 5.0; ///< of a channel
 constexpr double kShadingScale = 0.5;   ///< natural logarithm of the brightness
 constexpr double kDarkest = 20.0;       ///< sum of channels where brightness stops to say much
 constexpr int kSmallest = 12;           ///< pixels of a region
-constexpr double kLargestShare = 0.5;   ///< of the image: more is no thing in it
-constexpr double kNoOutline = 1.0;      ///< units of colorDistance(): a box lies within the thing
+constexpr double kLargestShare = 0.5;   ///< of the image: more is no object in it
+constexpr double kNoOutline = 1.0;      ///< units of colorDistance(): a box lies within the object
 constexpr int kSeedReach = 2;           ///< pixels around the click whose median begins
-/// Pixels across an outline over which its edge is seen: moving things are blurred, and the larger
+/// Pixels across an outline over which its edge is seen: moving objects are blurred, and the larger
 /// they appear the farther. Each counts from this radius of a region on, pixels.
 constexpr std::array<int, 3> kEdgeReach{2, 3, 4};
 constexpr std::array<double, 3> kReachFromRadius{0.0, 8.0, 16.0};
 /// Mean distance of a region from the clicked color, in levels: what counts little, and what is too
-/// much for one thing.
+/// much for one object.
 constexpr double kLittleSpread = kLevelsPerUnit;
 constexpr double kMostSpread = 3.0 * kLevelsPerUnit;
 constexpr double kOutlineSlack = 1.3; ///< of the area, within which an outline is moved
+/// Times that a click is corrected to the region it hit.
 constexpr int kCorrections = 2;
-constexpr double kSameThing = 4.0; ///< colorDistance() up to which a click is corrected
+constexpr double kSameObject = 4.0; ///< colorDistance() up to which a click is corrected
 
 BgrColor pixelAt(const cv::Mat& bgr, int x, int y) {
   const std::uint8_t* pixel = bgr.ptr<std::uint8_t>(y) + 3 * std::ptrdiff_t{x};
@@ -203,7 +206,7 @@ std::size_t steepestFrom(const NestedRegions& regions, std::size_t level) {
   return best;
 }
 
-/// `bounded`: the image is a box that a person has dragged; it may lie within the thing.
+/// `bounded`: the image is a box that a person has dragged; it may lie within the object.
 cv::Mat regionFrom(const cv::Mat& bgr, cv::Point click, const BgrColor& color, bool bounded) {
   const cv::Mat levels = levelsFrom(bgr, color);
   const double limit = (bounded ? 1.0 : kLargestShare) * static_cast<double>(bgr.total());
@@ -290,7 +293,7 @@ cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within) {
   for (int i = 0; i <= kCorrections; ++i) {
     region = regionFrom(smooth, at, color, !within.empty());
     const BgrColor middle = medianColor(colorsIn(smooth, region));
-    if (colorDistance(middle, color) > kSameThing) {
+    if (colorDistance(middle, color) > kSameObject) {
       break; // it would become something else
     }
     color = middle;
@@ -300,37 +303,37 @@ cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within) {
   return mask;
 }
 
-cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& place) {
-  const cv::Point at(static_cast<int>(std::lround(place.x + place.width / 2.0)),
-                     static_cast<int>(std::lround(place.y + place.height / 2.0)));
+cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& sample) {
+  const cv::Point at(static_cast<int>(std::lround(sample.x + sample.width / 2.0)),
+                     static_cast<int>(std::lround(sample.y + sample.height / 2.0)));
   if (!cv::Rect({0, 0}, bgr.size()).contains(at)) {
     return cv::Mat::zeros(bgr.size(), CV_8UC1);
   }
-  const cv::Rect box = place.isBox()
-                           ? cv::Rect(static_cast<int>(place.x), static_cast<int>(place.y),
-                                      static_cast<int>(std::ceil(place.width)),
-                                      static_cast<int>(std::ceil(place.height)))
+  const cv::Rect box = sample.isBox()
+                           ? cv::Rect(static_cast<int>(sample.x), static_cast<int>(sample.y),
+                                      static_cast<int>(std::ceil(sample.width)),
+                                      static_cast<int>(std::ceil(sample.height)))
                            : cv::Rect{};
   return growRegion(bgr, at, box);
 }
 
-Result<ColorSample> takeSample(const cv::Mat& bgr, ColorSample place) {
+Result<ColorSample> takeSample(const cv::Mat& bgr, ColorSample sample) {
   if (bgr.empty() || bgr.type() != CV_8UC3) {
     return failure(ErrorCode::BadValue, {}, "image", "a color image is expected");
   }
-  const bool inside = place.x >= 0.0 && place.y >= 0.0 && place.x + place.width <= bgr.cols &&
-                      place.y + place.height <= bgr.rows && place.width >= 0.0 &&
-                      place.height >= 0.0 && std::lround(place.x) < bgr.cols &&
-                      std::lround(place.y) < bgr.rows;
+  const bool inside = sample.x >= 0.0 && sample.y >= 0.0 && sample.x + sample.width <= bgr.cols &&
+                      sample.y + sample.height <= bgr.rows && sample.width >= 0.0 &&
+                      sample.height >= 0.0 && std::lround(sample.x) < bgr.cols &&
+                      std::lround(sample.y) < bgr.rows;
   if (!inside) { // NaN comes here too
-    return failure(ErrorCode::BadValue, {}, place.isBox() ? "box" : "pixel",
+    return failure(ErrorCode::BadValue, {}, sample.isBox() ? "box" : "pixel",
                    std::to_string(bgr.cols) + "x" + std::to_string(bgr.rows) +
                        " pixels are in the image");
   }
-  auto colors = colorsIn(bgr, regionOfSample(bgr, place));
-  place.area = static_cast<int>(colors.size());
-  place.colors = evenlyPicked(std::move(colors), ColorSample::kMostColors);
-  return place;
+  auto colors = colorsIn(bgr, regionOfSample(bgr, sample));
+  sample.area = static_cast<int>(colors.size());
+  sample.colors = evenlyPicked(std::move(colors), ColorSample::kMostColors);
+  return sample;
 }
 
 } // namespace dewpoint::color

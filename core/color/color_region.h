@@ -12,10 +12,10 @@ namespace dewpoint::color {
 
 /// How unlike two colors are to something that is lit unevenly: in units of noise for what light
 /// does not change (the shares of red, green and blue), and of half a natural logarithm for what it
-/// does. 0 for equal colors; about 1 for neighboring pixels of one thing, 5 for another thing.
+/// does. 0 for equal colors; about 1 for neighboring pixels of one object, 5 for another object.
 double colorDistance(const BgrColor& one, const BgrColor& other);
 
-/// The thing at a pixel: CV_8UC1 of the image's size, 255 on it.
+/// The object at a pixel: CV_8UC1 of the image's size, 255 on it.
 ///
 /// Regions around the pixel are grown for every tolerance at once, by the least colorDistance that
 /// has to be crossed to get somewhere (a flood from the click). Of these nested regions the one is
@@ -28,8 +28,8 @@ double colorDistance(const BgrColor& one, const BgrColor& other);
 /// the image.
 cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within = {});
 
-/// The region of a sample's place in an image, as takeSample() grew it.
-cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& place);
+/// The region of a sample in an image, as takeSample() grew it.
+cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& sample);
 
 /// The median per channel. At least one color.
 BgrColor medianColor(std::vector<BgrColor> colors);

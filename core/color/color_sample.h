@@ -36,8 +36,9 @@ struct ColorSample {
   bool operator==(const ColorSample&) const = default;
 };
 
-/// The same place with the area and the colors of the region that grows from it in `bgr` (CV_8UC3).
-/// BadValue naming "pixel" or "box" where the place is not in the image, "image" for another type.
-Result<ColorSample> takeSample(const cv::Mat& bgr, ColorSample place);
+/// The same sample with the area and the colors of the region that grows from it in `bgr`
+/// (CV_8UC3). BadValue naming "pixel" or "box" where it is not in the image, "image" for another
+/// type.
+Result<ColorSample> takeSample(const cv::Mat& bgr, ColorSample sample);
 
 } // namespace dewpoint::color

@@ -10,10 +10,14 @@
 namespace dewpoint::color {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Bins of one degree.
 constexpr int kHues = 360;
+/// Bins of one hundredth, 0 and 1 included.
 constexpr int kHundredths = 101;
+/// Rounds over the six bounds, at most.
 constexpr int kRounds = 12;
-/// What it must be better to let every hue through: things not in these images have other hues.
+/// What it must be better to let every hue through: objects not in these images have other hues.
 constexpr double kWorthEveryHue = 0.02;
 /// F1 scores nearer than this are of the same colors, summed in another order.
 constexpr double kRounding = 1e-12;

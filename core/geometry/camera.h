@@ -6,8 +6,6 @@
 #include <Eigen/Geometry>
 
 #include <array>
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +23,7 @@ struct Intrinsics {
   bool operator==(const Intrinsics&) const = default;
 };
 
-/// One calibrated camera. World: metres, right-handed, Z up. Camera axes as in OpenCV: x right,
+/// One calibrated camera. World: meters, right-handed, Z up. Camera axes as in OpenCV: x right,
 /// y down, z forward. Distortion coefficients in OpenCV's order: k1 k2 p1 p2 k3 k4 k5 k6 of a
 /// pinhole, k1 k2 k3 k4 (and zeros) of a fisheye.
 struct Camera {
@@ -35,7 +33,7 @@ struct Camera {
   LensModel lens = LensModel::Pinhole;
   Eigen::Isometry3d cameraFromWorld = Eigen::Isometry3d::Identity();
 
-  /// Optical center in the world frame, metres.
+  /// Optical center in the world frame, meters.
   Eigen::Vector3d center() const;
   /// Unit vector of the optical axis in the world frame.
   Eigen::Vector3d opticalAxis() const;
@@ -48,32 +46,8 @@ struct Camera {
 
 using CameraRig = std::vector<Camera>;
 
-/// Projects points of the world into one camera: OpenCV's models (see LensModel).
-/// Prepared once per camera, then cheap per point.
-class Projector {
-public:
-  explicit Projector(const Camera& camera);
-
-  /// Pixel (column, row) of a world point, also outside the image; nothing behind the camera, nor
-  /// beyond the angle where the distortion polynomial folds back (there it would invent an image).
-  std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& pointWorld) const;
-
-  /// The same for `count` points given as three columns, metres; the pixels go into two more, NaN
-  /// where project() returns nothing. Equal to project() to the bit. Columns must not overlap.
-  void projectBatch(std::int64_t count, const double* x, const double* y, const double* z,
-                    double* column, double* row) const;
-
-  const Intrinsics& intrinsics() const { return intrinsics_; }
-
-private:
-  Intrinsics intrinsics_;
-  Projection projection_;
-  LensModel lens_ = LensModel::Pinhole;
-  bool distorted_ = false;
-};
-
 /// The pose (camera from world) of a camera at `position` that looks at `target`, image up along
-/// `up`, then turned by `roll` radians about its optical axis. All in the world frame, metres.
+/// `up`, then rotated by `roll` radians about its optical axis. All in the world frame, meters.
 Eigen::Isometry3d lookAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target,
                          const Eigen::Vector3d& up = Eigen::Vector3d::UnitZ(), double roll = 0.0);
 

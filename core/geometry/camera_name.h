@@ -8,8 +8,8 @@
 
 namespace dewpoint::geometry {
 
-/// What a camera is called that nobody has named: "camera 1" for number 0. The one place that says
-/// so for files; the window shows the same words in its language.
+/// What a camera is called that nobody has named: "camera 1" for number 0. The one function that
+/// decides so for files; the window shows the same words in its language.
 std::string defaultCameraName(std::size_t index);
 
 /// The first default name from the rig's size on that no camera of it has.

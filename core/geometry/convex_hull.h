@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 
 #include <Eigen/Core>
 
@@ -11,7 +12,7 @@
 namespace dewpoint::geometry {
 
 /// A convex polyhedron. `faces` are triangles of indices into `vertices`, counterclockwise as seen
-/// from outside; none when the points lie in one plane. Metres, world frame.
+/// from outside; none when the points lie in one plane. Meters, world frame.
 struct ConvexHull {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<int, 3>> faces;

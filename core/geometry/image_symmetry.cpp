@@ -43,7 +43,7 @@ const std::array<ImageSymmetry, 8>& imageSymmetries() {
 Eigen::Vector2d transformed(const ImageSymmetry& symmetry, const Eigen::Vector2d& pixel, int width,
                             int height) {
   Eigen::Vector2d at = pixel;
-  for (int turned = 0; turned < symmetry.rotateDegrees; turned += 90) {
+  for (int rotated = 0; rotated < symmetry.rotateDegrees; rotated += 90) {
     at = Eigen::Vector2d(height - 1 - at.y(), at.x());
     std::swap(width, height);
   }
@@ -55,7 +55,7 @@ Eigen::Vector2d transformed(const ImageSymmetry& symmetry, const Eigen::Vector2d
 
 Camera transformed(const ImageSymmetry& symmetry, const Camera& camera) {
   Camera result = camera;
-  for (int turned = 0; turned < symmetry.rotateDegrees; turned += 90) {
+  for (int rotated = 0; rotated < symmetry.rotateDegrees; rotated += 90) {
     turnQuarter(result);
   }
   if (symmetry.mirrored) {

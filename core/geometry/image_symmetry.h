@@ -9,8 +9,8 @@
 
 namespace dewpoint::geometry {
 
-/// One of the eight ways a picture can lie: turned clockwise by 0, 90, 180 or 270 degrees, and then
-/// perhaps mirrored left to right. The same two numbers say it of a camera's source.
+/// One of the eight ways a picture can lie: rotated clockwise by 0, 90, 180 or 270 degrees, and
+/// then perhaps mirrored left to right. The same two numbers say it of a camera's source.
 struct ImageSymmetry {
   int rotateDegrees = 0;
   bool mirrored = false;

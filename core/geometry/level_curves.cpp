@@ -25,9 +25,9 @@ Eigen::Vector2d crossing(const GroundGrid& grid, const Edge& edge, double level)
   const double to = edge.upwards ? grid.values(edge.column, edge.row + 1)
                                  : grid.values(edge.column + 1, edge.row);
   const double part = (level - from) / (to - from);
-  Eigen::Vector2d place(static_cast<double>(edge.column), static_cast<double>(edge.row));
-  place[edge.upwards ? 1 : 0] += part;
-  return grid.origin + grid.step * place;
+  Eigen::Vector2d position(static_cast<double>(edge.column), static_cast<double>(edge.row));
+  position[edge.upwards ? 1 : 0] += part;
+  return grid.origin + grid.step * position;
 }
 
 /// The pieces of the curve within one cell of the grid.

@@ -10,7 +10,7 @@
 namespace dewpoint::geometry {
 
 /// A function sampled on a grid of the ground plane: values(column, row) is that of the point
-/// origin + step * (column, row). Metres, world x and y.
+/// origin + step * (column, row). Meters, world x and y.
 struct GroundGrid {
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();
   double step = 0.1;

@@ -24,7 +24,7 @@ struct Projection {
   /// Largest squared normalized radius at which the radial distortion still grows.
   double radiusSquaredLimit = 0.0;
 
-  /// Points nearer to the plane of the camera, in metres, are not projected.
+  /// Points nearer to the plane of the camera, in meters, are not projected.
   static constexpr double kMinDepth = 1e-9;
 
   struct Pixel {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/ray.h"
 
+#include "core/geometry/projector.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 
 #include <Eigen/Core>
 
@@ -10,7 +11,7 @@
 
 namespace dewpoint::geometry {
 
-/// A half-line in the world: `origin` in metres, `direction` of length 1.
+/// A half-line in the world: `origin` in meters, `direction` of length 1.
 struct Ray {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
@@ -50,7 +51,7 @@ private:
 /// point lies behind the origin of one.
 std::optional<Eigen::Vector3d> nearestPoint(const std::vector<Ray>& rays);
 
-/// Distance of a point to the ray: to its origin where the point lies behind it. Metres.
+/// Distance of a point to the ray: to its origin where the point lies behind it. Meters.
 double distanceToRay(const Ray& ray, const Eigen::Vector3d& point);
 
 } // namespace dewpoint::geometry

@@ -12,8 +12,8 @@
 namespace dewpoint::geometry {
 namespace {
 
-constexpr double kLargest = 1e4;  ///< metres
-constexpr double kFarthest = 1e3; ///< metres; a ray that meets the grid's plane beyond is level
+constexpr double kLargest = 1e4;  ///< meters
+constexpr double kFarthest = 1e3; ///< meters; a ray that meets the grid's plane beyond is level
 constexpr double kTolerance = 1e-9;
 
 /// Sides of the grid: pairs of axes that span one, the other axis being 0.
@@ -36,7 +36,7 @@ bool uses(GridKind kind, int axis) {
 }
 
 /// 0, step, 2 step, ..., and the end.
-std::vector<double> places(double size, double step) {
+std::vector<double> linesOf(double size, double step) {
   std::vector<double> all;
   for (int k = 0; k * step < size - 1e-6 * step; ++k) {
     all.push_back(k * step);
@@ -58,7 +58,7 @@ Eigen::Vector3d placed(int first, double a, int second, double b) {
 
 /// The lines along `along` at every place of `across`, but for the axis itself.
 void addLines(const ReferenceGrid& grid, int along, int across, std::vector<GridLine>& lines) {
-  for (const double at : places(grid.size[across], grid.step)) {
+  for (const double at : linesOf(grid.size[across], grid.step)) {
     if (at == 0.0) {
       continue;
     }
@@ -107,10 +107,10 @@ public:
   }
 
 private:
-  using Place = std::optional<Eigen::Vector2d>;
-  Place at(double t) const { return projector_.project(from_ + t * (to_ - from_)); }
+  using Pixel = std::optional<Eigen::Vector2d>;
+  Pixel at(double t) const { return projector_.project(from_ + t * (to_ - from_)); }
 
-  void piece(double t0, const Place& a, double t1, const Place& b, int depth) {
+  void piece(double t0, const Pixel& a, double t1, const Pixel& b, int depth) {
     constexpr double kBend = 0.2; // pixels
     constexpr int kDeepest = 9;
     constexpr int kDeepestAtEdge = 24; // where the line leaves what the camera can see
@@ -120,13 +120,13 @@ private:
     const double middle = 0.5 * (t0 + t1);
     if (!a || !b) {
       if (depth < kDeepestAtEdge) {
-        const Place m = at(middle);
+        const Pixel m = at(middle);
         piece(t0, a, middle, m, depth + 1);
         piece(middle, m, t1, b, depth + 1);
       }
       return;
     }
-    const Place m = depth < kDeepest ? at(middle) : std::nullopt;
+    const Pixel m = depth < kDeepest ? at(middle) : std::nullopt;
     if (m && distanceToChord(*m, *a, *b) > kBend) {
       piece(t0, a, middle, m, depth + 1);
       piece(middle, m, t1, b, depth + 1);
@@ -184,8 +184,8 @@ std::optional<Eigen::Vector3d> nearestCrossing(const Camera& camera, const Refer
   const Eigen::Isometry3d worldFromGrid = grid.worldFromGrid();
   std::optional<Eigen::Vector3d> nearest;
   for (const auto& [first, second] : sidesOf(grid.kind)) {
-    for (const double a : places(grid.size[first], grid.step)) {
-      for (const double b : places(grid.size[second], grid.step)) {
+    for (const double a : linesOf(grid.size[first], grid.step)) {
+      for (const double b : linesOf(grid.size[second], grid.step)) {
         const Eigen::Vector3d world = worldFromGrid * placed(first, a, second, b);
         const auto seen = projector.project(world);
         if (seen && (*seen - pixel).norm() < reach) {

@@ -12,27 +12,27 @@
 
 namespace dewpoint::geometry {
 
-/// Which thing of the room a reference grid lies on.
+/// Which surface of the room a reference grid lies on.
 enum class GridKind {
   Floor, ///< its x and y
   Wall,  ///< its x and z
   Box    ///< floor and the two walls that meet in the origin, and the box's edges
 };
 
-/// A grid of known size in the world, to be laid over the real thing in the images (Barrera, Cañas
-/// and Matellán 2005 calibrate so). It begins at `origin` and reaches `size` along its own axes,
-/// which are those of the world turned by `turn` about the vertical.
+/// A grid of known size in the world, to be laid over the real surface in the images (Barrera,
+/// Cañas and Matellán 2005 calibrate so). It begins at `origin` and reaches `size` along its own
+/// axes, which are those of the world rotated by `turn` about the vertical.
 struct ReferenceGrid {
   GridKind kind = GridKind::Floor;
-  Eigen::Vector3d size{4.0, 4.0, 2.0}; ///< metres along x, y and z; a floor has no z, a wall no y
-  double step = 0.5;                   ///< metres between lines
-  Eigen::Vector3d origin{-2.0, -2.0, 0.0}; ///< world, metres
+  Eigen::Vector3d size{4.0, 4.0, 2.0}; ///< meters along x, y and z; a floor has no z, a wall no y
+  double step = 0.5;                   ///< meters between lines
+  Eigen::Vector3d origin{-2.0, -2.0, 0.0}; ///< world, meters
   double turn = 0.0;                       ///< radians, counterclockwise from above
 
   bool operator==(const ReferenceGrid&) const = default;
 
   Eigen::Isometry3d worldFromGrid() const;
-  /// World position of what lies in the middle of the grid, metres.
+  /// World position of the grid's center, meters.
   Eigen::Vector3d middle() const;
 };
 
@@ -44,7 +44,7 @@ Status checkGrid(const ReferenceGrid& grid);
 
 enum class GridRole { Line, Border, AxisX, AxisY, AxisZ };
 
-/// One straight line of a grid: world, metres.
+/// One straight line of a grid: world, meters.
 struct GridLine {
   GridRole role = GridRole::Line;
   Eigen::Vector3d from = Eigen::Vector3d::Zero();
@@ -52,7 +52,7 @@ struct GridLine {
 };
 std::vector<GridLine> gridLines(const ReferenceGrid& grid);
 
-/// A text at a place: the name of an axis, or metres along it.
+/// A text at a position: the name of an axis, or meters along it.
 template <int Dimension> struct GridText {
   GridRole role = GridRole::Line;
   Eigen::Matrix<double, Dimension, 1> at;

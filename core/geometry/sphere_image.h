@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 
 #include <Eigen/Core>
 
@@ -16,18 +17,18 @@ struct SphereImage {
   double radius = 0.0;
 };
 
-/// Where a sphere appears in one camera. The middle of its outline is not the projection of its
+/// Where a sphere appears in one camera. The center of its outline is not the projection of its
 /// center: perspective pushes it away from the optical axis, by half a pixel and more for a near
 /// ball.
 class SphereProjector {
 public:
   explicit SphereProjector(const Camera& camera);
 
-  /// Outline of the sphere of `radius` metres around `centerWorld` (metres, world), also outside
+  /// Outline of the sphere of `radius` meters around `centerWorld` (meters, world), also outside
   /// the image; nothing when it reaches behind the camera or past where the lens model holds.
   std::optional<SphereImage> project(const Eigen::Vector3d& centerWorld, double radius) const;
 
-  /// Metres in front of the camera, along its optical axis.
+  /// Meters in front of the camera, along its optical axis.
   double depth(const Eigen::Vector3d& pointWorld) const {
     return (pointWorld - cameraCenter_).dot(axis_);
   }

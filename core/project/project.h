@@ -22,16 +22,16 @@ struct ProjectCamera {
   Camera camera;
   SourceKind source = SourceKind::Simulation;
   std::string location;  ///< absolute path of the video or image folder, device, or address
-  int rotateDegrees = 0; ///< images are turned clockwise by 0, 90, 180 or 270 before use
+  int rotateDegrees = 0; ///< images are rotated clockwise by 0, 90, 180 or 270 before use
   bool mirrored = false; ///< and then mirrored left to right
   /// Of a simulated camera: its calibration is the project's own, not what the scene says.
   bool adjusted = false;
   /// Absolute path of an image, a video or a folder of images that show the scene without any
-  /// target, not yet turned; empty: there is none.
+  /// target, not yet rotated; empty: there is none.
   std::string emptyRoom = {};
   /// Seconds by which its images are late: what they show was so much before their time. Of
   /// recordings the image nearest in time is taken; methods that know of times use the rest.
-  double lateBy = 0.0;
+  double delay = 0.0;
 
   /// Its calibration is the project's own from now on.
   void markAdjusted() { adjusted = adjusted || source == SourceKind::Simulation; }
@@ -39,7 +39,7 @@ struct ProjectCamera {
   bool operator==(const ProjectCamera&) const = default;
 };
 
-/// A moment of the recording that a person named.
+/// A marker: a frame of the recording with a name that the user gave it.
 struct ProjectMark {
   std::int64_t frame = 0;
   std::string name;
@@ -47,7 +47,7 @@ struct ProjectMark {
   bool operator==(const ProjectMark&) const = default;
 };
 
-/// What was said in the window of the people in a recording, for methods that find people by
+/// A correction of the people in a recording, made in the window, for methods that find people by
 /// themselves: somebody stands at a place, is seen at a pixel, or is not there after all.
 struct PersonCorrection {
   /// A click on somebody in the image of a camera.
@@ -59,8 +59,8 @@ struct PersonCorrection {
   };
 
   std::int64_t frame = 0; ///< it holds from the end of this frame on
-  /// On the floor, world x and y in metres. Either this or `click` is there.
-  std::optional<Eigen::Vector2d> place = {};
+  /// On the floor, world x and y in meters. Either this or `click` is there.
+  std::optional<Eigen::Vector2d> position = {};
   std::optional<Click> click = {};
   /// False, only with a place: whom the method has there is not there.
   bool present = true;
@@ -91,17 +91,5 @@ struct Project {
 
 /// Puts a correction behind those of its frame.
 void addPerson(Project& project, const PersonCorrection& person);
-
-/// Reads and checks a project file (TOML). The error names the file and the key.
-Result<Project> loadProject(const std::filesystem::path& file);
-/// Whether a run can be made of it: names that are there and differ, usable color ranges and radii,
-/// positive image sizes. The error names the field as the project file does.
-Status checkProject(const Project& project);
-/// The project file: paths below `folder` relative to it, all others absolute.
-std::string projectText(const Project& project, const std::filesystem::path& folder);
-/// Writes beside, flushes, renames: the old file is never broken. Paths below the file's folder
-/// are written relative to it. Comments in the file that the project was loaded from are kept where
-/// what they stand at still exists.
-Status saveProject(const Project& project, const std::filesystem::path& file);
 
 } // namespace dewpoint::project

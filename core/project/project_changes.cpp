@@ -8,7 +8,7 @@ namespace {
 
 bool sameSource(const ProjectCamera& a, const ProjectCamera& b) {
   return a.camera.name == b.camera.name && a.source == b.source && a.location == b.location &&
-         a.rotateDegrees == b.rotateDegrees && a.mirrored == b.mirrored && a.lateBy == b.lateBy;
+         a.rotateDegrees == b.rotateDegrees && a.mirrored == b.mirrored && a.delay == b.delay;
 }
 
 bool sameCalibration(const ProjectCamera& a, const ProjectCamera& b) {

@@ -17,7 +17,7 @@ struct ProjectChanges {
   bool marks = false;
   bool grid = false;       ///< the reference grid
   bool points = false;     ///< measured points and their clicks
-  bool people = false;     ///< who was said to be there, or not to be
+  bool people = false;     ///< corrections of who is there
   bool emptyRooms = false; ///< of cameras with the same sources
   bool sources = false;    ///< which cameras there are, and where images and truth come from
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/project.h"
+#include "core/project/project_check.h"
+
 #include "core/project/project_format.h"
 #include "core/project/project_people.h"
 #include "core/project/project_room.h"
@@ -13,7 +14,7 @@
 namespace dewpoint::project {
 namespace {
 
-constexpr double kLargestRadius = 1000.0; ///< metres
+constexpr double kLargestRadius = 1000.0; ///< meters
 constexpr double kSmallestBox = 2.0;      ///< pixels
 
 tl::unexpected<Error> wrong(ErrorCode code, std::string field, std::string detail) {
@@ -106,7 +107,7 @@ Status checkCameras(const Project& project) {
       return wrong(ErrorCode::BadValue, fmt::format("camera {}.calibration", i + 1),
                    "a positive size and focal length, and a finite pose are expected");
     }
-    if (!(std::abs(project.cameras[i].lateBy) <= kLatest)) {
+    if (!(std::abs(project.cameras[i].delay) <= kLatest)) {
       return wrong(ErrorCode::BadValue, fmt::format("camera {}.late_by", i + 1),
                    fmt::format("{} to {} s are expected", -kLatest, kLatest));
     }

@@ -20,7 +20,7 @@ inline constexpr std::array<std::pair<const char*, SourceKind>, 4> kSourceKeys{{
     {"stream", SourceKind::Stream},
 }};
 
-/// The most that a camera may be late by, seconds.
+/// The largest delay of a camera, seconds.
 inline constexpr double kLatest = 3600.0;
 
 } // namespace dewpoint::project

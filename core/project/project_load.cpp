@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project_load.h"
+
 #include "core/base/table_reader.h"
 #include "core/base/toml_text.h"
 #include "core/calibration/formats/calibration_file.h"
 #include "core/calibration/formats/camera_calibration.h"
-#include "core/project/project.h"
+#include "core/project/project_check.h"
 #include "core/project/project_format.h"
 #include "core/project/project_migration.h"
 #include "core/project/project_people.h"
@@ -191,7 +193,7 @@ void readSource(TableReader& reader, const path& folder, ProjectCamera& camera) 
     reader.fail(ErrorCode::BadValue, "rotate", "0, 90, 180 or 270 degrees are expected");
   }
   reader.boolean("mirror", camera.mirrored);
-  reader.number("late_by", camera.lateBy, -kLatest, kLatest);
+  reader.number("late_by", camera.delay, -kLatest, kLatest);
 }
 
 bool hasSource(const toml::table& camera) {

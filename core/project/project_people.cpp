@@ -10,7 +10,7 @@
 namespace dewpoint::project {
 namespace {
 
-constexpr double kFarthest = 1e4;     ///< metres from the origin
+constexpr double kFarthest = 1e4;     ///< meters from the origin
 constexpr double kLargestPixel = 1e6; ///< of any image
 
 PersonCorrection readPerson(const toml::table& table, const std::string& file, std::size_t index,
@@ -20,9 +20,9 @@ PersonCorrection readPerson(const toml::table& table, const std::string& file, s
   reader.require("frame");
   reader.integer("frame", person.frame, 0, std::numeric_limits<std::int64_t>::max());
   reader.require(reader.has("camera") ? "pixel" : "place");
-  Eigen::Vector2d place = Eigen::Vector2d::Zero();
-  if (reader.numbers("place", place.data(), 2, -kFarthest, kFarthest)) {
-    person.place = place;
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  if (reader.numbers("place", position.data(), 2, -kFarthest, kFarthest)) {
+    person.position = position;
   }
   int camera = 1;
   PersonCorrection::Click click;
@@ -44,10 +44,10 @@ Status checkPerson(const PersonCorrection& person, const std::string& field,
   if (person.frame < 0) {
     return wrong(".frame", "frames are counted from 0");
   }
-  if (person.place.has_value() == person.click.has_value()) {
+  if (person.position.has_value() == person.click.has_value()) {
     return wrong("", "either a place, or a camera and a pixel are expected");
   }
-  if (person.place && !(person.place->cwiseAbs().maxCoeff() <= kFarthest)) {
+  if (person.position && !(person.position->cwiseAbs().maxCoeff() <= kFarthest)) {
     return wrong(".place", fmt::format("numbers up to {} m are expected", kFarthest));
   }
   if (person.click) {
@@ -81,8 +81,8 @@ std::string peopleText(const Project& project) {
   std::string text;
   for (const PersonCorrection& person : project.people) {
     text += fmt::format("\n[[person]]\nframe = {}\n", person.frame);
-    if (person.place) {
-      text += fmt::format("place = [{}, {}]\n", person.place->x(), person.place->y());
+    if (person.position) {
+      text += fmt::format("place = [{}, {}]\n", person.position->x(), person.position->y());
     }
     if (person.click) {
       text += fmt::format("camera = {}\npixel = [{}, {}]\n", person.click->camera + 1,
@@ -101,12 +101,6 @@ Status checkPeople(const Project& project) {
     }
   }
   return {};
-}
-
-void addPerson(Project& project, const PersonCorrection& person) {
-  const auto place =
-      std::ranges::upper_bound(project.people, person.frame, {}, &PersonCorrection::frame);
-  project.people.insert(place, person);
 }
 
 } // namespace dewpoint::project

@@ -8,7 +8,7 @@
 
 namespace dewpoint::project {
 
-/// Reads what was said of people, [[person]], in the order of their frames.
+/// Reads the corrections of people, [[person]], in the order of their frames.
 void readPeople(TableReader& reader, const std::string& file, Project& project);
 std::string peopleText(const Project& project);
 /// BadValue names the one that cannot be.

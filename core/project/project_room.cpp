@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array<std::pair<const char*, GridKind>, 3> kGridKeys{
     {{"floor", GridKind::Floor}, {"wall", GridKind::Wall}, {"box", GridKind::Box}}};
-constexpr double kLargest = 1e4; ///< metres
+constexpr double kLargest = 1e4; ///< meters
 
 ReferenceGrid readGrid(const toml::table& table, const std::string& file,
                        std::optional<Error>& error) {

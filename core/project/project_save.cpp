@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project_save.h"
+
 #include "core/base/table_reader.h"
 #include "core/base/text_file.h"
 #include "core/calibration/formats/camera_calibration.h"
-#include "core/project/project.h"
 #include "core/project/project_comments.h"
 #include "core/project/project_format.h"
 #include "core/project/project_people.h"
@@ -80,8 +81,8 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
   if (camera.mirrored) {
     text += "mirror = true   # left to right, after the rotation\n";
   }
-  if (camera.lateBy != 0.0) {
-    text += fmt::format("late_by = {}   # seconds that its images are late\n", camera.lateBy);
+  if (camera.delay != 0.0) {
+    text += fmt::format("late_by = {}   # seconds that its images are late\n", camera.delay);
   }
   if (!camera.emptyRoom.empty()) {
     text += "empty_room = " + storedPath(camera.emptyRoom, folder) + "\n";

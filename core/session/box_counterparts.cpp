@@ -5,18 +5,18 @@
 
 namespace dewpoint::session {
 
-std::vector<int> placesOf(const std::vector<Target>& before, const std::vector<Target>& after) {
-  std::vector<int> places;
+std::vector<int> numbersOf(const std::vector<Target>& before, const std::vector<Target>& after) {
+  std::vector<int> numbers;
   for (std::size_t k = 0; k < before.size(); ++k) {
-    places.push_back(counterpart(after, &Target::name, before.size(), k, before[k].name));
+    numbers.push_back(counterpart(after, &Target::name, before.size(), k, before[k].name));
   }
-  return places;
+  return numbers;
 }
 
-bool keepTheirPlaces(const std::vector<int>& places) {
-  std::vector<int> same(places.size());
+bool keepTheirNumbers(const std::vector<int>& numbers) {
+  std::vector<int> same(numbers.size());
   std::iota(same.begin(), same.end(), 0);
-  return places == same;
+  return numbers == same;
 }
 
 std::optional<std::int64_t> firstChange(const std::vector<Target>& before,

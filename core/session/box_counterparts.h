@@ -25,10 +25,10 @@ int counterpart(const Targets& all, const NameOf& nameOf, std::size_t count, std
 }
 
 /// Where those of `before` are in `after`; -1 where they are not.
-std::vector<int> placesOf(const std::vector<Target>& before, const std::vector<Target>& after);
+std::vector<int> numbersOf(const std::vector<Target>& before, const std::vector<Target>& after);
 
 /// Whether all are where they were.
-bool keepTheirPlaces(const std::vector<int>& places);
+bool keepTheirNumbers(const std::vector<int>& numbers);
 
 /// The first frame that is otherwise with other boxes: of each box that is new or another one, and
 /// of each that a target has no more. Targets that are gone change nothing for the others.

@@ -12,7 +12,7 @@ namespace dewpoint::session {
 namespace {
 
 constexpr double kChiSquared95TwoDof = 5.991464547; // 95 % quantile, 2 degrees of freedom
-constexpr double kJacobianStep = 1e-4;              // metres, central differences
+constexpr double kJacobianStep = 1e-4;              // meters, central differences
 
 /// First-order ellipse of a Gaussian in the world, seen by a camera: J C Jᵀ.
 std::optional<ImageEllipse> projectedEllipse(const Projector& projector,

@@ -39,8 +39,8 @@ struct SetMethod {
   ParameterValues parameters;
   std::optional<std::int64_t> from; ///< nothing: from the start
 };
-/// Pauses and shows an earlier moment as it was (or a later one of a recording, untracked); the run
-/// itself stays where it is. Playing goes on from the moment shown: through what was recorded up to
+/// Pauses and shows an earlier frame as it was (or a later one of a recording, untracked); the run
+/// itself stays where it is. Playing goes on from the frame shown: through what was recorded up to
 /// where the run stands, then tracking.
 struct ShowFrame {
   std::int64_t frame = 0;
@@ -89,8 +89,8 @@ struct SetThreads {
 struct ShowBoard {
   bool shown = false;
 };
-/// What was said of people, in place of all that was said before; only methods for people listen.
-/// The run is tracked again from the first frame for which it is otherwise.
+/// The corrections of people, instead of all before; only methods for people listen. The run is
+/// tracked again from the first frame for which it is otherwise.
 struct SetPeople {
   std::vector<PersonCorrection> people; ///< in the order of their frames
 };

@@ -20,7 +20,7 @@ public:
   void push(Command command) {
     {
       const std::lock_guard lock(mutex_);
-      // Of a row of moments to show, as a scrubbing hand asks for them, only the last is of use; so
+      // Of several frames to show, as scrubbing requests them, only the last is of use; so
       // it is with poses of cameras that are dragged.
       const bool replaces = std::holds_alternative<command::ShowFrame>(command) ||
                             std::holds_alternative<command::SetCameras>(command);

@@ -123,16 +123,16 @@ void Playback::advance(std::optional<std::int64_t> next, std::int64_t head) {
   }
 }
 
-void Playback::rerun(const RerunState& range, std::optional<std::int64_t> lookAgain) {
+void Playback::rerun(const RerunState& range, std::optional<std::int64_t> thenView) {
   Rerunning next{range,
                  hasInputEnded() ? PlayState::Ended
                  : viewed()      ? PlayState::Paused
                                  : playState(),
-                 lookAgain};
+                 thenView};
   if (const Rerunning* underWay = rerunUnderWay()) {
     next.range.to = std::max(range.to, underWay->range.to);
     next.afterwards = underWay->afterwards;
-    next.lookAgain = lookAgain ? lookAgain : underWay->lookAgain;
+    next.thenView = thenView ? thenView : underWay->thenView;
   }
   state_ = next;
   leaveHead(range.from);
@@ -175,7 +175,7 @@ std::optional<std::int64_t> Playback::reach(std::int64_t head) {
   }
   const Rerunning done = *underWay;
   state_ = headState(done.afterwards);
-  return done.lookAgain;
+  return done.thenView;
 }
 
 void Playback::forgetEstimates() {

@@ -51,7 +51,7 @@ public:
   struct Rerunning {
     RerunState range;
     PlayState afterwards = PlayState::Paused;
-    std::optional<std::int64_t> lookAgain; ///< a frame to show when it is done
+    std::optional<std::int64_t> thenView; ///< a frame to show when it is done
   };
   struct Holding {
     Rerunning rerun;
@@ -78,7 +78,7 @@ public:
   /// The frame after the one shown; nothing: there is none.
   void advance(std::optional<std::int64_t> next, std::int64_t head);
   /// Frames `range` are tracked again, and those up to the goal of a rerun under way.
-  void rerun(const RerunState& range, std::optional<std::int64_t> lookAgain);
+  void rerun(const RerunState& range, std::optional<std::int64_t> thenView);
   /// Tracking begins at a frame that was not tracked yet.
   void trackOnFrom(std::int64_t frame);
   void endInput();

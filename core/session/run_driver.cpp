@@ -14,6 +14,7 @@ namespace dewpoint::session {
 namespace {
 
 constexpr std::size_t kRecordedHistory = std::size_t{512} << 20; // bytes
+/// Bytes, of live cameras.
 constexpr std::size_t kLiveHistory = std::size_t{1024} << 20;
 
 } // namespace
@@ -21,7 +22,7 @@ constexpr std::size_t kLiveHistory = std::size_t{1024} << 20;
 RunDriver::RunDriver(SessionInputs inputs, FrameTapSlot& tap, RunLog& log, const TruthTable& truth)
     : project_(std::move(inputs.project)), source_(std::move(inputs.source)), tap_(tap), log_(log),
       kept_(RunDefinition::of(project_, inputs.emptyRooms), filterThreads(inputs.threads)),
-      bumps_(*definition().rig), recorder_(log, truth) {
+      motionWatch_(*definition().rig), recorder_(log, truth) {
   replaceRun(definition(), 0);
   if (source_) {
     const std::size_t usual = source_->isLive() ? kLiveHistory : kRecordedHistory;
@@ -146,7 +147,7 @@ bool RunDriver::restart(std::optional<std::uint64_t> seed) {
   kept_.restart(seed);
   log_.restart(project(), kept_.threads());
   if (!source_->isLive()) { // live cameras stay where they are; the calibrated place is still known
-    bumps_.restart();
+    motionWatch_.restart();
   }
   recorder_.restart();
   playback_.restart();
@@ -173,7 +174,7 @@ std::int64_t RunDriver::beginOf(const command::SetMethod& method, std::int64_t f
   return from;
 }
 
-void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool lookAgain) {
+void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool thenView) {
   const auto nearest = travel().nearest(from);
   if (!nearest) {
     return;
@@ -208,7 +209,7 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
   if (isPast) {
     travel().forgetFrom(from);
     log_.goBack(from);
-    playback_.rerun(range, lookAgain ? playback_.viewed() : std::nullopt);
+    playback_.rerun(range, thenView ? playback_.viewed() : std::nullopt);
   } else {
     playback_.trackOnFrom(from);
   }
@@ -264,10 +265,10 @@ void RunDriver::setTargets(const std::vector<Target>& targets) {
 
 void RunDriver::changeBoxes(RunDefinition wanted) {
   const auto from = firstChange(definition().targets, wanted.targets);
-  const std::vector<int> places = placesOf(definition().targets, wanted.targets);
+  const std::vector<int> numbers = numbersOf(definition().targets, wanted.targets);
   change(std::move(wanted));
-  if (!keepTheirPlaces(places)) {
-    log_.renumber(places, definition().targets.size());
+  if (!keepTheirNumbers(numbers)) {
+    log_.renumber(numbers, definition().targets.size());
   }
   const auto viewed = playback_.viewed();
   if ((!from && run().frames()) || from == head()) { // a target may begin in the image shown
@@ -287,7 +288,7 @@ void RunDriver::setCameras(const CameraRig& rig) {
   RunDefinition wanted = definition();
   wanted.rig = std::make_shared<const CameraRig>(rig);
   if (change(std::move(wanted))) {
-    bumps_.setCameras(rig);
+    motionWatch_.setCameras(rig);
   }
 }
 
@@ -357,14 +358,14 @@ void RunDriver::describe(const SnapshotBuilder& builder, bool quickly, TrackSnap
   snapshot.state = playback_.playState();
   snapshot.rerun = playback_.rerunning();
   snapshot.notices = errors_;
-  snapshot.bumps = bumps_.reports();
+  snapshot.cameraMotions = motionWatch_.reports();
   if (source_) {
     std::ranges::move(source_->notices(), std::back_inserter(snapshot.notices));
     snapshot.frameCount = source_->frameCount();
     snapshot.droppedFrames = source_->droppedFrames();
     snapshot.history = travel().state();
   }
-  std::ranges::move(bumps_.notices(), std::back_inserter(snapshot.notices));
+  std::ranges::move(motionWatch_.notices(), std::back_inserter(snapshot.notices));
   recorder_.addFigures(snapshot);
   log_.setFinished(playback_.hasInputEnded());
 }

@@ -53,9 +53,9 @@ public:
   // Going back.
   void show(std::int64_t frame) { playback_.show(travel().nearest(frame), head()); }
   void returnToHead() { playback_.returnToHead(); }
-  /// Tracks again from this frame on; with `lookAgain`, the frame that is shown now is shown again
+  /// Tracks again from this frame on; with `thenView`, the frame that is shown now is shown again
   /// afterwards.
-  void rerun(std::int64_t from, bool lookAgain = false) { rerun(from, nullptr, lookAgain); }
+  void rerun(std::int64_t from, bool thenView = false) { rerun(from, nullptr, thenView); }
 
   // Changes. What is believed stays as far as it can.
   /// A definition that the run takes(); false if it does not.
@@ -65,7 +65,7 @@ public:
   void setCameras(const CameraRig& rig);
   void setEmptyRooms(const command::SetEmptyRooms& wish);
   /// While a board is shown to live cameras none of them is taken for moved.
-  void setBoardShown(bool shown) { bumps_.setResting(shown); }
+  void setBoardShown(bool shown) { motionWatch_.setResting(shown); }
   void setPeople(const std::vector<PersonCorrection>& people);
   /// As SessionInputs::threads, from the next iteration on.
   void setThreads(int wanted);
@@ -100,7 +100,7 @@ private:
   void showNext();
   void record();
 
-  void rerun(std::int64_t from, const command::SetMethod* method, bool lookAgain);
+  void rerun(std::int64_t from, const command::SetMethod* method, bool thenView);
   /// Where tracking by another method begins so that it can be tracked at `from`.
   std::int64_t beginOf(const command::SetMethod& method, std::int64_t from) const;
   void changeBoxes(RunDefinition wanted);
@@ -111,9 +111,9 @@ private:
   std::unique_ptr<FrameSetSource> source_;
   FrameTapSlot& tap_;
   RunLog& log_;
-  RememberedRun kept_;      ///< no run if the project's could not be made
-  CameraMotionWatch bumps_; ///< of the cameras as they were calibrated
-  CameraMotionObserver motionObserver_{bumps_};
+  RememberedRun kept_;            ///< no run if the project's could not be made
+  CameraMotionWatch motionWatch_; ///< of the cameras as they were calibrated
+  CameraMotionObserver motionObserver_{motionWatch_};
   RunRecorder recorder_;
   Playback playback_;
   std::vector<Error> errors_;

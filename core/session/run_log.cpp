@@ -12,8 +12,8 @@ namespace {
 /// Key in the trajectory's header, before the number of the frame.
 constexpr std::string_view kChangedAt = "changed_at_frame_";
 
-/// Makes a reader of another generation begin anew; whether it does.
-bool beginsAnew(std::uint64_t own, std::uint64_t& generation, std::size_t& position) {
+/// Makes a reader of another generation begin again; whether it does.
+bool restartsReader(std::uint64_t own, std::uint64_t& generation, std::size_t& position) {
   if (generation == own) {
     return false;
   }
@@ -142,29 +142,29 @@ void RunLog::goBack(std::int64_t frame) {
   }
 }
 
-void RunLog::renumber(const std::vector<int>& places, std::size_t count) {
+void RunLog::renumber(const std::vector<int>& numbers, std::size_t count) {
   const std::lock_guard lock(mutex_);
   ++generation_;
-  const auto placeOf = [&](int target) {
+  const auto numberOf = [&](int target) {
     const auto k = static_cast<std::size_t>(target);
-    return k < places.size() ? places[k] : -1;
+    return k < numbers.size() ? numbers[k] : -1;
   };
   records_.changeAll([&](IterationRecord& record) {
-    record.target = placeOf(record.target);
+    record.target = numberOf(record.target);
     return record.target >= 0;
   });
   frames_.changeAll([&](FrameRecord& record) {
     std::vector<FrameRecord::Entry> entries(count, {TargetStatus::Gone, 0.0F, {}});
     for (std::size_t k = 0; k < record.targets.size(); ++k) {
-      if (const int place = placeOf(static_cast<int>(k)); place >= 0) {
-        entries[static_cast<std::size_t>(place)] = std::move(record.targets[k]);
+      if (const int number = numberOf(static_cast<int>(k)); number >= 0) {
+        entries[static_cast<std::size_t>(number)] = std::move(record.targets[k]);
       }
     }
     record.targets = std::move(entries);
     return true;
   });
   std::erase_if(boxes_, [&](BoxSample& sample) {
-    sample.target = placeOf(sample.target - 1) + 1; // they count from 1
+    sample.target = numberOf(sample.target - 1) + 1; // they count from 1
     return sample.target == 0;
   });
   std::ranges::stable_sort(
@@ -184,7 +184,7 @@ void RunLog::append(const std::vector<BoxSample>& samples) {
 RunLog::Piece RunLog::since(std::uint64_t& generation, std::size_t& position) const {
   const std::lock_guard lock(mutex_);
   Piece piece;
-  piece.restarted = beginsAnew(generation_, generation, position);
+  piece.restarted = restartsReader(generation_, generation, position);
   piece.records = records_.since(position);
   return piece;
 }
@@ -192,7 +192,7 @@ RunLog::Piece RunLog::since(std::uint64_t& generation, std::size_t& position) co
 RunLog::FramePiece RunLog::framesSince(std::uint64_t& generation, std::size_t& position) const {
   const std::lock_guard lock(mutex_);
   FramePiece piece;
-  piece.restarted = beginsAnew(generation_, generation, position);
+  piece.restarted = restartsReader(generation_, generation, position);
   piece.records = frames_.since(position);
   return piece;
 }
@@ -200,7 +200,7 @@ RunLog::FramePiece RunLog::framesSince(std::uint64_t& generation, std::size_t& p
 RunLog::SamplesPiece RunLog::samplesSince(std::uint64_t& generation, std::size_t& position) const {
   const std::lock_guard lock(mutex_);
   SamplesPiece piece;
-  piece.restarted = beginsAnew(generation_, generation, position);
+  piece.restarted = restartsReader(generation_, generation, position);
   takeSince(trajectory_.samples, position, piece);
   return piece;
 }
@@ -208,7 +208,7 @@ RunLog::SamplesPiece RunLog::samplesSince(std::uint64_t& generation, std::size_t
 RunLog::BoxesPiece RunLog::boxesSince(std::uint64_t& generation, std::size_t& position) const {
   const std::lock_guard lock(mutex_);
   BoxesPiece piece;
-  piece.restarted = beginsAnew(generation_, generation, position);
+  piece.restarted = restartsReader(generation_, generation, position);
   takeSince(boxes_, position, piece);
   return piece;
 }

@@ -47,7 +47,7 @@ public:
   void goBack(std::int64_t frame);
   /// Targets have other numbers: places[k] is that of what was k, -1 where it is gone, of `count`.
   /// Readers get all records again.
-  void renumber(const std::vector<int>& places, std::size_t count);
+  void renumber(const std::vector<int>& numbers, std::size_t count);
   /// Records from `position` on; both arguments move along. Beyond kMostRecords the older ones are
   /// there in coarser and coarser steps.
   Piece since(std::uint64_t& generation, std::size_t& position) const;

@@ -10,7 +10,9 @@
 namespace dewpoint::session {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr std::size_t kTimesKept = 101; // odd: the median is one of them
+/// Intervals between frames, for their rate; odd as well.
 constexpr std::size_t kFrameTimesKept = 31;
 
 using Seconds = std::chrono::duration<double>;
@@ -99,12 +101,12 @@ void RunRecorder::countAgainstBudget(const ParameterValues& parameters, double m
   budget_.late += milliseconds > budget ? 1 : 0;
 }
 
-void RunRecorder::record(const TrackingRun& run, const TrackedFrame& moment) {
+void RunRecorder::record(const TrackingRun& run, const TrackedFrame& trackedFrame) {
   log_.append(run.samples());
   log_.append(run.boxSamples());
-  log_.append(frameRecord(moment, *run.frames()));
-  if (run.family().findsTargets() && !moment.targets.empty()) {
-    log_.append(peopleFrame(moment));
+  log_.append(frameRecord(trackedFrame, *run.frames()));
+  if (run.family().findsTargets() && !trackedFrame.targets.empty()) {
+    log_.append(peopleFrame(trackedFrame));
   }
 }
 

@@ -20,9 +20,9 @@ public:
   /// Both must outlive it. `truth` is what errors are measured against.
   RunRecorder(RunLog& log, const TruthTable& truth) : log_(log), truth_(truth) {}
 
-  /// The run begins anew.
+  /// The run begins again.
   void restart();
-  /// Frames will not come as evenly as they did: their rate is measured anew.
+  /// Frames will not come as evenly as they did: their rate is measured again.
   void interrupt() { frameTimes_.clear(); }
   /// A frame was taken.
   void arrive();
@@ -32,7 +32,7 @@ public:
   void iterated(const TrackingRun& run, double microseconds) override;
   Status tracked(const TrackingRun& run) override;
   /// The estimates of the run's frame, in place of earlier ones of the same frame.
-  void record(const TrackingRun& run, const TrackedFrame& moment);
+  void record(const TrackingRun& run, const TrackedFrame& trackedFrame);
 
   /// Frame rate, time of an iteration, latency and time budget.
   void addFigures(TrackSnapshot& snapshot) const;

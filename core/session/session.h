@@ -45,7 +45,7 @@ public:
     bool restarted = false;
   };
   FramePiece framesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Samples from number `first` on, in place of those the reader has: what the trajectory gained
+  /// Samples from number `first` on, instead of those the reader has: what the trajectory gained
   /// since `position`, which begins at 0 and moves along as in logSince().
   struct SamplesPiece {
     std::size_t first = 0;
@@ -67,13 +67,13 @@ public:
   /// Writes it as CSV; how many samples it held.
   Result<std::size_t> saveTrajectory(const std::filesystem::path& file) const;
   /// Writes trajectory.csv and run.json into a folder, which is made when it does not exist; with
-  /// methods that follow boxes boxes.csv and boxes_mot.txt in place of the trajectory; of
-  /// methods for people volumes.csv, hulls.csv and ground.csv too (PeopleWriter).
+  /// methods that follow boxes boxes.csv and boxes_mot.txt instead of the trajectory; of methods
+  /// for people volumes.csv, hulls.csv and ground.csv too (PeopleWriter).
   Status saveRun(const std::filesystem::path& folder) const;
   /// All that is known of the people of the run; nothing for other methods.
   PeopleRecord peopleRecord() const;
 
-  /// Asks for something; command.h says what each command does.
+  /// Sends a command; command.h describes each.
   void send(Command command);
   void play() { send(command::Play{}); }
   void pause() { send(command::Pause{}); }

@@ -12,20 +12,22 @@
 namespace dewpoint::session {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Particles of each target: more cannot be distinguished.
 constexpr int kParticlesShown = 10000;
 constexpr int kMapReach = 48;            ///< pixels
 constexpr std::size_t kMostInMask = 255; ///< targets that one byte tells apart
 
-TargetSnapshot snapshotOf(const TrackedTarget& moment, const Target& target) {
+TargetSnapshot snapshotOf(const TrackedTarget& trackedFrame, const Target& target) {
   TargetSnapshot shown;
   shown.target = target;
-  shown.estimate = moment.estimate;
-  shown.particles = moment.particles.cast<double>();
-  shown.weights = moment.weights.cast<double>();
-  shown.proposals = moment.proposals;
-  shown.reasons = moment.reasons;
-  shown.status = moment.status;
-  shown.boxParticles = moment.boxParticles;
+  shown.estimate = trackedFrame.estimate;
+  shown.particles = trackedFrame.particles.cast<double>();
+  shown.weights = trackedFrame.weights.cast<double>();
+  shown.proposals = trackedFrame.proposals;
+  shown.reasons = trackedFrame.reasons;
+  shown.status = trackedFrame.status;
+  shown.boxParticles = trackedFrame.boxParticles;
   return shown;
 }
 
@@ -125,13 +127,13 @@ std::vector<cv::Mat> motionMasks(const TrackingRun& run) {
 
 } // namespace
 
-void SnapshotBuilder::show(const TrackedFrame& moment, const TrackingRun& run,
+void SnapshotBuilder::show(const TrackedFrame& trackedFrame, const TrackingRun& run,
                            const History* history, std::int64_t tailEnd, TrackSnapshot& snapshot) {
-  snapshot.iterations = moment.totalIterations;
-  snapshot.peopleCameras = moment.peopleCameras;
+  snapshot.iterations = trackedFrame.totalIterations;
+  snapshot.peopleCameras = trackedFrame.peopleCameras;
   snapshot.targets.clear();
-  for (std::size_t k = 0; k < moment.targets.size(); ++k) {
-    snapshot.targets.push_back(snapshotOf(moment.targets[k], (*moment.definitions)[k]));
+  for (std::size_t k = 0; k < trackedFrame.targets.size(); ++k) {
+    snapshot.targets.push_back(snapshotOf(trackedFrame.targets[k], (*trackedFrame.definitions)[k]));
     if (history != nullptr) {
       snapshot.targets.back().tail = history->tail(k, snapshot.frame, tailEnd);
     }
@@ -180,15 +182,16 @@ void SnapshotBuilder::showHead(const TrackingRun& run, const History* history, b
 
 Status SnapshotBuilder::showPast(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
                                  bool quickly, TrackSnapshot& snapshot) const {
-  auto frames = quickly ? travel.glance(frame, snapshot.preview) : travel.frames(frame);
+  auto frames = quickly ? travel.previewAt(frame, snapshot.preview) : travel.frames(frame);
   if (!frames) {
     return tl::make_unexpected(frames.error());
   }
   snapshot.frames = std::move(*frames);
   snapshot.frame = frame;
-  const TrackedFrame* moment = travel.history().at(frame);
-  snapshot.tracked = moment != nullptr;
-  show(moment != nullptr ? *moment : TrackedFrame(), run, &travel.history(), frame, snapshot);
+  const TrackedFrame* trackedFrame = travel.history().at(frame);
+  snapshot.tracked = trackedFrame != nullptr;
+  show(trackedFrame != nullptr ? *trackedFrame : TrackedFrame(), run, &travel.history(), frame,
+       snapshot);
   addImages(snapshot);
   return {};
 }

@@ -19,7 +19,7 @@ struct SnapshotWishes {
 };
 
 /// Makes snapshots show one frame: the one that the run stands at, or one of the past. Both become
-/// a TrackedFrame first, and what is shown of a moment is the same for all.
+/// a TrackedFrame first, and what is shown of a frame is the same for all.
 class SnapshotBuilder {
 public:
   explicit SnapshotBuilder(TruthTable truth) : truth_(std::move(truth)) {}
@@ -41,8 +41,8 @@ public:
   void addMaps(const TrackingRun& run, TrackSnapshot& snapshot) const;
 
 private:
-  /// What every frame shows of a moment; `tailEnd` is the last frame of the tails.
-  static void show(const TrackedFrame& moment, const TrackingRun& run, const History* history,
+  /// What every snapshot shows of a frame; `tailEnd` is the last frame of the tails.
+  static void show(const TrackedFrame& trackedFrame, const TrackingRun& run, const History* history,
                    std::int64_t tailEnd, TrackSnapshot& snapshot);
   /// What every frame shows of its images.
   void addImages(TrackSnapshot& snapshot) const;

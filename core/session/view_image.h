@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tracking/insight.h"
+#include "core/tracking/tracker_diagnostics.h"
 
 #include <opencv2/core/mat.hpp>
 

@@ -3,7 +3,7 @@
 
 #include "core/base/thread_team.h"
 #include "core/calibration/board/view_choice.h"
-#include "core/calibration/quality/board_judgement.h"
+#include "core/calibration/quality/board_accuracy.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
@@ -36,7 +36,7 @@ void detectAll(const BoardDetector& detector, DetectionEffort effort, const Fram
     }
     camera.width = frames.frames[k]->image.cols;
     camera.height = frames.frames[k]->image.rows;
-    ++camera.looked;
+    ++camera.searched;
     if (found[k]) {
       camera.views.push_back({fmt::format("frame {}", frames.index), frames.index, *found[k]});
     }
@@ -44,8 +44,9 @@ void detectAll(const BoardDetector& detector, DetectionEffort effort, const Fram
 }
 
 /// The frames to look at: evenly spread, and the one that makes the world.
-std::vector<std::int64_t> framesToLookAt(std::int64_t total, const BoardCalibrationRequest& wish) {
-  const std::int64_t stride = std::max<std::int64_t>(1, (total + wish.looks - 1) / wish.looks);
+std::vector<std::int64_t> framesToSearch(std::int64_t total, const BoardCalibrationRequest& wish) {
+  const std::int64_t stride =
+      std::max<std::int64_t>(1, (total + wish.frameLimit - 1) / wish.frameLimit);
   std::vector<std::int64_t> frames;
   for (std::int64_t frame = 0; frame < total; frame += stride) {
     frames.push_back(frame);
@@ -68,7 +69,7 @@ Result<IntrinsicsResult> lensOf(const SeenBoards::PerCamera& camera,
                                 const CalibrationProgress& progress) {
   if (camera.views.empty()) {
     return failure(ErrorCode::Undetermined, "", "",
-                   fmt::format("it never saw the board, in {} pictures", camera.looked));
+                   fmt::format("it never saw the board, in {} pictures", camera.searched));
   }
   IntrinsicsRequest request;
   request.board = wish.board;
@@ -129,9 +130,9 @@ void withTheOthers(const Project& project, const std::vector<std::size_t>& takin
 
 } // namespace
 
-Result<SeenBoards> lookForBoards(const Project& project, FrameSetSource& source,
-                                 const BoardCalibrationRequest& wish,
-                                 const CalibrationProgress& progress) {
+Result<SeenBoards> findBoards(const Project& project, FrameSetSource& source,
+                              const BoardCalibrationRequest& wish,
+                              const CalibrationProgress& progress) {
   const auto total = source.frameCount();
   if (!total) {
     return failure(ErrorCode::BadValue, project.file.string(), "camera",
@@ -149,7 +150,7 @@ Result<SeenBoards> lookForBoards(const Project& project, FrameSetSource& source,
   const auto threads =
       std::min<std::size_t>(seen.cameras.size(), std::thread::hardware_concurrency());
   ThreadTeam team(static_cast<int>(std::max<std::size_t>(1, threads)));
-  const auto frames = framesToLookAt(*total, wish);
+  const auto frames = framesToSearch(*total, wish);
   std::int64_t next = -1;
   for (std::size_t k = 0; k < frames.size(); ++k) {
     if (!goesOn(progress, CalibrationStage::BoardDetection,
@@ -177,16 +178,16 @@ Result<SeenBoards> lookForBoards(const Project& project, FrameSetSource& source,
   return seen;
 }
 
-Result<SeenBoards> lookForBoards(const std::vector<std::filesystem::path>& pictures,
-                                 const BoardDescription& board, DetectionEffort effort,
-                                 const CalibrationProgress& progress) {
+Result<SeenBoards> findBoards(const std::vector<std::filesystem::path>& pictures,
+                              const BoardDescription& board, DetectionEffort effort,
+                              const CalibrationProgress& progress) {
   SeenBoards seen;
   auto& camera = seen.cameras.emplace_back();
   camera.name = "camera";
   const BoardDetector detector(board);
   for (const auto& file : pictures) {
     if (!goesOn(progress, CalibrationStage::BoardDetection,
-                static_cast<double>(camera.looked) / static_cast<double>(pictures.size()))) {
+                static_cast<double>(camera.searched) / static_cast<double>(pictures.size()))) {
       return cancelled();
     }
     if (!std::filesystem::exists(file)) {
@@ -196,7 +197,7 @@ Result<SeenBoards> lookForBoards(const std::vector<std::filesystem::path>& pictu
     if (picture.empty()) {
       return failure(ErrorCode::FileUnreadable, file.string(), "", "not a picture");
     }
-    if (camera.looked == 0) {
+    if (camera.searched == 0) {
       camera.width = picture.cols;
       camera.height = picture.rows;
     }
@@ -206,9 +207,9 @@ Result<SeenBoards> lookForBoards(const std::vector<std::filesystem::path>& pictu
                                  picture.rows, camera.width, camera.height));
     }
     if (auto found = detector.detect(picture, effort)) {
-      camera.views.push_back({file.filename().string(), camera.looked, std::move(*found)});
+      camera.views.push_back({file.filename().string(), camera.searched, std::move(*found)});
     }
-    ++camera.looked;
+    ++camera.searched;
   }
   return seen;
 }

@@ -21,9 +21,9 @@ struct BoardCalibrationRequest {
   BoardDescription board;
   IntrinsicsModel model = IntrinsicsModel::FiveCoefficients;
   PixelShape pixels = PixelShape::Measured;
-  int views = 30;    ///< pictures per camera that intrinsics are estimated from
-  int instants = 60; ///< instants that poses are estimated from
-  int looks = 300;   ///< frames of a recording in which the board is looked for
+  int views = 30;       ///< pictures per camera that intrinsics are estimated from
+  int instants = 60;    ///< instants that poses are estimated from
+  int frameLimit = 300; ///< frames of a recording in which the board is looked for
   /// The frame in which the board lies on the floor and makes the world; nothing: the first camera
   /// keeps its pose.
   std::optional<std::int64_t> worldFrame;
@@ -36,7 +36,7 @@ struct SeenBoards {
     std::string name;
     int width = 0;
     int height = 0;
-    int looked = 0; ///< pictures in which it was looked for
+    int searched = 0; ///< pictures in which it was looked for
     std::vector<BoardView> views;
   };
   std::vector<PerCamera> cameras;
@@ -45,15 +45,15 @@ struct SeenBoards {
 
 /// Looks for the board in a recording, in frames spread over it evenly; all cameras at the same
 /// ones. BadValue when the cameras are live, Cancelled, and what the source says.
-Result<SeenBoards> lookForBoards(const Project& project, FrameSetSource& source,
-                                 const BoardCalibrationRequest& wish,
-                                 const CalibrationProgress& progress = {});
+Result<SeenBoards> findBoards(const Project& project, FrameSetSource& source,
+                              const BoardCalibrationRequest& wish,
+                              const CalibrationProgress& progress = {});
 
 /// Looks for the board in picture files of one camera; views are named by their file's name.
 /// FileUnreadable, Mismatch when sizes differ, Cancelled.
-Result<SeenBoards> lookForBoards(const std::vector<std::filesystem::path>& pictures,
-                                 const BoardDescription& board, DetectionEffort effort,
-                                 const CalibrationProgress& progress = {});
+Result<SeenBoards> findBoards(const std::vector<std::filesystem::path>& pictures,
+                              const BoardDescription& board, DetectionEffort effort,
+                              const CalibrationProgress& progress = {});
 
 /// The lenses that were found, and why others were not.
 struct LensesFromBoards {

@@ -38,7 +38,7 @@ BoardCalibrationRequest wishForTaken(const BoardGuideRequest& wish, const BoardG
 
 BoardGuide::BoardGuide(Project project, const BoardGuideRequest& wish, int threads)
     : project_(std::move(project)), wish_(wish), detector_(wish.board.board), team_(threads) {
-  state_.phase = wish.goal.lenses ? BoardGuideState::Phase::Lenses : BoardGuideState::Phase::Places;
+  state_.phase = wish.goal.lenses ? BoardGuideState::Phase::Lenses : BoardGuideState::Phase::Poses;
   for (const ProjectCamera& camera : project_.cameras) {
     seen_.cameras.push_back({camera.camera.name, 0, 0, 0, {}});
     state_.cameras.emplace_back().name = camera.camera.name;
@@ -48,7 +48,7 @@ BoardGuide::BoardGuide(Project project, const BoardGuideRequest& wish, int threa
   state_.seen = std::make_shared<const SeenBoards>(seen_);
 }
 
-BoardGuide::Detections BoardGuide::look(const FrameSet& frames) {
+BoardGuide::Detections BoardGuide::detectIn(const FrameSet& frames) {
   Detections found(state_.cameras.size());
   const auto count = static_cast<std::int64_t>(std::min(found.size(), frames.frames.size()));
   team_.forEachRange(count, [&](std::int64_t begin, std::int64_t end) {
@@ -61,7 +61,7 @@ BoardGuide::Detections BoardGuide::look(const FrameSet& frames) {
   for (std::size_t k = 0; k < found.size(); ++k) {
     state_.cameras[k].seen = found[k];
     state_.cameras[k].outline = found[k] ? outlineOf(*found[k]) : BoardGuideState::Outline();
-    seen_.cameras[k].looked += k < frames.frames.size() && frames.frames[k] != nullptr ? 1 : 0;
+    seen_.cameras[k].searched += k < frames.frames.size() && frames.frames[k] != nullptr ? 1 : 0;
   }
   return found;
 }
@@ -79,8 +79,8 @@ void BoardGuide::begin(const FrameSet& frames) {
       lenses_[k].emplace(wish_.board.board, camera.width, camera.height, wish_.lenses);
     }
   }
-  if (state_.phase == BoardGuideState::Phase::Places && !places_) {
-    beginPlaces();
+  if (state_.phase == BoardGuideState::Phase::Poses && !rigGuidance_) {
+    beginRig();
   }
 }
 
@@ -90,12 +90,12 @@ BoardGuideState BoardGuide::step(const FrameSet& frames) {
   if (state_.phase == BoardGuideState::Phase::Finished) {
     return state_;
   }
-  const Detections found = look(frames);
+  const Detections found = detectIn(frames);
   const double time = seconds(frames.time);
   if (state_.phase == BoardGuideState::Phase::Lenses) {
     stepLenses(time, found);
   } else {
-    stepPlaces(time, found);
+    stepRig(time, found);
   }
   return state_;
 }
@@ -161,23 +161,23 @@ void BoardGuide::learnLens(std::size_t camera) {
   }
 }
 
-void BoardGuide::beginPlaces() {
-  state_.phase = BoardGuideState::Phase::Places;
+void BoardGuide::beginRig() {
+  state_.phase = BoardGuideState::Phase::Poses;
   std::vector<int> widths;
   for (const auto& camera : state_.cameras) {
     widths.push_back(std::max(1, camera.width));
   }
-  places_.emplace(std::move(widths), wish_.places);
-  state_.places = places_->state();
-  if (state_.places.finished) { // one camera alone has no pair
+  rigGuidance_.emplace(std::move(widths), wish_.rig);
+  state_.rig = rigGuidance_->state();
+  if (state_.rig.finished) { // one camera alone has no pair
     state_.phase = BoardGuideState::Phase::Finished;
   }
 }
 
 BoardGuideState BoardGuide::goOn() {
   if (state_.phase == BoardGuideState::Phase::Lenses) {
-    if (wish_.goal.places) {
-      beginPlaces();
+    if (wish_.goal.poses) {
+      beginRig();
     } else {
       state_.phase = BoardGuideState::Phase::Finished;
     }
@@ -185,12 +185,12 @@ BoardGuideState BoardGuide::goOn() {
   return state_;
 }
 
-void BoardGuide::stepPlaces(double time, const Detections& found) {
-  keepPlaces(places_->step(time, found));
+void BoardGuide::stepRig(double time, const Detections& found) {
+  keepRig(rigGuidance_->step(time, found));
 }
 
-void BoardGuide::keepPlaces(const RigGuidance::State& state) {
-  state_.places = state;
+void BoardGuide::keepRig(const RigGuidance::State& state) {
+  state_.rig = state;
   if (state.captured) {
     for (std::size_t k = 0; k < state_.cameras.size(); ++k) {
       if (state_.cameras[k].seen) {
@@ -200,45 +200,45 @@ void BoardGuide::keepPlaces(const RigGuidance::State& state) {
     }
   }
   if (state.finished && state.instants < wish_.mostInstants) {
-    learnPlaces();
+    calibrateRig();
   } else if (state.finished) {
     state_.phase = BoardGuideState::Phase::Finished;
   }
 }
 
 /// Ends, or asks for more where the places are not known well enough.
-void BoardGuide::learnPlaces() {
+void BoardGuide::calibrateRig() {
   ExtrinsicsRequest request;
   request.board = wish_.board.board;
   for (std::size_t k = 0; k < project_.cameras.size(); ++k) {
-    request.cameras.push_back({project_.cameras[k].camera, places_->views()[k]});
+    request.cameras.push_back({project_.cameras[k].camera, rigGuidance_->views()[k]});
   }
   const auto result = calibrateExtrinsics(request);
   bool enough = result.has_value();
   for (std::size_t k = 0; result && k < result->fits.size(); ++k) {
-    state_.cameras[k].placeSigma = result->fits[k].centerSigma;
-    enough = enough && result->fits[k].centerSigma <= wish_.requestedPlace;
+    state_.cameras[k].positionSigma = result->fits[k].centerSigma;
+    enough = enough && result->fits[k].centerSigma <= wish_.requestedPosition;
   }
   if (enough) {
     state_.phase = BoardGuideState::Phase::Finished;
   } else {
-    places_->wantMore(kMoreInstants);
-    state_.places = places_->state();
+    rigGuidance_->wantMore(kMoreInstants);
+    state_.rig = rigGuidance_->state();
   }
 }
 
 BoardGuideState BoardGuide::captureFloor() {
   const auto seeing = std::ranges::count_if(
       state_.cameras, [](const auto& camera) { return camera.seen.has_value(); });
-  if (state_.phase == BoardGuideState::Phase::Places && seeing >= 2) {
+  if (state_.phase == BoardGuideState::Phase::Poses && seeing >= 2) {
     state_.floorFrame = state_.frame;
   }
   return captureNow();
 }
 
 BoardGuideState BoardGuide::captureNow() {
-  if (state_.phase == BoardGuideState::Phase::Places && places_) {
-    keepPlaces(places_->captureNow());
+  if (state_.phase == BoardGuideState::Phase::Poses && rigGuidance_) {
+    keepRig(rigGuidance_->captureNow());
   } else if (state_.phase == BoardGuideState::Phase::Lenses) {
     for (std::size_t k = 0; k < lenses_.size(); ++k) {
       if (lenses_[k] && state_.cameras[k].seen) {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/board_outcome.h"
 
-#include "core/calibration/quality/board_judgement.h"
+#include "core/calibration/quality/board_accuracy.h"
 
 namespace dewpoint::setup {
 namespace {
 
-BoardReport placesReport(const BoardCalibrationRequest& wish, const BoardOutcome& outcome) {
-  BoardReport report = reportOf(wish.board, *outcome.places);
-  report.verdict = outcome.verdictSentence;
-  for (const NamedFault& fault : outcome.places->faults) {
-    report.verdict += " " + fault.sentence;
+BoardReport extrinsicsReport(const BoardCalibrationRequest& wish, const BoardOutcome& outcome) {
+  BoardReport report = reportOf(wish.board, *outcome.extrinsics);
+  report.accuracy = outcome.accuracySentence;
+  for (const NamedFault& fault : outcome.extrinsics->faults) {
+    report.accuracy += " " + fault.sentence;
   }
   return report;
 }
@@ -18,8 +18,8 @@ BoardReport placesReport(const BoardCalibrationRequest& wish, const BoardOutcome
 std::string page(const SeenBoards& seen, const BoardCalibrationRequest& wish,
                  const BoardOutcome& outcome) {
   std::vector<BoardReport> reports;
-  if (outcome.places) {
-    reports.push_back(placesReport(wish, outcome));
+  if (outcome.extrinsics) {
+    reports.push_back(extrinsicsReport(wish, outcome));
   }
   if (outcome.lenses) {
     reports.push_back(reportOf(seen, wish, *outcome.lenses));
@@ -27,21 +27,21 @@ std::string page(const SeenBoards& seen, const BoardCalibrationRequest& wish,
   return htmlText(reports);
 }
 
-Status addPlaces(const SeenBoards& seen, const BoardCalibrationRequest& wish, BoardOutcome& outcome,
-                 const CalibrationProgress& progress) {
-  auto places = extrinsicsFromBoards(outcome.project, seen, wish, progress);
-  if (!places) {
-    return tl::make_unexpected(places.error());
+Status addExtrinsics(const SeenBoards& seen, const BoardCalibrationRequest& wish,
+                     BoardOutcome& outcome, const CalibrationProgress& progress) {
+  auto extrinsics = extrinsicsFromBoards(outcome.project, seen, wish, progress);
+  if (!extrinsics) {
+    return tl::make_unexpected(extrinsics.error());
   }
   if (!goesOn(progress, CalibrationStage::Assessment, 0.5)) {
     return cancelled();
   }
-  const auto verdict = judgeBoard(*places, wish.board, wish.worldFrame);
-  outcome.verdict = verdict ? std::optional(*verdict) : std::nullopt;
-  outcome.verdictSentence =
-      verdict ? verdictSentence(*verdict) : "none; " + sentence(verdict.error());
-  outcome.project = withCameras(std::move(outcome.project), places->cameras);
-  outcome.places = std::move(*places);
+  const auto accuracy = assessBoard(*extrinsics, wish.board, wish.worldFrame);
+  outcome.accuracy = accuracy ? std::optional(*accuracy) : std::nullopt;
+  outcome.accuracySentence =
+      accuracy ? accuracySentence(*accuracy) : "none; " + sentence(accuracy.error());
+  outcome.project = withCameras(std::move(outcome.project), extrinsics->cameras);
+  outcome.extrinsics = std::move(*extrinsics);
   return {};
 }
 
@@ -61,12 +61,12 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoard
     outcome.lenses = std::move(*lenses);
   }
   const bool alone = project.cameras.size() < 2 && !wish.worldFrame;
-  if (goal.places && !(alone && goal.lenses)) {
-    if (const auto found = addPlaces(seen, wish, outcome, progress); !found) {
+  if (goal.poses && !(alone && goal.lenses)) {
+    if (const auto found = addExtrinsics(seen, wish, outcome, progress); !found) {
       if (!outcome.lenses || found.error().code == ErrorCode::Cancelled) {
         return tl::make_unexpected(found.error());
       }
-      outcome.noPlaces = found.error();
+      outcome.extrinsicsError = found.error();
     }
   }
   outcome.report = page(seen, wish, outcome);
@@ -76,20 +76,21 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoard
 Result<BoardOutcome> calibrateFromBoards(const Project& project, FrameSetSource& source,
                                          const BoardCalibrationRequest& wish, const BoardGoal& goal,
                                          const CalibrationProgress& progress) {
-  return lookForBoards(project, source, wish, progress).and_then([&](const SeenBoards& seen) {
+  return findBoards(project, source, wish, progress).and_then([&](const SeenBoards& seen) {
     return calibrateFromBoards(project, seen, wish, goal, progress);
   });
 }
 
 bool isDoubtful(const BoardOutcome& outcome) {
-  return outcome.places && !outcome.places->faults.empty();
+  return outcome.extrinsics && !outcome.extrinsics->faults.empty();
 }
 
 Project withOutcome(Project project, const BoardOutcome& outcome) {
   if (outcome.lenses) {
     project = withIntrinsics(std::move(project), outcome.lenses->cameras);
   }
-  return outcome.places ? withCameras(std::move(project), outcome.places->cameras) : project;
+  return outcome.extrinsics ? withCameras(std::move(project), outcome.extrinsics->cameras)
+                            : project;
 }
 
 std::vector<std::string> remarksOn(const BoardOutcome& outcome) {
@@ -99,14 +100,14 @@ std::vector<std::string> remarksOn(const BoardOutcome& outcome) {
       remarks.push_back(keptSentence(kept) + ".");
     }
   }
-  if (outcome.noPlaces) {
-    remarks.push_back("The places were not found: " + sentence(*outcome.noPlaces) + ".");
+  if (outcome.extrinsicsError) {
+    remarks.push_back("The places were not found: " + sentence(*outcome.extrinsicsError) + ".");
   }
-  if (outcome.places) {
-    for (const std::string& notice : outcome.places->notices) {
+  if (outcome.extrinsics) {
+    for (const std::string& notice : outcome.extrinsics->notices) {
       remarks.push_back(notice + ".");
     }
-    for (const NamedFault& fault : outcome.places->faults) {
+    for (const NamedFault& fault : outcome.extrinsics->faults) {
       remarks.push_back(fault.sentence);
     }
   }

@@ -25,7 +25,7 @@ Project withTimeOffsets(Project project, const std::vector<double>& offsets) {
   for (std::size_t c = 0; c < std::min(offsets.size(), project.cameras.size()); ++c) {
     ProjectCamera& camera = project.cameras[c];
     if (camera.source != SourceKind::Simulation) {
-      camera.lateBy -= offsets[c];
+      camera.delay -= offsets[c];
     }
   }
   return project;

@@ -11,18 +11,18 @@
 namespace dewpoint::setup {
 
 /// Gives a camera of a project another calibration. One of a simulated camera that differs from
-/// what its scene says is kept from then on (`adjusted`): the one place that decides it.
+/// what its scene says is kept from then on (`adjusted`): the one function that decides it.
 void setCalibration(ProjectCamera& camera, const Camera& calibration);
 
 /// The project with these cameras' calibration, in the same order.
 Project withCameras(Project project, const CameraRig& rig);
 
-/// The project whose cameras are later by these seconds than it says so far, as found in its images
+/// The project whose cameras have these seconds more delay than so far, as found in its images
 /// (WandResult::offsets: those are negative for cameras that are late); simulated ones stay.
 Project withTimeOffsets(Project project, const std::vector<double>& offsets);
 
-/// The project whose camera `camera` delivers its pictures turned and mirrored so, after what is
-/// done to them already: how they are turned, its calibration and the clicks on measured points in
+/// The project whose camera `camera` delivers its pictures rotated and mirrored so, after what is
+/// done to them already: how they are rotated, its calibration and the clicks on measured points in
 /// it all change together.
 Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symmetry);
 

@@ -11,7 +11,7 @@
 
 namespace dewpoint::setup {
 
-/// What a person says about a calibration file that is to be taken into a project.
+/// The user's statements about a calibration file that is to be taken into a project.
 struct ImportRequest {
   std::filesystem::path path; ///< a file, or a folder with a file per camera
   CalibrationHints hints;
@@ -34,8 +34,8 @@ struct CalibrationImport {
   std::vector<ImportedCamera> cameras;
   bool matchedByOrder = false; ///< names fit no camera; the file's order was used
   bool lensOnly = false;       ///< the file has no poses: the project's stay
-  double largestPixels =
-      0.0; ///< difference() between the file's cameras and the project's as saved
+  /// Difference() between the file's cameras and the project's as saved.
+  double largestPixels = 0.0;
 };
 
 /// Reads any tool's calibration for a project's cameras, matched by name, else by order when there
@@ -46,7 +46,7 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
 /// What a file leaves open, as CalibrationHints has it.
 enum class ImportQuestion { None, Format, Unit, Lens, Size, Poses, Camera };
 
-/// The question that an error of importCalibration() asks, and its sentence without the command
+/// The question that an error of importCalibration() raises, and its sentence without the command
 /// line's words for the answer.
 struct AskedQuestion {
   ImportQuestion question = ImportQuestion::None;

@@ -44,8 +44,8 @@ bool beginsAsFootage(const fs::path& file) {
   std::array<char, 16> bytes{};
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   const std::string_view head(bytes.data(), static_cast<std::size_t>(stream.gcount()));
-  const auto at = [&](std::size_t place, std::string_view magic) {
-    return head.size() >= place + magic.size() && head.substr(place, magic.size()) == magic;
+  const auto at = [&](std::size_t offset, std::string_view magic) {
+    return head.size() >= offset + magic.size() && head.substr(offset, magic.size()) == magic;
   };
   using namespace std::string_view_literals;
   return at(0, "\x1A\x45\xDF\xA3"sv)                                   // Matroska, WebM
@@ -70,16 +70,16 @@ struct Sign {
 constexpr std::string_view kLatin =
     "aaaaaaaceeeeiiiidnooooo*ouuuuytsaaaaaaaceeeeiiiidnooooo*ouuuuyty";
 
-Sign signAt(std::string_view text, std::size_t& place) {
-  if (place >= text.size()) {
+Sign signAt(std::string_view text, std::size_t& offset) {
+  if (offset >= text.size()) {
     return {};
   }
-  const auto byte = static_cast<unsigned char>(text[place++]);
-  if (byte == 0xC3 && place < text.size()) {
-    const auto next = static_cast<unsigned char>(text[place]);
+  const auto byte = static_cast<unsigned char>(text[offset++]);
+  if (byte == 0xC3 && offset < text.size()) {
+    const auto next = static_cast<unsigned char>(text[offset]);
     const char base = next >= 0x80 && next < 0xC0 ? kLatin[next - 0x80U] : '*';
     if (base != '*') {
-      ++place;
+      ++offset;
       return {3, base};
     }
   }
@@ -89,19 +89,19 @@ Sign signAt(std::string_view text, std::size_t& place) {
   return {std::isdigit(byte) != 0 ? 2 : byte >= 0x80 ? 3 : 1, byte};
 }
 
-/// The digits from `place` on, without leading zeros.
-std::string_view numberAt(std::string_view text, std::size_t& place) {
+/// The digits from `offset` on, without leading zeros.
+std::string_view numberAt(std::string_view text, std::size_t& offset) {
   const auto isDigit = [&](std::size_t k) {
     return k < text.size() && std::isdigit(static_cast<unsigned char>(text[k])) != 0;
   };
-  while (isDigit(place + 1) && text[place] == '0') {
-    ++place;
+  while (isDigit(offset + 1) && text[offset] == '0') {
+    ++offset;
   }
-  const std::size_t first = place;
-  while (isDigit(place)) {
-    ++place;
+  const std::size_t first = offset;
+  while (isDigit(offset)) {
+    ++offset;
   }
-  return text.substr(first, place - first);
+  return text.substr(first, offset - first);
 }
 
 std::strong_ordering inOrder(std::string_view one, std::string_view other) {
@@ -136,9 +136,9 @@ bool isDevice(const std::string& location) {
 
 /// A folder with an image in it.
 bool holdsImages(const fs::path& folder) {
-  std::error_code said;
-  for (const auto& entry : fs::directory_iterator(folder, said)) {
-    if (entry.is_regular_file(said) && holds(kImageEndings, entry.path())) {
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(folder, problem)) {
+    if (entry.is_regular_file(problem) && holds(kImageEndings, entry.path())) {
       return true;
     }
   }
@@ -164,19 +164,19 @@ bool isFootage(const fs::path& file) {
 }
 
 bool showsImages(const std::string& location) {
-  std::error_code said;
-  if (fs::is_directory(location, said)) {
+  std::error_code problem;
+  if (fs::is_directory(location, problem)) {
     return holdsImages(location);
   }
-  return !fs::exists(location, said) || isDevice(location) || isFootage(location);
+  return !fs::exists(location, problem) || isDevice(location) || isFootage(location);
 }
 
 std::vector<std::string> footageIn(const fs::path& folder) {
   std::vector<std::string> found;
-  std::error_code said;
-  for (const auto& entry : fs::directory_iterator(folder, said)) {
-    const bool folderOfImages = entry.is_directory(said) && holdsImages(entry.path());
-    const bool video = entry.is_regular_file(said) && isFootage(entry.path()) &&
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(folder, problem)) {
+    const bool folderOfImages = entry.is_directory(problem) && holdsImages(entry.path());
+    const bool video = entry.is_regular_file(problem) && isFootage(entry.path()) &&
                        !holds(kImageEndings, entry.path());
     if (folderOfImages || video) {
       found.push_back(entry.path().string());
@@ -187,9 +187,9 @@ std::vector<std::string> footageIn(const fs::path& folder) {
 
 std::vector<std::string> connectedCameras() {
   std::vector<std::string> devices;
-  std::error_code said;
-  for (const auto& entry : fs::directory_iterator("/dev", said)) {
-    if (entry.path().filename().string().starts_with("video") && entry.is_character_file(said)) {
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator("/dev", problem)) {
+    if (entry.path().filename().string().starts_with("video") && entry.is_character_file(problem)) {
       devices.push_back(entry.path().string());
     }
   }

@@ -19,11 +19,11 @@ bool comesBefore(const std::string& name, const std::string& other);
 std::vector<std::string> inNaturalOrder(std::vector<std::string> files);
 
 /// Whether a file can be what a camera recorded, a video or an image: by its ending, and where that
-/// says nothing, by what it begins with. Whether it can be read is said when it is opened.
+/// says nothing, by what it begins with. Whether it can be read shows when it is opened.
 bool isFootage(const std::filesystem::path& file);
 
 /// Whether a file or folder can be a camera: footage, a folder with at least one file called as
-/// images are, a device, or what does not exist (an address; what is missing is said when it is
+/// images are, a device, or what does not exist (an address; what is missing is reported when it is
 /// opened).
 bool showsImages(const std::string& location);
 

@@ -4,6 +4,7 @@
 #include "core/calibration/formats/calibration_file.h"
 #include "core/capture/recording.h"
 #include "core/geometry/camera_name.h"
+#include "core/project/project_check.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <fmt/format.h>
@@ -15,9 +16,6 @@
 
 namespace dewpoint::setup {
 namespace {
-
-constexpr int kGuessedWidth = 640; ///< of a camera that cannot be asked without opening it
-constexpr int kGuessedHeight = 480;
 
 bool isRecording(SourceKind source) {
   return source == SourceKind::Video || source == SourceKind::Images;
@@ -117,7 +115,8 @@ Result<cv::Size> sizeOf(const ProjectCamera& camera) {
 
 /// 53 degrees wide, at `index` of a ring of `count` around a box of 1 m.
 Camera guessedCamera(std::size_t index, std::size_t count, const cv::Size& size) {
-  constexpr double kDistance = 2.0; // metres
+  constexpr double kDistance = 2.0; // meters
+  /// Meters.
   constexpr double kHeight = 1.2;
   const double angle = 2.0 * std::numbers::pi * static_cast<double>(index) /
                        static_cast<double>(std::max<std::size_t>(4, count));

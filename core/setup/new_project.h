@@ -9,7 +9,12 @@
 
 namespace dewpoint::setup {
 
-/// A camera as a person names it before there is a project.
+/// Size of the images, pixels, of a camera that cannot be asked for it without opening it. Origin
+/// not recorded.
+inline constexpr int kGuessedWidth = 640;
+inline constexpr int kGuessedHeight = 480;
+
+/// A camera as the user names it before there is a project.
 struct NewCamera {
   std::string name; ///< empty: as its file is called
   SourceKind source = SourceKind::Video;
@@ -24,7 +29,7 @@ struct NewProject {
   double framesPerSecond = 0.0; ///< for image folders; 0: 30
 };
 
-/// A project, and what should be said about it.
+/// A project, and notes about it.
 struct MadeProject {
   Project project; ///< without file and without targets: their colors are still to be learned
   bool calibrated = true; ///< false: the poses are a guess, positions in space mean nothing yet
@@ -45,7 +50,7 @@ Result<MadeProject> withCalibration(Project project, const std::filesystem::path
 Result<MadeProject> withCalibration(Project project, const CameraRig& rig, const std::string& file);
 
 /// Gives every camera whose image size is not known yet (it came without a calibration, see
-/// loadProject()) the size of its images and a guessed place. As makeProject() where it fails.
+/// loadProject()) the size of its images and a guessed pose. As makeProject() where it fails.
 Status guessMissing(Project& project);
 
 /// Whether some camera stands where makeProject() guessed it: positions in space mean nothing.

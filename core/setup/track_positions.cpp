@@ -28,10 +28,10 @@ constexpr std::array<const char*, 3> kColumns{"x_m", "y_m", "z_m"};
 using TrackerPtr = std::unique_ptr<DynamicsTracker>;
 
 /// A filter that begins where the target was first measured.
-Result<TrackerPtr> trackerAt(const Eigen::Vector3d& place, ParameterValues parameters,
+Result<TrackerPtr> trackerAt(const Eigen::Vector3d& position, ParameterValues parameters,
                              std::uint64_t seed) {
   for (std::size_t axis = 0; axis < kStart.size(); ++axis) {
-    const double value = place[static_cast<Eigen::Index>(axis)];
+    const double value = position[static_cast<Eigen::Index>(axis)];
     if (const auto set = parameters.set(kStart[axis], value); !set) {
       return failure(ErrorCode::BadValue, "", kColumns[axis],
                      fmt::format("{:g} is farther away than a filter may start; metres are "

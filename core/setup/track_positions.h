@@ -10,7 +10,7 @@
 
 namespace dewpoint::setup {
 
-/// Frames per second of measured positions, unless told.
+/// Frames per second of measured positions, unless given.
 inline constexpr double kPositionsPerSecond = 30.0;
 
 /// Where the file had only frames, gives each sample the time of its frame at `rate` frames per
@@ -24,9 +24,9 @@ bool isStartOfPositions(std::string_view key);
 
 /// Method dynamics over measured 3D positions instead of images (Barrera et al. 2005, section
 /// III-C): every target of `measured` is tracked by a filter of its own, which does the method's
-/// iterations on each sample and starts at the target's first place. A sample whose position is not
-/// a number, or that is not valid, is taken as not measured.
-/// BadValue when that first place is farther away than the method's parameters allow.
+/// iterations on each sample and starts at the target's first position. A sample whose position is
+/// not a number, or that is not valid, is taken as not measured. BadValue when that first position
+/// is farther away than the method's parameters allow.
 Result<Trajectory> trackPositions(const Trajectory& measured, const ParameterValues& parameters,
                                   std::uint64_t seed);
 

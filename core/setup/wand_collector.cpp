@@ -8,7 +8,10 @@
 namespace dewpoint::setup {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Instants in which a camera saw the wand.
 constexpr std::size_t kEnoughSightings = 150;
+/// Part of the regions of its image in which it was seen.
 constexpr double kEnoughImage = 0.5;
 
 } // namespace
@@ -48,16 +51,16 @@ void WandCollector::run(const std::stop_token& stop) {
       frames = std::move(queue_.front());
       queue_.pop_front();
     }
-    look(*frames);
+    search(*frames);
   }
 }
 
-void WandCollector::look(const FrameSet& frames) {
+void WandCollector::search(const FrameSet& frames) {
   finder_.add(frames);
   auto found = finder_.take();
   const double time = seconds(frames.time);
   const std::lock_guard lock(seenMutex_);
-  ++looked_;
+  ++searched_;
   first_ = first_.value_or(time);
   newest_ = std::max(newest_, time);
   for (std::size_t c = 0; c < found.size(); ++c) {
@@ -81,8 +84,8 @@ WandCollector::State WandCollector::state() const {
   }
   const std::lock_guard lock(seenMutex_);
   state.seconds = first_ ? newest_ - *first_ : 0.0;
-  state.looked = looked_;
-  state.waiting -= looked_;
+  state.searched = searched_;
+  state.waiting -= searched_;
   state.cameras = cameras_;
   return state;
 }

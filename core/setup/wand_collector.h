@@ -12,14 +12,14 @@
 
 namespace dewpoint::setup {
 
-/// What a camera saw of a waved target.
+/// What a camera saw of a wand.
 struct CameraSightings {
   std::size_t count = 0;  ///< balls found
   BoardCoverage coverage; ///< in which regions of the image, how often
 };
 
 /// Whether a camera saw the target often and in enough of its image: a calibration from less may
-/// succeed, but its verdict will be wide.
+/// succeed, but its accuracy will be low.
 bool sawEnough(const CameraSightings& camera);
 
 /// Looks for the balls of a wand in frame sets as they come from live cameras, in a thread of its
@@ -27,6 +27,7 @@ bool sawEnough(const CameraSightings& camera);
 /// dropped, and counted.
 class WandCollector {
 public:
+  /// Frame sets that wait at most.
   static constexpr std::size_t kWaiting = 32;
 
   WandCollector(std::size_t cameraCount, const std::vector<ColorClassifier>& balls);
@@ -40,7 +41,7 @@ public:
 
   struct State {
     double seconds = 0.0; ///< from the first frame set's time to the newest one's
-    std::int64_t looked = 0;
+    std::int64_t searched = 0;
     std::int64_t waiting = 0; ///< taken, but not yet looked at
     std::int64_t dropped = 0;
     std::vector<CameraSightings> cameras;
@@ -51,7 +52,7 @@ public:
 
 private:
   void run(const std::stop_token& stop);
-  void look(const FrameSet& frames);
+  void search(const FrameSet& frames);
 
   mutable std::mutex queueMutex_;
   std::condition_variable_any wake_;
@@ -62,7 +63,7 @@ private:
   mutable std::mutex seenMutex_; ///< guards what follows; the finders work without it
   std::vector<std::vector<MarkerObservation>> views_;
   std::vector<CameraSightings> cameras_;
-  std::int64_t looked_ = 0;
+  std::int64_t searched_ = 0;
   std::optional<double> first_; ///< seconds
   double newest_ = 0.0;
 

@@ -13,14 +13,14 @@ Result<WandRefinement> judged(const Project& project, const WandOptions& options
     return tl::make_unexpected(std::move(result.error()));
   }
   CameraRig before = rigOf(project);
-  auto verdict = judgeWand(*result, options.floorTimes);
-  return WandRefinement{options, std::move(before), std::move(*result), std::move(verdict)};
+  auto accuracy = assessWand(*result, options.floorTimes);
+  return WandRefinement{options, std::move(before), std::move(*result), std::move(accuracy)};
 }
 
 } // namespace
 
 bool saysTooLittle(const WandRefinement& refinement) {
-  return refinement.verdict && refinement.verdict->cameras95 > refinement.options.roughPlace;
+  return refinement.accuracy && refinement.accuracy->cameras95 > refinement.options.roughPosition;
 }
 
 bool isDoubtful(const WandRefinement& refinement) {
@@ -54,8 +54,8 @@ std::string htmlText(const WandRefinement& refinement) {
   WandReport report;
   report.before = refinement.before;
   report.result = refinement.result;
-  report.verdict = refinement.verdict ? verdictSentence(*refinement.verdict)
-                                      : "No verdict: " + sentence(refinement.verdict.error());
+  report.accuracy = refinement.accuracy ? accuracySentence(*refinement.accuracy)
+                                        : "No verdict: " + sentence(refinement.accuracy.error());
   report.coverage = coverageOf(refinement.result);
   report.offsetsFound = refinement.options.findOffsets;
   return htmlText(report);

@@ -11,29 +11,29 @@
 
 namespace dewpoint::setup {
 
-/// A calibration from a waved target with all that is said about it: what the command line prints
-/// and what the window shows.
+/// A calibration by wand with its report: what the command line prints and what the
+/// window shows.
 struct WandRefinement {
   WandOptions options;
   CameraRig before; ///< the project's cameras as they were
   WandResult result;
-  Result<CalibrationAccuracy> verdict; ///< or why there is none
+  Result<CalibrationAccuracy> accuracy; ///< or why there is none
 };
 
-/// Whether its cameras are less sure, by the verdict, than those it began with may be off: then the
-/// former ones are better kept.
+/// Whether its cameras are less accurate, by the assessment, than those it began with may be off:
+/// then the former ones are better kept.
 bool saysTooLittle(const WandRefinement& refinement);
 
-/// Whether a person should decide about it before it is put into the project: a fault that has a
+/// Whether the user should decide about it before it is put into the project: a fault that has a
 /// name explains the views better, or it says too little.
 bool isDoubtful(const WandRefinement& refinement);
 
-/// calibrateFromRecording() and the verdict. Errors: those of the calibration.
+/// calibrateFromRecording() and its accuracy. Errors: those of the calibration.
 Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,
                                            const WandOptions& options,
                                            const WandWorkCallback& callback = nullptr);
 
-/// calibrateFromViews() and the verdict: from what a WandCollector saw.
+/// calibrateFromViews() and its accuracy: from what a WandCollector saw.
 Result<WandRefinement> refineFromViews(const Project& project,
                                        const std::vector<std::vector<MarkerObservation>>& views,
                                        const WandOptions& options,

@@ -6,19 +6,19 @@
 namespace dewpoint::setup {
 namespace {
 
-std::optional<double> momentOf(const std::vector<TouchedMoment>& moments, TouchRole role) {
-  const auto found = std::ranges::find(moments, role, &TouchedMoment::role);
-  return found != moments.end() ? std::optional(found->seconds) : std::nullopt;
+std::optional<double> instantOf(const std::vector<TouchedInstant>& instants, TouchRole role) {
+  const auto found = std::ranges::find(instants, role, &TouchedInstant::role);
+  return found != instants.end() ? std::optional(found->seconds) : std::nullopt;
 }
 
 } // namespace
 
-void addMoment(std::vector<TouchedMoment>& moments, const TouchedMoment& taken) {
-  std::erase_if(moments, [&](const TouchedMoment& moment) {
-    return moment == taken || (taken.role != TouchRole::Floor && moment.role == taken.role);
+void addInstant(std::vector<TouchedInstant>& instants, const TouchedInstant& taken) {
+  std::erase_if(instants, [&](const TouchedInstant& instant) {
+    return instant == taken || (taken.role != TouchRole::Floor && instant.role == taken.role);
   });
-  moments.push_back(taken);
-  std::ranges::stable_sort(moments, {}, &TouchedMoment::seconds);
+  instants.push_back(taken);
+  std::ranges::stable_sort(instants, {}, &TouchedInstant::seconds);
 }
 
 std::vector<std::string> selectedTargets(const WandSettings& wish, const Project& project) {
@@ -37,9 +37,9 @@ std::vector<std::string> selectedTargets(const WandSettings& wish, const Project
   return balls;
 }
 
-WandObstacle obstacleOf(const WandSettings& wish, const std::vector<TouchedMoment>& moments,
+WandObstacle obstacleOf(const WandSettings& wish, const std::vector<TouchedInstant>& instants,
                         const Project& project) {
-  const auto taken = [&](TouchRole role) { return momentOf(moments, role).has_value(); };
+  const auto taken = [&](TouchRole role) { return instantOf(instants, role).has_value(); };
   const auto balls = selectedTargets(wish, project);
   if (project.cameras.size() < 2) {
     return WandObstacle::TooFewCameras;
@@ -61,7 +61,7 @@ WandObstacle obstacleOf(const WandSettings& wish, const std::vector<TouchedMomen
                                                                     : WandObstacle::None;
 }
 
-WandOptions toOptions(const WandSettings& wish, const std::vector<TouchedMoment>& moments,
+WandOptions toOptions(const WandSettings& wish, const std::vector<TouchedInstant>& instants,
                       const Project& project, const std::optional<FrameStretch>& selected) {
   WandOptions options;
   options.targets = selectedTargets(wish, project);
@@ -69,23 +69,23 @@ WandOptions toOptions(const WandSettings& wish, const std::vector<TouchedMoment>
   options.fromDiameter = !wish.stick && wish.size == WandSize::Diameter;
   if (!wish.stick && wish.size == WandSize::Distance) {
     options.distance =
-        TouchedDistance{momentOf(moments, TouchRole::DistanceFrom).value_or(0.0),
-                        momentOf(moments, TouchRole::DistanceTo).value_or(0.0), wish.distance};
+        TouchedDistance{instantOf(instants, TouchRole::DistanceFrom).value_or(0.0),
+                        instantOf(instants, TouchRole::DistanceTo).value_or(0.0), wish.distance};
   }
-  for (const TouchedMoment& moment : moments) {
-    if (moment.role == TouchRole::Floor) {
-      options.floorTimes.push_back(moment.seconds);
+  for (const TouchedInstant& instant : instants) {
+    if (instant.role == TouchRole::Floor) {
+      options.floorTimes.push_back(instant.seconds);
     }
   }
-  const auto begin = momentOf(moments, TouchRole::FallBegins);
-  const auto end = momentOf(moments, TouchRole::FallEnds);
+  const auto begin = instantOf(instants, TouchRole::FallBegins);
+  const auto end = instantOf(instants, TouchRole::FallEnds);
   if (begin && end) {
     options.drop = std::array<double, 2>{*begin, *end};
   }
   options.findOffsets = wish.findOffsets;
   options.findFocal = wish.findFocal;
   options.findDistortion = wish.findDistortion;
-  options.roughPlace = wish.roughPlace;
+  options.roughPosition = wish.roughPosition;
   options.roughTurn = wish.roughTurn;
   if (wish.onlySpan && selected) {
     options.firstFrame = selected->first;

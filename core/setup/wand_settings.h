@@ -10,43 +10,43 @@
 
 namespace dewpoint::setup {
 
-/// What gives a calibration from a waved target its size.
+/// What gives a calibration by wand its size.
 enum class WandSize { Cameras, Diameter, Distance };
 
-/// What a person decides about a calibration from a waved target: kept as it was typed, whether or
-/// not it makes sense yet.
+/// The user's choices for a calibration by wand: kept as it was typed, whether or not
+/// it makes sense yet.
 struct WandSettings {
   bool stick = false;                ///< two balls; else one
   std::string ball;                  ///< names of targets; empty: the first ones
   std::string other;                 ///< the other end of the stick
-  double length = 0.5;               ///< of the stick, between the balls' middles; metres
+  double length = 0.5;               ///< of the stick, between the balls' middles; meters
   WandSize size = WandSize::Cameras; ///< with one ball
-  double distance = 1.0;             ///< between the two places touched; metres
+  double distance = 1.0;             ///< between the two positions touched; meters
   bool findOffsets = false;
   bool findFocal = false;
   bool findDistortion = false;
-  bool onlySpan = false;                        ///< look only through the frames that are selected
-  double roughPlace = WandOptions().roughPlace; ///< metres
-  double roughTurn = WandOptions().roughTurn;   ///< radians
+  bool onlySpan = false; ///< look only through the frames that are selected
+  double roughPosition = WandOptions().roughPosition; ///< meters
+  double roughTurn = WandOptions().roughTurn;         ///< radians
 
   bool operator==(const WandSettings&) const = default;
 };
 
-/// What the ball did at a moment.
+/// What the ball did at an instant.
 enum class TouchRole { Floor, DistanceFrom, DistanceTo, FallBegins, FallEnds };
 constexpr int kTouchRoles = 5;
 
-struct TouchedMoment {
+struct TouchedInstant {
   std::int64_t frame = 0;
   double seconds = 0.0;
   TouchRole role = TouchRole::Floor;
 
-  bool operator==(const TouchedMoment&) const = default;
+  bool operator==(const TouchedInstant&) const = default;
 };
 
-/// A moment is taken: the floor may be touched often, each of the others happens once, and what was
-/// said of it before is replaced. Ascending in time.
-void addMoment(std::vector<TouchedMoment>& moments, const TouchedMoment& taken);
+/// Adds an instant: the floor may be touched often, each of the others happens once, and what was
+/// recorded for it before is replaced. Ascending in time.
+void addInstant(std::vector<TouchedInstant>& instants, const TouchedInstant& taken);
 
 /// The names of the balls: as wished, or the project's first targets. A stick has two, as far as
 /// the project has as many targets.
@@ -63,7 +63,7 @@ enum class WandObstacle {
   HalfAFall         ///< only one end of a fall is known
 };
 /// The first one, in this order.
-WandObstacle obstacleOf(const WandSettings& wish, const std::vector<TouchedMoment>& moments,
+WandObstacle obstacleOf(const WandSettings& wish, const std::vector<TouchedInstant>& instants,
                         const Project& project);
 
 /// Frames from the first to the last, both included.
@@ -73,7 +73,7 @@ struct FrameStretch {
 };
 
 /// The options for a wish without an obstacle. `selected`: the frames for WandSettings::onlySpan.
-WandOptions toOptions(const WandSettings& wish, const std::vector<TouchedMoment>& moments,
+WandOptions toOptions(const WandSettings& wish, const std::vector<TouchedInstant>& instants,
                       const Project& project, const std::optional<FrameStretch>& selected = {});
 
 } // namespace dewpoint::setup

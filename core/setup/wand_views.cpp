@@ -36,10 +36,9 @@ Result<std::vector<const Target*>> ballsOf(const Project& project, const WandOpt
   return balls;
 }
 
-Result<std::vector<std::vector<MarkerObservation>>> lookThrough(const Project& project,
-                                                                FrameSetSource& source,
-                                                                const WandOptions& options,
-                                                                const WandWorkCallback& callback) {
+Result<std::vector<std::vector<MarkerObservation>>>
+searchThrough(const Project& project, FrameSetSource& source, const WandOptions& options,
+              const WandWorkCallback& callback) {
   const auto colors = wandColors(project, options);
   if (!colors) {
     return tl::make_unexpected(colors.error());
@@ -118,7 +117,7 @@ Result<WandProblem> wandProblem(const Project& project, const WandOptions& optio
   problem.findOffsets = options.findOffsets;
   problem.findFocal = options.findFocal;
   problem.findDistortion = options.findDistortion;
-  problem.roughPlace = options.roughPlace;
+  problem.roughPosition = options.roughPosition;
   problem.roughTurn = options.roughTurn;
   return problem;
 }
@@ -165,7 +164,7 @@ Result<WandResult> calibrateFromViews(const Project& project,
 Result<WandResult> calibrateFromRecording(const Project& project, FrameSetSource& source,
                                           const WandOptions& options,
                                           const WandWorkCallback& callback) {
-  const auto views = lookThrough(project, source, options, callback);
+  const auto views = searchThrough(project, source, options, callback);
   return views ? calibrateFromViews(project, *views, options, callback)
                : Result<WandResult>(tl::make_unexpected(views.error()));
 }

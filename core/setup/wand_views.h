@@ -35,11 +35,11 @@ private:
   std::int64_t frameSets_ = 0;
 };
 
-/// What a person decides about a calibration from a waved target.
+/// The user's choices for a calibration by wand.
 struct WandOptions {
   std::vector<std::string>
       targets;              ///< names: one ball, or the two ends of a stick; empty: the only
-  double stickLength = 0.0; ///< metres
+  double stickLength = 0.0; ///< meters
   std::int64_t firstFrame = 0;
   std::optional<std::int64_t> endFrame; ///< one past the last; none: all
   bool findOffsets = false;
@@ -49,8 +49,8 @@ struct WandOptions {
   std::optional<TouchedDistance> distance;
   std::vector<double> floorTimes; ///< seconds
   std::optional<std::array<double, 2>> drop;
-  double roughPlace = 0.12; ///< metres by which the project's cameras may be off
-  double roughTurn = 0.06;  ///< radians
+  double roughPosition = 0.12; ///< meters by which the project's cameras may be off
+  double roughTurn = 0.06;     ///< radians
 };
 
 /// The problem that the options make of a project: its cameras as the rough rig, radii and size;

@@ -12,8 +12,11 @@
 namespace dewpoint::simulation {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr int kEdgeSamples = 4; ///< per side of a pixel on a silhouette
+/// Instants of one exposure.
 constexpr int kMostInstants = 16;
+/// Pixels that a body travels between two of them.
 constexpr double kPixelsPerInstant = 1.5;
 
 /// What one instant contributes to one pixel: color times coverage, and coverage.
@@ -169,8 +172,8 @@ void paintBodies(const CameraView& view, const BodiesAt& bodiesAt, const Exposur
         std::clamp(static_cast<int>(std::ceil(travel / kPixelsPerInstant)), 1, kMostInstants);
     shares.assign(static_cast<std::size_t>(area.area()), {});
     for (int k = 0; k < instants; ++k) {
-      const double moment = time + half * ((2.0 * k + 1.0) / instants - 1.0);
-      addInstant(view, instants == 1 ? middle[i] : bodiesAt(moment)[i], area, shares);
+      const double at = time + half * ((2.0 * k + 1.0) / instants - 1.0);
+      addInstant(view, instants == 1 ? middle[i] : bodiesAt(at)[i], area, shares);
     }
     auto share = shares.begin();
     const float weight = 1.0F / static_cast<float>(instants);

@@ -10,7 +10,7 @@
 
 namespace dewpoint::simulation {
 
-/// A moving thing at one instant: a ball, or a box of any orientation. World frame, metres.
+/// A moving object at one instant: a ball, or a box of any orientation. World frame, meters.
 struct Body {
   bool box = false;
   Vector3f center;
@@ -31,7 +31,7 @@ struct Exposure {
 };
 
 /// Draws bodies, their soft shadows on z = 0 and their motion blur into `image` (CV_32FC3), which
-/// shows the room at rest as `view` sees it. Presence is that of the middle of the exposure.
+/// shows the room at rest as `view` sees it. Presence is that at the center of the exposure.
 void paintBodies(const CameraView& view, const BodiesAt& bodiesAt, const Exposure& exposure,
                  cv::Mat& image);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/camera_view.h"
 
+#include "core/geometry/projector.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +15,7 @@ namespace {
 /// The direction (z = 1, camera frame) whose image is `pixel`: a fixed point of the projection.
 /// Nothing where the lens model has no such direction.
 std::optional<Eigen::Vector3d> unproject(const Projector& lens, const Eigen::Vector2d& pixel) {
+  /// Iterations of undistorting a pixel.
   constexpr int kIterations = 30;
   constexpr double kEnough = 1e-4; // pixels
   const Intrinsics& k = lens.intrinsics();
@@ -100,7 +103,7 @@ void CameraView::seeRoom(const Room& room) {
         const Vector3f ray = direction(column, row, right, down);
         const auto jitter =
             static_cast<std::uint32_t>(pixel) * 4U + static_cast<std::uint32_t>(sample);
-        const Sight sight = room.look(center, ray, room.cast(center, ray), jitter);
+        const Sight sight = room.sightOf(center, ray, room.cast(center, ray), jitter);
         color += sight.color / (kSide * kSide);
         lit[pixel] += sight.lit / (kSide * kSide);
       }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 #include "core/simulation/room.h"
 
 #include <opencv2/core.hpp>
@@ -32,9 +33,9 @@ struct CameraView {
   Projector projector;
   int width = 0;
   int height = 0;
-  Vector3f center;                  ///< world, metres
+  Vector3f center;                  ///< world, meters
   std::vector<Vector3f> directions; ///< unit vectors, world; zero where the lens shows nothing
-  std::vector<float> distances;     ///< to the room at rest along the ray, metres
+  std::vector<float> distances;     ///< to the room at rest along the ray, meters
   std::vector<float> lit;           ///< share of the pixel's light that comes from the lamp
   cv::Mat background;               ///< CV_32FC3, BGR, [0, 255]
 

@@ -8,7 +8,7 @@
 namespace dewpoint::simulation {
 
 Eigen::Vector3d temperatureGain(double kelvin) {
-  constexpr double kSecondRadiation = 0.014388; // h c / k, metre kelvin
+  constexpr double kSecondRadiation = 0.014388; // h c / k, meter kelvin
   constexpr std::array<double, 3> kWavelengths{460e-9, 540e-9, 620e-9};
   Eigen::Vector3d gain;
   for (int channel = 0; channel < 3; ++channel) {

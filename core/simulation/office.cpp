@@ -11,7 +11,7 @@
 namespace dewpoint::simulation {
 namespace {
 
-constexpr double kHalfOffice = 3.5; ///< metres from the middle to the walls
+constexpr double kHalfOffice = 3.5; ///< meters from the middle to the walls
 
 } // namespace
 
@@ -59,13 +59,13 @@ cv::Mat OfficeRenderer::emptyRoom(std::size_t camera) const {
 
 bool OfficeRenderer::inside(std::size_t person, double time) const {
   const auto& walker = scene_.people.at(person);
-  return walker.presentAt(time) && walker.place(time).cwiseAbs().maxCoeff() < kHalfOffice;
+  return walker.presentAt(time) && walker.position(time).cwiseAbs().maxCoeff() < kHalfOffice;
 }
 
 Eigen::Vector3d OfficeRenderer::middle(std::size_t person, double time) const {
   const auto& walker = scene_.people.at(person);
-  const Eigen::Vector2d place = walker.place(time);
-  return {place.x(), place.y(), 0.5 * walker.height};
+  const Eigen::Vector2d position = walker.position(time);
+  return {position.x(), position.y(), 0.5 * walker.height};
 }
 
 } // namespace dewpoint::simulation

@@ -43,7 +43,7 @@ public:
   cv::Mat emptyRoom(std::size_t camera) const;
   /// Whether the person is there, and inside the office's walls.
   bool inside(std::size_t person, double time) const;
-  /// Point of the floor below the person and half its height: the middle of the body, metres.
+  /// Point of the floor below the person and half its height: the middle of the body, meters.
   Eigen::Vector3d middle(std::size_t person, double time) const;
 
 private:

@@ -89,7 +89,7 @@ private:
 /// of the lamp that is hidden, per pixel.
 void addShadow(const CameraView& view, const BodyPart& part, const Vector3f& lamp,
                cv::Mat& covered) {
-  constexpr float kPanel = 0.35F; // radius of the office's lamp, metres: a panel
+  constexpr float kPanel = 0.35F; // radius of the office's lamp, meters: a panel
   const float radius = std::cbrt(part.halfSize.prod());
   const float height = std::min(part.center.z(), lamp.z() - 0.3F);
   const Vector3f spot = lamp + (part.center - lamp) * (lamp.z() / (lamp.z() - height));

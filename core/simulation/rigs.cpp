@@ -41,14 +41,14 @@ CameraRig threeCameraDeskRig() {
 
 CameraRig deskRing(int count) {
   // Eighths of a turn; two cameras see the volume at right angles, four from all sides.
-  static constexpr std::array<int, 8> kPlaces{0, 2, 4, 6, 1, 3, 5, 7};
+  static constexpr std::array<int, 8> kSlots{0, 2, 4, 6, 1, 3, 5, 7};
   constexpr double kDistance = 1.1;
   const Eigen::Vector3d middle{0.5, 0.5, 0.15};
   CameraRig rig;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    const int place = kPlaces.at(i);
-    const double angle = -0.4 + 0.25 * std::numbers::pi * place;
-    const double height = place % 2 == 0 ? 0.45 : 0.6;
+    const int slot = kSlots.at(i);
+    const double angle = -0.4 + 0.25 * std::numbers::pi * slot;
+    const double height = slot % 2 == 0 ? 0.45 : 0.6;
     const double reach = std::sqrt(kDistance * kDistance - height * height);
     const Eigen::Vector3d offset{reach * std::cos(angle), reach * std::sin(angle), height};
     rig.push_back(cameraAt(i, {}, middle + offset, middle));

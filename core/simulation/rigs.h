@@ -5,7 +5,7 @@
 
 namespace dewpoint::simulation {
 
-/// The demo's two cameras and a third, aside and above, that looks at the same place.
+/// The demo's two cameras and a third, aside and above, that looks at the same point.
 CameraRig threeCameraDeskRig();
 
 /// The first `count` (2 to 8) of eight 320x240 cameras around the desk, 1.1 m from the middle of

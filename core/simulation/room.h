@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/floors.h"
-
-#include <Eigen/Core>
+#include "core/simulation/solid.h"
 
 #include <cstdint>
 #include <limits>
@@ -11,9 +9,7 @@
 
 namespace dewpoint::simulation {
 
-using Eigen::Vector3f;
-
-/// The one lamp: a small area light, so that shadows have soft borders. World frame, metres.
+/// The one lamp: a small area light, so that shadows have soft borders. World frame, meters.
 inline const Vector3f kLampPosition{0.15F, -0.25F, 1.7F};
 /// That of the office, above the heads.
 inline const Vector3f kOfficeLampPosition{0.2F, -0.3F, 2.6F};
@@ -25,33 +21,6 @@ inline constexpr float kLampShare = 0.62F; ///< of full light; the rest is ambie
 float shade(const Vector3f& point, const Vector3f& normal, float lit,
             const Vector3f& lamp = kLampPosition);
 
-enum class Pattern { Plain, Wood, Plaster, Skin, Floor, Pages };
-
-/// What a surface is made of; `color` is BGR in full light, [0, 255].
-struct Material {
-  Pattern pattern = Pattern::Plain;
-  Vector3f color{128.0F, 128.0F, 128.0F};
-};
-
-/// A color given as people write it.
-inline Vector3f rgb(float red, float green, float blue) {
-  return {blue, green, red};
-}
-
-enum class Shape { Box, Ellipsoid, Cylinder };
-
-/// A thing at rest: a box, an ellipsoid or an upright cylinder, turned about the vertical.
-struct Solid {
-  Shape shape = Shape::Box;
-  Vector3f center;
-  Vector3f halfSize; ///< semi-axes along the solid's own axes
-  float yaw = 0.0F;  ///< radians about Z
-  Material material;
-  float cosine = 1.0F;
-  float sine = 0.0F;
-  float bound = 0.0F; ///< radius of a sphere around it
-};
-
 /// A ray's first hit. `distance` is along the unit direction; infinite when there is none.
 struct Hit {
   float distance = std::numeric_limits<float>::infinity();
@@ -59,7 +28,7 @@ struct Hit {
   const Solid* solid = nullptr; ///< the walls' own when the ray hits nothing else
 };
 
-/// What a camera sees of the room at one place of its image.
+/// What a camera sees of the room at one point of its image.
 struct Sight {
   Vector3f color{0.0F, 0.0F, 0.0F}; ///< BGR, [0, 255]
   float lit = 0.0F;                 ///< share of the color that comes from the lamp directly
@@ -68,32 +37,25 @@ struct Sight {
 /// What stands in the room.
 enum class Furnishing {
   Desk,          ///< a bare desk; its top is z = 0
-  ClutteredDesk, ///< the desk with books, boxes, wood- and skin-colored things
+  ClutteredDesk, ///< the desk with books, boxes, wood- and skin-colored objects
   Hall,          ///< a living room of 4.5 x 4.5 x 2.5 m around the origin; its floor is z = 0
   Office,        ///< an office of 7 x 7 x 2.7 m around the origin; its floor is z = 0
 };
 
-/// The furnished room of the simulation, at rest. Its textures are functions of the place in the
+/// The furnished room of the simulation, at rest. Its textures are functions of the position in the
 /// world, so that all cameras see the same room.
 class Room {
 public:
   explicit Room(Furnishing furnishing);
 
   Hit cast(const Vector3f& origin, const Vector3f& direction) const;
-  /// The color of a hit; `jitter` varies the place on the lamp that shadows are cast from.
-  Sight look(const Vector3f& origin, const Vector3f& direction, const Hit& hit,
-             std::uint32_t jitter) const;
+  /// The color of a hit; `jitter` varies the point on the lamp that shadows are cast from.
+  Sight sightOf(const Vector3f& origin, const Vector3f& direction, const Hit& hit,
+                std::uint32_t jitter) const;
   /// Where its lamp hangs: kLampPosition, or higher in a room for people.
   const Vector3f& lamp() const { return lamp_; }
 
 private:
-  void furnish();
-  void clutterDesk();
-  void furnishHall();
-  void furnishOffice();
-  void add(Shape shape, const Vector3f& center, const Vector3f& halfSize, const Material& material,
-           float yaw = 0.0F);
-  void addBook(const Vector3f& center, const Vector3f& halfSize, const Vector3f& color, float yaw);
   bool shadowed(const Vector3f& point, const Vector3f& towards) const;
 
   std::vector<Solid> solids_;

@@ -3,6 +3,7 @@
 
 #include "core/base/text_file.h"
 #include "core/simulation/light.h"
+#include "core/simulation/scene_file.h"
 
 #include <Eigen/Geometry>
 
@@ -15,6 +16,8 @@
 namespace dewpoint::simulation {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Of Motion::Fast against Smooth.
 constexpr double kFastFactor = 5.0;
 /// The ball gathers speed over this part of a period, instead of starting with a jerk.
 constexpr double kEaseOfPeriod = 0.1;
@@ -28,12 +31,12 @@ Eigen::Vector3d smoothOffset(double time, double period) {
 }
 
 Eigen::Vector3d jumpOffset(double time, double period, double frameSeconds) {
-  static const std::array<Eigen::Vector3d, 4> places{
+  static const std::array<Eigen::Vector3d, 4> positions{
       Eigen::Vector3d{0.0, 0.0, 0.0}, Eigen::Vector3d{1.0, -1.0, 1.0},
       Eigen::Vector3d{-1.0, 0.5, -0.8}, Eigen::Vector3d{0.8, 1.0, -1.0}};
   // Half a frame early, so that no exposure holds the ball at two places.
   const auto jumps = static_cast<std::int64_t>(std::floor((time + 0.5 * frameSeconds) / period));
-  return places[static_cast<std::size_t>(jumps % std::int64_t{places.size()})];
+  return positions[static_cast<std::size_t>(jumps % std::int64_t{positions.size()})];
 }
 
 Camera camera(const char* name, int width, int height, const Eigen::Vector3d& position) {
@@ -92,7 +95,7 @@ Result<Scene> sceneNamed(const std::string& nameOrTomlFile) {
   }
   if (name == "smooth" || name == "look-alikes" || name == "occluder") {
     Scene scene = builtIn(name, Motion::Smooth);
-    scene.lookAlikes = name == "look-alikes" ? 3 : 0;
+    scene.distractors = name == "look-alikes" ? 3 : 0;
     scene.occluder = name == "occluder";
     return scene;
   }
@@ -126,12 +129,12 @@ Eigen::Vector3d ballPosition(const Scene& scene, int ball, double time) {
   return body.position + body.extent.cwiseProduct(offset);
 }
 
-Eigen::Vector3d lookAlikePosition(const Scene& scene, int index) {
+Eigen::Vector3d distractorPosition(const Scene& scene, int index) {
   // At rest on the desk, where at least one camera of the demo rig sees it beside the ball's path.
-  static constexpr std::array<std::array<double, 2>, kMaxLookAlikes> kPlaces{
+  static constexpr std::array<std::array<double, 2>, kMaxDistractors> kPositions{
       {{0.66, 0.62}, {0.36, 0.70}, {0.80, 0.42}, {0.58, 0.78}}};
-  const auto& place = kPlaces.at(static_cast<std::size_t>(index));
-  return {place[0], place[1], scene.balls.empty() ? 0.035 : scene.balls.front().radius};
+  const auto& xy = kPositions.at(static_cast<std::size_t>(index));
+  return {xy[0], xy[1], scene.balls.empty() ? 0.035 : scene.balls.front().radius};
 }
 
 Eigen::Vector3d occluderPosition(const Scene& scene, double time) {

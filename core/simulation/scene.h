@@ -23,11 +23,11 @@ enum class Motion {
 /// A ball whose true position is known at every instant.
 struct SceneBall {
   std::string name = "pink ball";
-  double radius = 0.035;                     ///< metres
+  double radius = 0.035;                     ///< meters
   Eigen::Vector3d color{145.0, 85.0, 245.0}; ///< BGR in full light, [0, 255]
   Motion motion = Motion::Smooth;
-  Eigen::Vector3d position{0.5, 0.5, 0.15}; ///< where it starts, and the middle of its path; metres
-  Eigen::Vector3d extent{0.12, 0.08, 0.05}; ///< half size of the path along X, Y, Z; metres
+  Eigen::Vector3d position{0.5, 0.5, 0.15}; ///< where it starts, and the middle of its path; meters
+  Eigen::Vector3d extent{0.12, 0.08, 0.05}; ///< half size of the path along X, Y, Z; meters
   double period = 6.0;                      ///< seconds per smooth round, or between two jumps
   double stillSeconds = 0.0;                ///< it rests this long before it starts to move
 
@@ -49,8 +49,8 @@ struct SceneLight {
   double kelvin = 5500.0;  ///< color temperature; the cameras are balanced for 5500 K
 };
 
-/// As many look-alike balls as have a place on the desk.
-inline constexpr int kMaxLookAlikes = 4;
+/// The most distractors that fit on the desk.
+inline constexpr int kMaxDistractors = 4;
 
 /// A simulated scene: everything that decides its images and its truth. Frame f is taken at
 /// f / framesPerSecond seconds; its exposure is centered on that instant.
@@ -61,9 +61,10 @@ struct Scene {
   std::int64_t frameCount = 300;
   std::uint64_t seed = 1;
   std::vector<SceneBall> balls;
-  int lookAlikes = 0;    ///< further balls of the first ball's color, at rest; up to kMaxLookAlikes
-  bool occluder = false; ///< a box that passes between the first ball and the first camera
-  bool clutter = true;   ///< books, boxes, wood- and skin-colored things on the desk
+  /// Distractors: further balls of the first ball's color, at rest; up to kMaxDistractors.
+  int distractors = 0;
+  bool occluder = false;          ///< a box that passes between the first ball and the first camera
+  bool clutter = true;            ///< books, boxes, wood- and skin-colored objects on the desk
   std::vector<SceneLight> lights; ///< in the order of their times; none: full light of 5500 K
   double noiseSigma = 3.0;        ///< standard deviation of the sensor noise, gray levels
   double exposureSeconds = 0.01;  ///< how long the shutter is open: the motion blur
@@ -82,20 +83,13 @@ const std::vector<std::string>& sceneNames();
 /// A built-in scene by name, else a scene TOML file by path.
 Result<Scene> sceneNamed(const std::string& nameOrTomlFile);
 
-/// Parses scene TOML text. Absent keys keep the values of demoScene(); unknown keys, wrong types
-/// and senseless values are errors that name `file` and the key.
-Result<Scene> parseScene(const std::string& text, const std::string& file);
-
-/// The scene as TOML text, every key written; parseScene() reads the same scene from it.
-std::string sceneToml(const Scene& scene);
-
-/// The true center of a ball at `time` seconds, world frame, metres.
+/// The true center of a ball at `time` seconds, world frame, meters.
 Eigen::Vector3d ballPosition(const Scene& scene, int ball, double time);
 
-/// Where look-alike `index` rests, world frame, metres.
-Eigen::Vector3d lookAlikePosition(const Scene& scene, int index);
+/// Where distractor `index` rests, world frame, meters.
+Eigen::Vector3d distractorPosition(const Scene& scene, int index);
 
-/// The center of the occluder at `time` seconds, world frame, metres.
+/// The center of the occluder at `time` seconds, world frame, meters.
 Eigen::Vector3d occluderPosition(const Scene& scene, double time);
 
 /// The light at `time` seconds, as a factor per channel (BGR).

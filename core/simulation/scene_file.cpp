@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/scene_file.h"
+
+#include "core/base/angle.h"
 #include "core/base/table_reader.h"
 #include "core/geometry/camera_name.h"
-#include "core/simulation/scene.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -11,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <sstream>
 #include <utility>
 
@@ -22,7 +23,6 @@ constexpr std::array<std::pair<Motion, const char*>, 4> kMotionNames{{{Motion::S
                                                                       {Motion::Smooth, "smooth"},
                                                                       {Motion::Fast, "fast"},
                                                                       {Motion::Jump, "jump"}}};
-constexpr double kDegree = std::numbers::pi / 180.0;
 /// Larger pictures than this are a typing error, and would fill the memory.
 constexpr std::int64_t kMaxSide = 8192;
 
@@ -187,7 +187,7 @@ Result<Scene> readScene(const toml::table& table, const std::string& file) {
   reader.integer("frame_count", scene.frameCount, 1, 100'000'000);
   reader.integer("seed", scene.seed, std::numeric_limits<std::int64_t>::min(),
                  std::numeric_limits<std::int64_t>::max());
-  reader.integer("look_alikes", scene.lookAlikes, 0, kMaxLookAlikes);
+  reader.integer("look_alikes", scene.distractors, 0, kMaxDistractors);
   reader.boolean("occluder", scene.occluder);
   reader.boolean("clutter", scene.clutter);
   reader.number("noise_sigma", scene.noiseSigma, 0.0, 100.0);
@@ -281,7 +281,7 @@ std::string sceneToml(const Scene& scene) {
       {"frames_per_second", scene.framesPerSecond},
       {"frame_count", scene.frameCount},
       {"seed", static_cast<std::int64_t>(scene.seed)},
-      {"look_alikes", scene.lookAlikes},
+      {"look_alikes", scene.distractors},
       {"occluder", scene.occluder},
       {"clutter", scene.clutter},
       {"noise_sigma", scene.noiseSigma},

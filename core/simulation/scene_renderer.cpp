@@ -19,7 +19,7 @@ using simulation::Body;
 using simulation::CameraView;
 using simulation::Vector3f;
 
-/// Width, height and thickness of the occluder, halved; metres.
+/// Width, height and thickness of the occluder, halved; meters.
 const Vector3f kOccluderHalf{0.06F, 0.09F, 0.012F};
 
 } // namespace
@@ -63,8 +63,8 @@ std::vector<Body> SceneRenderer::Parts::bodiesAt(double time) const {
                       static_cast<float>(ball.radius), ball.color.cast<float>()});
   }
   if (!scene.balls.empty()) {
-    for (int i = 0; i < scene.lookAlikes; ++i) {
-      bodies.push_back({false, lookAlikePosition(scene, i).cast<float>(), bodies.front().radius,
+    for (int i = 0; i < scene.distractors; ++i) {
+      bodies.push_back({false, distractorPosition(scene, i).cast<float>(), bodies.front().radius,
                         bodies.front().color});
     }
     if (scene.occluder) {

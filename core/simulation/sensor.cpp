@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t kNoiseCount = 65536;
 
-/// Standard normal numbers to pick from: drawing them anew for every pixel would cost more than all
-/// the rest of a frame.
+/// Standard normal numbers to pick from: drawing them again for every pixel would cost more than
+/// all the rest of a frame.
 const std::vector<float>& noiseTable() {
   static const std::vector<float> table = [] {
     std::vector<float> values(kNoiseCount);

@@ -11,7 +11,7 @@
 
 namespace dewpoint::simulation {
 
-/// A ball that hides a round lamp from what lies on the floor or desk (world z = 0). Metres, world.
+/// A ball that hides a round lamp from what lies on the floor or desk (world z = 0). Meters, world.
 struct ShadowCaster {
   Eigen::Vector3f center;
   float radius = 0.0F;

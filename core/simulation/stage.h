@@ -16,21 +16,21 @@
 
 namespace dewpoint::simulation {
 
-/// Where something is at a time: seconds to metres, world frame.
+/// Where something is at a time: seconds to meters, world frame.
 using Path = std::function<Eigen::Vector3d(double)>;
 
-/// A thing that moves on a stage: a ball, or a box (a flat one is a patch or an occluder).
+/// An object that moves on a stage: a ball, or a box (a flat one is a patch or an occluder).
 struct StageBody {
   std::string name;
   bool box = false;
-  double radius = 0.035;                              ///< of the ball, metres
-  Eigen::Vector3d halfSize = Eigen::Vector3d::Zero(); ///< of the box along its own axes, metres
+  double radius = 0.035;                              ///< of the ball, meters
+  Eigen::Vector3d halfSize = Eigen::Vector3d::Zero(); ///< of the box along its own axes, meters
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< of the box; rows: its axes in the world
   Eigen::Vector3d color{145.0, 85.0, 245.0};          ///< BGR in full light, [0, 255]
   Path path;
   std::function<bool(double)> present; ///< at a time; none: always
 
-  /// Radius of a sphere around it, metres.
+  /// Radius of a sphere around it, meters.
   double bound() const { return box ? halfSize.norm() : radius; }
   bool presentAt(double time) const { return !present || present(time); }
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simulation/room.h"
+#include "core/simulation/solid.h"
 
 #include <cstdint>
 
@@ -11,9 +11,9 @@ namespace dewpoint::simulation {
 std::uint32_t hashed(std::uint32_t x, std::uint32_t y, std::uint32_t z);
 
 /// Value noise in [-1, 1]: smooth between random values at the points of the integer grid.
-float valueNoise(const Vector3f& place);
+float valueNoise(const Vector3f& position);
 
-/// The color of a patterned surface at a place in the solid's own frame, metres; BGR.
-Vector3f texture(Pattern pattern, const Vector3f& color, const Vector3f& place);
+/// The color of a patterned surface at a point in the solid's own frame, meters; BGR.
+Vector3f texture(Pattern pattern, const Vector3f& color, const Vector3f& position);
 
 } // namespace dewpoint::simulation

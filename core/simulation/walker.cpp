@@ -11,28 +11,28 @@ namespace dewpoint::simulation {
 namespace {
 
 constexpr double kRounding = 0.4;     ///< seconds over which corners of the way are rounded off
-constexpr double kStrideLength = 1.4; ///< metres of two steps
+constexpr double kStrideLength = 1.4; ///< meters of two steps
 constexpr double kUsualSpeed = 1.2;   ///< m/s at which limbs swing fully
 
 Eigen::Vector2d onWay(const std::vector<Waypoint>& way, double time) {
   const auto after = std::ranges::upper_bound(way, time, {}, &Waypoint::time);
   if (after == way.begin()) {
-    return way.front().place;
+    return way.front().position;
   }
   if (after == way.end()) {
-    return way.back().place;
+    return way.back().position;
   }
   const Waypoint& before = *(after - 1);
   const double part = (time - before.time) / (after->time - before.time);
-  return before.place + part * (after->place - before.place);
+  return before.position + part * (after->position - before.position);
 }
 
-/// Distance gone since the first waypoint, metres.
+/// Distance gone since the first waypoint, meters.
 double gone(const std::vector<Waypoint>& way, double time) {
   double sum = 0.0;
   for (std::size_t k = 1; k < way.size() && way[k - 1].time < time; ++k) {
     const double end = std::min(time, way[k].time);
-    const double length = (way[k].place - way[k - 1].place).norm();
+    const double length = (way[k].position - way[k - 1].position).norm();
     sum += length * (end - way[k - 1].time) / (way[k].time - way[k - 1].time);
   }
   return sum;
@@ -69,7 +69,7 @@ Vector3f addLimb(const Stance& stance, const Vector3f& joint, float length, floa
 
 } // namespace
 
-Eigen::Vector2d Walker::place(double time) const {
+Eigen::Vector2d Walker::position(double time) const {
   constexpr int kSamples = 9;
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (int k = 0; k < kSamples; ++k) {
@@ -80,17 +80,17 @@ Eigen::Vector2d Walker::place(double time) const {
 
 std::vector<BodyPart> bodyParts(const Walker& walker, double time) {
   constexpr double kHeadingSpan = 0.6; // seconds: turning takes a while
-  const Eigen::Vector2d place = walker.place(time);
+  const Eigen::Vector2d position = walker.position(time);
   Eigen::Vector2d going =
-      walker.place(time + 0.5 * kHeadingSpan) - walker.place(time - 0.5 * kHeadingSpan);
+      walker.position(time + 0.5 * kHeadingSpan) - walker.position(time - 0.5 * kHeadingSpan);
   const double speed = going.norm() / kHeadingSpan;
   if (speed < 0.05) { // stands: looks where it came from, or will go
-    going = walker.way.back().place - walker.way.front().place;
+    going = walker.way.back().position - walker.way.front().position;
   }
   const Eigen::Vector2d ahead =
       going.norm() > 1e-6 ? Eigen::Vector2d(going.normalized()) : Eigen::Vector2d(1.0, 0.0);
   Stance stance;
-  stance.foot = {static_cast<float>(place.x()), static_cast<float>(place.y()), 0.0F};
+  stance.foot = {static_cast<float>(position.x()), static_cast<float>(position.y()), 0.0F};
   const auto c = static_cast<float>(ahead.x());
   const auto s = static_cast<float>(ahead.y());
   stance.axes << c, s, 0.0F, -s, c, 0.0F, 0.0F, 0.0F, 1.0F;

@@ -11,10 +11,10 @@
 
 namespace dewpoint::simulation {
 
-/// Where a walker is to be at a time. Seconds; world x and y, metres.
+/// Where a walker is to be at a time. Seconds; world x and y, meters.
 struct Waypoint {
   double time = 0.0;
-  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
 };
 
 /// What a walker wears; BGR in full light, [0, 255].
@@ -28,7 +28,7 @@ struct Clothes {
 /// A person of the simulation, who goes from waypoint to waypoint.
 struct Walker {
   std::string name;
-  double height = 1.75; ///< metres
+  double height = 1.75; ///< meters
   Clothes clothes;
   std::vector<Waypoint> way;
   double from = -std::numeric_limits<double>::infinity(); ///< is there from this time on, seconds
@@ -36,13 +36,13 @@ struct Walker {
 
   bool presentAt(double time) const { return time >= from && time < until; }
   /// The point of the floor below the middle of the body: the way with its corners rounded off.
-  Eigen::Vector2d place(double time) const;
+  Eigen::Vector2d position(double time) const;
 };
 
 /// A part of a body: an ellipsoid of any orientation.
 struct BodyPart {
-  Vector3f center;                                    ///< world, metres
-  Vector3f halfSize;                                  ///< semi-axes along its own axes, metres
+  Vector3f center;                                    ///< world, meters
+  Vector3f halfSize;                                  ///< semi-axes along its own axes, meters
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< rows: its own axes in the world
   Vector3f color;                                     ///< BGR in full light
 };

@@ -10,7 +10,7 @@
 
 namespace dewpoint::trajectory {
 
-/// The error as one camera sees it, in metres: along its optical axis (depth) and across it.
+/// The error as one camera sees it, in meters: along its optical axis (depth) and across it.
 struct CameraBias {
   std::string name;
   double alongBias = 0.0;  ///< mean error along the axis; positive: estimated too far away
@@ -19,7 +19,7 @@ struct CameraBias {
   double acrossRms = 0.0;
 };
 
-/// Errors as lengths, in metres, and their mean as a vector.
+/// Errors as lengths, in meters, and their mean as a vector.
 struct ErrorSummary {
   double rmse = 0.0;
   double median = 0.0;
@@ -28,10 +28,10 @@ struct ErrorSummary {
   Eigen::Vector3d bias = Eigen::Vector3d::Zero(); ///< mean of estimate minus truth
 };
 
-/// Sums up errors (estimate minus truth, world, metres; at least one).
+/// Sums up errors (estimate minus truth, world, meters; at least one).
 ErrorSummary summarize(const std::vector<Eigen::Vector3d>& errors);
 
-/// Splits errors (estimate minus truth, world, metres; at least one) along and across the axis.
+/// Splits errors (estimate minus truth, world, meters; at least one) along and across the axis.
 CameraBias cameraBias(const TrajectoryCamera& camera, const std::vector<Eigen::Vector3d>& errors);
 
 /// Root of the mean squared length; at least one error.

@@ -14,7 +14,7 @@
 
 namespace dewpoint::trajectory {
 
-/// Estimate against truth for one target, in metres. The statistics cover the frames from
+/// Estimate against truth for one target, in meters. The statistics cover the frames from
 /// convergence on (all, if it never converged); `rmseAll` covers every compared frame.
 struct Evaluation {
   std::string target;
@@ -34,7 +34,7 @@ struct Evaluation {
 
 /// Frames in a row within the gate that count as converged.
 inline constexpr int kConvergedRun = 5;
-/// Default gate, metres: the paper's motion sigma.
+/// Default gate, meters: the paper's motion sigma.
 inline constexpr double kDefaultGate = 0.03;
 
 /// Compares each target of `estimate` with the truth of the same name (or the only truth there

@@ -7,8 +7,8 @@
 namespace dewpoint::trajectory {
 namespace {
 
-double millimetres(double metres) {
-  return metres * 1000.0;
+double millimeters(double meters) {
+  return meters * 1000.0;
 }
 
 std::string targetText(const Evaluation& e) {
@@ -22,15 +22,15 @@ std::string targetText(const Evaluation& e) {
     text += "  converged          never\n";
   text += fmt::format(
       "  error              RMSE {:.1f} mm, median {:.1f}, p95 {:.1f}, max {:.1f}\n",
-      millimetres(e.rmse), millimetres(e.median), millimetres(e.p95), millimetres(e.max));
-  text += fmt::format("  RMSE, all frames   {:.1f} mm\n", millimetres(e.rmseAll));
-  text += fmt::format("  bias x y z         {:+.1f} {:+.1f} {:+.1f} mm\n", millimetres(e.bias.x()),
-                      millimetres(e.bias.y()), millimetres(e.bias.z()));
+      millimeters(e.rmse), millimeters(e.median), millimeters(e.p95), millimeters(e.max));
+  text += fmt::format("  RMSE, all frames   {:.1f} mm\n", millimeters(e.rmseAll));
+  text += fmt::format("  bias x y z         {:+.1f} {:+.1f} {:+.1f} mm\n", millimeters(e.bias.x()),
+                      millimeters(e.bias.y()), millimeters(e.bias.z()));
   for (const CameraBias& camera : e.cameras)
     text += fmt::format("  camera {:<11} along axis {:+.1f} mm (rms {:.1f}), across {:.1f} mm (rms "
                         "{:.1f})\n",
-                        camera.name, millimetres(camera.alongBias), millimetres(camera.alongRms),
-                        millimetres(camera.acrossBias), millimetres(camera.acrossRms));
+                        camera.name, millimeters(camera.alongBias), millimeters(camera.alongRms),
+                        millimeters(camera.acrossBias), millimeters(camera.acrossRms));
   return text;
 }
 

@@ -10,9 +10,9 @@
 
 namespace dewpoint::trajectory {
 
-/// Some lines per target for people, in millimetres.
+/// Some lines per target for people, in millimeters.
 std::string evaluationText(const std::vector<Evaluation>& evaluations);
-/// The same numbers for programs, in metres: {"unit": "m", "targets": [...]}.
+/// The same numbers for programs, in meters: {"unit": "m", "targets": [...]}.
 nlohmann::json evaluationJson(const std::vector<Evaluation>& evaluations);
 
 } // namespace dewpoint::trajectory

@@ -16,7 +16,7 @@ constexpr std::size_t kBlock = 512;
 constexpr std::size_t kMostInByte = 255;
 /// The header has 16 bits for a frame's number; larger ones are in LONG_FRAMES and TRIAL.
 constexpr std::size_t kMostInHeader = 65535;
-/// A residual counts in steps of this many millimetres; it has seven bits here.
+/// A residual counts in steps of this many millimeters; it has seven bits here.
 constexpr double kResidualStep = 0.1;
 constexpr double kMostResidual = 127.0;
 constexpr int kMostCameras = 7;

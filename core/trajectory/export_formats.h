@@ -11,7 +11,7 @@
 
 namespace dewpoint::trajectory {
 
-/// One file of an export. The main one is named as the person wants; others are named after it.
+/// One file of an export. The main one is named as the user wants; others are named after it.
 struct ExportFile {
   std::string nameEnd; ///< behind the chosen name without its suffix; empty: the main file
   std::string bytes;

@@ -29,7 +29,7 @@ struct SpanEnd {
   bool isFrame = false;
 };
 
-/// What a person chooses for an export. What is left out is as the format has it.
+/// The user's choices for an export. What is left out is as the format has it.
 struct ExportOptions {
   std::string format = "csv";       ///< an id of exportFormats()
   std::vector<std::string> targets; ///< all if empty

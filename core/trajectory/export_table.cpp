@@ -193,20 +193,21 @@ public:
   }
 
 private:
-  TimedPosition place(std::size_t row) const { return {times_[row], cells_[row].position}; }
+  TimedPosition positionAt(std::size_t row) const { return {times_[row], cells_[row].position}; }
 
   ExportCell between(std::size_t a, std::size_t b, std::size_t before, std::size_t after,
                      double time) const {
     // A place on the far side of another gap says little of the slope.
     const auto neighbor = [&](std::size_t row, std::size_t end) {
       return row != end && std::abs(times_[row] - times_[end]) <= times_[b] - times_[a] + 1e-6
-                 ? std::optional(place(row))
+                 ? std::optional(positionAt(row))
                  : std::nullopt;
     };
     ExportCell cell;
     cell.present = true;
     cell.filled = b > a + 1 || cells_[a].filled || cells_[b].filled;
-    cell.position = interpolated(neighbor(before, a), place(a), place(b), neighbor(after, b), time);
+    cell.position =
+        interpolated(neighbor(before, a), positionAt(a), positionAt(b), neighbor(after, b), time);
     const double share = (time - times_[a]) / (times_[b] - times_[a]);
     // Within a gap nobody knows how far it is off; between neighboring frames, whose errors are
     // alike, no more than they are.
@@ -273,8 +274,8 @@ void turnAndScale(ExportTable& table) {
     for (ExportCell& cell : column) {
       cell.position = scale * (turn * cell.position);
       if (cell.covariance) {
-        const Eigen::Matrix3d turned = turn * *cell.covariance * turn.transpose();
-        cell.covariance = scale * scale * turned;
+        const Eigen::Matrix3d rotated = turn * *cell.covariance * turn.transpose();
+        cell.covariance = scale * scale * rotated;
         table.covariance = true;
       }
     }

@@ -38,7 +38,7 @@ struct ExportTable {
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
   bool header = true;
-  /// What the header says: version, project, method, seed, ..., smoothed, date.
+  /// The header: version, project, method, seed, ..., smoothed, date.
   std::vector<std::pair<std::string, std::string>> entries;
 
   std::size_t rowCount() const { return times.size(); }
@@ -48,14 +48,14 @@ struct ExportTable {
   const char* unitName() const { return unit == LengthUnit::Meter ? "m" : "mm"; }
 };
 
-/// How a format wants a table to be where the person has not said.
+/// How a format wants a table to be where the user has not chosen.
 struct TableRequest {
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
   bool evenRows = false; ///< rows at equal distances in time
 };
 
-/// Picks, smooths, resamples, fills and turns. Places between recorded ones lie on the cubic
+/// Picks, smooths, resamples, fills and turns. Positions between recorded ones lie on the cubic
 /// through them whose slopes are those of the parabola through each three neighbors (exact for a
 /// ball in flight). NotFound names an unknown target; BadValue what is empty or not a number. Once
 /// `progress` (0 to 1) has returned false, what is returned is of no use.

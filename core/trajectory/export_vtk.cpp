@@ -77,7 +77,7 @@ std::string textArray(const char* name, const std::vector<std::string>& values) 
   return text + "</Array>\n";
 }
 
-/// Metres (or the unit) per second at a node, from its neighbors in the row before and behind.
+/// Meters (or the unit) per second at a node, from its neighbors in the row before and behind.
 double speedAt(const ExportTable& table, const Node& node) {
   const auto& column = table.cells[node.target];
   const std::size_t before = node.row > 0 && column[node.row - 1].present ? node.row - 1 : node.row;

@@ -43,17 +43,17 @@ std::optional<Eigen::Vector3d> velocityAt(std::span<const TrajectorySample> trac
   }
   const auto count = static_cast<double>(last - first + 1);
   double meanTime = 0.0;
-  Eigen::Vector3d meanPlace = Eigen::Vector3d::Zero();
+  Eigen::Vector3d meanPosition = Eigen::Vector3d::Zero();
   for (std::size_t i = first; i <= last; ++i) {
     meanTime += track[i].time / count;
-    meanPlace += track[i].position / count;
+    meanPosition += track[i].position / count;
   }
   double spread = 0.0;
   Eigen::Vector3d slope = Eigen::Vector3d::Zero();
   for (std::size_t i = first; i <= last; ++i) {
     const double apart = track[i].time - meanTime;
     spread += apart * apart;
-    slope += apart * (track[i].position - meanPlace);
+    slope += apart * (track[i].position - meanPosition);
   }
   if (!(spread > 0.0)) {
     return std::nullopt; // alone, or without times
@@ -73,14 +73,14 @@ MotionLog::Change MotionLog::replaceFrom(std::size_t first,
     clear(); // all from the start again: not a part of what is known
   }
   std::size_t skipped = first < dropped_ ? std::min(dropped_ - first, samples.size()) : 0;
-  std::size_t place = std::max(first, dropped_) - dropped_;
-  while (skipped < samples.size() && place < rows_.size() &&
-         isSame(rows_[place].sample, samples[skipped])) {
+  std::size_t rowIndex = std::max(first, dropped_) - dropped_;
+  while (skipped < samples.size() && rowIndex < rows_.size() &&
+         isSame(rows_[rowIndex].sample, samples[skipped])) {
     ++skipped;
-    ++place;
+    ++rowIndex;
   }
-  if (place < rows_.size()) {
-    truncate(place);
+  if (rowIndex < rows_.size()) {
+    truncate(rowIndex);
   }
   Change change{0, rows_.size()};
   for (; skipped < samples.size(); ++skipped) {
@@ -123,20 +123,20 @@ void MotionLog::extendGaps(Track& track, const TrajectorySample* before,
 void MotionLog::updateSpeeds(const Track& track, std::size_t& firstChanged) {
   const std::size_t wanted = std::min(track.rows.size(), 2 * kReach + 1);
   std::vector<TrajectorySample> end;
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> rowIndices;
   for (std::size_t i = track.rows.size() - wanted; i < track.rows.size(); ++i) {
     if (track.rows[i] >= dropped_) {
-      places.push_back(track.rows[i] - dropped_);
-      end.push_back(rows_[places.back()].sample);
+      rowIndices.push_back(track.rows[i] - dropped_);
+      end.push_back(rows_[rowIndices.back()].sample);
     }
   }
   for (std::size_t i = end.size() - std::min(end.size(), kReach + 1); i < end.size(); ++i) {
     const auto velocity = velocityAt(end, i, kReach);
     const double speed = velocity ? velocity->norm() : std::numeric_limits<double>::quiet_NaN();
-    Row& row = rows_[places[i]];
+    Row& row = rows_[rowIndices[i]];
     if (speed != row.speed && !(speed != speed && row.speed != row.speed)) {
       row.speed = speed;
-      firstChanged = std::min(firstChanged, places[i]);
+      firstChanged = std::min(firstChanged, rowIndices[i]);
     }
   }
 }

@@ -27,15 +27,15 @@ struct TrajectoryGap {
   bool operator==(const TrajectoryGap&) const = default;
 };
 
-/// Velocity at one sample of a track (one target, frames ascending), metres per second: the slope
+/// Velocity at one sample of a track (one target, frames ascending), meters per second: the slope
 /// of the straight line fitted by least squares to the held samples up to `reach` before and after
-/// it, none beyond a gap. In the middle of 2 reach + 1 evenly spaced ones this is the derivative of
+/// it, none beyond a gap. At the center of 2 reach + 1 evenly spaced ones this is the derivative of
 /// Savitzky & Golay, Anal. Chem. 36 (1964), table of first derivatives, quadratic. Nothing when the
 /// sample is not held or has no held neighbor.
 std::optional<Eigen::Vector3d> velocityAt(std::span<const TrajectorySample> track,
                                           std::size_t index, std::size_t reach = 2);
 
-/// Standard deviation of a sample's position along an axis (0 to 2), metres.
+/// Standard deviation of a sample's position along an axis (0 to 2), meters.
 double sigmaOf(const TrajectorySample& sample, int axis);
 
 /// Frames that live cameras may skip without anybody having stopped tracking.
@@ -53,7 +53,7 @@ public:
   static constexpr std::size_t kMostRows = 100000;
   struct Row {
     TrajectorySample sample;
-    double speed = std::numeric_limits<double>::quiet_NaN(); ///< metres per second, if known
+    double speed = std::numeric_limits<double>::quiet_NaN(); ///< meters per second, if known
   };
   /// What a change did to rows().
   struct Change {

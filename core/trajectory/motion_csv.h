@@ -8,7 +8,7 @@
 
 namespace dewpoint::trajectory {
 
-/// A CSV table of a motion with its speed, to be pasted: a line per row, metres and seconds, frames
+/// A CSV table of a motion with its speed, to be pasted: a line per row, meters and seconds, frames
 /// from 0, standard deviations instead of covariances. What an export writes is in
 /// export_formats.h.
 std::string motionCsv(std::span<const MotionLog::Row> rows);

@@ -54,9 +54,9 @@ public:
     strength_ = model.strength * std::pow(unit_, 2 * order_ - 1);
   }
 
-  State first(const Eigen::Vector3d& place) const {
+  State first(const Eigen::Vector3d& position) const {
     State state{Eigen::VectorXd::Zero(3 * order_), Eigen::MatrixXd::Zero(3 * order_, 3 * order_)};
-    state.mean.head<3>() = place;
+    state.mean.head<3>() = position;
     for (int i = 0; i < order_; ++i) {
       const double sigma = kFirstSigmas[i] * std::pow(unit_, i);
       state.covariance.block<3, 3>(3 * i, 3 * i).diagonal().setConstant(sigma * sigma);
@@ -102,7 +102,7 @@ private:
   double strength_;
 };
 
-/// How a seen place compares with the prediction.
+/// How a seen position compares with the prediction.
 struct Innovation {
   double squaredDistance = 0.0;
   double logDeterminant = 0.0; ///< of its covariance
@@ -135,10 +135,10 @@ Innovation update(State& state, const PositionMeasurement& seen, double noiseFac
 
 constexpr double kNoGate = std::numeric_limits<double>::infinity();
 
-/// Calls `look(index, innovation, begins)` for each seen place until it returns false; those that
+/// Calls `visit(index, innovation, begins)` for each seen position until it returns false; those that
 /// only begin the path are told as such.
-template <class Look>
-void forward(std::span<const PathPoint> path, const PathModel& model, double gate, Look look) {
+template <class Visit>
+void forward(std::span<const PathPoint> path, const PathModel& model, double gate, Visit visit) {
   const auto found =
       std::ranges::find_if(path, [](const auto& point) { return point.seen.has_value(); });
   if (found == path.end()) {
@@ -147,17 +147,17 @@ void forward(std::span<const PathPoint> path, const PathModel& model, double gat
   const Motion motion(path, model);
   State state = motion.first(found->seen->position);
   double time = found->time;
-  int looks = 0;
+  int measurements = 0;
   for (auto k = static_cast<std::size_t>(found - path.begin()); k < path.size(); ++k) {
     if (!path[k].seen) {
       continue;
     }
     motion.predict(state, path[k].time - time);
     time = path[k].time;
-    const bool begins = looks++ < kBeginning;
+    const bool begins = measurements++ < kBeginning;
     const Innovation innovation =
         update(state, *path[k].seen, model.noiseFactor, begins ? kNoGate : gate);
-    if (!look(k, innovation, begins)) {
+    if (!visit(k, innovation, begins)) {
       return;
     }
   }
@@ -185,10 +185,10 @@ double pathLogLikelihood(std::span<const PathPoint> path, const PathModel& model
 
 void eachPathSurprise(std::span<const PathPoint> path, const PathModel& model, double gate,
                       const std::function<bool(std::size_t, double)>& tell) {
-  const auto look = [&](std::size_t k, const Innovation& innovation, bool begins) {
+  const auto visit = [&](std::size_t k, const Innovation& innovation, bool begins) {
     return tell(k, begins ? 0.0 : innovation.squaredDistance);
   };
-  forward(path, model, gate, look);
+  forward(path, model, gate, visit);
 }
 
 std::vector<double> pathSurprises(std::span<const PathPoint> path, const PathModel& model,

@@ -5,7 +5,7 @@ namespace dewpoint::trajectory {
 namespace {
 
 Eigen::Vector3d slope(const TimedPosition& a, const TimedPosition& b) {
-  return (b.place - a.place) / (b.time - a.time);
+  return (b.position - a.position) / (b.time - a.time);
 }
 
 /// Slope at `b` of the parabola through three places.
@@ -35,8 +35,8 @@ Eigen::Vector3d interpolated(const std::optional<TimedPosition>& before, const T
   const double s = (time - begin.time) / length;
   const double s2 = s * s;
   const double s3 = s2 * s;
-  return (2.0 * s3 - 3.0 * s2 + 1.0) * begin.place + (s3 - 2.0 * s2 + s) * length * atBegin +
-         (3.0 * s2 - 2.0 * s3) * end.place + (s3 - s2) * length * atEnd;
+  return (2.0 * s3 - 3.0 * s2 + 1.0) * begin.position + (s3 - 2.0 * s2 + s) * length * atBegin +
+         (3.0 * s2 - 2.0 * s3) * end.position + (s3 - s2) * length * atEnd;
 }
 
 } // namespace dewpoint::trajectory

@@ -10,13 +10,13 @@
 
 namespace dewpoint::trajectory {
 
-/// A place at a time.
+/// A position at a time.
 struct TimedPosition {
   double time = 0.0;
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// The place between `begin` and `end`, which have different times: a cubic Hermite polynomial
+/// The position between `begin` and `end`, which have different times: a cubic Hermite polynomial
 /// whose slopes are those of the parabolas through three neighbors; `before` and `after` may be
 /// missing.
 Eigen::Vector3d interpolated(const std::optional<TimedPosition>& before, const TimedPosition& begin,

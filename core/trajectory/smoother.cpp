@@ -12,27 +12,32 @@
 namespace dewpoint::trajectory {
 namespace {
 
-constexpr std::size_t kFewestLooks = 5;
-constexpr std::size_t kMostLooksToFit = 2000;
-/// Squared standard deviations beyond which a look does not belong to the path (chi-square with
-/// three degrees of freedom: one in 10^8 does), and how many of those in a row are a new path.
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Measurements that a path needs.
+constexpr std::size_t kFewestMeasurements = 5;
+/// Measurements that the model is fitted to.
+constexpr std::size_t kMostMeasurementsToFit = 2000;
+/// Squared standard deviations beyond which a measurement does not belong to the path (chi-square
+/// with three degrees of freedom: one in 10^8 does), and how many of those in a row are a new path.
 constexpr double kGate = 40.0;
-constexpr int kNewPathLooks = 3;
-/// After that many instants without a look the target may be mistaken for so many instants; and how
-/// many later looks have to agree with what was before.
+constexpr int kNewPathMeasurements = 3;
+/// After that many instants without a measurement the target may be mistaken for so many instants;
+/// and how many later measurements have to agree with what was before.
 constexpr std::size_t kGapInstants = 3;
 constexpr std::size_t kMistakeInstants = 25;
-constexpr int kLooksThatTell = 5;
-/// The gate of looks that may be a mistake: one right one in 900 is dropped with them.
+constexpr int kTellingMeasurements = 5;
+/// The gate of measurements that may be a mistake: one right one in 900 is dropped with them.
 constexpr double kDoubtfulGate = 16.0;
-/// Looks to either side that an outlier pulls along, and how often outliers are looked for.
+/// Measurements to either side that an outlier pulls along, and how often outliers are looked for.
 constexpr std::size_t kNeighbors = 10;
 constexpr int kMostPasses = 10;
-/// A filled place less sure than this is none, metres.
+/// A filled position less certain than this is none, meters.
 constexpr double kUsefulSigma = 0.1;
-/// An estimate that is taken for a look is not better than this, metres: it has to be inverted.
+/// An estimate that is taken for a measurement is not better than this, meters: it has to be
+/// inverted.
 constexpr double kLeastSigma = 1e-5;
 
+/// Of the progress: one step of the fit.
 constexpr double kShareOfAStep = 0.03;
 
 using Path = std::vector<PathPoint>;
@@ -89,16 +94,16 @@ bool isUsable(const PositionMeasurement& seen) {
 }
 
 /// What one sample says of its frame alone.
-std::optional<PositionMeasurement> lookOf(const TrajectorySample& sample, bool hasSeen) {
+std::optional<PositionMeasurement> measurementOf(const TrajectorySample& sample, bool hasSeen) {
   if (!sample.valid) {
     return std::nullopt;
   }
-  std::optional<PositionMeasurement> look = sample.seen;
+  std::optional<PositionMeasurement> measurement = sample.seen;
   if (!hasSeen) {
-    look = PositionMeasurement{sample.position, sample.covariance};
-    look->covariance.diagonal().array() += kLeastSigma * kLeastSigma;
+    measurement = PositionMeasurement{sample.position, sample.covariance};
+    measurement->covariance.diagonal().array() += kLeastSigma * kLeastSigma;
   }
-  return look && isUsable(*look) ? look : std::nullopt;
+  return measurement && isUsable(*measurement) ? measurement : std::nullopt;
 }
 
 /// One target's samples in the order of time, and what belongs together of them.
@@ -114,26 +119,26 @@ public:
     const bool hasSeen =
         std::ranges::any_of(samples_, [](const auto* sample) { return sample->seen.has_value(); });
     for (const auto* sample : samples_) {
-      points_.push_back({sample->time, lookOf(*sample, hasSeen)});
+      points_.push_back({sample->time, measurementOf(*sample, hasSeen)});
     }
   }
 
   void run() {
-    const auto looks =
+    const auto measurements =
         std::ranges::count_if(points_, [](const auto& point) { return point.seen.has_value(); });
-    if (looks < static_cast<std::ptrdiff_t>(kFewestLooks)) {
+    if (measurements < static_cast<std::ptrdiff_t>(kFewestMeasurements)) {
       return;
     }
     std::vector<std::size_t> begins = beginsAfterGaps();
     const PathModel model = fitPathModel(pathsFrom(begins), goesOn_);
-    begins = withoutStrayLooks(begins, model);
+    begins = withoutStrayMeasurements(begins, model);
     for (std::size_t k = 0; k < begins.size() && goesOn_(); ++k) {
       smoothPart(begins[k], k + 1 < begins.size() ? begins[k + 1] : points_.size(), model);
     }
   }
 
 private:
-  /// The points at which paths begin: at a look behind no look for too long.
+  /// The points at which paths begin: at a measurement behind none for too long.
   std::vector<std::size_t> beginsAfterGaps() const {
     std::vector<std::size_t> begins;
     double last = -std::numeric_limits<double>::infinity();
@@ -160,8 +165,8 @@ private:
 
   /// Looks far from the path are dropped; where several in a row are, the target has jumped and a
   /// new path begins.
-  std::vector<std::size_t> withoutStrayLooks(const std::vector<std::size_t>& begins,
-                                             PathModel model) {
+  std::vector<std::size_t> withoutStrayMeasurements(const std::vector<std::size_t>& begins,
+                                                    PathModel model) {
     model.noiseFactor = std::max(1.0, model.noiseFactor); // as stated, at least
     std::vector<std::size_t> result;
     for (std::size_t k = 0; k < begins.size(); ++k) {
@@ -171,16 +176,16 @@ private:
         if (result.empty() || result.back() != begin) { // the same again once a mistake is dropped
           result.push_back(begin);
         }
-        begin = dropStrayLooks(begin, end, model);
+        begin = dropStrayMeasurements(begin, end, model);
       }
     }
     return result;
   }
 
   /// Where the next path begins; `end` if there is none before.
-  std::size_t dropStrayLooks(std::size_t begin, std::size_t end, const PathModel& model) {
+  std::size_t dropStrayMeasurements(std::size_t begin, std::size_t end, const PathModel& model) {
     std::vector<std::size_t> stray;
-    std::vector<std::size_t> alone; // strays before a look that is where the path is
+    std::vector<std::size_t> alone; // strays before a measurement that is where the path is
     const auto part = std::span(points_).subspan(begin, end - begin);
     eachPathSurprise(part, model, kGate, [&](std::size_t k, double surprise) {
       if (surprise <= kGate) {
@@ -189,10 +194,10 @@ private:
       } else {
         stray.push_back(begin + k);
       }
-      return stray.size() < kNewPathLooks && (k % 1000 != 0 || wanted_());
+      return stray.size() < kNewPathMeasurements && (k % 1000 != 0 || wanted_());
     });
     drop(alone);
-    if (stray.size() == kNewPathLooks) {
+    if (stray.size() == kNewPathMeasurements) {
       return dropMistake(begin, end, stray.front(), model) ? begin : stray.front();
     }
     drop(stray);
@@ -217,9 +222,10 @@ private:
       if (agrees(without, model, k - begin)) {
         const auto path = smoothPath(without, model, wanted_);
         std::vector<std::size_t> mistakes;
-        for (std::size_t look = first; look < k; ++look) {
-          if (points_[look].seen && !isOnPath(*points_[look].seen, path[look - begin], model)) {
-            mistakes.push_back(look);
+        for (std::size_t measurement = first; measurement < k; ++measurement) {
+          if (points_[measurement].seen &&
+              !isOnPath(*points_[measurement].seen, path[measurement - begin], model)) {
+            mistakes.push_back(measurement);
           }
         }
         const bool any = !mistakes.empty();
@@ -255,23 +261,23 @@ private:
         expected = surprise <= kGate;
         agreeing += expected ? 1 : 0;
       }
-      return expected && agreeing < kLooksThatTell;
+      return expected && agreeing < kTellingMeasurements;
     });
-    return agreeing == kLooksThatTell;
+    return agreeing == kTellingMeasurements;
   }
 
-  static bool isOnPath(const PositionMeasurement& look, const PathEstimate& path,
+  static bool isOnPath(const PositionMeasurement& measurement, const PathEstimate& path,
                        const PathModel& model) {
-    const Eigen::Vector3d off = look.position - path.position;
-    const Eigen::Matrix3d spread = path.covariance + model.noiseFactor * look.covariance;
+    const Eigen::Vector3d off = measurement.position - path.position;
+    const Eigen::Matrix3d spread = path.covariance + model.noiseFactor * measurement.covariance;
     return off.dot(spread.llt().solve(off)) <= kDoubtfulGate;
   }
 
-  void drop(std::vector<std::size_t>& looks) {
-    for (const std::size_t look : looks) {
-      points_[look].seen.reset();
+  void drop(std::vector<std::size_t>& measurements) {
+    for (const std::size_t measurement : measurements) {
+      points_[measurement].seen.reset();
     }
-    looks.clear();
+    measurements.clear();
   }
 
   void smoothPart(std::size_t begin, std::size_t end, const PathModel& model) {
@@ -340,7 +346,7 @@ private:
 PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
                        const std::function<bool()>& goesOn) {
   std::vector<Path> used;
-  std::size_t left = kMostLooksToFit;
+  std::size_t left = kMostMeasurementsToFit;
   for (const Path& path : paths) {
     const std::size_t count = std::min(left, path.size());
     used.emplace_back(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(count));

@@ -13,14 +13,14 @@
 
 namespace dewpoint::trajectory {
 
-/// What the images of one frame alone say of a place, without what was known before: a measurement
-/// with errors of its own. World frame, metres; covariance in m².
+/// A position from the images of one frame alone, without what was known before: a measurement with
+/// errors of its own. World frame, meters; covariance in m².
 struct PositionMeasurement {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
 };
 
-/// One target at one frame. World frame, metres, seconds; covariance in m².
+/// One target at one frame. World frame, meters, seconds; covariance in m².
 struct TrajectorySample {
   double time = 0.0;
   std::int64_t frame = 0;
@@ -41,7 +41,7 @@ struct TrajectoryCamera {
   Eigen::Vector3d opticalAxis = Eigen::Vector3d::UnitZ();
 };
 
-/// What the header of a trajectory file says.
+/// The contents of a trajectory file's header.
 struct TrajectoryHeader {
   std::vector<std::pair<std::string, std::string>> entries; ///< method, seed, parameters, version
   std::vector<TrajectoryCamera> cameras;

@@ -30,7 +30,7 @@ struct ExportPreview {
   std::string units; ///< units and axes, one sentence
   std::string size;  ///< targets, rows, rate, gaps, one sentence
   std::string text;  ///< the first lines, or what the bytes hold
-  // The same as values, for who says it in another language.
+  // The same as values, for messages in another language.
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
   std::size_t targets = 0;

@@ -180,7 +180,8 @@ private:
     };
     number("time_s", sample.time);
     number("frame", sample.frame);
-    const auto place = [&](const std::string& before, Eigen::Vector3d& p, Eigen::Matrix3d& c) {
+    const auto readPosition = [&](const std::string& before, Eigen::Vector3d& p,
+                                  Eigen::Matrix3d& c) {
       number((before + "x_m").c_str(), p.x());
       number((before + "y_m").c_str(), p.y());
       number((before + "z_m").c_str(), p.z());
@@ -192,13 +193,13 @@ private:
       number((before + "cov_zz_m2").c_str(), c(2, 2));
       c = c.selfadjointView<Eigen::Upper>().toDenseMatrix();
     };
-    place("", sample.position, sample.covariance);
+    readPosition("", sample.position, sample.covariance);
     number("ess", sample.effectiveSampleSize);
     number("cameras", sample.cameras);
     number("valid", valid);
     if (const auto index = column("seen_x_m"); index && !cells[*index].empty()) {
       PositionMeasurement& seen = sample.seen.emplace();
-      place("seen_", seen.position, seen.covariance);
+      readPosition("seen_", seen.position, seen.covariance);
     }
     if (!status)
       return status;

@@ -122,15 +122,20 @@ const Names& windowHeaders() {
                                  "core/calibration/manual/click_aids.h",
                                  "core/calibration/manual/interactive_pose.h",
                                  "core/calibration/manual/measured_points.h",
+                                 "core/calibration/manual/point_drag.h",
                                  "core/calibration/planning/rig_map.h",
                                  "core/geometry/reference_grid.h",
                                  "core/color/color_range.h",
                                  "core/color/color_learning.h",
                                  "core/color/color_histogram.h",
                                  "core/geometry/camera.h",
+                                 "core/geometry/projector.h",
                                  "core/experiment/studies/figure_experiments.h",
                                  "core/project/project.h",
                                  "core/project/project_changes.h",
+                                 "core/project/project_check.h",
+                                 "core/project/project_load.h",
+                                 "core/project/project_save.h",
                                  "core/tracking/boxes/box_filter.h",
                                  "core/tracking/catalog/method_catalog.h",
                                  "core/tracking/parameters.h",
@@ -250,13 +255,40 @@ std::string windowLibrary(const std::string& folder, const std::string& include)
   return {};
 }
 
-std::string appArrow(const std::string& folder, const std::string& include) {
+/// Inside app/dewpoint-cli: which folders each folder of commands includes; all may include its own
+/// folder, which has the list of the commands.
+std::string commandArrow(const std::string& room, const std::string& include) {
+  static const std::map<std::string, Names, std::less<>> kTable = {
+      {"common", {}},
+      {"project", {"common"}},
+      {"calibrate", {"common"}},
+      {"track", {"common", "project"}},
+      {"trajectory", {"common"}},
+      {"simulate", {"common"}},
+      {"experiment", {"common", "simulate"}},
+  };
+  const std::vector<std::string> target = split(include);
+  const std::string other = target.size() > 3 ? target[2] : "";
+  if (room.empty() || other.empty() || target[0] != "app" || target[1] != "dewpoint-cli") {
+    return {};
+  }
+  const auto row = kTable.find(room);
+  return row != kTable.end() && (room == other || row->second.contains(other))
+             ? ""
+             : "app/dewpoint-cli/" + room + " may not include app/dewpoint-cli/" + other;
+}
+
+std::string appArrow(const std::string& folder, const std::string& room,
+                     const std::string& include) {
   const bool windowless = folder == "dewpoint-cli" || folder == "wiring";
   if (windowless && (include.rfind("ui/", 0) == 0 || isQt(include) || isVtk(include))) {
     return "app/" + folder + " works without Qt and VTK";
   }
   const std::string top = split(include)[0];
-  return isOwn(include) && (top == "tests" || top == "bench") ? "app stands below " + top : "";
+  if (isOwn(include) && (top == "tests" || top == "bench")) {
+    return "app stands below " + top;
+  }
+  return folder == "dewpoint-cli" ? commandArrow(room, include) : "";
 }
 
 /// Why a file in this folder (and room inside it) may not have this include; empty when it may.
@@ -268,7 +300,7 @@ std::string objection(const std::string& top, const std::string& folder, const s
   if (top == "ui") {
     return isOwn(include) ? windowArrow(folder, room, include) : windowLibrary(folder, include);
   }
-  return top == "app" ? appArrow(folder, include) : "";
+  return top == "app" ? appArrow(folder, room, include) : "";
 }
 
 /// core/<floor>/<file>, or core/<floor>/<room>/<file> on a floor that has rooms.

@@ -15,7 +15,7 @@ inline Camera testCamera(int width = 640, int height = 480) {
   return camera;
 }
 
-/// A board whose middle is at `middle` (camera frame, metres), tilted about x and y, rolled.
+/// A board whose middle is at `middle` (camera frame, meters), tilted about x and y, rolled.
 inline Eigen::Isometry3d boardAt(const BoardDescription& board, const Eigen::Vector3d& middle,
                                  double tiltX, double tiltY, double roll = 0.0) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();

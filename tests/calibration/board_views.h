@@ -4,6 +4,7 @@
 #include "core/base/random.h"
 #include "core/calibration/board/board.h"
 #include "core/calibration/board/intrinsics_from_board.h"
+#include "core/geometry/projector.h"
 #include "tests/calibration/board_scene.h"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,8 @@
 // Files of other tools (golden/make_golden.py says who wrote which, and whose pixels these are).
 #include "core/calibration/formats/calibration_file.h"
 #include "core/calibration/formats/calibration_format.h"
+#include "core/calibration/formats/read_calibration.h"
+#include "core/geometry/projector.h"
 #include "tests/calibration/own_folder.h"
 
 #include <gtest/gtest.h>
@@ -22,9 +24,9 @@ struct Golden {
   CalibrationHints hints; ///< what the file does not say
 };
 
-CalibrationHints unit(double metres) {
+CalibrationHints unit(double meters) {
   CalibrationHints hints;
-  hints.unit = metres;
+  hints.unit = meters;
   return hints;
 }
 
@@ -142,12 +144,12 @@ TEST(FormatGolden, WhatAFileDoesNotSayIsAskedFor) {
 }
 
 TEST(FormatGolden, WrongUnitsAreNamedWithTheLikelyCause) {
-  // Pose2Sim's metres written in mm: one camera hundreds of "m" away.
+  // Pose2Sim's meters written in mm: one camera hundreds of "m" away.
   expectSentence(errorOf("pose2sim.toml", "0.37092653", "370.92653"), "translation",
                  "likely in mm");
-  // Ours reads metres; the same file in mm without Anipose's mark.
+  // Ours reads meters; the same file in mm without Anipose's mark.
   expectSentence(errorOf("anipose_mm.toml", "adjusted", "remark"), "translation", "likely in mm");
-  // Qualisys' mm, of a file that somebody scaled to metres.
+  // Qualisys' mm, of a file that somebody scaled to meters.
   auto scaled = readCalibration(kGolden / "session.qca.txt", unit(0.001));
   ASSERT_TRUE(scaled);
   for (Camera& camera : scaled->rig) {
@@ -173,8 +175,8 @@ TEST(FormatGolden, PosesTheWrongWayRoundAreSuspected) {
   expectSentence(doubted.error(), "rotation", "--poses world-from-camera");
   CalibrationHints hints;
   hints.posesAreWorldFromCamera = true;
-  const auto turned = readCalibration(file, hints);
-  ASSERT_TRUE(turned) << sentence(turned.error());
+  const auto rotated = readCalibration(file, hints);
+  ASSERT_TRUE(rotated) << sentence(rotated.error());
   hints.posesAreWorldFromCamera = false; // a person may know better
   EXPECT_TRUE(readCalibration(file, hints));
 }

@@ -5,6 +5,7 @@
 #include "core/calibration/bundle/bundle_cost.h"
 #include "core/calibration/wand/wand_calibration.h"
 #include "core/calibration/wand/wand_gauge.h"
+#include "core/geometry/projector.h"
 
 #include <cmath>
 #include <string>
@@ -12,7 +13,7 @@
 
 namespace dewpoint::tests::simulated {
 
-inline constexpr double kStick = 0.6; ///< metres
+inline constexpr double kStick = 0.6; ///< meters
 inline constexpr double kRate = 15.0; ///< images per second
 
 /// A hall with `count` (3 to 6) cameras around; places and lenses differ from seed to seed.
@@ -38,7 +39,7 @@ inline CameraRig rig(std::uint32_t seed, int count = 4) {
   return cameras;
 }
 
-/// Every camera moved by `place` metres and turned by `turn` radians, in directions of its own.
+/// Every camera moved by `place` meters and turned by `turn` radians, in directions of its own.
 inline CameraRig moved(CameraRig cameras, double place, double turn, std::uint32_t seed) {
   const RandomStream random(18, seed, 0, RandomPurpose::Simulation);
   for (std::size_t c = 0; c < cameras.size(); ++c) {

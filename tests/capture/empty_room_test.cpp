@@ -47,9 +47,9 @@ TEST(EmptyRoom, IsAPictureOrTheMedianOfMany) {
 TEST(EmptyRoom, IsTurnedAsTheCameraIs) {
   const test::TemporaryFolder folder;
   cv::imwrite(folder / "one.png", plain(40));
-  const auto turned = readEmptyRoom(folder / "one.png", {"left", 90, 8, 12});
-  ASSERT_TRUE(turned) << sentence(turned.error());
-  EXPECT_EQ(turned->size(), cv::Size(8, 12));
+  const auto rotated = readEmptyRoom(folder / "one.png", {"left", 90, 8, 12});
+  ASSERT_TRUE(rotated) << sentence(rotated.error());
+  EXPECT_EQ(rotated->size(), cv::Size(8, 12));
 }
 
 TEST(EmptyRoom, WhatIsWrongNamesFileAndCamera) {

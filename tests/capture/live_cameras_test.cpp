@@ -227,11 +227,11 @@ TEST(LiveCameras, aCameraThatIsNotThereLeavesTheOthersAlone) {
 TEST(LiveCameras, aWrongSizeIsNoticedAndNotPassedOn) {
   auto device = std::make_shared<FakeDevice>();
   device->width = 32;
-  LiveCamera turned = camera("0");
-  turned.rotateDegrees = 90;
-  turned.width = 48; // the fake's 64 x 48, turned
-  turned.height = 64;
-  const auto source = openLive({turned}, makes({device}));
+  LiveCamera rotated = camera("0");
+  rotated.rotateDegrees = 90;
+  rotated.width = 48; // the fake's 64 x 48, turned
+  rotated.height = 64;
+  const auto source = openLive({rotated}, makes({device}));
   ASSERT_TRUE(source);
   ASSERT_TRUE(waitFor(**source, [&](const FrameSet& set) {
     EXPECT_TRUE(blank(set));

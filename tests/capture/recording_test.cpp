@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/frame_writer.h"
+#include "core/capture/natural_order.h"
 #include "core/capture/picture_reader.h"
 #include "core/capture/recording.h"
 #include "tests/capture/temporary_folder.h"
@@ -372,10 +373,10 @@ TEST(Recording, PicturesOfALateCameraAreMatchedByTime) {
   RecordedCamera punctual = generated(6);
   punctual.name = "punctual";
   RecordedCamera late = generated(6);
-  late.lateBy = 0.24; // at 10 pictures per second: 2 pictures and 40 ms
+  late.delay = 0.24; // at 10 pictures per second: 2 pictures and 40 ms
   RecordedCamera early = generated(6);
   early.name = "early";
-  early.lateBy = -0.1;
+  early.delay = -0.1;
   const auto source = openRecording({punctual, late, early}, 10.0);
   ASSERT_TRUE(source) << sentence(source.error());
   EXPECT_EQ((*source)->frameCount(), 6);

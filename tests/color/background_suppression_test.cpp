@@ -38,18 +38,18 @@ TEST(FamiliarColor, TheVerdictLeavesItOut) {
   const std::vector<cv::Mat> images{withBall()};
   const auto sample = takeSample(images[0], click);
   ASSERT_TRUE(sample);
-  const ColorVerdict blind = judgeColorWithBackground(kReds, {*sample}, images, {});
-  ASSERT_EQ(blind.lookAlikes.size(), 1U);
+  const ColorAssessment blind = assessColorWithBackground(kReds, {*sample}, images, {});
+  ASSERT_EQ(blind.distractors.size(), 1U);
   EXPECT_GT(blind.backgroundShare, 0.1); // 2000 of 19200 pixels
-  const ColorVerdict knowing = judgeColorWithBackground(kReds, {*sample}, images, {room()});
-  EXPECT_TRUE(knowing.lookAlikes.empty());
+  const ColorAssessment knowing = assessColorWithBackground(kReds, {*sample}, images, {room()});
+  EXPECT_TRUE(knowing.distractors.empty());
   EXPECT_EQ(knowing.backgroundShare, 0.0);
   EXPECT_GT(knowing.separability, blind.separability);
 
   const auto learned = learnColorWithBackground({*sample}, images, {room()});
   ASSERT_TRUE(learned);
   EXPECT_EQ(learned->range, learnColor({*sample}, images)->range);
-  EXPECT_TRUE(learned->verdict.lookAlikes.empty());
+  EXPECT_TRUE(learned->assessment.distractors.empty());
 }
 
 // What is handed on from learning to judging does not change what is judged: with an image that
@@ -65,12 +65,13 @@ TEST(FamiliarColor, LearningAndJudgingAgreeToTheBit) {
     const std::vector<cv::Mat> rooms = k == 0 ? std::vector<cv::Mat>() : std::vector{room()};
     const auto learned = learnColorWithBackground({*sample}, images, rooms);
     ASSERT_TRUE(learned);
-    const ColorVerdict anew = judgeColorWithBackground(learned->range, {*sample}, images, rooms);
-    EXPECT_EQ(learned->verdict.separability, anew.separability);
-    EXPECT_EQ(learned->verdict.targetShare, anew.targetShare);
-    EXPECT_EQ(learned->verdict.backgroundShare, anew.backgroundShare);
-    EXPECT_EQ(learned->verdict.lookAlikes.size(), anew.lookAlikes.size());
-    EXPECT_EQ(learned->verdict.suggestion, anew.suggestion);
+    const ColorAssessment anew =
+        assessColorWithBackground(learned->range, {*sample}, images, rooms);
+    EXPECT_EQ(learned->assessment.separability, anew.separability);
+    EXPECT_EQ(learned->assessment.targetShare, anew.targetShare);
+    EXPECT_EQ(learned->assessment.backgroundShare, anew.backgroundShare);
+    EXPECT_EQ(learned->assessment.distractors.size(), anew.distractors.size());
+    EXPECT_EQ(learned->assessment.suggestion, anew.suggestion);
   }
 }
 

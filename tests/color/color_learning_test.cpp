@@ -85,7 +85,7 @@ ColorSample sampleOf(std::vector<BgrColor> colors, int area) {
 // Four colors of the target, each on 1 % of its area; three of them are a quarter of the image
 // each. A range for one is the best there is: it holds a quarter of the target, F1 = 2 * 0.25
 // / 1.25, and nothing of the room. The range for all would hold three quarters of the room.
-TEST(ColorVerdict, SaysThatTheTargetIsMissedRatherThanTheRoomHit) {
+TEST(ColorAssessment, SaysThatTheTargetIsMissedRatherThanTheRoomHit) {
   const std::vector<cv::Scalar> floor{{40, 40, 160}, {40, 80, 160}, {40, 120, 160}};
   cv::Mat image(240, 320, CV_8UC3, cv::Scalar(200, 60, 20));
   for (int i = 0; i < 3; ++i) {
@@ -95,15 +95,15 @@ TEST(ColorVerdict, SaysThatTheTargetIsMissedRatherThanTheRoomHit) {
       std::vector{sampleOf({{40, 40, 160}, {40, 80, 160}, {40, 120, 160}, {40, 160, 160}}, 12)};
   const auto learned = learnColor(samples, {image});
   ASSERT_TRUE(learned);
-  EXPECT_NEAR(learned->verdict.targetShare, 0.25, 1e-9);
-  EXPECT_NEAR(learned->verdict.separability, 0.4, 1e-9);
-  EXPECT_EQ(learned->verdict.backgroundShare, 0.0);
-  EXPECT_TRUE(learned->verdict.missesTarget());
-  ASSERT_TRUE(learned->verdict.backgroundShareOfWhole);
-  EXPECT_NEAR(*learned->verdict.backgroundShareOfWhole, 0.75, 1e-9);
+  EXPECT_NEAR(learned->assessment.targetShare, 0.25, 1e-9);
+  EXPECT_NEAR(learned->assessment.separability, 0.4, 1e-9);
+  EXPECT_EQ(learned->assessment.backgroundShare, 0.0);
+  EXPECT_TRUE(learned->assessment.missesTarget());
+  ASSERT_TRUE(learned->assessment.backgroundShareOfWhole);
+  EXPECT_NEAR(*learned->assessment.backgroundShareOfWhole, 0.75, 1e-9);
 
   // A range by hand that holds the target: nothing is missed, much of the room is hit.
-  const auto all = judgeColor({0.0, 60.0, 0.1, 1.0, 0.1, 1.0}, samples, {image});
+  const auto all = assessColor({0.0, 60.0, 0.1, 1.0, 0.1, 1.0}, samples, {image});
   EXPECT_FALSE(all.missesTarget());
   EXPECT_FALSE(all.backgroundShareOfWhole);
   EXPECT_NEAR(all.backgroundShare, 0.75, 1e-9);
@@ -112,7 +112,7 @@ TEST(ColorVerdict, SaysThatTheTargetIsMissedRatherThanTheRoomHit) {
 // Every tenth pixel in both directions has the target's color: 768 pixels beside a target of 1000
 // make F1 = 2000 / 2768, rounded 72. None of them is a thing, and nothing of the target is missed:
 // there is no advice to give.
-TEST(ColorVerdict, SpecklesInTheRoomAskForNothing) {
+TEST(ColorAssessment, SpecklesInTheRoomAskForNothing) {
   const BgrColor red{40, 40, 160};
   cv::Mat image(240, 320, CV_8UC3, cv::Scalar(200, 60, 20));
   for (int y = 0; y < image.rows; y += 10) {
@@ -120,16 +120,16 @@ TEST(ColorVerdict, SpecklesInTheRoomAskForNothing) {
       image.at<cv::Vec3b>(y, x) = {red[0], red[1], red[2]};
     }
   }
-  const auto verdict =
-      judgeColor({350.0, 10.0, 0.1, 1.0, 0.1, 1.0}, {sampleOf({red}, 1000)}, {image});
-  EXPECT_EQ(verdict.score(), 72);
-  EXPECT_FALSE(verdict.missesTarget());
-  EXPECT_TRUE(verdict.lookAlikes.empty());
-  EXPECT_EQ(verdict.suggestion, Suggestion::None);
+  const auto assessment =
+      assessColor({350.0, 10.0, 0.1, 1.0, 0.1, 1.0}, {sampleOf({red}, 1000)}, {image});
+  EXPECT_EQ(assessment.score(), 72);
+  EXPECT_FALSE(assessment.missesTarget());
+  EXPECT_TRUE(assessment.distractors.empty());
+  EXPECT_EQ(assessment.suggestion, Suggestion::None);
 }
 
 // 12 of 76,800 pixels are a speck, of which a range matches next to nothing.
-TEST(ColorVerdict, ASpeckIsNoThing) {
+TEST(ColorAssessment, ASpeckIsNoThing) {
   const cv::Mat image = room({});
   std::vector<BgrColor> colors;
   for (int x = 0; x < 320; x += 8) { // grays as everywhere
@@ -139,9 +139,9 @@ TEST(ColorVerdict, ASpeckIsNoThing) {
   colors.push_back({10, 10, 200}); // and one of another color, which the range is for
   const auto learned = learnColor({sampleOf(colors, 12)}, {image});
   ASSERT_TRUE(learned);
-  EXPECT_LT(learned->verdict.separability, 0.1);
-  EXPECT_LT(learned->verdict.targetShare, 0.1);
-  EXPECT_EQ(learned->verdict.suggestion, Suggestion::ClickMore);
+  EXPECT_LT(learned->assessment.separability, 0.1);
+  EXPECT_LT(learned->assessment.targetShare, 0.1);
+  EXPECT_EQ(learned->assessment.suggestion, Suggestion::ClickMore);
 }
 
 // Anywhere on a ball, the region is the ball: to within a rim of one pixel, which on a disc of 15
@@ -192,10 +192,10 @@ TEST(ColorLearning, OneClickFindsTheBallElsewhere) {
   EXPECT_TRUE(checkColorRange(learned->range));
   const cv::Mat later = room({{{250, 180}, kPink}}, 2);
   EXPECT_GT(f1(matchImage(later, ColorClassifier(learned->range)), disc({250, 180})), 0.9);
-  EXPECT_GT(learned->verdict.separability, 0.9);
-  EXPECT_LT(learned->verdict.backgroundShare, 1e-3);
-  EXPECT_TRUE(learned->verdict.lookAlikes.empty());
-  EXPECT_EQ(learned->verdict.suggestion, Suggestion::None);
+  EXPECT_GT(learned->assessment.separability, 0.9);
+  EXPECT_LT(learned->assessment.backgroundShare, 1e-3);
+  EXPECT_TRUE(learned->assessment.distractors.empty());
+  EXPECT_EQ(learned->assessment.suggestion, Suggestion::None);
 }
 
 TEST(ColorLearning, RedWrapsThroughZero) {
@@ -212,14 +212,14 @@ TEST(ColorLearning, ATwinIsNamedWhereItIs) {
   auto sample = clickAt(image, {120, 100});
   sample.camera = 1;
   const auto seen = learnColor({sample}, {cv::Mat(), image});
-  ASSERT_EQ(seen->verdict.lookAlikes.size(), 1U);
-  const LookAlikeRegion& twin = seen->verdict.lookAlikes.front();
+  ASSERT_EQ(seen->assessment.distractors.size(), 1U);
+  const DistractorRegion& twin = seen->assessment.distractors.front();
   EXPECT_EQ(twin.camera, 1);
-  EXPECT_EQ(twin.horizontal, HorizontalPlace::Right);
-  EXPECT_EQ(twin.vertical, VerticalPlace::Top);
+  EXPECT_EQ(twin.horizontal, HorizontalThird::Right);
+  EXPECT_EQ(twin.vertical, VerticalThird::Top);
   EXPECT_EQ(twin.color, ColorWord::Pink);
   EXPECT_TRUE(twin.box.contains({290, 30}));
-  EXPECT_EQ(seen->verdict.suggestion, Suggestion::RemoveLookAlike);
+  EXPECT_EQ(seen->assessment.suggestion, Suggestion::RemoveDistractor);
 }
 
 TEST(ColorLearning, WhatIsExcludedMatchesLess) {
@@ -242,10 +242,10 @@ TEST(ColorLearning, WhatIsExcludedMatchesLess) {
 TEST(ColorLearning, TheVerdictFollowsTheRange) {
   const cv::Mat image = room({{{120, 100}, kPink}});
   const ColorSample sample = clickAt(image, {120, 100});
-  const ColorVerdict all = judgeColor({0.0, 360.0}, {sample}, {image});
+  const ColorAssessment all = assessColor({0.0, 360.0}, {sample}, {image});
   EXPECT_NEAR(all.backgroundShare, 1.0, 1e-3);
   EXPECT_LT(all.separability, 0.05);
-  const ColorVerdict none = judgeColor({100.0, 110.0, 0.5}, {sample}, {image});
+  const ColorAssessment none = assessColor({100.0, 110.0, 0.5}, {sample}, {image});
   EXPECT_EQ(none.separability, 0.0);
   EXPECT_EQ(none.suggestion, Suggestion::AddSamples);
 }

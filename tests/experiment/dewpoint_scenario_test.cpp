@@ -15,7 +15,7 @@ const ScenarioDeclaration& scenarioNamed(const std::string& name) {
   return *std::ranges::find(scenarioCatalog(), name, &ScenarioDeclaration::name);
 }
 
-/// Errors of the first target in metres, frame by frame; not valid: 1.
+/// Errors of the first target in meters, frame by frame; not valid: 1.
 std::vector<double> errorsOf(const std::string& scenario, std::uint64_t seed, std::int64_t frames) {
   const auto run = scenarioNamed(scenario).make(seed, Grade::Ideal);
   EXPECT_TRUE(run);
@@ -48,7 +48,7 @@ TEST(DewpointScenario, OfSeveralNewThingsTheOneThatFitsBestIsTheTarget) {
 
 // A twin that only one camera saw was believed to move along its ray, and came to lie on the target
 // in frame 61.
-TEST(DewpointScenario, ALookAlikeDoesNotTakeATargetThatIsPlainlySeen) {
+TEST(DewpointScenario, ADistractorDoesNotTakeATargetThatIsPlainlySeen) {
   for (const double error : errorsOf("S1-moving-5", 3, 64)) {
     EXPECT_LT(error, 0.03) << "the suite's gate";
   }

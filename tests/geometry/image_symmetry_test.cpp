@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/image_symmetry.h"
+#include "core/geometry/projector.h"
 
 #include <gtest/gtest.h>
 

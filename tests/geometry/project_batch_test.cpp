@@ -2,6 +2,7 @@
 #include "core/base/instruction_set.h"
 #include "core/base/random.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/calib3d.hpp>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/projector.h"
 #include "core/geometry/reference_grid.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +51,7 @@ TEST(ReferenceGrid, AWallStandsAndABoxHasTwelveEdges) {
   EXPECT_EQ(lines.size(), 12U);
 }
 
-TEST(ReferenceGrid, LabelsSayMetresAndAxes) {
+TEST(ReferenceGrid, LabelsSayMetersAndAxes) {
   const auto labels = gridLabels({GridKind::Floor, {1.0, 0.5, 1.0}, 0.5, {0, 0, 0}, 0.0});
   ASSERT_EQ(labels.size(), 3U);
   EXPECT_EQ(labels[0].text, "0.5");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/wiring/open_project.h"
 #include "core/capture/frame_writer.h"
+#include "core/project/project_save.h"
 #include "core/session/run/tracking_run.h"
 #include "core/simulation/scene_renderer.h"
 #include "core/tracking/catalog/method_catalog.h"
@@ -52,7 +53,7 @@ SessionInputs demoWithMethod(const std::string& method) {
   return inputs;
 }
 
-TEST(EndToEnd, TheDemoIsTrackedToAMillimetre) {
+TEST(EndToEnd, TheDemoIsTrackedToAMillimeter) {
   auto inputs = demoWithMethod("dewpoint");
   const TruthTable truth(inputs.truth);
   const auto trajectory = tracked(std::move(inputs), 150);

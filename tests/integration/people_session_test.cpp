@@ -194,7 +194,7 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   session.showFrame(80);
   ASSERT_TRUE(eventually([&] { return session.newest()->frame == 80; }));
   std::vector<PersonCorrection> said;
-  said.push_back({.frame = 80, .place = renderer.middle(0, time).head<2>()});
+  said.push_back({.frame = 80, .position = renderer.middle(0, time).head<2>()});
   session.setPeople(said);
   ASSERT_TRUE(eventually([&] {
     return present(*session.newest()) == 1 && session.newest()->frame == 80 &&
@@ -218,7 +218,7 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   ASSERT_TRUE(eventually([&] { return session.newest()->notices.size() == 1; }));
   EXPECT_EQ(session.newest()->notices.front().field, officeRig()[0].name);
   EXPECT_EQ(present(*session.newest()), 2);
-  said.push_back({.frame = kFrames - 1, .place = Eigen::Vector2d(50.0, 0.0)}); // another house
+  said.push_back({.frame = kFrames - 1, .position = Eigen::Vector2d(50.0, 0.0)}); // another house
   session.setPeople(said);
   ASSERT_TRUE(eventually([&] { return session.newest()->notices.size() == 2; }));
   EXPECT_EQ(present(*session.newest()), 2);
@@ -226,7 +226,7 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
     return Eigen::Vector2d(positionOf(session.newest()->targets.at(0).estimate)->mean.head<2>());
   };
   const Eigen::Vector2d first = firstPlace();
-  said.push_back({.frame = kFrames - 1, .place = first, .present = false});
+  said.push_back({.frame = kFrames - 1, .position = first, .present = false});
   session.setPeople(said);
   ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 1; }));
   EXPECT_EQ(session.newest()->targets.at(0).status, TargetStatus::Gone); // and not lost
@@ -248,7 +248,7 @@ TEST(PeopleSession, WhatTheProjectSaysOfPeopleComesTrueInItsFrame) {
   simulation::ViewCache views;
   const OfficeRenderer renderer(officeDay(), views);
   const double time = officeDay().timeOf(80);
-  project.people.push_back({.frame = 80, .place = renderer.middle(0, time).head<2>()});
+  project.people.push_back({.frame = 80, .position = renderer.middle(0, time).head<2>()});
   Session session(office(project));
   playThrough(session);
   EXPECT_EQ(present(*session.newest()), 1);

@@ -2,6 +2,8 @@
 #include "core/base/text_file.h"
 #include "core/project/project.h"
 #include "core/project/project_comments.h"
+#include "core/project/project_load.h"
+#include "core/project/project_save.h"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,9 @@
 #include "core/base/text_file.h"
 #include "core/project/project.h"
 #include "core/project/project_changes.h"
+#include "core/project/project_check.h"
+#include "core/project/project_load.h"
+#include "core/project/project_save.h"
 
 #include <gtest/gtest.h>
 
@@ -78,7 +81,7 @@ TEST(ProjectFile, WhatWasSaidOfPeopleComesBackInTheOrderOfTheirFrames) {
   ASSERT_TRUE(again) << sentence(again.error());
   EXPECT_EQ(again->people, expected);
   addPerson(*project, {12, Eigen::Vector2d(3.0, 3.0), std::nullopt, true});
-  EXPECT_EQ(project->people.at(2).place, Eigen::Vector2d(3.0, 3.0));
+  EXPECT_EQ(project->people.at(2).position, Eigen::Vector2d(3.0, 3.0));
   EXPECT_TRUE(changesBetween(*again, *project).people);
   EXPECT_TRUE(changesBetween(*again, *project).any());
 }

@@ -2,6 +2,8 @@
 #include "core/base/text_file.h"
 #include "core/project/project.h"
 #include "core/project/project_changes.h"
+#include "core/project/project_load.h"
+#include "core/project/project_save.h"
 
 #include <gtest/gtest.h>
 
@@ -72,7 +74,7 @@ TEST(ProjectRoom, ReadsGridPointsAndMirror) {
   EXPECT_EQ(project->points[0].clicks[0].pixel, Eigen::Vector2d(320.25, 120.5));
   EXPECT_TRUE(project->points[1].clicks.empty());
   EXPECT_TRUE(project->cameras[0].mirrored);
-  EXPECT_EQ(project->cameras[0].lateBy, 0.012);
+  EXPECT_EQ(project->cameras[0].delay, 0.012);
 }
 
 TEST(ProjectRoom, SavesWhatItRead) {
@@ -91,7 +93,7 @@ TEST(ProjectRoom, WithoutThemAFileIsAsBefore) {
   project->grid.reset();
   project->points.clear();
   project->cameras[0].mirrored = false;
-  project->cameras[0].lateBy = 0.0;
+  project->cameras[0].delay = 0.0;
   const std::string text = projectText(*project, {});
   EXPECT_EQ(text.find("[grid"), std::string::npos);
   EXPECT_EQ(text.find("[[point"), std::string::npos);
@@ -127,7 +129,7 @@ TEST(ProjectRoom, ChangesAreToldApart) {
   other.cameras[0].mirrored = false;
   EXPECT_TRUE(changesBetween(*project, other).sources);
   other = *project;
-  other.cameras[0].lateBy = 0.0;
+  other.cameras[0].delay = 0.0;
   EXPECT_TRUE(changesBetween(*project, other).sources);
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// By hand: a parallel picture is its middle plus metres over metres per pixel; rows grow
+/// By hand: a parallel picture is its middle plus meters over meters per pixel; rows grow
 /// downwards.
 QPointF flatProjection(const Scene3d& scene, const QImage& picture, double right, double up,
                        double focusRight, double focusUp) {
@@ -248,10 +248,10 @@ private Q_SLOTS:
     QTest::mouseMove(view_.get(), {360, 220});
     QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, {360, 220});
     view_->currentPicture();
-    // 60 px to the right drag the room along: the focus goes left by as many metres.
-    const double metres = view_->scene().metresPerPixel() * view_->devicePixelRatioF();
-    QVERIFY(std::abs(view_->scene().focus().x() - (focus.x() - 60.0 * metres)) < 2.0 * metres);
-    QVERIFY(std::abs(view_->scene().focus().y() - (focus.y() + 20.0 * metres)) < 2.0 * metres);
+    // 60 px to the right drag the room along: the focus goes left by as many meters.
+    const double meters = view_->scene().metresPerPixel() * view_->devicePixelRatioF();
+    QVERIFY(std::abs(view_->scene().focus().x() - (focus.x() - 60.0 * meters)) < 2.0 * meters);
+    QVERIFY(std::abs(view_->scene().focus().y() - (focus.y() + 20.0 * meters)) < 2.0 * meters);
     QTest::mouseDClick(view_.get(), Qt::LeftButton, {}, {300, 200});
     QCOMPARE(differentPixels(before, view_->currentPicture()), 0);
   }

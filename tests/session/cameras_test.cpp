@@ -20,11 +20,11 @@ Project projectWith(const std::string& method) {
   return project;
 }
 
-/// Every camera moved by so many metres along x of the world.
-CameraRig shifted(CameraRig rig, double metres) {
+/// Every camera moved by so many meters along x of the world.
+CameraRig shifted(CameraRig rig, double meters) {
   for (Camera& camera : rig) {
     camera.cameraFromWorld.translation() -=
-        camera.cameraFromWorld.linear() * Eigen::Vector3d(metres, 0.0, 0.0);
+        camera.cameraFromWorld.linear() * Eigen::Vector3d(meters, 0.0, 0.0);
   }
   return rig;
 }

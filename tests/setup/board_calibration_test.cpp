@@ -77,10 +77,10 @@ TEST(BoardCalibration, LensesAndPosesOfARecording) {
   BoardCalibrationRequest wish = recorded.wish();
   wish.worldFrame = 0;
   const auto source = recorded.open();
-  const auto seen = lookForBoards(recorded.project, *source, wish);
+  const auto seen = findBoards(recorded.project, *source, wish);
   ASSERT_TRUE(seen) << sentence(seen.error());
   ASSERT_EQ(seen->cameras.size(), 2U);
-  EXPECT_EQ(seen->cameras[0].looked, kFrames);
+  EXPECT_EQ(seen->cameras[0].searched, kFrames);
   EXPECT_GE(seen->cameras[0].views.size(), 12U);
 
   const auto lenses = intrinsicsFromBoards(*seen, wish);
@@ -100,10 +100,9 @@ TEST(BoardCalibration, LensesAndPosesOfARecording) {
             poses->cameras[1].cameraFromWorld.matrix());
 
   // Once more, the same to the last bit.
-  const auto again =
-      lookForBoards(recorded.project, *source, wish).and_then([&](const auto& boards) {
-        return extrinsicsFromBoards(recorded.project, boards, wish);
-      });
+  const auto again = findBoards(recorded.project, *source, wish).and_then([&](const auto& boards) {
+    return extrinsicsFromBoards(recorded.project, boards, wish);
+  });
   ASSERT_TRUE(again);
   EXPECT_EQ(again->cameras, poses->cameras);
 }
@@ -112,11 +111,11 @@ TEST(BoardCalibration, StopsWhenTold) {
   const Recorded recorded;
   const auto source = recorded.open();
   int calls = 0;
-  const auto seen = lookForBoards(recorded.project, *source, recorded.wish(),
-                                  [&](CalibrationStage stage, double) {
-                                    EXPECT_EQ(stage, CalibrationStage::BoardDetection);
-                                    return ++calls < 3;
-                                  });
+  const auto seen =
+      findBoards(recorded.project, *source, recorded.wish(), [&](CalibrationStage stage, double) {
+        EXPECT_EQ(stage, CalibrationStage::BoardDetection);
+        return ++calls < 3;
+      });
   ASSERT_FALSE(seen);
   EXPECT_EQ(seen.error().code, ErrorCode::Cancelled);
   EXPECT_EQ(calls, 3);
@@ -125,10 +124,10 @@ TEST(BoardCalibration, StopsWhenTold) {
 TEST(BoardCalibration, FramesBetweenThoseLookedAtArePassedOver) {
   const Recorded recorded;
   BoardCalibrationRequest wish = recorded.wish();
-  wish.looks = 5; // every third frame
+  wish.frameLimit = 5; // every third frame
   wish.worldFrame = 7;
   const auto source = recorded.open();
-  const auto seen = lookForBoards(recorded.project, *source, wish);
+  const auto seen = findBoards(recorded.project, *source, wish);
   ASSERT_TRUE(seen);
   std::vector<std::int64_t> instants;
   for (const BoardView& view : seen->cameras[0].views) {
@@ -144,7 +143,7 @@ struct BlindCamera {
 
   BlindCamera() {
     const auto source = recorded.open();
-    seen = lookForBoards(recorded.project, *source, recorded.wish()).value();
+    seen = findBoards(recorded.project, *source, recorded.wish()).value();
     SeenBoards::PerCamera blind = seen.cameras[0];
     blind.name = "door";
     blind.views.clear();
@@ -168,8 +167,8 @@ TEST(BoardCalibration, ACameraThatNeverSawTheBoardKeepsWhatItHas) {
   ASSERT_EQ(remarks.size(), 2U);
   EXPECT_EQ(remarks[0], "door keeps its lens: it never saw the board, in 14 pictures.");
   EXPECT_EQ(remarks[1], "'door' never saw the board: it keeps its pose.");
-  EXPECT_TRUE(outcome->places->fits[0].views.empty());
-  EXPECT_GE(outcome->places->fits[2].views.size(), 10U);
+  EXPECT_TRUE(outcome->extrinsics->fits[0].views.empty());
+  EXPECT_GE(outcome->extrinsics->fits[2].views.size(), 10U);
   // The distance between the other two is that of the scene.
   const double apart =
       (outcome->project.cameras[1].camera.center() - outcome->project.cameras[2].camera.center())
@@ -184,8 +183,8 @@ TEST(BoardCalibration, LensesRemainWherePlacesCannotBeFound) {
   const auto outcome =
       calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(), {true, true});
   ASSERT_TRUE(outcome) << sentence(outcome.error());
-  ASSERT_TRUE(outcome->noPlaces);
-  EXPECT_NE(outcome->noPlaces->detail.find("'right'"), std::string::npos);
+  ASSERT_TRUE(outcome->extrinsicsError);
+  EXPECT_NE(outcome->extrinsicsError->detail.find("'right'"), std::string::npos);
   EXPECT_TRUE(outcome->lenses->cameras[1]);
   EXPECT_EQ(remarksOn(*outcome).size(), 3U);
   EXPECT_FALSE(calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(),
@@ -212,17 +211,17 @@ TEST(BoardCalibration, SaysAVerdictAndNoFault) {
   wish.worldFrame = 0;
   const auto source = recorded.open();
   const auto outcome =
-      lookForBoards(recorded.project, *source, wish).and_then([&](const SeenBoards& seen) {
+      findBoards(recorded.project, *source, wish).and_then([&](const SeenBoards& seen) {
         return calibrateFromBoards(recorded.project, seen, wish, {false, true});
       });
   ASSERT_TRUE(outcome) << sentence(outcome.error());
-  ASSERT_TRUE(outcome->verdict) << outcome->verdictSentence;
-  EXPECT_TRUE(outcome->places->faults.empty()) << outcome->places->faults[0].sentence;
+  ASSERT_TRUE(outcome->accuracy) << outcome->accuracySentence;
+  EXPECT_TRUE(outcome->extrinsics->faults.empty()) << outcome->extrinsics->faults[0].sentence;
   // 0.2 mm over 7 squares of 30 mm are 0.1 % (one sigma), at least.
-  EXPECT_NEAR(outcome->verdict->scale95.value(), 1.96 * 0.2 / 210.0, 0.0005);
-  EXPECT_GT(outcome->verdict->up95.value(), 0.001);
-  EXPECT_LT(outcome->verdict->up95.value(), 0.05);
-  EXPECT_LT(outcome->verdict->position95, 0.002);
+  EXPECT_NEAR(outcome->accuracy->scale95.value(), 1.96 * 0.2 / 210.0, 0.0005);
+  EXPECT_GT(outcome->accuracy->up95.value(), 0.001);
+  EXPECT_LT(outcome->accuracy->up95.value(), 0.05);
+  EXPECT_LT(outcome->accuracy->position95, 0.002);
   EXPECT_NE(outcome->report.find("In this volume"), std::string::npos);
 }
 
@@ -233,14 +232,14 @@ TEST(BoardCalibration, AWrongSquareSizeIsNamed) {
   }
   BoardCalibrationRequest wish = recorded.wish();
   const auto source = recorded.open();
-  auto seen = lookForBoards(recorded.project, *source, wish);
+  auto seen = findBoards(recorded.project, *source, wish);
   ASSERT_TRUE(seen);
-  wish.board.squareSize *= 1000.0; // typed in millimetres
+  wish.board.squareSize *= 1000.0; // typed in millimeters
   wish.board.markerSize *= 1000.0;
   const auto outcome = calibrateFromBoards(recorded.project, *seen, wish, {false, true});
   ASSERT_TRUE(outcome) << sentence(outcome.error());
-  ASSERT_EQ(outcome->places->faults.size(), 1U);
-  EXPECT_EQ(outcome->places->faults[0].fault, CalibrationFault::MillimetresMixed);
+  ASSERT_EQ(outcome->extrinsics->faults.size(), 1U);
+  EXPECT_EQ(outcome->extrinsics->faults[0].fault, CalibrationFault::MillimetersMixed);
 }
 
 } // namespace

@@ -42,7 +42,7 @@ struct Room {
     }
     wish.board.board = board;
     wish.lenses.holdSeconds = 2.5 * kFrame;
-    wish.places.holdSeconds = 2.5 * kFrame;
+    wish.rig.holdSeconds = 2.5 * kFrame;
   }
 
   /// The next images, with the board there; still images are drawn once.
@@ -138,9 +138,9 @@ TEST(BoardGuide, PlacesFromABoardThatBothSee) {
     room.project.cameras[k].camera.cameraFromWorld.setIdentity();
   }
   room.wish.goal = {false, true};
-  room.wish.places.instantsPerPair = 5;
+  room.wish.rig.instantsPerPair = 5;
   BoardGuide guide(room.project, room.wish);
-  EXPECT_EQ(guide.state().phase, Phase::Places);
+  EXPECT_EQ(guide.state().phase, Phase::Poses);
   BoardGuideState state;
   for (int place = 0; place < 20 && state.phase != Phase::Finished; ++place) {
     for (int k = 0; k < kStill && state.phase != Phase::Finished; ++k) {
@@ -148,14 +148,14 @@ TEST(BoardGuide, PlacesFromABoardThatBothSee) {
           *room.frames(room.shown((place * 5) % 24, static_cast<BoardTilt>(place % 5), 0.5)));
     }
     if (place == 0) {
-      EXPECT_EQ(state.places.showTo, 0);
-      EXPECT_EQ(state.places.andTo, 1);
+      EXPECT_EQ(state.rig.showTo, 0);
+      EXPECT_EQ(state.rig.andTo, 1);
     }
   }
   EXPECT_EQ(state.phase, Phase::Finished);
-  EXPECT_GE(state.places.instants, 5);
-  ASSERT_TRUE(state.cameras[1].placeSigma);
-  EXPECT_LE(*state.cameras[1].placeSigma, room.wish.requestedPlace);
+  EXPECT_GE(state.rig.instants, 5);
+  ASSERT_TRUE(state.cameras[1].positionSigma);
+  EXPECT_LE(*state.cameras[1].positionSigma, room.wish.requestedPosition);
   const auto outcome =
       calibrateFromBoards(room.project, *state.seen, room.wish.board, room.wish.goal);
   ASSERT_TRUE(outcome) << sentence(outcome.error());
@@ -172,9 +172,9 @@ TEST(BoardGuide, TakesWhatAPersonAsksForAndGoesOn) {
   const auto state = guide.captureNow();
   EXPECT_EQ(state.cameras[0].lens.views, 1);
   EXPECT_EQ(state.seen->cameras[0].views.size(), 1U);
-  EXPECT_EQ(guide.goOn().phase, Phase::Places);
+  EXPECT_EQ(guide.goOn().phase, Phase::Poses);
   guide.step(*room.frames(room.shown(16, BoardTilt::Flat, 0.5)));
-  EXPECT_EQ(guide.captureNow().places.instants, 1);
+  EXPECT_EQ(guide.captureNow().rig.instants, 1);
   EXPECT_EQ(guide.state().cameras[1].pairViews, 1);
   EXPECT_FALSE(guide.state().floorFrame);
   guide.step(*room.frames(room.shown(10, BoardTilt::Flat, 0.5)));

@@ -2,7 +2,7 @@
 // Calibration from a board on real recordings. The bars are those of issue 5, the published figures
 // those beside the recordings.
 #include "core/base/toml_text.h"
-#include "core/calibration/quality/board_judgement.h"
+#include "core/calibration/quality/board_accuracy.h"
 #include "core/capture/recording.h"
 #include "core/geometry/ray.h"
 #include "core/setup/board_calibration.h"
@@ -53,7 +53,7 @@ Corners triangulated(const CameraRig& cameras, const std::vector<CameraFit>& fit
   return crossed(rays);
 }
 
-/// How far corners are from the published ones after the best rigid alignment, metres, rising.
+/// How far corners are from the published ones after the best rigid alignment, meters, rising.
 std::vector<double> apart(const char* what, const Corners& corners, const Corners& published) {
   std::vector<Eigen::Vector3d> from;
   std::vector<Eigen::Vector3d> to;
@@ -95,7 +95,7 @@ std::vector<std::vector<double>> rowsOf(const fs::path& file) {
   return rows;
 }
 
-/// Distances between neighbors along rows and columns, metres.
+/// Distances between neighbors along rows and columns, meters.
 std::vector<double> spacings(const Corners& corners, const BoardDescription& board) {
   std::vector<double> result;
   for (const auto& [key, point] : corners) {
@@ -135,7 +135,7 @@ Result<IntrinsicsResult> lensFrom(const std::vector<fs::path>& files,
                                   const BoardDescription& board) {
   BoardCalibrationRequest wish;
   wish.board = board;
-  return lookForBoards(files, board, DetectionEffort::Exact)
+  return findBoards(files, board, DetectionEffort::Exact)
       .and_then([&](const SeenBoards& seen) { return intrinsicsFromBoards(seen, wish); })
       .map([](const LensesFromBoards& lenses) { return lenses.cameras.front().value(); });
 }
@@ -174,7 +174,7 @@ TEST(BoardRecordings, Charuco4) {
   }
   const auto source = openRecording(recorded, 0);
   ASSERT_TRUE(source) << sentence(source.error());
-  const auto seen = lookForBoards(project, **source, wish);
+  const auto seen = findBoards(project, **source, wish);
   ASSERT_TRUE(seen) << sentence(seen.error());
   const auto result = extrinsicsFromBoards(project, *seen, wish);
   ASSERT_TRUE(result) << sentence(result.error());
@@ -201,11 +201,11 @@ TEST(BoardRecordings, Charuco4) {
   EXPECT_LE(own[own.size() / 2], 0.0025);
   const double spacing = meanOf(spacings(ours, wish.board));
   std::printf("charuco4: rms %.3f px, %zu instants, spacing %.2f mm\n", result->rmsPx,
-              result->places.size(), 1e3 * spacing);
+              result->boardPoses.size(), 1e3 * spacing);
   EXPECT_NEAR(spacing, 0.054, 0.0005);
-  const auto verdict = judgeBoard(*result, wish.board, {});
-  ASSERT_TRUE(verdict) << sentence(verdict.error());
-  std::printf("charuco4: %s\n", verdictSentence(*verdict).c_str());
+  const auto accuracy = assessBoard(*result, wish.board, {});
+  ASSERT_TRUE(accuracy) << sentence(accuracy.error());
+  std::printf("charuco4: %s\n", accuracySentence(*accuracy).c_str());
   EXPECT_TRUE(result->faults.empty()) << result->faults.front().sentence;
 }
 
@@ -215,7 +215,7 @@ TEST(BoardRecordings, StereoTray) {
     GTEST_SKIP() << "DEWPOINT_DATA has no stereo_tray";
   }
   ExtrinsicsRequest request;
-  request.board = boardOf("chessboard:7x5:1"); // metres stand for squares
+  request.board = boardOf("chessboard:7x5:1"); // meters stand for squares
   for (const char* side : {"left", "right"}) {
     const auto files = picturesIn(folder, side);
     const auto lens = lensFrom(files, request.board);
@@ -223,7 +223,7 @@ TEST(BoardRecordings, StereoTray) {
     std::printf("stereo_tray %s: rms %.3f px, f %.1f %.1f\n", side, lens->rmsPx,
                 lens->camera.intrinsics.focalX, lens->camera.intrinsics.focalY);
     EXPECT_LE(lens->rmsPx, 0.5);
-    const auto seen = lookForBoards(files, request.board, DetectionEffort::Exact);
+    const auto seen = findBoards(files, request.board, DetectionEffort::Exact);
     request.cameras.push_back({lens->camera, seen->cameras[0].views});
     request.cameras.back().camera.name = side;
   }
@@ -252,8 +252,8 @@ TEST(BoardRecordings, Ball9Arena) {
   request.board = boardOf("chessboard:11x8:0.020");
   request.worldInstant = 0;
   for (int k = 0; k < 9; ++k) {
-    const auto floor = lookForBoards({folder / ("board_view" + std::to_string(k) + ".jpg")},
-                                     request.board, DetectionEffort::Exact);
+    const auto floor = findBoards({folder / ("board_view" + std::to_string(k) + ".jpg")},
+                                  request.board, DetectionEffort::Exact);
     ASSERT_TRUE(floor);
     const auto lens =
         lensFrom(picturesIn(folder / "intrinsic_boards" / std::to_string(k), ""), request.board);

@@ -57,17 +57,17 @@ TEST(CalibratedProject, ATurnedPictureTakesItsCalibrationAndClicksAlong) {
   project.points.emplace_back().name = "corner";
   setClickIn(project.points[0], 0, {10.0, 20.0});
   setClickIn(project.points[0], 1, {30.0, 40.0});
-  const Project turned = withImageSymmetry(project, 1, {180, false});
-  EXPECT_EQ(turned.cameras[1].rotateDegrees, 270);
-  EXPECT_FALSE(turned.cameras[1].mirrored);
-  EXPECT_EQ(turned.cameras[0], project.cameras[0]);
-  EXPECT_EQ(clickIn(turned.points[0], 0)->pixel, Eigen::Vector2d(10.0, 20.0));
+  const Project rotated = withImageSymmetry(project, 1, {180, false});
+  EXPECT_EQ(rotated.cameras[1].rotateDegrees, 270);
+  EXPECT_FALSE(rotated.cameras[1].mirrored);
+  EXPECT_EQ(rotated.cameras[0], project.cameras[0]);
+  EXPECT_EQ(clickIn(rotated.points[0], 0)->pixel, Eigen::Vector2d(10.0, 20.0));
   // Upside down, pixel centers at integers: 159 - 30 and 119 - 40.
-  EXPECT_EQ(clickIn(turned.points[0], 1)->pixel, Eigen::Vector2d(129.0, 79.0));
+  EXPECT_EQ(clickIn(rotated.points[0], 1)->pixel, Eigen::Vector2d(129.0, 79.0));
   // A point of the world moves with its pixel.
   const Eigen::Vector3d point(0.02, 0.03, 0.15);
   const auto was = Projector(before).project(point);
-  const auto is = Projector(turned.cameras[1].camera).project(point);
+  const auto is = Projector(rotated.cameras[1].camera).project(point);
   ASSERT_TRUE(was && is);
   EXPECT_NEAR((*was + *is - Eigen::Vector2d(159.0, 119.0)).norm(), 0.0, 1e-9);
 }

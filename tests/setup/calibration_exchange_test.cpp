@@ -75,8 +75,8 @@ TEST_F(CalibrationExchange, ImportMatchesByNameAndSaysWhatChanges) {
   EXPECT_LT(made->largestPixels, 1e-6);
   ASSERT_EQ(made->cameras.size(), 2U);
   EXPECT_EQ(made->cameras[0].name, "left");
-  EXPECT_NEAR(made->cameras[0].shift.metres, 0.0, 1e-9);
-  EXPECT_NEAR(made->cameras[1].shift.metres, 0.25, 1e-9);
+  EXPECT_NEAR(made->cameras[0].shift.meters, 0.0, 1e-9);
+  EXPECT_NEAR(made->cameras[1].shift.meters, 0.25, 1e-9);
   EXPECT_NEAR(made->cameras[1].shift.radians, 0.0, 1e-6);
   EXPECT_NEAR(made->project.cameras[1].camera.center().z(),
               project_.cameras[1].camera.center().z() + 0.25, 1e-9);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/calibration_file.h"
+#include "core/project/project_check.h"
 #include "core/setup/new_project.h"
 #include "core/tracking/catalog/method_catalog.h"
 

@@ -27,7 +27,7 @@ TEST(WandCollector, SeesWhatLookingThroughTheRecordingSees) {
     expected.add(*frames);
     collector.offer(frames);
   }
-  ASSERT_TRUE(eventually([&] { return collector.state().looked == 12; }));
+  ASSERT_TRUE(eventually([&] { return collector.state().searched == 12; }));
   const auto views = collector.views();
   ASSERT_EQ(views[1].size(), 12U); // one still disc in each of the recording's frames
   for (std::size_t k = 0; k < views[1].size(); ++k) {

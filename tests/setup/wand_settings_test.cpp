@@ -18,7 +18,7 @@ Project withBalls(int count) {
   return project;
 }
 
-TouchedMoment at(double seconds, TouchRole role) {
+TouchedInstant at(double seconds, TouchRole role) {
   return {static_cast<std::int64_t>(30.0 * seconds), seconds, role};
 }
 
@@ -54,14 +54,14 @@ TEST(WandSettings, TheFirstObstacleIsNamed) {
 TEST(WandSettings, ADistanceAndAFallNeedBothMoments) {
   WandSettings wish;
   wish.size = WandSize::Distance;
-  std::vector<TouchedMoment> moments{at(1.0, TouchRole::DistanceFrom)};
-  EXPECT_EQ(obstacleOf(wish, moments, withBalls(1)), WandObstacle::DistanceNotTaken);
-  moments.push_back(at(2.0, TouchRole::DistanceTo));
-  EXPECT_EQ(obstacleOf(wish, moments, withBalls(1)), WandObstacle::None);
-  moments.push_back(at(3.0, TouchRole::FallEnds));
-  EXPECT_EQ(obstacleOf(wish, moments, withBalls(1)), WandObstacle::HalfAFall);
-  moments.push_back(at(2.5, TouchRole::FallBegins));
-  EXPECT_EQ(obstacleOf(wish, moments, withBalls(1)), WandObstacle::None);
+  std::vector<TouchedInstant> instants{at(1.0, TouchRole::DistanceFrom)};
+  EXPECT_EQ(obstacleOf(wish, instants, withBalls(1)), WandObstacle::DistanceNotTaken);
+  instants.push_back(at(2.0, TouchRole::DistanceTo));
+  EXPECT_EQ(obstacleOf(wish, instants, withBalls(1)), WandObstacle::None);
+  instants.push_back(at(3.0, TouchRole::FallEnds));
+  EXPECT_EQ(obstacleOf(wish, instants, withBalls(1)), WandObstacle::HalfAFall);
+  instants.push_back(at(2.5, TouchRole::FallBegins));
+  EXPECT_EQ(obstacleOf(wish, instants, withBalls(1)), WandObstacle::None);
   wish.stick = true; // whose length is the size: no distance is asked for
   EXPECT_EQ(obstacleOf(wish, {}, withBalls(2)), WandObstacle::None);
 }
@@ -71,21 +71,21 @@ TEST(WandSettings, OptionsSayWhatWasDecided) {
   wish.size = WandSize::Distance;
   wish.distance = 1.5;
   wish.findOffsets = true;
-  wish.roughPlace = 0.3;
+  wish.roughPosition = 0.3;
   wish.onlySpan = true;
-  const std::vector<TouchedMoment> moments{
+  const std::vector<TouchedInstant> instants{
       at(1.0, TouchRole::Floor), at(2.0, TouchRole::DistanceFrom), at(3.0, TouchRole::DistanceTo),
       at(4.0, TouchRole::Floor), at(5.0, TouchRole::FallBegins),   at(5.5, TouchRole::FallEnds)};
-  const WandOptions options = toOptions(wish, moments, withBalls(1), FrameStretch{10, 99});
+  const WandOptions options = toOptions(wish, instants, withBalls(1), FrameStretch{10, 99});
   EXPECT_EQ(options.targets, std::vector<std::string>{"a"});
   ASSERT_TRUE(options.distance);
-  EXPECT_EQ(options.distance->metres, 1.5);
+  EXPECT_EQ(options.distance->meters, 1.5);
   EXPECT_EQ(options.floorTimes, (std::vector<double>{1.0, 4.0}));
   ASSERT_TRUE(options.drop);
   EXPECT_EQ((*options.drop)[1], 5.5);
   EXPECT_TRUE(options.findOffsets);
   EXPECT_FALSE(options.findFocal);
-  EXPECT_EQ(options.roughPlace, 0.3);
+  EXPECT_EQ(options.roughPosition, 0.3);
   EXPECT_EQ(options.firstFrame, 10);
   EXPECT_EQ(options.endFrame, 100); // one past the last
 }
@@ -104,16 +104,16 @@ TEST(WandSettings, AStickLeavesOutWhatIsOfOneBall) {
 }
 
 TEST(WandSettings, OnlyTheFloorIsTouchedOften) {
-  std::vector<TouchedMoment> moments;
-  addMoment(moments, at(5.0, TouchRole::Floor));
-  addMoment(moments, at(2.0, TouchRole::Floor));
-  addMoment(moments, at(2.0, TouchRole::Floor)); // the same again
-  addMoment(moments, at(3.0, TouchRole::FallBegins));
-  addMoment(moments, at(4.0, TouchRole::FallBegins)); // in place of the one before
-  ASSERT_EQ(moments.size(), 3U);
-  EXPECT_EQ(moments[0].seconds, 2.0);
-  EXPECT_EQ(moments[1], at(4.0, TouchRole::FallBegins));
-  EXPECT_EQ(moments[2].seconds, 5.0);
+  std::vector<TouchedInstant> instants;
+  addInstant(instants, at(5.0, TouchRole::Floor));
+  addInstant(instants, at(2.0, TouchRole::Floor));
+  addInstant(instants, at(2.0, TouchRole::Floor)); // the same again
+  addInstant(instants, at(3.0, TouchRole::FallBegins));
+  addInstant(instants, at(4.0, TouchRole::FallBegins)); // in place of the one before
+  ASSERT_EQ(instants.size(), 3U);
+  EXPECT_EQ(instants[0].seconds, 2.0);
+  EXPECT_EQ(instants[1], at(4.0, TouchRole::FallBegins));
+  EXPECT_EQ(instants[2].seconds, 5.0);
 }
 
 } // namespace

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/projector.h"
+#include "core/simulation/scene_file.h"
 #include "core/simulation/scene_renderer.h"
 
 #include <gtest/gtest.h>
@@ -112,10 +114,10 @@ TEST(SceneRenderer, TheLightChangesAsTheSceneSays) {
             "light 1.brightness");
 }
 
-TEST(SceneRenderer, LookAlikesAddBallsOfTheSameColor) {
+TEST(SceneRenderer, DistractorsAddBallsOfTheSameColor) {
   Scene scene = stillScene();
   const double one = cv::countNonZero(pinkPixels(SceneRenderer(scene).render(0, 0)));
-  scene.lookAlikes = 3;
+  scene.distractors = 3;
   const double four = cv::countNonZero(pinkPixels(SceneRenderer(scene).render(0, 0)));
   EXPECT_GT(four, 1.3 * one); // smaller where they lie farther off
 }
@@ -136,12 +138,12 @@ TEST(SceneRenderer, TheOccluderHidesTheBallForAWhile) {
 
 TEST(SceneFile, ComesBackAsItWas) {
   Scene scene = demoScene();
-  scene.lookAlikes = 2;
+  scene.distractors = 2;
   scene.occluder = true;
   scene.seed = 11;
   const auto parsed = parseScene(sceneToml(scene), "scene.toml");
   ASSERT_TRUE(parsed) << sentence(parsed.error());
-  EXPECT_EQ(parsed->lookAlikes, 2);
+  EXPECT_EQ(parsed->distractors, 2);
   EXPECT_TRUE(parsed->occluder);
   EXPECT_EQ(parsed->seed, 11U);
   EXPECT_EQ(parsed->balls.front().color, scene.balls.front().color);

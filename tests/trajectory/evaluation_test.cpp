@@ -155,7 +155,7 @@ TEST(Evaluation, NoCommonFrameIsAMismatch) {
   EXPECT_EQ(evaluate(estimate, restingTruth(5)).error().code, ErrorCode::Mismatch);
 }
 
-TEST(Evaluation, TextIsInMillimetresAndJsonInMetres) {
+TEST(Evaluation, TextIsInMillimetersAndJsonInMeters) {
   Trajectory estimate = estimateWith({0.01, 0.01, 0.01, 0.01, 0.01});
   estimate.header.cameras = {{"side", {9, 2, 3}, {-1, 0, 0}}};
   const auto result = evaluate(estimate, restingTruth(5));

@@ -48,10 +48,10 @@ TEST(ExportOptions, GapsAreLeftOrFilledAndMarked) {
 
 TEST(ExportOptions, ResamplesAlongTheCubic) {
   Trajectory trajectory;
-  const auto place = [](double t) { return Eigen::Vector3d(t, 0.0, 3.0 * t - 4.905 * t * t); };
+  const auto position = [](double t) { return Eigen::Vector3d(t, 0.0, 3.0 * t - 4.905 * t * t); };
   for (std::int64_t frame = 0; frame < 11; ++frame) {
     trajectory.samples.push_back(
-        exportSample(frame, "ball", place(static_cast<double>(frame) / 10.0)));
+        exportSample(frame, "ball", position(static_cast<double>(frame) / 10.0)));
   }
   ExportOptions options;
   options.rate = 25.0;
@@ -62,7 +62,7 @@ TEST(ExportOptions, ResamplesAlongTheCubic) {
   for (std::size_t row = 0; row < 26; ++row) {
     EXPECT_NEAR(table->times[row], 0.04 * static_cast<double>(row), 1e-12);
     // A ball in flight: the parabola is met exactly.
-    EXPECT_LT((table->cells[0][row].position - place(table->times[row])).norm(), 1e-12);
+    EXPECT_LT((table->cells[0][row].position - position(table->times[row])).norm(), 1e-12);
     EXPECT_TRUE(table->cells[0][row].covariance);
     EXPECT_FALSE(table->cells[0][row].filled);
   }

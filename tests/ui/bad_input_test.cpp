@@ -3,6 +3,7 @@
 // what was open stays open.
 #include "core/base/text_file.h"
 #include "core/capture/frame_writer.h"
+#include "core/project/project_save.h"
 #include "core/session/run/snapshot.h"
 #include "core/simulation/scene_renderer.h"
 #include "tests/ui/window_fixture.h"

@@ -159,7 +159,7 @@ void BoardPageTest::theCommandLineGivesTheSameBits() {
   auto inputs = dewpoint::app::openProject(std::filesystem::path(file("board.toml").toStdString()));
   QVERIFY(inputs.has_value());
   const auto& wish = desk().wish();
-  const auto seen = lookForBoards(inputs->project, *inputs->source, wish.board);
+  const auto seen = findBoards(inputs->project, *inputs->source, wish.board);
   QVERIFY(seen.has_value());
   const auto outcome = calibrateFromBoards(inputs->project, *seen, wish.board, wish.goal);
   QVERIFY(outcome.has_value());
@@ -226,8 +226,8 @@ void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
   openLive({true, true});
   BoardGuideRequest wish = desk().wish();
   wish.lenses.requestedProjectionPx = 20.0; // coarse: it ends after the fewest views
-  wish.requestedPlace = 0.05;
-  wish.places.instantsPerPair = 4;
+  wish.requestedPosition = 0.05;
+  wish.rig.instantsPerPair = 4;
   desk().setWish(wish);
   const auto before = project().cameras;
   QSignalSpy over(&desk(), &BoardCalibrator::calibrated);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/capture/frame_writer.h"
+#include "core/project/project_save.h"
 #include "core/session/run/snapshot.h"
 #include "core/setup/new_project.h"
 #include "tests/tracking/moving_patch.h"

@@ -30,7 +30,7 @@ Scene stillScene() {
 }
 
 Camera bumpedCamera() {
-  return turnedCamera(stillScene().cameras[kBumped], Eigen::Vector3d(0.2, -0.4, 0.1) * kDegree);
+  return rotatedCamera(stillScene().cameras[kBumped], Eigen::Vector3d(0.2, -0.4, 0.1) * kDegree);
 }
 
 /// The demo, whose second camera is turned from kBumpFrame on.
@@ -39,7 +39,7 @@ Result<SessionInputs> openBumped(const SessionRequest&) {
   Scene after = scene;
   after.cameras[kBumped] = bumpedCamera();
   const auto still = std::make_shared<const SceneRenderer>(scene);
-  const auto turned = std::make_shared<const SceneRenderer>(after);
+  const auto rotated = std::make_shared<const SceneRenderer>(after);
   std::vector<RecordedCamera> cameras;
   for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
     RecordedCamera camera;
@@ -47,8 +47,8 @@ Result<SessionInputs> openBumped(const SessionRequest&) {
     camera.kind = RecordedCamera::Kind::Generated;
     camera.width = scene.cameras[k].intrinsics.width;
     camera.height = scene.cameras[k].intrinsics.height;
-    camera.generate = [still, turned, k](std::int64_t frame) {
-      return (frame < kBumpFrame ? still : turned)->render(static_cast<int>(k), frame);
+    camera.generate = [still, rotated, k](std::int64_t frame) {
+      return (frame < kBumpFrame ? still : rotated)->render(static_cast<int>(k), frame);
     };
     camera.generatedFrames = scene.frameCount;
     cameras.push_back(std::move(camera));
@@ -120,7 +120,7 @@ void BumpMessageTest::aClickSolvesTheCameraAgain() {
   const auto& cameras = window_->document().project().cameras;
   QVERIFY(cameras[0].camera == stillScene().cameras[0]);
   QVERIFY(waitFor([&] {
-    return window_->shown()->bumps.empty() && (*window_->shown()->rig)[kBumped] == camera();
+    return window_->shown()->cameraMotions.empty() && (*window_->shown()->rig)[kBumped] == camera();
   }));
   QVERIFY(answer() == nullptr);
   history.undo();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calibrations of other tools in the real window: the golden files in, the project's cameras out
 // and in again.
+#include "core/calibration/formats/read_calibration.h"
 #include "core/setup/calibration_exchange.h"
 #include "tests/ui/calibration_window.h"
 #include "ui/calibration/exchange/calibration_export.h"
@@ -117,7 +118,7 @@ void CalibrationImportTest::goldenFilesAreTaken() {
   QFETCH(int, cameras);
   CalibrationHints hints;
   if (!unit.isEmpty()) {
-    hints.unit = metresOfUnit(unit.toStdString());
+    hints.unit = metersOfUnit(unit.toStdString());
   }
   if (!size.isEmpty()) {
     hints.size = {1280, 720};

@@ -80,10 +80,10 @@ void CalibrationTest::theGridFollowsTheMouse() {
   QVERIFY((seen(0, point) - to).norm() < 0.5);
   // Sliding keeps the direction.
   find<QComboBox>("handDragMode")->setCurrentIndex(1);
-  const Camera turnedCamera = camera(0);
+  const Camera rotatedCamera = camera(0);
   drag(0, to, from);
   QVERIFY((seen(0, point) - from).norm() < 0.5);
-  QVERIFY((camera(0).opticalAxis() - turnedCamera.opticalAxis()).norm() < 1e-9);
+  QVERIFY((camera(0).opticalAxis() - rotatedCamera.opticalAxis()).norm() < 1e-9);
   // Escape in the middle of a drag: as it was, and no step.
   const int steps = history().count();
   const Camera present = camera(0);

@@ -3,6 +3,8 @@
 #include "core/base/random.h"
 #include "core/base/text_file.h"
 #include "core/project/project.h"
+#include "core/project/project_load.h"
+#include "core/project/project_save.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
 #include "ui/document/project_saver.h"

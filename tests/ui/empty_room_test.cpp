@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the empty room, given to a camera in the window.
+#include "core/project/project_save.h"
 #include "core/session/run/snapshot.h"
 #include "core/setup/new_project.h"
 #include "tests/ui/recorded_demo.h"

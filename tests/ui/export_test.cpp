@@ -2,6 +2,7 @@
 // Taking the trajectory home from the window, while tracking goes on.
 #include "core/base/text_file.h"
 #include "core/project/project.h"
+#include "core/project/project_save.h"
 #include "core/session/run/snapshot.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/export/export_dialog.h"

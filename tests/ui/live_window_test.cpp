@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two network cameras on this machine's loopback, opened from a project file and tracked live in
 // the real window.
+#include "core/project/project_save.h"
 #include "core/session/run/snapshot.h"
 #include "core/simulation/scene_renderer.h"
 #include "tests/capture/mjpeg_server.h"

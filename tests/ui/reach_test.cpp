@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Getting about: the Tab key, the palette, messages, and views that are raised.
+#include "core/project/project_save.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/run/tracking_run.h"
 #include "tests/ui/recorded_demo.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Work that a killed window left behind: offered, with its layout; asked for again; thrown away.
 #include "core/base/text_file.h"
+#include "core/project/project_save.h"
 #include "core/session/run/snapshot.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/document/document.h"

@@ -5,6 +5,7 @@
 #include "core/capture/frame_source.h"
 #include "core/capture/frame_writer.h"
 #include "core/project/project.h"
+#include "core/project/project_save.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "tests/calibration/board_scene.h"
 

@@ -4,6 +4,8 @@
 #include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
 #include "core/project/project.h"
+#include "core/project/project_load.h"
+#include "core/project/project_save.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/session.h"
 #include "tests/ui/gate.h"

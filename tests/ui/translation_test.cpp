@@ -3,6 +3,7 @@
 // texts of the window never pass through a translation, and whether the catalogs know the rest.
 #include "core/base/error.h"
 #include "core/project/project.h"
+#include "core/project/project_save.h"
 #include "core/session/run/snapshot.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/document/document.h"
@@ -233,7 +234,7 @@ void TranslationTest::whatIsOpenFollowsToo() {
 
 void TranslationTest::aVerdictSaysWhatItsScoreIsMadeOf() {
   useLanguage(QStringLiteral("en"));
-  ColorVerdict verdict;
+  ColorAssessment verdict;
   verdict.separability = 0.04;
   verdict.targetShare = 0.02;
   verdict.backgroundShare = 0.0;

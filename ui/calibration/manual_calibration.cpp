@@ -279,7 +279,7 @@ void ManualCalibration::nudge(int axis, double factor, bool repeated) {
             : tr("%1 %2° %3").arg(nameOf(camera()), withSign(sum / kDegree, 2), name);
   const Camera now = cameraAt(camera());
   change(camera(), step,
-         moves ? moved(now, amount * way, frame_) : turned(now, amount * way, frame_), key);
+         moves ? moved(now, amount * way, frame_) : rotated(now, amount * way, frame_), key);
 }
 
 void ManualCalibration::nudgeFocal(double percent, bool repeated) {

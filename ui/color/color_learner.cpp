@@ -96,7 +96,7 @@ void ColorLearner::removeSample(int index) {
       std::ranges::any_of(samples, [](const ColorSample& sample) { return !sample.excluded; });
   if (!anyLeft) {
     LearnedColor same{project.targets[static_cast<std::size_t>(target)].color, {}};
-    same.verdict.targetKnown = false;
+    same.assessment.targetKnown = false;
     adopt(target, samples, same, step);
     return;
   }
@@ -130,8 +130,8 @@ void ColorLearner::adopt(int target, const std::vector<ColorSample>& samples,
   }
   setTarget(taught);
   Q_EMIT learned(taught, taught != target);
-  if (color.verdict.targetKnown) {
-    Q_EMIT judged(color.verdict);
+  if (color.assessment.targetKnown) {
+    Q_EMIT judged(color.assessment);
   } else {
     judge();
   }
@@ -144,8 +144,8 @@ void ColorLearner::judge() {
   }
   const Target target = project.targets[static_cast<std::size_t>(target_)];
   start([this, target, shown = images(), rooms = emptyRooms()]() -> std::function<void()> {
-    const ColorVerdict verdict =
-        judgeColorWithBackground(target.color, target.samples, shown, rooms);
+    const ColorAssessment verdict =
+        assessColorWithBackground(target.color, target.samples, shown, rooms);
     return [this, verdict] { Q_EMIT judged(verdict); };
   });
 }

@@ -40,7 +40,7 @@ public:
 Q_SIGNALS:
   /// A color was learned; `isNew`: of a target that was not there before.
   void learned(int target, bool isNew);
-  void judged(const dewpoint::color::ColorVerdict& verdict);
+  void judged(const dewpoint::color::ColorAssessment& verdict);
   void failed(const QString& sentence);
   void busyChanged(bool busy);
 

@@ -262,7 +262,7 @@ void ColorPanel::updateVerdict() {
   verdict_->setText(verdictText(said_, cameras));
 }
 
-void ColorPanel::showVerdict(const ColorVerdict& verdict) {
+void ColorPanel::showVerdict(const ColorAssessment& verdict) {
   if (!picker_->isEnabled()) {
     return; // its target has gone meanwhile
   }
@@ -272,7 +272,7 @@ void ColorPanel::showVerdict(const ColorVerdict& verdict) {
   said_ = verdict;
   updateVerdict();
   std::map<int, std::vector<ImagePickOverlay::Region>> regions;
-  for (const LookAlikeRegion& region : verdict.lookAlikes) {
+  for (const DistractorRegion& region : verdict.distractors) {
     QPolygonF outline;
     for (const cv::Point& point : region.outline) {
       outline << QPointF(point.x, point.y);

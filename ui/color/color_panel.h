@@ -62,7 +62,7 @@ private:
   void pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
   void editRange(const ColorRange& range);
   void updateVerdict();
-  void showVerdict(const ColorVerdict& verdict);
+  void showVerdict(const ColorAssessment& verdict);
   void judgeNow();
   void keepVerdictCurrent();
   void clearRegions();
@@ -81,7 +81,7 @@ private:
   TrackSnapshotPtr snapshot_;
   int target_ = 0;
   bool picking_ = false;
-  ColorVerdict said_;
+  ColorAssessment said_;
   bool inFront_ = false;          ///< the panel is seen, not behind another tab
   bool judged_ = false;           ///< the quality is of the range shown
   std::int64_t judgedFrame_ = -1; ///< and about this frame

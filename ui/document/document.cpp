@@ -2,6 +2,7 @@
 #include "ui/document/document.h"
 
 #include "core/project/project.h"
+#include "core/project/project_check.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/edit_command.h"
 

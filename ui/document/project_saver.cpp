@@ -2,6 +2,7 @@
 #include "ui/document/project_saver.h"
 
 #include "core/project/project.h"
+#include "core/project/project_save.h"
 #include "ui/document/document.h"
 #include "ui/text/error_sentence.h"
 

@@ -2,6 +2,8 @@
 #include "ui/document/recovery_folder.h"
 
 #include "core/base/text_file.h"
+#include "core/project/project_load.h"
+#include "core/project/project_save.h"
 
 #include <QDateTime>
 #include <QDir>

@@ -22,7 +22,7 @@ void CameraMotionAlerts::setSnapshot(const TrackSnapshotPtr& shown) {
   }
   const TrackSnapshot& snapshot = *shown;
   const double now = snapshot.frames ? seconds(snapshot.frames->time) : 0.0;
-  const CameraMotionNews::News news = news_.take(snapshot.bumps, now);
+  const CameraMotionNews::News news = news_.take(snapshot.cameraMotions, now);
   if (news.withdrawn) {
     withdraw();
   }

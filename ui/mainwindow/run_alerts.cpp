@@ -39,7 +39,7 @@ void RunAlerts::showNotices(const TrackSnapshotPtr& snapshot) {
   }
   // A camera that was moved is said with what can be done about it.
   const std::size_t count =
-      snapshot->notices.size() - std::min(snapshot->bumps.size(), snapshot->notices.size());
+      snapshot->notices.size() - std::min(snapshot->cameraMotions.size(), snapshot->notices.size());
   if (count > noticesShown_) {
     bench_.messages.showNotice(errorSentence(snapshot->notices[count - 1]));
   }

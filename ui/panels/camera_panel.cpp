@@ -133,9 +133,9 @@ void CameraPanel::connectFields() {
   });
   connect(late_, &QDoubleSpinBox::editingFinished, this, [this] {
     edit(tr("Change how late the images are"), [this](ProjectCamera& camera) {
-      const double shown = std::round(kMilliseconds * camera.lateBy * kLateSteps) / kLateSteps;
+      const double shown = std::round(kMilliseconds * camera.delay * kLateSteps) / kLateSteps;
       if (late_->value() != shown) { // what is not shown of it must not be lost
-        camera.lateBy = late_->value() / kMilliseconds;
+        camera.delay = late_->value() / kMilliseconds;
       }
     });
   });
@@ -215,7 +215,7 @@ void CameraPanel::showChosen() {
   source_->setCursorPosition(0);
   turn_->setCurrentIndex(turn_->findData(camera.rotateDegrees));
   mirror_->setChecked(camera.mirrored);
-  showValue(*late_, kMilliseconds * camera.lateBy);
+  showValue(*late_, kMilliseconds * camera.delay);
   any ? showCalibration(camera) : calibration_->clear();
 }
 

@@ -27,7 +27,7 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr double kMillimetres = 1000.0; ///< in a metre
+constexpr double kMillimeters = 1000.0; ///< in a metre
 constexpr double kLargestRadius = 2000.0;
 
 } // namespace
@@ -128,7 +128,7 @@ void TargetPanel::showChosen() {
   const Target target =
       row < 0 ? Target() : document_.project().targets[static_cast<std::size_t>(row)];
   name_->setText(QString::fromStdString(target.name));
-  radius_->setValue(target.radius * kMillimetres);
+  radius_->setValue(target.radius * kMillimeters);
 }
 
 void TargetPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
@@ -177,9 +177,9 @@ void TargetPanel::rename() {
   });
 }
 
-void TargetPanel::resizeTarget(double millimetres) {
-  editChosen(tr("Change radius"), [millimetres](Project& project, std::size_t index) {
-    project.targets[index].radius = millimetres / kMillimetres;
+void TargetPanel::resizeTarget(double millimeters) {
+  editChosen(tr("Change radius"), [millimeters](Project& project, std::size_t index) {
+    project.targets[index].radius = millimeters / kMillimeters;
   });
 }
 

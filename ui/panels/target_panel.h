@@ -46,7 +46,7 @@ private:
   void showChosen();
   void editChosen(const QString& step, const std::function<void(Project&, std::size_t)>& change);
   void rename();
-  void resizeTarget(double millimetres);
+  void resizeTarget(double millimeters);
 
   Document& document_;
   QListView* list_;

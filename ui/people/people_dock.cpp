@@ -87,7 +87,7 @@ void PeopleDock::connectPlacer(const CameraDocks& cameras) {
             place->setChecked(false);
           });
   connect(placer_, &AddPersonTool::placed, this, [this, place](const Eigen::Vector2d& where) {
-    correct(tr("Add a person"), {.place = where});
+    correct(tr("Add a person"), {.position = where});
     place->setChecked(false);
   });
   connect(placer_, &AddPersonTool::cancelled, place, [place] { place->setChecked(false); });
@@ -97,7 +97,7 @@ void PeopleDock::connectActions() {
   bench_.onToggled("actionPlacePerson", this, [this](bool placing) { placePeople(placing); });
   bench_.onTriggered("actionRemovePerson", this, [this] {
     if (const auto place = placeOfPerson(bench_.session.shown(), panel_->chosen())) {
-      correct(tr("Remove a person"), {.place = *place, .present = false});
+      correct(tr("Remove a person"), {.position = *place, .present = false});
     }
   });
   bench_.onToggled("actionShowVolumes", this, [this](bool shown) {

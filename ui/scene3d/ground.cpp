@@ -46,7 +46,7 @@ double numberStep(double size, double majorStep) {
   return majorStep * 100.0;
 }
 
-std::string metres(double value, double step, const std::string& decimalPoint) {
+std::string meters(double value, double step, const std::string& decimalPoint) {
   std::string text = fmt::format("{:.{}f}", value == 0.0 ? 0.0 : value, step < 0.95 ? 1 : 0);
   if (const auto point = text.find('.'); point != std::string::npos) {
     text.replace(point, 1, decimalPoint);
@@ -132,7 +132,7 @@ void Ground::drawNumbers() {
       const double value = static_cast<double>(i) * numberStep_;
       Eigen::Vector3d point(low.x(), low.y(), 0.0);
       point[axis] = value;
-      const std::string text = metres(value, numberStep_, decimalPoint_) + (i == last ? " m" : "");
+      const std::string text = meters(value, numberStep_, decimalPoint_) + (i == last ? " m" : "");
       if (axis == 0) {
         numbers_[0].add(text, point, 11.0, 0.0, -1.0);
       } else {

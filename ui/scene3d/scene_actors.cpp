@@ -33,7 +33,7 @@ bool allFinite(const std::vector<Eigen::Vector3d>& points) {
 
 } // namespace
 
-double ScreenScale::metres(const Eigen::Vector3d& point, double pixels) const {
+double ScreenScale::meters(const Eigen::Vector3d& point, double pixels) const {
   const double perPixel = parallel ? metresPerPixel : slope * std::max(depth(point), 1e-3);
   return pixels * pixelRatio * perPixel;
 }
@@ -163,7 +163,7 @@ void SceneLabels::prepareFrame(const ScreenScale& scale) {
   for (const Label& label : labels_) {
     // 2D text is projected through the eye too: behind it, it would appear mirrored.
     label.actor->SetVisibility(visible_ && (scale.parallel || scale.depth(label.point) > 0.05));
-    const double height = scale.metres(label.point, label.sizePx);
+    const double height = scale.meters(label.point, label.sizePx);
     const Eigen::Vector3d place =
         label.point + (scale.right * label.right + scale.up * label.up) * height;
     label.actor->GetPositionCoordinate()->SetValue(place.x(), place.y(), place.z());

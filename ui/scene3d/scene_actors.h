@@ -36,7 +36,7 @@ struct ScreenScale {
   double nearerFactor(const Eigen::Vector3d& point, double distance) const;
   Eigen::Vector3d nearer(const Eigen::Vector3d& point, double distance) const;
   /// Length in meters at `point` of so many logical pixels.
-  double metres(const Eigen::Vector3d& point, double pixels) const;
+  double meters(const Eigen::Vector3d& point, double pixels) const;
   /// Where a point is in the picture: device pixels right of and above the center.
   Eigen::Vector2d place(const Eigen::Vector3d& point) const;
   /// The point at a position in the picture that is as deep in it as `like` is.

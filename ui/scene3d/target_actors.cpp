@@ -277,8 +277,8 @@ void TargetActors::drawMarkers(const ScreenScale& scale) {
     return;
   }
   const double inner =
-      std::max(scale.metres(truth_, kSmallestSpherePx), radius_) + scale.metres(truth_, 1.0);
-  const double outer = inner + scale.metres(truth_, 7.0);
+      std::max(scale.meters(truth_, kSmallestSpherePx), radius_) + scale.meters(truth_, 1.0);
+  const double outer = inner + scale.meters(truth_, 7.0);
   const double nearer = 1.5 * cloudReach_ + 3.0 * outer;
   Strokes hairs;
   for (int axis = 0; axis < 3; ++axis) {
@@ -297,7 +297,7 @@ void TargetActors::drawMarkers(const ScreenScale& scale) {
 
 void TargetActors::prepareFrame(const ScreenScale& scale) {
   // Estimate and truth are drawn before their own cloud, which would bury them.
-  const double radius = std::max(radius_, scale.metres(mean_, kSmallestSpherePx));
+  const double radius = std::max(radius_, scale.meters(mean_, kSmallestSpherePx));
   const double nearer = 1.5 * cloudReach_ + radius;
   const Eigen::Vector3d place = scale.nearer(mean_, nearer);
   sphere_->SetPosition(place.x(), place.y(), place.z());
@@ -305,8 +305,8 @@ void TargetActors::prepareFrame(const ScreenScale& scale) {
   const double haloNearer = nearer - 0.7 * radius;
   const Eigen::Vector3d behind = scale.nearer(mean_, haloNearer);
   halo_->SetPosition(behind.x(), behind.y(), behind.z());
-  halo_->SetScale((radius + scale.metres(mean_, 1.5)) * scale.nearerFactor(mean_, haloNearer));
-  const double dot = scale.metres(mean_, kParticlePx);
+  halo_->SetScale((radius + scale.meters(mean_, 1.5)) * scale.nearerFactor(mean_, haloNearer));
+  const double dot = scale.meters(mean_, kParticlePx);
   // A new scale makes the mapper upload all points again: only when it shows.
   if (std::abs(dot - cloudMapper_->GetScaleFactor()) > 0.1 * dot) {
     cloudMapper_->SetScaleFactor(dot);

@@ -73,7 +73,7 @@ QString faultWords(const NamedFault& fault, const QStringList& cameraNames) {
     return Words::tr("The cameras would all look at the back of the board or floor: its points "
                      "are likely mirrored. Check the direction of its axes, and that the print is "
                      "not reversed.");
-  case CalibrationFault::MillimetresMixed:
+  case CalibrationFault::MillimetersMixed:
     return Words::tr("The given length is %1 times what the cameras see: millimetres and metres "
                      "are likely mixed up.")
         .arg(ratioText(fault.value));

@@ -11,7 +11,7 @@ namespace dewpoint::ui {
 
 const CameraMotionReport* bumpOf(const TrackSnapshot& snapshot, int camera) {
   const CameraMotionReport* found = nullptr;
-  for (const CameraMotionReport& report : snapshot.bumps) {
+  for (const CameraMotionReport& report : snapshot.cameraMotions) {
     if (static_cast<int>(report.event.camera) == camera && !report.back) {
       found = &report;
     }

@@ -14,7 +14,7 @@ class Quantity {
   Q_DECLARE_TR_FUNCTIONS(Quantity)
 };
 
-QString millimetres(const QString& number) {
+QString millimeters(const QString& number) {
   return Quantity::tr("%1 mm").arg(number);
 }
 
@@ -22,11 +22,11 @@ QString metresText(const QString& number) {
   return Quantity::tr("%1 m").arg(number);
 }
 
-QString readout(double metres) {
-  const double size = std::abs(metres);
+QString readout(double meters) {
+  const double size = std::abs(meters);
   return size < 1.0
-             ? millimetres(numberText(1000.0 * metres, size < 0.01 ? 1 : 0, NumberForm::Table))
-             : metresText(numberText(metres, 2, NumberForm::Table));
+             ? millimeters(numberText(1000.0 * meters, size < 0.01 ? 1 : 0, NumberForm::Table))
+             : metresText(numberText(meters, 2, NumberForm::Table));
 }
 
 QString withoutTrailingZeros(QString text) {
@@ -42,13 +42,13 @@ QString withoutTrailingZeros(QString text) {
   return text;
 }
 
-QString shortLength(double metres) {
-  const double size = 1000.0 * metres;
+QString shortLength(double meters) {
+  const double size = 1000.0 * meters;
   if (size >= 999.5) {
-    return metresText(numberText(metres, 2));
+    return metresText(numberText(meters, 2));
   }
   const int decimals = size >= 9.95 ? 0 : size >= 0.995 ? 1 : 2;
-  return millimetres(withoutTrailingZeros(numberText(size, decimals)));
+  return millimeters(withoutTrailingZeros(numberText(size, decimals)));
 }
 
 } // namespace
@@ -80,17 +80,17 @@ QString ratioText(double value) {
   return QLocale().toString(value, 'g', 3);
 }
 
-QString lengthText(double metres, LengthForm form) {
+QString lengthText(double meters, LengthForm form) {
   switch (form) {
   case LengthForm::Readout:
     break;
   case LengthForm::Short:
-    return shortLength(metres);
+    return shortLength(meters);
   case LengthForm::TwoDigits:
-    return metres < 1.0 ? millimetres(digitsText(1000.0 * metres, 2))
-                        : metresText(digitsText(metres, 2));
+    return meters < 1.0 ? millimeters(digitsText(1000.0 * meters, 2))
+                        : metresText(digitsText(meters, 2));
   }
-  return readout(metres);
+  return readout(meters);
 }
 
 QString shareText(double share) {

@@ -29,7 +29,7 @@ enum class LengthForm {
   Short,    ///< "0.4 mm", "12 mm", "1.20 m": as short as it is exact enough
   TwoDigits ///< "0.35 mm", "12 mm", "1.2 m": an accuracy
 };
-QString lengthText(double metres, LengthForm form = LengthForm::Readout);
+QString lengthText(double meters, LengthForm form = LengthForm::Readout);
 
 /// A share (0 to 1) in percent: 100 only when nothing is left, 0 only when there is nothing.
 QString shareText(double share);

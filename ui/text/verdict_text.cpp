@@ -15,7 +15,7 @@ class Words {
 };
 
 /// Where in the image: nine whole phrases, because languages put them together differently.
-QString placeName(HorizontalPlace horizontal, VerticalPlace vertical) {
+QString placeName(HorizontalThird horizontal, VerticalThird vertical) {
   static constexpr const char* kPlaces[3][3] = {
       {QT_TRANSLATE_NOOP("Verdict", "at the top left"), QT_TRANSLATE_NOOP("Verdict", "at the top"),
        QT_TRANSLATE_NOOP("Verdict", "at the top right")},
@@ -39,9 +39,9 @@ QString suggestionSentence(Suggestion suggestion) {
   switch (suggestion) {
   case Suggestion::AddSamples:
     return Words::tr("Much of the target does not match: Shift-click its light and its dark side.");
-  case Suggestion::ExcludeLookAlike:
+  case Suggestion::ExcludeDistractor:
     return Words::tr("Alt-click what matches too: it can be told apart.");
-  case Suggestion::RemoveLookAlike:
+  case Suggestion::RemoveDistractor:
     return Words::tr("Cover what has the same color, or take it out of view.");
   case Suggestion::MoreLight:
     return Words::tr("The target is nearly black here: more light would help.");
@@ -51,7 +51,7 @@ QString suggestionSentence(Suggestion suggestion) {
     return Words::tr("The target is nearly gray: a stronger color would help.");
   case Suggestion::UseAnotherColor:
     return Words::tr("Several things have this color: another one would help.");
-  case Suggestion::ClickThingItself:
+  case Suggestion::ClickObjectItself:
     return Words::tr("This fills much of the image: click the thing itself, or drag a box on it.");
   case Suggestion::ClickMore:
     return Words::tr("Only a speck was clicked: drag a box on the whole thing.");
@@ -62,7 +62,7 @@ QString suggestionSentence(Suggestion suggestion) {
 }
 
 /// What the score is made of: the target that does not match, the background that does.
-QString sharesSentence(const ColorVerdict& verdict) {
+QString sharesSentence(const ColorAssessment& verdict) {
   const QString background = percentText(verdict.backgroundShare, 2);
   if (!verdict.missesTarget()) {
     return Words::tr("%1 % of the background matches too.").arg(background);
@@ -90,7 +90,7 @@ QString colorName(ColorWord color) {
   return Words::tr(kNames[static_cast<int>(color)]);
 }
 
-QString verdictText(const ColorVerdict& verdict, const std::vector<QString>& cameras) {
+QString verdictText(const ColorAssessment& verdict, const std::vector<QString>& cameras) {
   if (!verdict.targetKnown) {
     return Words::tr(
                "%1 % of the images match. Shift-click the target to learn how well it stands out.")
@@ -100,8 +100,8 @@ QString verdictText(const ColorVerdict& verdict, const std::vector<QString>& cam
   if (verdict.sampleLeftOut) {
     sentences << Words::tr("One sample does not go with the others: no single range holds both.");
   }
-  if (!verdict.lookAlikes.empty()) {
-    const LookAlikeRegion& region = verdict.lookAlikes.front();
+  if (!verdict.distractors.empty()) {
+    const DistractorRegion& region = verdict.distractors.front();
     const auto camera = static_cast<std::size_t>(region.camera);
     sentences << Words::tr("Something %1 %2 of %3 matches too.")
                      .arg(colorName(region.color), placeName(region.horizontal, region.vertical),

@@ -10,8 +10,10 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Squares in a row or column.
 constexpr int kMostSquares = 200;
-constexpr double kLargestSquare = 10.0; // metres: anything above was meant in millimetres
+constexpr double kLargestSquare = 10.0; // meters: anything above was meant in millimeters
 
 std::vector<std::string> partsOf(const std::string& text, char separator) {
   std::vector<std::string> parts(1);

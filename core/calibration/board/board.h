@@ -11,7 +11,7 @@
 namespace dewpoint::calibration {
 
 /// A calibration board. Its frame: x to the right along the columns, y down along the rows, z into
-/// the board, as a person sees the printed page; metres. Origin: the first inner corner of a
+/// the board, as a person sees the printed page; meters. Origin: the first inner corner of a
 /// chessboard, the upper left corner of the first square of a ChArUco board (as OpenCV counts).
 /// The first square, upper left, is black (white on a legacy ChArUco board with even rows).
 struct BoardDescription {
@@ -20,8 +20,8 @@ struct BoardDescription {
   Kind kind = Kind::Chessboard;
   int columns = 9;           ///< chessboard: inner corners in a row; ChArUco: squares in a row
   int rows = 6;              ///< likewise, in a column
-  double squareSize = 0.025; ///< metres
-  double markerSize = 0.0;   ///< metres; ChArUco only
+  double squareSize = 0.025; ///< meters
+  double markerSize = 0.0;   ///< meters; ChArUco only
   std::string dictionary;    ///< OpenCV's name, "DICT_4X4_50"; ChArUco only
   bool legacy = false;       ///< ChArUco with even rows from OpenCV before 4.6: first square white
   bool inverted = false;     ///< printed with black and white exchanged
@@ -36,7 +36,7 @@ struct BoardDescription {
 
   /// Where corner `id` lies, in the board's frame; ids run along the rows from the upper left.
   Eigen::Vector3d corner(int id) const;
-  /// The middle of all squares, in the board's frame.
+  /// The center of all squares, in the board's frame.
   Eigen::Vector3d middle() const;
   /// Whether a square is black on the page, `inverted` left aside. On ChArUco boards the white
   /// squares carry the markers.
@@ -49,7 +49,7 @@ struct BoardDescription {
 
 /// Reads `chessboard:9x6:0.025` (inner corners, square size) or
 /// `charuco:7x5:0.054:0.040:DICT_4X4_50[:legacy][:inverted]` (squares, square and marker size);
-/// metres. BadValue names `field` and the part that is wrong.
+/// meters. BadValue names `field` and the part that is wrong.
 Result<BoardDescription> parseBoard(const std::string& text, const std::string& field = "--board");
 
 /// Whether a board that was put together otherwise is one that parseBoard() would give. BadValue

@@ -12,6 +12,8 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Radians (5 degrees) within which two rotations agree.
 constexpr double kAlikeTurn = 5.0 * std::numbers::pi / 180.0;
 constexpr double kAlikePlace = 0.1;     // of the distance between camera and board
 constexpr double kMostPosePart = 0.005; // of the image's diagonal: 4 px of 640x480
@@ -57,11 +59,11 @@ std::vector<PairPose> pairPoses(const ExtrinsicsRequest& request, const BoardCha
       continue;
     }
     for (int k = 0; k < symmetry; ++k) {
-      const PosedView turned = turnedView(request.board, request.cameras[other].camera,
-                                          chain.views[found->second], k * turnStep(symmetry));
+      const PosedView rotated = rotatedView(request.board, request.cameras[other].camera,
+                                            chain.views[found->second], k * turnStep(symmetry));
       PairPose pose{at, found->second, k * turnStep(symmetry)};
-      pose.otherFromOne = turned.cameraFromBoard * chain.views[at].cameraFromBoard.inverse();
-      pose.distance = turned.cameraFromBoard.translation().norm();
+      pose.otherFromOne = rotated.cameraFromBoard * chain.views[at].cameraFromBoard.inverse();
+      pose.distance = rotated.cameraFromBoard.translation().norm();
       poses.push_back(pose);
     }
   }
@@ -191,12 +193,12 @@ void placeBoards(const ExtrinsicsRequest& request, BoardChain& chain) {
     PosedView nearest = view;
     double least = std::numeric_limits<double>::max();
     for (int k = 0; k < symmetry; ++k) {
-      PosedView turned = turnedView(request.board, request.cameras[view.camera].camera, view,
-                                    k * turnStep(symmetry));
-      const double apart = (turned.cameraFromBoard.linear() - expected.linear()).squaredNorm();
+      PosedView rotated = rotatedView(request.board, request.cameras[view.camera].camera, view,
+                                      k * turnStep(symmetry));
+      const double apart = (rotated.cameraFromBoard.linear() - expected.linear()).squaredNorm();
       if (apart < least) {
         least = apart;
-        nearest = std::move(turned);
+        nearest = std::move(rotated);
       }
     }
     view = std::move(nearest);
@@ -205,13 +207,13 @@ void placeBoards(const ExtrinsicsRequest& request, BoardChain& chain) {
 
 } // namespace
 
-PosedView turnedView(const BoardDescription& board, const Camera& camera, const PosedView& view,
-                     int quarterTurns) {
+PosedView rotatedView(const BoardDescription& board, const Camera& camera, const PosedView& view,
+                      int quarterTurns) {
   if (quarterTurns == 0) {
     return view;
   }
   PosedView result = view;
-  result.detection = turned(view.detection, board, quarterTurns);
+  result.detection = rotated(view.detection, board, quarterTurns);
   if (const auto pose = boardPose(board, result.detection, camera)) {
     result.cameraFromBoard = *pose;
   }

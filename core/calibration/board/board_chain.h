@@ -30,8 +30,8 @@ struct BoardChain {
 /// that cannot be reached from the first.
 Result<BoardChain> chainCameras(const ExtrinsicsRequest& request);
 
-/// View `view` turned by quarter turns of the board, with its pose.
-PosedView turnedView(const BoardDescription& board, const Camera& camera, const PosedView& view,
-                     int quarterTurns);
+/// View `view` rotated by quarter turns of the board, with its pose.
+PosedView rotatedView(const BoardDescription& board, const Camera& camera, const PosedView& view,
+                      int quarterTurns);
 
 } // namespace dewpoint::calibration

@@ -7,8 +7,10 @@
 
 namespace dewpoint::calibration {
 namespace {
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Radians (15 degrees): see tiltOf().
 constexpr double kFlat = 15.0 * std::numbers::pi / 180.0;
-}
+} // namespace
 
 BoardTilt tiltOf(const Eigen::Isometry3d& cameraFromBoard) {
   const Eigen::Vector3d away = cameraFromBoard.linear().col(2); // into the board
@@ -27,8 +29,8 @@ double tiltAngle(const Eigen::Isometry3d& cameraFromBoard, const Eigen::Vector3d
 }
 
 int BoardCoverage::regionOf(const Eigen::Vector2d& pixel, int width, int height) {
-  const auto cell = [](double place, int size, int count) {
-    return std::clamp(static_cast<int>((place + 0.5) / size * count), 0, count - 1);
+  const auto cell = [](double share, int size, int count) {
+    return std::clamp(static_cast<int>((share + 0.5) / size * count), 0, count - 1);
   };
   return cell(pixel.y(), height, kRows) * kColumns + cell(pixel.x(), width, kColumns);
 }

@@ -20,7 +20,7 @@ BoardTilt tiltOf(const Eigen::Isometry3d& cameraFromBoard);
 double tiltAngle(const Eigen::Isometry3d& cameraFromBoard, const Eigen::Vector3d& middle);
 
 /// Where in the image corners were seen, and at which tilts the board: a calibration says nothing
-/// about places without corners, and focal length and distance cannot be told apart without tilt.
+/// about regions without corners, and focal length and distance cannot be told apart without tilt.
 struct BoardCoverage {
   static constexpr int kColumns = 6;
   static constexpr int kRows = 4;

@@ -2,6 +2,7 @@
 #include "core/calibration/board/board_detection.h"
 
 #include "core/base/statistics.h"
+#include "core/calibration/board/charuco_corners.h"
 #include "core/calibration/board/chessboard_corners.h"
 #include "core/calibration/board/corner_refinement.h"
 
@@ -84,9 +85,9 @@ std::optional<double> motionBetween(const BoardDetection& one, const BoardDetect
   return upperMedian(std::move(distances));
 }
 
-BoardDetection turned(const BoardDetection& detection, const BoardDescription& board,
-                      int quarterTurns) {
-  const auto order = turnedOrder(detection.pixels.size(), board.cornerColumns(), quarterTurns);
+BoardDetection rotated(const BoardDetection& detection, const BoardDescription& board,
+                       int quarterTurns) {
+  const auto order = rotatedOrder(detection.pixels.size(), board.cornerColumns(), quarterTurns);
   BoardDetection result = detection;
   for (std::size_t k = 0; k < order.size(); ++k) {
     result.pixels[k] = detection.pixels[order[k]];

@@ -53,7 +53,7 @@ std::optional<double> motionBetween(const BoardDetection& one, const BoardDetect
 
 /// The corners of a symmetric chessboard counted after `quarterTurns` quarter turns (those of half
 /// a turn only, unless it is square).
-BoardDetection turned(const BoardDetection& detection, const BoardDescription& board,
-                      int quarterTurns);
+BoardDetection rotated(const BoardDetection& detection, const BoardDescription& board,
+                       int quarterTurns);
 
 } // namespace dewpoint::calibration

@@ -9,9 +9,9 @@ namespace {
 
 constexpr double kMarkerPart = 0.75; ///< of a square, where it is not known yet
 
-double rounded(double metres) {
-  constexpr double kPerMetre = 1e8;
-  return std::round(metres * kPerMetre) / kPerMetre;
+double rounded(double meters) {
+  constexpr double kPerMeter = 1e8;
+  return std::round(meters * kPerMeter) / kPerMeter;
 }
 
 } // namespace

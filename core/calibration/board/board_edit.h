@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-// Changes of a board as a person makes them, one quantity at a time: in squares, whatever its kind
+// Changes of a board as the user makes them, one quantity at a time: in squares, whatever its kind
 // counts. What comes out may still be impossible; checkBoard() says so.
 
 /// The same squares as a board of this kind. Markers are three quarters of a square, of
@@ -15,12 +15,12 @@ BoardDescription withKind(BoardDescription board, BoardDescription::Kind kind);
 /// So many squares in a row and in a column.
 BoardDescription withSquares(BoardDescription board, int columns, int rows);
 
-/// Squares of this size (metres); markers keep their proportion to them. Sizes are rounded to
+/// Squares of this size (meters); markers keep their proportion to them. Sizes are rounded to
 /// 10 nm, so that units and ratios leave no noise in boardText(): 0.01875, not
 /// 0.018750000000000003.
 BoardDescription withSquareSize(BoardDescription board, double squareSize);
 
-/// Markers of this size, metres, rounded likewise.
+/// Markers of this size, meters, rounded likewise.
 BoardDescription withMarkerSize(BoardDescription board, double markerSize);
 
 } // namespace dewpoint::calibration

@@ -7,8 +7,11 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr double kAnotherPlacePart = 0.08; // of the image's width: nearer is the same view again
+/// New views after which calibrating again is worth its time.
 constexpr std::size_t kViewsPerCalibration = 3;
+/// Views before the user is led to come nearer.
 constexpr std::size_t kViewsBeforeNear = 4;
 
 /// Part of the image's area that the corners span.
@@ -22,7 +25,7 @@ double areaPart(const BoardDetection& detection, const Intrinsics& image) {
   return (most - least).prod() / (static_cast<double>(image.width) * image.height);
 }
 
-Eigen::Vector2d middleOf(const BoardDetection& detection) {
+Eigen::Vector2d centroidOf(const BoardDetection& detection) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& pixel : detection.pixels) {
     sum += pixel;
@@ -84,7 +87,7 @@ int BoardGuidance::emptiestRegion(const Eigen::Vector2d& middle) const {
 }
 
 GuidanceAdvice BoardGuidance::lacking(const BoardDetection& detection, GuidanceState& state) const {
-  const Eigen::Vector2d middle = middleOf(detection);
+  const Eigen::Vector2d middle = centroidOf(detection);
   if (views_.empty()) {
     state.region =
         BoardCoverage::regionOf(middle, camera_.intrinsics.width, camera_.intrinsics.height);

@@ -16,7 +16,7 @@ public:
   explicit BoardPattern(const BoardDescription& board);
 
   const BoardDescription& board() const { return board_; }
-  /// A dark rectangle of the page, metres from the upper left corner of the squares, y down.
+  /// A dark rectangle of the page, meters from the upper left corner of the squares, y down.
   struct Rectangle {
     double left, top, width, height;
   };

@@ -16,13 +16,13 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr double kPointsPerMillimetre = 72.0 / 25.4;
+constexpr double kPointsPerMillimeter = 72.0 / 25.4;
 constexpr double kMarginMm = 8.0; // that printers leave white
 constexpr double kFootMm = 16.0;  // for the scale bar and the text
 constexpr double kTextMm = 3.2;
 constexpr double kScaleBarMm = 100.0;
 
-/// Placing of the board on the page, millimetres.
+/// Placing of the board on the page, millimeters.
 struct Layout {
   double pageWidth = 0.0;
   double pageHeight = 0.0;
@@ -70,7 +70,7 @@ Result<Layout> layoutOf(const BoardDescription& board, const Paper& paper) {
                   size * squares[0], size * squares[1], paper.name, std::floor(largest) / 1e3));
 }
 
-/// Draws in millimetres from the upper left corner of the page.
+/// Draws in millimeters from the upper left corner of the page.
 class Pen {
 public:
   Pen(HPDF_Page page, HPDF_Font font)
@@ -89,8 +89,8 @@ public:
   }
 
 private:
-  static HPDF_REAL points(double millimetres) {
-    return static_cast<HPDF_REAL>(millimetres * kPointsPerMillimetre);
+  static HPDF_REAL points(double millimeters) {
+    return static_cast<HPDF_REAL>(millimeters * kPointsPerMillimeter);
   }
 
   HPDF_Page page_;
@@ -140,8 +140,8 @@ std::string pdfOf(const BoardDescription& board, const Layout& layout) {
   HPDF_SetInfoAttr(document.get(), HPDF_INFO_TITLE, boardText(board).c_str());
   HPDF_SetCompressionMode(document.get(), HPDF_COMP_ALL);
   const HPDF_Page page = HPDF_AddPage(document.get());
-  HPDF_Page_SetWidth(page, static_cast<HPDF_REAL>(layout.pageWidth * kPointsPerMillimetre));
-  HPDF_Page_SetHeight(page, static_cast<HPDF_REAL>(layout.pageHeight * kPointsPerMillimetre));
+  HPDF_Page_SetWidth(page, static_cast<HPDF_REAL>(layout.pageWidth * kPointsPerMillimeter));
+  HPDF_Page_SetHeight(page, static_cast<HPDF_REAL>(layout.pageHeight * kPointsPerMillimeter));
   Pen pen(page, HPDF_GetFont(document.get(), "Helvetica", nullptr));
   HPDF_Page_SetGrayFill(page, 0.0F);
   drawSquares(pen, board, layout);

@@ -10,7 +10,7 @@
 
 namespace dewpoint::calibration {
 
-/// A sheet of paper, millimetres, upright.
+/// A sheet of paper, millimeters, upright.
 struct Paper {
   std::string name;
   double width = 0.0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/board/chessboard_corners.h"
+#include "core/calibration/board/charuco_corners.h"
+
 #include "core/calibration/board/corner_refinement.h"
 
 #include <opencv2/aruco.hpp>
@@ -14,13 +15,18 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr std::size_t kNearestMarkers = 3; // over so few squares a lens is as good as straight
 constexpr double kWindowPart = 0.75;       // of the plain white between a corner and a marker
+/// Half the window's side, pixels.
 constexpr int kLargestWindow = 5;
 constexpr double kLeastContrast = 15.0; // gray levels between the black and the white squares
 
+/// Corners around one that show where it should be, ...
 constexpr std::size_t kNeighbors = 8;
+/// ... and the fewest that do.
 constexpr std::size_t kLeastNeighbors = 6;
+/// Pixels that a corner may be off from there, or ...
 constexpr double kMostOffPx = 1.0;
 constexpr double kMostOffPart = 0.03; // of the spacing
 

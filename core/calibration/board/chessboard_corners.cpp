@@ -14,9 +14,11 @@ namespace {
 
 using Grid = std::vector<cv::Point2f>;
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr int kLiveWidth = 640;     // pixels: a wider picture is made smaller to look for the board
 constexpr int kSampleWindow = 11;   // as in OpenCV's sample programs
 constexpr double kWindowPart = 0.4; // of the spacing: no other corner within reach
+/// Half the window's side, pixels.
 constexpr int kLeastWindow = 2;
 
 /// A window that holds no neighboring corner.
@@ -117,7 +119,7 @@ Grid ordered(const cv::Mat& gray, const BoardDescription& board, Grid grid) {
   std::pair<bool, float> bestRank;
   for (int turns = 0; turns < 4; turns += columns == board.cornerRows() ? 1 : 2) {
     Grid candidate;
-    for (const std::size_t at : turnedOrder(grid.size(), columns, turns)) {
+    for (const std::size_t at : rotatedOrder(grid.size(), columns, turns)) {
       candidate.push_back(grid[at]);
     }
     const double darkness = firstSquareDarkness(gray, candidate, columns);
@@ -132,7 +134,7 @@ Grid ordered(const cv::Mat& gray, const BoardDescription& board, Grid grid) {
 
 } // namespace
 
-std::vector<std::size_t> turnedOrder(std::size_t cornerCount, int columns, int quarterTurns) {
+std::vector<std::size_t> rotatedOrder(std::size_t cornerCount, int columns, int quarterTurns) {
   std::vector<std::size_t> order(cornerCount);
   std::iota(order.begin(), order.end(), std::size_t{0});
   auto width = static_cast<std::size_t>(columns);

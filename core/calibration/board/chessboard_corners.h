@@ -16,12 +16,6 @@ std::optional<std::vector<cv::Point2f>>
 chessboardCorners(const cv::Mat& gray, const BoardDescription& board, DetectionEffort effort);
 
 /// For each corner of a grid, counted after quarter turns of the board, its number before.
-std::vector<std::size_t> turnedOrder(std::size_t cornerCount, int columns, int quarterTurns);
-
-/// The corners of a ChArUco board that are seen: their numbers and places. `markerSquares`: column
-/// and row of the square of each marker.
-void charucoCorners(const cv::Mat& gray, const BoardDescription& board,
-                    const std::vector<std::pair<int, int>>& markerSquares, std::vector<int>& ids,
-                    std::vector<cv::Point2f>& corners);
+std::vector<std::size_t> rotatedOrder(std::size_t cornerCount, int columns, int quarterTurns);
 
 } // namespace dewpoint::calibration

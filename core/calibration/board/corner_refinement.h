@@ -25,7 +25,7 @@ double leastSpacing(const std::vector<cv::Point2f>& grid, int columns);
 double edgeWidth(const cv::Mat& gray, const BoardDescription& board,
                  const BoardDetection& detection, double reach);
 
-/// Gray level at a place between pixels, clamped to the image.
+/// Gray level at a point between pixels, clamped to the image.
 double grayAt(const cv::Mat& gray, double column, double row);
 
 } // namespace dewpoint::calibration

@@ -13,14 +13,17 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Rounds of solving and leaving out views.
 constexpr int kMostRounds = 5;
 constexpr double kFirstLossWidth = 3.0; // pixels: corners of a wrong view must not pull
+/// Width of the loss in typical residuals.
 constexpr double kLossSigmas = 3.0;
 constexpr double kLeastLossWidth = 0.3; // pixels
 
 /// Columns of the covariance after the world was turned: the places of the cameras turn with it.
-Eigen::MatrixXd turnedColumns(const std::vector<CameraColumn>& columns,
-                              const Eigen::Matrix3d& turn) {
+Eigen::MatrixXd rotatedColumns(const std::vector<CameraColumn>& columns,
+                               const Eigen::Matrix3d& turn) {
   const auto count = static_cast<Eigen::Index>(columns.size());
   Eigen::MatrixXd change = Eigen::MatrixXd::Identity(count, count);
   for (Eigen::Index k = 0; k + 2 < count; ++k) {
@@ -47,7 +50,7 @@ void putIntoWorld(const Eigen::Isometry3d& worldFromFirst, BundleProblem& proble
     }
   }
   BundleCovariance& covariance = result.covariance;
-  const Eigen::MatrixXd change = turnedColumns(covariance.columns, worldFromFirst.linear());
+  const Eigen::MatrixXd change = rotatedColumns(covariance.columns, worldFromFirst.linear());
   covariance.matrix = change * covariance.matrix * change.transpose();
 }
 
@@ -236,7 +239,7 @@ private:
       seen.insert(fit.views.back().instant);
     }
     for (const std::int64_t instant : seen) {
-      result.places.push_back({instant, *world * chain_.firstFromBoard[instant]});
+      result.boardPoses.push_back({instant, *world * chain_.firstFromBoard[instant]});
     }
     putIntoWorld(*world, problem_, bundle_);
     result.covariance = bundle_.covariance;

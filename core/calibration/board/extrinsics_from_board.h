@@ -31,7 +31,7 @@ struct ExtrinsicsRequest {
 };
 
 /// Where the board was at an instant.
-struct BoardPlace {
+struct BoardPose {
   std::int64_t instant = 0;
   Eigen::Isometry3d worldFromBoard = Eigen::Isometry3d::Identity();
 };
@@ -41,14 +41,15 @@ struct CameraFit {
   double rmsPx = 0.0; ///< root mean square distance of the corners used
   std::vector<ViewFit> views;
   BoardCoverage coverage;
-  double centerSigma = 0.0; ///< standard deviation of its place, metres: against the first camera
-  double turnSigma = 0.0;   ///< of its direction, radians
+  /// Standard deviation of its position, meters: against the first camera.
+  double centerSigma = 0.0;
+  double turnSigma = 0.0; ///< of its direction, radians
 };
 
 struct ExtrinsicsResult {
   CameraRig cameras; ///< in the order of the request
   std::vector<CameraFit> fits;
-  std::vector<BoardPlace> places; ///< in the order of the instants
+  std::vector<BoardPose> boardPoses; ///< in the order of the instants
   double rmsPx = 0.0;
   BundleCovariance covariance; ///< of the cameras' poses, for the residuals as found
   int iterations = 0;

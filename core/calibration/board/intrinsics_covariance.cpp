@@ -2,6 +2,7 @@
 #include "core/calibration/board/intrinsics_covariance.h"
 
 #include "core/geometry/linear_algebra.h"
+#include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 
 constexpr int kPose = 6;
 constexpr int kGrid = 9;
-constexpr double kPoseStep = 1e-6; // radians, and metres per metre of distance
+constexpr double kPoseStep = 1e-6; // radians, and meters per meter of distance
 
 /// Pixels of points in the camera's frame, one below the other; points not seen stay at NaN.
 Eigen::VectorXd imageOf(const Camera& camera, const std::vector<Eigen::Vector3d>& pointsCamera) {

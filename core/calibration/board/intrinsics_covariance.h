@@ -35,7 +35,7 @@ Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera
                                      const IntrinsicsParameters& parameters,
                                      const std::vector<ViewFit>& views);
 
-/// Standard deviation, in pixels, of the image of a ray, largest of 9x9 places over the image: what
+/// Standard deviation, in pixels, of the image of a ray, largest of 9x9 points over the image: what
 /// a turn of the camera would compensate is left aside, since poses are estimated later (the idea
 /// of mrcal's projection uncertainty).
 double projectionSigma(const Camera& camera, const IntrinsicsParameters& parameters,

@@ -13,9 +13,14 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Views that a lens needs.
 constexpr std::size_t kLeastViews = 3;
+/// Rounds of solving and leaving out views.
 constexpr int kMostRounds = 10;
+/// The pixels' aspect is not 1 when it is off by this share, ...
 constexpr double kClearAspect = 0.003;
+/// ... and by so many of its standard deviations.
 constexpr double kClearSigmas = 5.0;
 
 /// Of the image's diagonal: real corners are off by a tenth of that; and widths: 3 degrees of view.

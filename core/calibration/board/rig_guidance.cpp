@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/board/board_guidance.h"
+#include "core/calibration/board/rig_guidance.h"
 
 #include <algorithm>
 #include <set>

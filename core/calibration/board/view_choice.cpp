@@ -15,7 +15,9 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr double kSoftFactor = 1.6; // times the edges of the sharp views: motion or focus
+/// Of a difference in tilt against one in position and size.
 constexpr double kTiltWeight = 0.7;
 constexpr double kSeenByOneOnly = 0.3; // how different two instants are to a camera that saw one
 

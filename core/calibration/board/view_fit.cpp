@@ -4,6 +4,7 @@
 #include "core/base/statistics.h"
 #include "core/calibration/board/board_coverage.h"
 #include "core/calibration/board/opencv_pose.h"
+#include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
 #include <fmt/format.h>
@@ -16,9 +17,13 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Corners of a usable view.
 constexpr std::size_t kLeastCorners = 6;
+/// A view is bad beyond so many medians of the views, ...
 constexpr double kBadFactor = 5.0;
 constexpr double kBadPart = 0.0025; // 2 px of 640x480
+/// A view is doubtful beyond so many medians.
 constexpr double kDoubtfulFactor = 3.0;
 constexpr double kUnseenPx = 1e3; // a corner that the model cannot show
 

@@ -18,16 +18,20 @@ namespace {
 
 using Kind = BundleBody::Kind;
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Relative change of the cost at which the solver ends, ...
 constexpr double kFunctionTolerance = 1e-10;
+/// ... and of the parameters.
 constexpr double kParameterTolerance = 1e-10;
+/// The former where a draft is enough (BundleProblem::draft).
 constexpr double kDraftTolerance = 1e-5;
 /// Steps are damped by at least the inverse, in units of each parameter's own precision: where the
 /// world is not tied down, its normal equations are singular without.
 constexpr double kLargestTrust = 1e8;
 
-class StopWhenAsked final : public ceres::IterationCallback {
+class StopOnRequest final : public ceres::IterationCallback {
 public:
-  StopWhenAsked(const BundleCallback& callback, std::size_t observations)
+  StopOnRequest(const BundleCallback& callback, std::size_t observations)
       : callback_(callback), observations_(observations) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
     const double rms = std::sqrt(2.0 * summary.cost / static_cast<double>(observations_));
@@ -47,7 +51,7 @@ public:
 
   Result<BundleResult> run(const BundleCallback& callback) {
     ceres::Solver::Options options = solverOptions();
-    StopWhenAsked stop(callback, std::max<std::size_t>(model_.used, 1));
+    StopOnRequest stop(callback, std::max<std::size_t>(model_.used, 1));
     options.callbacks.push_back(&stop);
     ceres::Solver::Summary summary;
     const auto begin = std::chrono::steady_clock::now();
@@ -254,14 +258,14 @@ private:
       return failure(ErrorCode::Undetermined, "", "",
                      "the places and directions that were seen leave the cameras open");
     }
-    covariance.matrix = turnedIntoPlace(std::move(*matrix), covariance.columns);
+    covariance.matrix = rotatedIntoWorld(std::move(*matrix), covariance.columns);
     return {};
   }
 
   /// Turns are parameters of a rotation vector against a fixed rotation; what is reported is a turn
   /// of the result.
-  Eigen::MatrixXd turnedIntoPlace(Eigen::MatrixXd matrix,
-                                  const std::vector<CameraColumn>& columns) const {
+  Eigen::MatrixXd rotatedIntoWorld(Eigen::MatrixXd matrix,
+                                   const std::vector<CameraColumn>& columns) const {
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if (columns[i].quantity != CameraQuantity::TurnX) {
         continue;

@@ -23,7 +23,7 @@ enum class RobustLoss { None, Huber, SoftL1, Cauchy };
 /// What was known of a pose before: standard deviations around the start.
 struct PosePrior {
   double turnSigma = 0.01;   ///< radians, about each axis of the camera
-  double centerSigma = 0.01; ///< metres, along each axis of the world
+  double centerSigma = 0.01; ///< meters, along each axis of the world
 };
 
 /// One camera of the problem, at its start values, and what of it may change.
@@ -40,7 +40,7 @@ struct BundleCamera {
   double focalPriorSigma = 0.0; ///< relative standard deviation around the start; 0: no prior
 };
 
-/// A thing whose points are seen.
+/// A body whose points are seen.
 struct BundleBody {
   enum class Kind {
     Point, ///< one free point
@@ -49,9 +49,9 @@ struct BundleBody {
   };
   std::string name;
   Kind kind = Kind::Point;
-  double length = 0.0;       ///< of a stick, metres
-  double lengthSigma = 1e-4; ///< by how much it bends and is misread, each time; metres
-  std::vector<Eigen::Vector3d> points = {}; ///< of a board, in its own frame, metres
+  double length = 0.0;       ///< of a stick, meters
+  double lengthSigma = 1e-4; ///< by how much it bends and is misread, each time; meters
+  std::vector<Eigen::Vector3d> points = {}; ///< of a board, in its own frame, meters
 };
 
 /// A body at an instant: the unknown of the problem beside the cameras.
@@ -61,7 +61,7 @@ struct BundleState {
   bool known = false; ///< the values below are a start; else points are triangulated (not boards)
   bool fixed = false; ///< the values below are the truth: what defines the world
   std::array<Eigen::Vector3d, 2> ends = {Eigen::Vector3d::Zero(),
-                                         Eigen::Vector3d::Zero()}; ///< point (first), stick; metres
+                                         Eigen::Vector3d::Zero()}; ///< point (first), stick; meters
   Eigen::Isometry3d worldFromBoard = Eigen::Isometry3d::Identity();
 };
 
@@ -73,7 +73,7 @@ struct BundleObservation {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double sigma = 1.0; ///< standard deviation along each axis, pixels
   double lag = 0.0;   ///< seconds from the state's time to the image's, by the camera's own clock
-  /// (R/Z)² for the middle of the outline of a ball of radius R at depth Z: that middle is the
+  /// (R/Z)² for the center of the outline of a ball of radius R at depth Z: that center is the
   /// image of (X, Y, Z (1 - (R/Z)²)), see SphereProjector. 0 for points.
   double outlineShift = 0.0;
   double radius = 0.0; ///< of that outline, pixels; takes no part in the adjustment, 0: not known

@@ -12,6 +12,8 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Radians, below which rotations are taken to first order: exact to rounding there.
 constexpr double kSmallAngle = 1e-7;
 
 Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v) {
@@ -122,7 +124,7 @@ Eigen::Matrix3d turnRotation(const Eigen::Vector3d& turn) {
              : rotationOfVector(turn);
 }
 
-Eigen::Matrix3d turnDerivative(const Eigen::Vector3d& turn, const Eigen::Vector3d& turnedPoint) {
+Eigen::Matrix3d turnDerivative(const Eigen::Vector3d& turn, const Eigen::Vector3d& rotatedPoint) {
   const double angle = turn.norm();
   Eigen::Matrix3d left = Eigen::Matrix3d::Identity() + 0.5 * crossMatrix(turn);
   if (angle >= kSmallAngle) {
@@ -131,7 +133,7 @@ Eigen::Matrix3d turnDerivative(const Eigen::Vector3d& turn, const Eigen::Vector3
     left = sine * Eigen::Matrix3d::Identity() + (1.0 - sine) * axis * axis.transpose() +
            (1.0 - std::cos(angle)) / angle * crossMatrix(axis);
   }
-  return -crossMatrix(turnedPoint) * left;
+  return -crossMatrix(rotatedPoint) * left;
 }
 
 PixelCost::PixelCost(PixelCostSetup setup) : setup_(std::move(setup)) {
@@ -175,9 +177,9 @@ bool PixelCost::Evaluate(double const* const* parameters, double* residuals,
   }
   const Eigen::Vector3d flatten(1.0, 1.0, 1.0 - setup_.outlineShift);
   const Eigen::Vector3d seen = flatten.cwiseProduct(inCamera);
-  const bool lensAsked = jacobians != nullptr && jacobians[1] != nullptr;
-  const LensImage image = lensAsked ? imageWith<3 + kLensSize>(setup_.lens, parameters[1], seen)
-                                    : imageWith<3>(setup_.lens, parameters[1], seen);
+  const bool lensRequested = jacobians != nullptr && jacobians[1] != nullptr;
+  const LensImage image = lensRequested ? imageWith<3 + kLensSize>(setup_.lens, parameters[1], seen)
+                                        : imageWith<3>(setup_.lens, parameters[1], seen);
   Eigen::Map<Eigen::Vector2d>(residuals).noalias() = (image.pixel - setup_.pixel) / setup_.sigma;
   if (!std::isfinite(residuals[0]) || !std::isfinite(residuals[1])) {
     return false;
@@ -192,7 +194,7 @@ bool PixelCost::Evaluate(double const* const* parameters, double* residuals,
     block.leftCols<3>() = byCamera * turnDerivative(turn, inCamera);
     block.rightCols<3>() = -byWorld;
   }
-  if (lensAsked) {
+  if (lensRequested) {
     Block(jacobians[1], 2, kLensSize) = image.byLens / setup_.sigma;
   }
   if (jacobians[2] != nullptr) {

@@ -14,7 +14,8 @@
 namespace dewpoint::calibration {
 
 /// The blocks of numbers that describe a camera in an adjustment.
-inline constexpr int kPoseSize = 6; ///< turn (rotation vector against a fixed rotation), then place
+/// Turn (rotation vector against a fixed rotation), then position.
+inline constexpr int kPoseSize = 6;
 inline constexpr int kLensSize = 12; ///< focalX, focalY / focalX, principal point, distortion
 
 std::array<double, kLensSize> lensBlock(const Camera& camera);
@@ -25,7 +26,7 @@ void setLens(const std::array<double, kLensSize>& block, Camera& camera);
 Eigen::Matrix3d turnRotation(const Eigen::Vector3d& turn);
 /// d(exp(turn) y)/d(turn) = -[exp(turn) y]x J(turn), J the left Jacobian of SO(3) (Barfoot, State
 /// Estimation for Robotics, eq. 7.77).
-Eigen::Matrix3d turnDerivative(const Eigen::Vector3d& turn, const Eigen::Vector3d& turnedPoint);
+Eigen::Matrix3d turnDerivative(const Eigen::Vector3d& turn, const Eigen::Vector3d& rotatedPoint);
 
 /// Everything about one observation that the solver does not change.
 struct PixelCostSetup {

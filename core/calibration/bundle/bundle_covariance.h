@@ -18,7 +18,7 @@ enum class CameraQuantity {
   TurnX, ///< rotation vector about the camera's own axes: true rotation = exp(turn) * estimate, rad
   TurnY,
   TurnZ,
-  CenterX, ///< optical center in the world, metres
+  CenterX, ///< optical center in the world, meters
   CenterY,
   CenterZ,
   Focal,  ///< focalX, pixels; focalY keeps its ratio to it
@@ -47,13 +47,13 @@ std::string quantityName(CameraQuantity quantity);
 
 /// Joint covariance of everything that was free about the cameras, the bodies eliminated.
 ///
-/// Where nothing ties the world down, its place (6 freedoms) and its size (1) are free of errors by
+/// Where nothing ties the world down, its pose (6 freedoms) and its size (1) are free of errors by
 /// convention: the covariance is the pseudo-inverse in units of each column's own precision.
 /// What does not depend on the choice of the world may be computed from it.
 struct BundleCovariance {
   std::vector<CameraColumn> columns;
   Eigen::MatrixXd matrix;
-  int gaugeFreedoms = 0; ///< 0, 1 (size), 6 (place) or 7
+  int gaugeFreedoms = 0; ///< 0, 1 (size), 6 (pose) or 7
 };
 
 /// The covariance of the first `cameraColumns` parameters from the Jacobian of weighted residuals

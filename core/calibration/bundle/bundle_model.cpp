@@ -160,11 +160,12 @@ void BundleModel::addPriors() {
     const BundleCamera& wanted = given.cameras[c];
     CameraBlocks& blocks = cameras[c];
     if (wanted.posePrior && solver.HasParameterBlock(blocks.pose.data())) {
-      const double turn = wanted.posePrior->turnSigma;
-      const double place = wanted.posePrior->centerSigma;
-      solver.AddResidualBlock(new PriorCost({blocks.pose.begin(), blocks.pose.end()},
-                                            {turn, turn, turn, place, place, place}),
-                              nullptr, blocks.pose.data());
+      const double turnSigma = wanted.posePrior->turnSigma;
+      const double centerSigma = wanted.posePrior->centerSigma;
+      solver.AddResidualBlock(
+          new PriorCost({blocks.pose.begin(), blocks.pose.end()},
+                        {turnSigma, turnSigma, turnSigma, centerSigma, centerSigma, centerSigma}),
+          nullptr, blocks.pose.data());
     }
     if (wanted.focalPriorSigma > 0.0 && wanted.focalFree &&
         solver.HasParameterBlock(blocks.lens.data())) {

@@ -24,7 +24,7 @@ public:
     std::array<double, kLensSize> lens{};
     double offset = 0.0;
   };
-  /// A state's numbers: a point, both ends of a stick, or a board's turn and place.
+  /// A state's numbers: a point, both ends of a stick, or a board's rotation and position.
   struct StateBlock {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     std::array<double, 6> values{};

@@ -13,9 +13,12 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr std::size_t kFewestOfCamera = 6; ///< observations of a camera that is not fully known
 constexpr std::size_t kFewestOfBoard = 4;  ///< points that make a board's pose
+/// States that a point between instants is interpolated from, at most ...
 constexpr std::size_t kMostKnots = 5;
+/// ... and at least.
 constexpr std::size_t kFewestKnots = 3;
 
 using Kind = BundleBody::Kind;
@@ -131,11 +134,11 @@ private:
           }
         }
       }
-      const auto place = nearestPoint(rays);
-      if (!place) {
+      const auto position = nearestPoint(rays);
+      if (!position) {
         return false;
       }
-      there.ends[point] = *place;
+      there.ends[point] = *position;
     }
     return true;
   }

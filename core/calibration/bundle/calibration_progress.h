@@ -7,14 +7,14 @@
 
 namespace dewpoint::calibration {
 
-/// What a calibration does at the moment.
+/// The stage of a calibration.
 enum class CalibrationStage {
   BoardDetection,  ///< looks for the board in images
   Intrinsics,      ///< solves for the lens of one camera
   Chaining,        ///< finds first poses along chains of cameras that saw the board together
   Adjustment,      ///< bundle adjustment of all cameras
   Assessment,      ///< works out how accurate the result is
-  PlacementSearch, ///< tries places for a further camera
+  PlacementSearch, ///< tries poses for a further camera
 };
 
 /// Told now and then how far a computation is: what it does, and the part of that done, 0 to 1. It
@@ -25,7 +25,7 @@ inline bool goesOn(const CalibrationProgress& progress, CalibrationStage stage, 
   return !progress || progress(stage, part);
 }
 
-/// What a computation returns that was told to stop: Cancelled.
+/// The error of a computation that was stopped: Cancelled.
 inline tl::unexpected<Error> cancelled() {
   return failure(ErrorCode::Cancelled, "", "", "");
 }

@@ -24,7 +24,7 @@ std::string faultSentence(const NamedFault& fault, const std::vector<std::string
   case CalibrationFault::MirroredBoard:
     return "The cameras would all look at the back of the board or floor: its points are likely "
            "mirrored; check the direction of its axes, and that the print is not reversed.";
-  case CalibrationFault::MillimetresMixed:
+  case CalibrationFault::MillimetersMixed:
     return fmt::format("The given length is {:.3g} times what the cameras see: millimetres and "
                        "metres are likely mixed up; give all lengths in metres.",
                        fault.value);

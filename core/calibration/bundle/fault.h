@@ -12,7 +12,7 @@ namespace dewpoint::calibration {
 /// What people do wrong when they calibrate.
 enum class CalibrationFault {
   MirroredBoard,    ///< or floor: one axis of the typed or printed points is the wrong way round
-  MillimetresMixed, ///< a length a thousand times too large or small
+  MillimetersMixed, ///< a length a thousand times too large or small
   InchesMixed,      ///< a length in inches
   CamerasSwapped,   ///< the videos of two cameras exchanged
   WrongSquareCount, ///< another number of squares in a row than typed

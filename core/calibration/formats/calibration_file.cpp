@@ -5,6 +5,7 @@
 #include "core/base/toml_text.h"
 #include "core/calibration/formats/calibration_format.h"
 #include "core/calibration/formats/camera_calibration.h"
+#include "core/calibration/formats/read_calibration.h"
 
 #include <fmt/format.h>
 

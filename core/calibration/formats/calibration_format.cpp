@@ -29,16 +29,16 @@ const std::vector<CalibrationFormat>& calibrationFormats() {
   return kFormats;
 }
 
-std::optional<double> metresOfUnit(const std::string& text) {
-  for (const auto& [name, metres] :
+std::optional<double> metersOfUnit(const std::string& text) {
+  for (const auto& [name, meters] :
        {std::pair("m", 1.0), std::pair("mm", 0.001), std::pair("cm", 0.01), std::pair("in", 0.0254),
         std::pair("ft", 0.3048)}) {
     if (text == name) {
-      return metres;
+      return meters;
     }
   }
-  const auto metres = numberOf(text);
-  return metres && *metres > 0.0 && std::isfinite(*metres) ? metres : std::nullopt;
+  const auto meters = numberOf(text);
+  return meters && *meters > 0.0 && std::isfinite(*meters) ? meters : std::nullopt;
 }
 
 Result<const CalibrationFormat*> calibrationFormat(const std::string& name) {

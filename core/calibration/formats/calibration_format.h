@@ -18,13 +18,13 @@ struct CalibrationText {
   std::string text;
 };
 
-/// What a person says about a file because the file does not say it.
+/// The user's hints about a file, for what the file does not state.
 struct CalibrationHints {
   std::string format;            ///< name of the format; recognized from the content unless given
-  std::optional<double> unit;    ///< metres in one unit of the file's lengths
+  std::optional<double> unit;    ///< meters in one unit of the file's lengths
   std::optional<LensModel> lens; ///< what four coefficients mean
   std::optional<std::array<int, 2>> size; ///< width and height of the images, pixels
-  /// Which way the file's poses go; where it is given, nothing is doubted.
+  /// Which way the file's poses go; where it is given, it is not checked.
   std::optional<bool> posesAreWorldFromCamera;
 };
 
@@ -32,7 +32,7 @@ struct CalibrationHints {
 struct ReadCalibration {
   CameraRig rig;
   std::string format;         ///< name of the format
-  std::optional<double> unit; ///< metres in one unit of the lengths, as far as the file says it
+  std::optional<double> unit; ///< meters in one unit of the lengths, as far as the file states it
   bool hasPoses = true;       ///< false: intrinsics only, every pose is the identity
   std::vector<std::string>
       decisions; ///< whole sentences: units, directions, axes, what is left out
@@ -59,17 +59,17 @@ std::filesystem::path cameraFile(const CameraRig& rig, std::size_t camera,
 /// One tool's calibration files, as a row of calibrationFormats().
 struct CalibrationFormat {
   const char* name = "";      ///< as --from and --to take it
-  const char* title = "";     ///< as a person calls it
+  const char* title = "";     ///< its usual name
   const char* extension = ""; ///< of a file that is written, with its dot
   const char* holds = "";     ///< what it holds, and how, in one sentence
   FileLayout layout = FileLayout::OneFile;
   LensRange lenses;
-  bool sharesKeys = false;         ///< one of the TOML dialects that only a person may tell apart
+  bool sharesKeys = false;         ///< one of the TOML dialects that only the user can distinguish
   bool firstCameraIsWorld = false; ///< poses relative to the first camera only
-  std::optional<double> unit;      ///< metres in its unit where its documentation fixes it
-  double usualUnit = 1.0;          ///< in which it is written unless asked otherwise
+  std::optional<double> unit;      ///< meters in its unit where its documentation fixes it
+  double usualUnit = 1.0;          ///< in which it is written unless requested otherwise
   /// Why this text is of this format, or nothing. Looks at the text only, so that a broken file is
-  /// still recognized and its own error said.
+  /// still recognized and its own error reported.
   std::string (*recognize)(const CalibrationText& source) = nullptr;
   Result<ReadCalibration> (*read)(const CalibrationText& source,
                                   const CalibrationHints& hints) = nullptr;
@@ -79,8 +79,8 @@ struct CalibrationFormat {
                                         const std::filesystem::path& out) = nullptr;
 };
 
-/// The metres in one m, mm, cm, in or ft, or in as many as a number says; nothing for other texts.
-std::optional<double> metresOfUnit(const std::string& text);
+/// The meters in one m, mm, cm, in or ft, or in as many as a number says; nothing for other texts.
+std::optional<double> metersOfUnit(const std::string& text);
 
 /// Every format known here, ours first.
 const std::vector<CalibrationFormat>& calibrationFormats();
@@ -95,13 +95,5 @@ struct RecognizedFormat {
   std::string reason;
 };
 Result<RecognizedFormat> recognizeFormat(const CalibrationText& source);
-
-/// Reads a calibration of any tool: a file, or a folder with a file per camera. Metres, camera from
-/// world. The format is recognized from the content. What a file does not say (unit, meaning of
-/// four coefficients, image size) is asked for in the error, never guessed; numbers that cannot be
-/// meant so (a room of 900 m, poses the wrong way round, a principal point outside the image) are
-/// an error with the likely cause.
-Result<ReadCalibration> readCalibration(const std::filesystem::path& path,
-                                        const CalibrationHints& hints = {});
 
 } // namespace dewpoint::calibration

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/calibration_plausibility.h"
 
+#include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
 #include <fmt/format.h>
@@ -12,10 +13,11 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr double kWidestRoom = 100.0;   // metres
-constexpr double kNarrowestRoom = 0.02; // metres: two cameras cannot stand closer
-constexpr double kCertainlyMillimetres = 50.0;
+constexpr double kNarrowestRoom = 0.02; // meters: two cameras cannot stand closer
+/// Units: a wider rig is likely in millimeters.
+constexpr double kCertainlyMillimeters = 50.0;
 constexpr double kSameDirection = 0.94; // cosine of 20 degrees
+/// Times, by which inverted poses miss a common point less.
 constexpr double kClearlyBetter = 3.0;
 
 /// How well the cameras of a rig look at one place: the root mean square of the angles' tangents by
@@ -104,7 +106,7 @@ double cameraSpread(const CameraRig& rig) {
 }
 
 const char* likelyUnit(double spread) {
-  return spread > kCertainlyMillimetres ? "mm" : "m";
+  return spread > kCertainlyMillimeters ? "mm" : "m";
 }
 
 CameraRig withInvertedPoses(CameraRig rig) {
@@ -114,8 +116,8 @@ CameraRig withInvertedPoses(CameraRig rig) {
   return rig;
 }
 
-Status doubts(const ReadCalibration& calibration, const CalibrationHints& hints,
-              const std::string& file) {
+Status checkPlausible(const ReadCalibration& calibration, const CalibrationHints& hints,
+                      const std::string& file) {
   const CameraRig& rig = calibration.rig;
   Status status = doubtPrincipalPoint(rig, file);
   if (status && !hints.unit && calibration.hasPoses) {

@@ -9,6 +9,7 @@
 namespace dewpoint::calibration {
 namespace {
 
+/// Limit of a coefficient or unit: larger ones are mistakes.
 constexpr double kLargest = 1e9;
 
 /// A 3x3 array of numbers under `key`.

@@ -15,7 +15,7 @@ namespace dewpoint::calibration {
 /// `matrix` 3x3; `distortions` (0, 4, 5 or 8 coefficients, OpenCV's order; 4 where
 /// `fisheye` = true); `rotation`, a 3x3
 /// matrix or a Rodrigues vector (radians), and `translation`, both camera from world; and ours:
-/// `unit`, the metres in one unit of `translation` (1 unless given). `name` is taken where present.
+/// `unit`, the meters in one unit of `translation` (1 unless given). `name` is taken where present.
 /// Errors name `file` and `prefix` + key: not finite, focal length not positive, no rotation, ...
 /// Keys of other tools are errors, apart from those in `passedOver`.
 Result<Camera> cameraFromToml(const toml::table& table, const std::string& file,

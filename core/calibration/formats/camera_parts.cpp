@@ -11,6 +11,7 @@
 namespace dewpoint::calibration {
 namespace {
 
+/// Pixels.
 constexpr double kLargestSize = 100000;
 
 std::string sizeFault(const CameraParts& parts) {

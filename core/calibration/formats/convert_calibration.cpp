@@ -3,6 +3,8 @@
 
 #include "core/base/text_file.h"
 #include "core/calibration/formats/lens_refit.h"
+#include "core/calibration/formats/read_calibration.h"
+#include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
 #include <fmt/format.h>
@@ -12,8 +14,9 @@
 namespace dewpoint::calibration {
 namespace {
 
+/// Points along each side of the image at which lenses are compared.
 constexpr int kGrid = 9;
-constexpr double kDepths[] = {0.3, 1.0, 3.0, 10.0}; // metres along the ray
+constexpr double kDepths[] = {0.3, 1.0, 3.0, 10.0}; // meters along the ray
 
 /// The format a person named, or the only one with the path's ending.
 Result<const CalibrationFormat*> targetFormat(const CalibrationTarget& target) {
@@ -63,7 +66,7 @@ Status holdsRig(const CalibrationFormat& format, const CameraRig& rig, const std
   return {};
 }
 
-/// The rig as the format holds it, in metres, with what had to be changed as sentences.
+/// The rig as the format holds it, in meters, with what had to be changed as sentences.
 CameraRig fitted(const CalibrationFormat& format, const CameraRig& rig,
                  CalibrationConversion& conversion) {
   CameraRig result;

@@ -12,14 +12,14 @@ namespace dewpoint::calibration {
 struct CalibrationTarget {
   std::filesystem::path path; ///< a file, or a folder for formats with a file per camera
   std::string format;         ///< name; guessed from the ending where only one format has it
-  std::optional<double> unit; ///< metres in one unit, for formats that leave it open
+  std::optional<double> unit; ///< meters in one unit, for formats that leave it open
   bool replace = false;       ///< overwrite files that exist
 };
 
 /// What a conversion did to one camera.
 struct CameraDifference {
   std::string camera;
-  bool refitted = false;      ///< the lens was fitted anew, the format has no such coefficients
+  bool refitted = false;      ///< the lens was fitted again, the format has no such coefficients
   double largestPixels = 0.0; ///< greatest distance between the pixels of the same point
   int lostDirections = 0;     ///< of the 9 x 9, those that the written camera does not see
 };
@@ -40,7 +40,7 @@ struct CalibrationConversion {
 CameraDifference difference(const Camera& camera, const Camera& other,
                             const Eigen::Isometry3d& otherFromWorld);
 
-/// Writes a rig (metres) in a format: refits lenses it cannot hold, makes the first camera the
+/// Writes a rig (meters) in a format: refits lenses it cannot hold, makes the first camera the
 /// world where it has none; then reads the files again and compares every camera with the original.
 Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
                                                const CalibrationTarget& target);

@@ -7,7 +7,7 @@ namespace dewpoint::calibration {
 
 /// anipose and FreeMoCap: TOML, board units (mostly mm).
 CalibrationFormat aniposeFormat();
-/// The same keys as Pose2Sim writes them: four coefficients, metres.
+/// The same keys as Pose2Sim writes them: four coefficients, meters.
 CalibrationFormat pose2simFormat();
 
 } // namespace dewpoint::calibration

@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-/// camera_array.toml of Caliscope: metres.
+/// camera_array.toml of Caliscope: meters.
 CalibrationFormat caliscopeFormat();
 
 } // namespace dewpoint::calibration

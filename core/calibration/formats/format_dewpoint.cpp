@@ -24,7 +24,7 @@ std::string recognize(const CalibrationText& source) {
              : "";
 }
 
-/// The metres of `[metadata] unit`; nothing when there is none.
+/// The meters of `[metadata] unit`; nothing when there is none.
 Result<std::optional<double>> metadataUnit(const CalibrationText& source) {
   const std::string file = source.file.string();
   const auto table = parseToml(source.text, file);
@@ -33,8 +33,8 @@ Result<std::optional<double>> metadataUnit(const CalibrationText& source) {
     return std::optional<double>();
   }
   const std::string name = unit->value_or(std::string());
-  if (const auto metres = metresOfUnit(name)) {
-    return metres;
+  if (const auto meters = metersOfUnit(name)) {
+    return meters;
   }
   return failure(ErrorCode::BadValue, file, "metadata.unit",
                  fmt::format("\"{}\" is no unit of length; m, mm, cm, in or ft is expected", name));

@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-/// Our own: the TOML of loadCalibration(), metres.
+/// Our own: the TOML of loadCalibration(), meters.
 CalibrationFormat dewpointFormat();
 
 } // namespace dewpoint::calibration

@@ -13,6 +13,7 @@
 namespace dewpoint::calibration {
 namespace {
 
+/// Within which the two poses of a file agree; radians and the unit of the file.
 constexpr double kSamePose = 1e-6;
 
 std::string recognize(const CalibrationText& source) {

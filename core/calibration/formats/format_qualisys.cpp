@@ -12,6 +12,7 @@
 namespace dewpoint::calibration {
 namespace {
 
+/// The format counts in 1/64 pixels.
 constexpr double kUnitsPerPixel = 64.0;
 
 std::string recognize(const CalibrationText& source) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/lens_refit.h"
 
+#include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/formats/read_calibration.h"
+
 #include "core/base/text_file.h"
-#include "core/calibration/formats/calibration_format.h"
 #include "core/calibration/formats/calibration_plausibility.h"
 
 #include <fmt/format.h>
@@ -25,31 +26,31 @@ Result<const CalibrationFormat*> formatOf(const CalibrationText& source,
         fmt::format("Read as {}, recognized by {}.", recognized->format->title, recognized->reason);
     return recognized->format;
   }
-  const auto asked = calibrationFormat(hints.format);
-  if (!asked) {
-    return asked;
+  const auto requested = calibrationFormat(hints.format);
+  if (!requested) {
+    return requested;
   }
   // Dialects that share their keys: a person may know better.
-  if (recognized && recognized->format != *asked &&
-      !(recognized->format->sharesKeys && (*asked)->sharesKeys)) {
+  if (recognized && recognized->format != *requested &&
+      !(recognized->format->sharesKeys && (*requested)->sharesKeys)) {
     return failure(ErrorCode::Mismatch, source.file.string(), "",
                    fmt::format("it looks like {}, with {}, not like {}", recognized->format->title,
-                               recognized->reason, (*asked)->title));
+                               recognized->reason, (*requested)->title));
   }
   if (!recognized) {
     return failure(ErrorCode::NotParsed, source.file.string(), "",
-                   fmt::format("it does not look like {}", (*asked)->title));
+                   fmt::format("it does not look like {}", (*requested)->title));
   }
-  reason = fmt::format("Read as {}, as asked.", (*asked)->title);
-  return asked;
+  reason = fmt::format("Read as {}, as asked.", (*requested)->title);
+  return requested;
 }
 
 std::string unitSentence(double unit) {
   return unit == 1.0 ? "Lengths are metres." : fmt::format("Lengths are in units of {} m.", unit);
 }
 
-/// Brings the lengths to metres: as asked, else as the format says, else it is an error.
-Status toMetres(const CalibrationFormat& format, const CalibrationHints& hints,
+/// Brings the lengths to meters: as asked, else as the format says, else it is an error.
+Status toMeters(const CalibrationFormat& format, const CalibrationHints& hints,
                 const std::string& file, ReadCalibration& calibration) {
   if (!calibration.hasPoses) {
     return {};
@@ -88,7 +89,7 @@ Status finish(const CalibrationFormat& format, const CalibrationHints& hints,
     calibration.rig = withInvertedPoses(std::move(calibration.rig));
     calibration.decisions.emplace_back("Poses were inverted, as asked.");
   }
-  if (auto status = toMetres(format, hints, file, calibration); !status) {
+  if (auto status = toMeters(format, hints, file, calibration); !status) {
     return status;
   }
   if (!calibration.hasPoses) {
@@ -99,7 +100,7 @@ Status finish(const CalibrationFormat& format, const CalibrationHints& hints,
     }
     calibration.decisions.emplace_back("There is no pose: the camera's axes are the world.");
   }
-  return doubts(calibration, hints, file);
+  return checkPlausible(calibration, hints, file);
 }
 
 Result<ReadCalibration> readOne(const CalibrationText& source, const CalibrationHints& hints,

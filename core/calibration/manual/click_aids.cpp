@@ -23,11 +23,12 @@ bool isUsable(const cv::Mat& image) {
 }
 
 /// Whether there is more around a place than the noise of a sensor.
-bool hasContrast(const cv::Mat& piece, cv::Point2f place) {
+bool hasContrast(const cv::Mat& piece, cv::Point2f pixel) {
+  /// Pixels around a corner whose contrast is measured.
   constexpr int kReach = 4;
   constexpr double kLeast = 24.0; // gray levels, smoothed
   const cv::Rect around =
-      cv::Rect(static_cast<int>(place.x) - kReach, static_cast<int>(place.y) - kReach,
+      cv::Rect(static_cast<int>(pixel.x) - kReach, static_cast<int>(pixel.y) - kReach,
                2 * kReach + 1, 2 * kReach + 1) &
       cv::Rect(0, 0, piece.cols, piece.rows);
   cv::Mat smooth;
@@ -39,7 +40,8 @@ bool hasContrast(const cv::Mat& piece, cv::Point2f place) {
 }
 
 /// The strong corner of a piece of an image that is nearest to a place in it.
-std::optional<cv::Point2f> nearestCorner(const cv::Mat& piece, cv::Point2f place, double reach) {
+std::optional<cv::Point2f> nearestCorner(const cv::Mat& piece, cv::Point2f pixel, double reach) {
+  /// Corners that are considered.
   constexpr int kMost = 12;
   constexpr double kQuality = 0.25; // of the strongest corner there
   constexpr double kApart = 3.0;    // pixels
@@ -47,8 +49,8 @@ std::optional<cv::Point2f> nearestCorner(const cv::Mat& piece, cv::Point2f place
   cv::goodFeaturesToTrack(piece, corners, kMost, kQuality, kApart);
   std::optional<cv::Point2f> nearest;
   for (const cv::Point2f& corner : corners) {
-    if (cv::norm(corner - place) < reach && hasContrast(piece, corner)) {
-      reach = cv::norm(corner - place);
+    if (cv::norm(corner - pixel) < reach && hasContrast(piece, corner)) {
+      reach = cv::norm(corner - pixel);
       nearest = corner;
     }
   }
@@ -74,9 +76,9 @@ std::optional<Eigen::Vector2d> snapToCorner(const cv::Mat& image, const Eigen::V
       return std::nullopt; // too near to the border of the image
     }
     const cv::Mat piece = grayOf(image(inside));
-    const cv::Point2f place(static_cast<float>(click.x() - inside.x),
+    const cv::Point2f pixel(static_cast<float>(click.x() - inside.x),
                             static_cast<float>(click.y() - inside.y));
-    const auto corner = nearestCorner(piece, place, reach);
+    const auto corner = nearestCorner(piece, pixel, reach);
     if (!corner) {
       return std::nullopt;
     }

@@ -19,15 +19,15 @@ Camera rotatedBy(const Camera& camera, const Eigen::Matrix3d& rotation) {
 
 } // namespace
 
-Camera moved(const Camera& camera, const Eigen::Vector3d& metres, NudgeFrame frame) {
+Camera moved(const Camera& camera, const Eigen::Vector3d& meters, NudgeFrame frame) {
   const Eigen::Vector3d inCamera =
-      frame == NudgeFrame::Camera ? metres : camera.cameraFromWorld.linear() * metres;
+      frame == NudgeFrame::Camera ? meters : camera.cameraFromWorld.linear() * meters;
   Camera result = camera;
   result.cameraFromWorld.translation() -= inCamera;
   return result;
 }
 
-Camera turned(const Camera& camera, const Eigen::Vector3d& rotation, NudgeFrame frame) {
+Camera rotated(const Camera& camera, const Eigen::Vector3d& rotation, NudgeFrame frame) {
   const Eigen::Vector3d inCamera =
       frame == NudgeFrame::Camera ? rotation : camera.cameraFromWorld.linear() * rotation;
   return rotatedBy(camera, rotationOfVector(-inCamera)); // what it sees turns the other way
@@ -82,7 +82,7 @@ Camera withPosition(const Camera& camera, const Eigen::Vector3d& position) {
 }
 
 Eigen::Vector3d lookedAt(const Camera& camera, double height) {
-  constexpr double kFarthest = 100.0; // metres
+  constexpr double kFarthest = 100.0; // meters
   const Eigen::Vector3d center = camera.center();
   const Eigen::Vector3d axis = camera.opticalAxis();
   const double distance = (height - center.z()) / axis.z();
@@ -106,7 +106,9 @@ Camera lookingAt(const Camera& camera, const Eigen::Vector3d& target) {
 
 ReferenceGrid gridFor(const CameraRig& rig) {
   constexpr double kSteps[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0};
+  /// Grid lines in the cameras' distance.
   constexpr double kLinesPerDistance = 8.0;
+  /// Along each side.
   constexpr int kCells = 10;
   ReferenceGrid grid;
   if (rig.empty()) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/manual/measured_points.h"
 
+#include "core/calibration/manual/point_bundle.h"
 #include "core/calibration/manual/point_pose.h"
+#include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
 #include <algorithm>
@@ -43,6 +45,7 @@ double rmsOf(const std::vector<ClickResidual>& residuals, const std::vector<bool
 /// are left for the poses to be overdetermined.
 std::optional<double> rmsWithout(const CameraRig& rig, const std::vector<bool>& solved,
                                  const std::vector<MeasuredPoint>& points, int without) {
+  /// Points per camera that overdetermine its pose.
   constexpr std::size_t kFewest = 5;
   double sum = 0.0;
   std::size_t count = 0;
@@ -69,7 +72,7 @@ void findWorst(const std::vector<bool>& solved, const std::vector<MeasuredPoint>
                PointSolution& solution) {
   constexpr double kNoise = 1.0;     // pixels: a click is no better
   constexpr double kExplained = 0.4; // of the rms with it
-  double largest = -1.0; // exact points have a worst one, too
+  double largest = -1.0;             // exact points have a worst one, too
   for (const ClickResidual& residual : solution.residuals) {
     if (solved[static_cast<std::size_t>(residual.camera)] && residual.pixels > largest) {
       largest = residual.pixels;

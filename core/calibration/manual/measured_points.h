@@ -23,7 +23,7 @@ struct PointClick {
 /// A place of the room that was measured with a tape and clicked in images.
 struct MeasuredPoint {
   std::string name;
-  Eigen::Vector3d world = Eigen::Vector3d::Zero(); ///< metres
+  Eigen::Vector3d world = Eigen::Vector3d::Zero(); ///< meters
   std::vector<PointClick> clicks;                  ///< at most one per camera
 
   bool operator==(const MeasuredPoint&) const = default;
@@ -40,7 +40,7 @@ struct ClickResidual {
   int point = 0;
   int camera = 0;
   double pixels = 0.0; ///< infinite where the camera does not see the point
-  double metres = 0.0; ///< from the point to the ray of the click
+  double meters = 0.0; ///< from the point to the ray of the click
 };
 std::vector<ClickResidual> clickResiduals(const CameraRig& rig,
                                           const std::vector<MeasuredPoint>& points);
@@ -83,7 +83,7 @@ struct PointSolution {
 struct PointSettings {
   bool alsoFocal = false; ///< focal lengths too, of cameras with six points or more
   /// Standard deviations that the refinement over all cameras weighs by.
-  double tape = 0.003; ///< metres
+  double tape = 0.003; ///< meters
   double click = 0.5;  ///< pixels
 };
 

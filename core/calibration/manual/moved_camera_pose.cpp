@@ -3,6 +3,7 @@
 
 #include "core/base/statistics.h"
 #include "core/calibration/bundle/bundle_cost.h"
+#include "core/geometry/projector.h"
 #include "core/geometry/rotation_check.h"
 
 #include <Eigen/LU>
@@ -25,13 +26,13 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr double kHuber = 2.0;        // sigmas
 constexpr double kAgrees = 3.0;       // sigmas
-constexpr double kBackgroundAt = 3.0; // metres
-constexpr double kStep = 1e-6;        // radians and metres, of the differences
+constexpr double kBackgroundAt = 3.0; // meters
+constexpr double kStep = 1e-6;        // radians and meters, of the differences
 constexpr double kUnseen = 50.0;      // pixels a sighting counts as off that the camera cannot see
 
 /// The camera after a turn (rad) about its center and a shift (m) of it, both in camera axes.
 Camera movedCamera(const Camera& camera, const Vector6& change) {
-  Camera moved = turnedCamera(camera, change.head<3>());
+  Camera moved = rotatedCamera(camera, change.head<3>());
   moved.cameraFromWorld.translation() -= change.tail<3>();
   return moved;
 }
@@ -169,12 +170,12 @@ double medianPixels(const Camera& camera, std::span<const PointSighting> sightin
 
 } // namespace
 
-Camera turnedCamera(const Camera& camera, const Eigen::Vector3d& turn) {
-  Camera turned = camera;
+Camera rotatedCamera(const Camera& camera, const Eigen::Vector3d& turn) {
+  Camera rotated = camera;
   Eigen::Isometry3d rotation = Eigen::Isometry3d::Identity();
   rotation.linear() = rotationOfVector(turn);
-  turned.cameraFromWorld = rotation * camera.cameraFromWorld;
-  return turned;
+  rotated.cameraFromWorld = rotation * camera.cameraFromWorld;
+  return rotated;
 }
 
 Result<ResolvedCamera> resolveCamera(const Camera& camera, const CameraMotionPrior& prior,

@@ -12,7 +12,7 @@ namespace dewpoint::calibration {
 
 /// Where a point, known from the other cameras, is seen by the camera that was bumped.
 struct PointSighting {
-  Eigen::Vector3d world = Eigen::Vector3d::Zero(); ///< metres
+  Eigen::Vector3d world = Eigen::Vector3d::Zero(); ///< meters
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double sigmaPixels = 1.0; ///< of the pixel and of the point as projected, together
 };
@@ -21,21 +21,22 @@ struct PointSighting {
 struct CameraMotionPrior {
   Eigen::Vector3d turn = Eigen::Vector3d::Zero(); ///< as CameraRotation, radians
   double turnSigma = 2e-4;                        ///< of what the background says; radians
-  double shiftSigma = 0.01; ///< how far the camera may have been pushed aside; metres
+  double shiftSigma = 0.01; ///< how far the camera may have been pushed aside; meters
 };
 
-/// A bumped camera, solved anew.
+/// A moved camera, solved again.
 struct ResolvedCamera {
   Camera camera;
   int used = 0;              ///< sightings that agree, within three sigma
   double pixelsBefore = 0.0; ///< median distance of all sightings, with the old pose; 0 without any
   double pixelsAfter = 0.0;  ///< with the new one
   Eigen::Vector3d angleSigma = Eigen::Vector3d::Zero(); ///< rad, camera axes, at one sigma
-  Eigen::Vector3d shiftSigma = Eigen::Vector3d::Zero(); ///< metres, camera axes
+  Eigen::Vector3d shiftSigma = Eigen::Vector3d::Zero(); ///< meters, camera axes
 };
 
-/// The camera turned about its center: (1 + [turn]x) cameraFromWorld, the turn as a whole rotation.
-Camera turnedCamera(const Camera& camera, const Eigen::Vector3d& turn);
+/// The camera rotated about its center: (1 + [turn]x) cameraFromWorld, the turn as a whole
+/// rotation.
+Camera rotatedCamera(const Camera& camera, const Eigen::Vector3d& turn);
 
 /// The pose of one bumped camera; all others, and its lens, stay. Least squares
 /// (Ceres) over its six numbers: sightings (Huber's loss at two sigma) and the prior. A camera that

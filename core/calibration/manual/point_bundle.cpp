@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// refineTogether() of point_pose.h.
-#include "core/calibration/manual/point_pose.h"
+#include "core/calibration/manual/point_bundle.h"
+
+#include "core/calibration/manual/pose_change.h"
 
 #include <array>
 #include <ceres/ceres.h>
@@ -9,7 +10,7 @@ namespace dewpoint::calibration {
 namespace {
 
 /// A click against the projection of its point: camera changed by six numbers (see PoseChange), the
-/// point moved by three, metres. In standard deviations of a click.
+/// point moved by three, meters. In standard deviations of a click.
 class ClickCost {
 public:
   ClickCost(const Camera& camera, double depth, Eigen::Vector3d world, Eigen::Vector2d pixel,

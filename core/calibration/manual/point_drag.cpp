@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// dragPoint() of hand_adjustment.h.
-#include "core/calibration/manual/interactive_pose.h"
+#include "core/calibration/manual/point_drag.h"
+
 #include "core/geometry/linear_algebra.h"
+#include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
 #include <algorithm>
@@ -11,11 +12,14 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr double kStepPx = 20.0;     ///< along the way of the pointer
 constexpr double kExactPx = 1e-8;    ///< held points stay within this
 constexpr double kLongestStep = 0.3; ///< of a change per step: more would be a jump
 constexpr double kRank = 1e-5;       ///< smallest singular value over the largest
+/// Newton steps.
 constexpr int kMostSolverSteps = 30;
+/// Of the step along the way, before the drag stops.
 constexpr int kMostHalvings = 5;
 
 double missOf(const Camera& camera, const ImageAnchor& anchor) {

@@ -25,9 +25,4 @@ std::optional<SymmetryProposal> betterSymmetry(const Camera& camera,
                                                const std::vector<ImageAnchor>& anchors,
                                                const PointPose& found);
 
-/// Poses of all cameras marked in `solved`, and the points, together: clicks weighed by
-/// `settings.click`, the places of the points by `settings.tape`.
-void refineTogether(CameraRig& rig, const std::vector<bool>& solved,
-                    const std::vector<MeasuredPoint>& points, const PointSettings& settings);
-
 } // namespace dewpoint::calibration

@@ -98,6 +98,7 @@ PoseChange::residuals(const ChangeVector& change, const std::vector<ImageAnchor>
 
 std::optional<Eigen::MatrixXd> PoseChange::jacobian(const ChangeVector& change,
                                                     const std::vector<ImageAnchor>& anchors) const {
+  /// Radians and shares of the depth, of the differences.
   constexpr double kDifference = 1e-6;
   Eigen::MatrixXd result(2 * static_cast<Eigen::Index>(anchors.size()), 7);
   for (int column = 0; column < 7; ++column) {
@@ -129,6 +130,7 @@ double rmsOfPoints(const Eigen::VectorXd& residuals) {
 std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>& anchors,
                                  bool alsoFocal) {
   // A change is a small rotation; from where it led, the next one is small again.
+  /// Steps of the solver.
   constexpr int kMostRounds = 10;
   constexpr double kGain = 1e-9; // of the sum of squares: more rounds win nothing
   ceres::Solver::Options options;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 
 #include <Eigen/Core>
 
@@ -10,7 +11,7 @@
 
 namespace dewpoint::calibration {
 
-/// A world point (metres) and the pixel at which a camera sees it, or should.
+/// A world point (meters) and the pixel at which a camera sees it, or should.
 struct ImageAnchor {
   Eigen::Vector3d world = Eigen::Vector3d::Zero();
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
@@ -24,7 +25,7 @@ using ChangeVector = Eigen::Matrix<double, 7, 1>;
 /// camera's frame comes to R p + depth * shift.
 class PoseChange {
 public:
-  /// `depth`, metres: what a shift is measured by, so that turns and shifts of one size move the
+  /// `depth`, meters: what a shift is measured by, so that turns and shifts of one size move the
   /// image about as much.
   PoseChange(const Camera& camera, double depth);
 
@@ -47,7 +48,7 @@ private:
   double depth_;
 };
 
-/// Mean distance of the points from the camera, metres; at least 1 cm.
+/// Mean distance of the points from the camera, meters; at least 1 cm.
 double meanDistance(const Camera& camera, const std::vector<ImageAnchor>& anchors);
 
 /// Root mean square of the distances in `residuals` (two rows per point).
@@ -61,7 +62,7 @@ std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>&
 
 /// How far a camera is from where it was.
 struct PoseShift {
-  double metres = 0.0;  ///< of its optical center
+  double meters = 0.0;  ///< of its optical center
   double radians = 0.0; ///< of its turn
 };
 PoseShift poseShift(const Camera& before, const Camera& after);

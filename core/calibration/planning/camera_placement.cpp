@@ -20,7 +20,7 @@ constexpr double kInward = 0.25; // how far out in the volume the points lie tha
 
 /// Where a camera may hang, and what it looks at.
 struct Mount {
-  Eigen::Vector3d place;
+  Eigen::Vector3d position;
   Eigen::Vector3d target;
   int normal; ///< axis that the wall or the ceiling lies across
 };
@@ -42,7 +42,7 @@ public:
   double within() const { return map_.shareWithin(settings_.goodSigma); }
   Camera cameraAt(const Mount& mount) const {
     Camera camera = lens_;
-    camera.cameraFromWorld = lookAt(mount.place, mount.target);
+    camera.cameraFromWorld = lookAt(mount.position, mount.target);
     return camera;
   }
   double worth(const Mount& mount);
@@ -51,8 +51,8 @@ public:
 
 private:
   std::vector<Eigen::Vector3d> targets() const;
-  Eigen::Vector3d clamped(const Eigen::Vector3d& place) const {
-    return place.cwiseMax(low_).cwiseMin(high_);
+  Eigen::Vector3d clamped(const Eigen::Vector3d& position) const {
+    return position.cwiseMax(low_).cwiseMin(high_);
   }
 
   const Camera& lens_;
@@ -88,9 +88,9 @@ std::vector<Eigen::Vector3d> Search::targets() const {
 std::vector<Mount> Search::mounts() const {
   std::vector<Mount> mounts;
   const auto add = [&](const Eigen::Array3d& share, int normal) {
-    const Eigen::Vector3d place = low_ + (share * (high_ - low_).array()).matrix();
+    const Eigen::Vector3d position = low_ + (share * (high_ - low_).array()).matrix();
     for (const Eigen::Vector3d& target : targets()) {
-      mounts.push_back({place, target, normal});
+      mounts.push_back({position, target, normal});
     }
   };
   for (int k = 0; k < kAlong; ++k) {
@@ -124,8 +124,8 @@ Mount Search::improved(Mount best) {
         const double sign = way % 6 < 3 ? 1.0 : -1.0;
         Mount tried = best;
         if (way < 6) {
-          tried.place[axis] += axis == best.normal ? 0.0 : sign * step[axis];
-          tried.place = clamped(tried.place);
+          tried.position[axis] += axis == best.normal ? 0.0 : sign * step[axis];
+          tried.position = clamped(tried.position);
         } else {
           tried.target[axis] += sign * aim[axis];
         }

@@ -48,10 +48,10 @@ RigMapSummary summaryOf(const RigMap& map, double limit) {
   return summary;
 }
 
-std::optional<std::size_t> cellAt(const VolumeGrid& grid, const Eigen::Vector3d& place) {
+std::optional<std::size_t> cellAt(const VolumeGrid& grid, const Eigen::Vector3d& position) {
   std::array<int, 3> cell{};
   for (int axis = 0; axis < 3; ++axis) {
-    const double share = (place[axis] - grid.low[axis]) / (grid.high[axis] - grid.low[axis]);
+    const double share = (position[axis] - grid.low[axis]) / (grid.high[axis] - grid.low[axis]);
     if (!(share >= 0.0 && share <= 1.0)) {
       return std::nullopt;
     }

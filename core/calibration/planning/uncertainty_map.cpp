@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/planning/uncertainty_map.h"
 
+#include "core/geometry/projector.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
@@ -13,7 +15,7 @@ namespace dewpoint::calibration {
 namespace {
 
 constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
-constexpr double kStep = 1e-4;     // metres, of the differences
+constexpr double kStep = 1e-4;     // meters, of the differences
 constexpr double kFlattest = 1e-7; // smallest by largest eigenvalue of the information
 
 /// Pixels of many points, and of the same points moved by a step along each axis.
@@ -56,9 +58,9 @@ bool isInside(const Intrinsics& in, double column, double row) {
 } // namespace
 
 Eigen::Vector3d VolumeGrid::center(int x, int y, int z) const {
-  const Eigen::Array3d place(x + 0.5, y + 0.5, z + 0.5);
+  const Eigen::Array3d position(x + 0.5, y + 0.5, z + 0.5);
   const Eigen::Array3d count(cells[0], cells[1], cells[2]);
-  return low + ((high - low).array() * place / count).matrix();
+  return low + ((high - low).array() * position / count).matrix();
 }
 
 PoseCovariance poseCovariance(double angle, double distance) {

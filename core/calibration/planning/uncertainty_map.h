@@ -15,7 +15,7 @@ namespace dewpoint::calibration {
 
 /// A box of the world cut into cells; what is computed for a cell holds at its center.
 struct VolumeGrid {
-  Eigen::Vector3d low = Eigen::Vector3d::Zero(); ///< metres
+  Eigen::Vector3d low = Eigen::Vector3d::Zero(); ///< meters
   Eigen::Vector3d high = Eigen::Vector3d::Ones();
   std::array<int, 3> cells{1, 1, 1};
 
@@ -37,8 +37,8 @@ struct VolumeGrid {
 /// camera in camera axes (m).
 using PoseCovariance = Eigen::Matrix<double, 6, 6>;
 
-/// The one of a camera whose direction is known to `angle` (rad) and whose place to `distance` (m),
-/// per axis.
+/// The one of a camera whose direction is known to `angle` (rad) and whose position to `distance`
+/// (m), per axis.
 PoseCovariance poseCovariance(double angle, double distance);
 
 /// How far a triangulated point is expected to be off, over a volume: the rig planner's map.
@@ -47,7 +47,7 @@ PoseCovariance poseCovariance(double angle, double distance);
 /// d(pixel) / dX of its own lens (central differences), K = d(pixel)/d(pose), C the covariance of
 /// its pose; the point's covariance is the inverse of their sum (Hartley & Zisserman, Multiple View
 /// Geometry, 5.2, first order). Errors of different cameras count as independent, and nothing hides
-/// the point. What each camera gives is kept: when one is moved, only that one is computed anew.
+/// the point. What each camera gives is kept: when one is moved, only that one is recomputed.
 class UncertaintyMap {
 public:
   UncertaintyMap(const VolumeGrid& grid, double pixelSigma);
@@ -62,10 +62,10 @@ public:
   /// One value per cell, VolumeGrid::index.
   /// Cameras that see the cell's center.
   const std::vector<std::uint8_t>& cameraCounts() const { return counts_; }
-  /// Standard deviation along the worst direction, metres; NaN where fewer than two cameras see it,
+  /// Standard deviation along the worst direction, meters; NaN where fewer than two cameras see it,
   /// or those that do look along one line.
   const std::vector<float>& largestSigmas() const { return largest_; }
-  /// Standard deviations along x, y and z of the world, metres; NaN likewise.
+  /// Standard deviations along x, y and z of the world, meters; NaN likewise.
   const std::vector<std::array<float, 3>>& axisSigmas() const { return axes_; }
 
   /// A layer of cells of one height, x fastest: largestSigmas() of it.
@@ -73,7 +73,7 @@ public:
   /// The layer that the height lies in; nothing outside the volume.
   std::optional<int> layerAt(double height) const;
   /// The share of the cells (0 to 1) that at least two cameras see with a largest sigma of at most
-  /// `sigma` metres.
+  /// `sigma` meters.
   double shareWithin(double sigma) const;
 
 private:

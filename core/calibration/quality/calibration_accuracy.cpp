@@ -17,15 +17,21 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr std::size_t kPlaces = 80;
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Positions that errors are carried to.
+constexpr std::size_t kPositions = 80;
+/// Draws that the 95 % are read off.
 constexpr std::uint32_t kDraws = 200;
+/// Solutions, each without a fifth of the stretches.
 constexpr std::size_t kFolds = 5;
+/// Stretches of neighboring instants, left out as wholes.
 constexpr std::size_t kStretches = 20;
 constexpr double kClearlyLarger = 1.5;    ///< five solutions scatter by chance up to here
 constexpr double kNinetyFive = 1.96;      ///< standard deviations, one axis
 constexpr double kNinetyFivePlane = 2.45; ///< two axes: sqrt(-2 log 0.05)
+/// m/s², of a fall.
 constexpr double kGravity = 9.81;
-constexpr double kTouchSigma = 1e-3; ///< metres: how well a ball is held on the floor
+constexpr double kTouchSigma = 1e-3; ///< meters: how well a ball is held on the floor
 
 /// The instants whose stretch is (or is not) of a fold, with their observations.
 BundleProblem stretches(const BundleProblem& problem, std::size_t fold, bool ofFold) {
@@ -117,9 +123,9 @@ double ninetyFive(const PositionErrors& errors, const Eigen::MatrixXd& perDraw, 
                   double pixelSigma) {
   std::vector<Eigen::Matrix3d> noise;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < errors.places.size(); ++i) {
+  for (std::size_t i = 0; i < errors.positions.size(); ++i) {
     noise.emplace_back(pixelSigma * root(errors.noise[i]));
-    middle += errors.places[i] / static_cast<double>(errors.places.size());
+    middle += errors.positions[i] / static_cast<double>(errors.positions.size());
   }
   std::vector<double> distances;
   for (std::uint32_t draw = 0; draw < kDraws; ++draw) {
@@ -130,10 +136,10 @@ double ninetyFive(const PositionErrors& errors, const Eigen::MatrixXd& perDraw, 
     }
     const Eigen::VectorXd moved = perDraw * numbers;
     const double size = scaleSigma * random.normal4(0, 1)[0];
-    for (std::size_t i = 0; i < errors.places.size(); ++i) {
+    for (std::size_t i = 0; i < errors.positions.size(); ++i) {
       const auto own = random.normal4(static_cast<std::uint32_t>(i), 2);
       distances.push_back((moved.segment<3>(static_cast<Eigen::Index>(3 * i)) +
-                           size * (errors.places[i] - middle) +
+                           size * (errors.positions[i] - middle) +
                            noise[i] * Eigen::Vector3d(own[0], own[1], own[2]))
                               .norm());
     }
@@ -158,8 +164,8 @@ std::optional<double> upFromFloor(const WandResult& result, const std::vector<do
   std::vector<Eigen::Vector2d> touches;
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (const double time : times) {
-    if (const auto place = ballAt(result.bundle, time)) {
-      touches.emplace_back(place->head<2>());
+    if (const auto position = ballAt(result.bundle, time)) {
+      touches.emplace_back(position->head<2>());
       middle += touches.back();
     }
   }
@@ -181,40 +187,41 @@ std::optional<double> upFromFloor(const WandResult& result, const std::vector<do
 Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
                                               const BundleResult& result,
                                               const AccuracyKnowledge& known) {
-  const PositionErrors errors = propagateToPositions(problem, result, kPlaces);
-  if (result.covariance.columns.empty() || errors.places.size() < 4) {
+  const PositionErrors errors = propagateToPositions(problem, result, kPositions);
+  if (result.covariance.columns.empty() || errors.positions.size() < 4) {
     return failure(ErrorCode::Undetermined, "", "verdict",
                    "no cameras were adjusted, or too few places are seen by two of them");
   }
   const bool sizeless = result.covariance.gaugeFreedoms % 2 == 1; // 1 or 7: size is a convention
-  const Eigen::MatrixXd perCamera = removeRigidMotion(errors.places, errors.fromCameras, sizeless);
+  const Eigen::MatrixXd perCamera =
+      removeRigidMotion(errors.positions, errors.fromCameras, sizeless);
   const double noise = std::max(result.noiseFactor, 1e-9);
   const Eigen::MatrixXd covariance = noise * noise * result.covariance.matrix;
   const Folds folds = leaveOut(problem, result);
-  CalibrationAccuracy verdict;
-  verdict.changeRatio = changeRatio(perCamera, covariance, folds.changes);
-  verdict.modelFactor = verdict.changeRatio > kClearlyLarger ? verdict.changeRatio : 1.0;
-  verdict.heldOut = folds.points;
-  verdict.heldOutPx =
+  CalibrationAccuracy accuracy;
+  accuracy.changeRatio = changeRatio(perCamera, covariance, folds.changes);
+  accuracy.modelFactor = accuracy.changeRatio > kClearlyLarger ? accuracy.changeRatio : 1.0;
+  accuracy.heldOut = folds.points;
+  accuracy.heldOutPx =
       folds.points > 0 ? std::sqrt(folds.squares / static_cast<double>(folds.points)) : 0.0;
-  const Eigen::MatrixXd deviation = verdict.modelFactor * root(covariance);
+  const Eigen::MatrixXd deviation = accuracy.modelFactor * root(covariance);
   const double scale = known.scaleKnown ? known.scaleSigma : 0.0;
-  verdict.cameras95 = ninetyFive(errors, perCamera * deviation, scale, 0.0);
-  verdict.position95 =
+  accuracy.cameras95 = ninetyFive(errors, perCamera * deviation, scale, 0.0);
+  accuracy.position95 =
       ninetyFive(errors, perCamera * deviation, scale, noise * typicalSigma(problem));
   if (known.scaleKnown && (!sizeless || known.scaleSigma > 0.0)) {
     const double found =
-        sizeless ? 0.0 : sizeChange(errors.places, errors.fromCameras * deviation).norm();
-    verdict.scale95 = kNinetyFive * std::hypot(found, known.scaleSigma);
+        sizeless ? 0.0 : sizeChange(errors.positions, errors.fromCameras * deviation).norm();
+    accuracy.scale95 = kNinetyFive * std::hypot(found, known.scaleSigma);
   }
   if (known.upSigma) {
-    verdict.up95 = kNinetyFivePlane * *known.upSigma;
+    accuracy.up95 = kNinetyFivePlane * *known.upSigma;
   }
-  return verdict;
+  return accuracy;
 }
 
-Result<CalibrationAccuracy> judgeWand(const WandResult& result,
-                                      const std::vector<double>& floorTimes) {
+Result<CalibrationAccuracy> assessWand(const WandResult& result,
+                                       const std::vector<double>& floorTimes) {
   AccuracyKnowledge known;
   known.scaleKnown = result.scale != WandScale::Rough;
   known.scaleSigma = result.scaleSigma;
@@ -226,12 +233,12 @@ Result<CalibrationAccuracy> judgeWand(const WandResult& result,
   return assessCalibration(result.problem, result.bundle, known);
 }
 
-std::string verdictSentence(const CalibrationAccuracy& verdict) {
-  std::string text = fmt::format("In this volume +-{:.2g} mm (95 %)", 1e3 * verdict.position95);
-  text += verdict.scale95 ? fmt::format(", scale +-{:.2g} %", 1e2 * *verdict.scale95)
-                          : std::string(", scale unknown");
-  text += verdict.up95
-              ? fmt::format(", up +-{:.2g} degrees", *verdict.up95 * 180.0 / std::numbers::pi)
+std::string accuracySentence(const CalibrationAccuracy& accuracy) {
+  std::string text = fmt::format("In this volume +-{:.2g} mm (95 %)", 1e3 * accuracy.position95);
+  text += accuracy.scale95 ? fmt::format(", scale +-{:.2g} %", 1e2 * *accuracy.scale95)
+                           : std::string(", scale unknown");
+  text += accuracy.up95
+              ? fmt::format(", up +-{:.2g} degrees", *accuracy.up95 * 180.0 / std::numbers::pi)
               : std::string(", up not measured");
   return text + ".";
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/quality/fault_bodies.h"
+
 #include "core/base/statistics.h"
 #include "core/calibration/formats/calibration_plausibility.h"
-#include "core/calibration/quality/fault_hypotheses.h"
 #include "core/calibration/wand/wand_gauge.h"
 
 #include <Eigen/Eigenvalues>
@@ -13,30 +14,35 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr std::size_t kFewest = 5;       ///< instants
 constexpr std::size_t kFewestPoints = 6; ///< of a board at an instant
+/// Relative standard deviation of a rig's size, at least.
 constexpr double kLeastSizeSigma = 0.005;
+/// Standard deviations of the size beyond which a length is wrong.
 constexpr double kClearSigmas = 4.0;
 constexpr double kSameSize = 0.1; ///< relative scatter of the length over the instants
 constexpr double kFits = 0.1; ///< of a square: a board's points lie so near to where they should
+/// Of a square: beyond it a board does not fit.
 constexpr double kFitsNot = 0.4;
+/// Columns of corners that are tried.
 constexpr double kMostColumns = 24;
 
 /// A board as seen at an instant.
 struct SeenBoard {
   std::size_t state = 0;
   std::vector<std::size_t> ids;
-  std::vector<Eigen::Vector3d> places;
+  std::vector<Eigen::Vector3d> positions;
 };
 
-std::vector<SeenBoard> seenBoards(const BundleProblem& problem, const PointPlaces& places) {
+std::vector<SeenBoard> seenBoards(const BundleProblem& problem, const PointPositions& positions) {
   std::vector<SeenBoard> boards;
   for (std::size_t s = 0; s < problem.states.size(); ++s) {
     SeenBoard board{s, {}, {}};
-    for (std::size_t id = 0; id < places[s].size(); ++id) {
-      if (places[s][id]) {
+    for (std::size_t id = 0; id < positions[s].size(); ++id) {
+      if (positions[s][id]) {
         board.ids.push_back(id);
-        board.places.push_back(*places[s][id]);
+        board.positions.push_back(*positions[s][id]);
       }
     }
     if (problem.bodies[problem.states[s].body].kind == BundleBody::Kind::Board &&
@@ -50,7 +56,7 @@ std::vector<SeenBoard> seenBoards(const BundleProblem& problem, const PointPlace
 /// Where a body's points come to lie, and how well.
 struct Laid {
   Similarity worldFromBody;
-  double rms = 0.0; ///< metres, in the world of the cameras
+  double rms = 0.0; ///< meters, in the world of the cameras
 };
 
 std::optional<Laid> laid(const SeenBoard& board, const std::vector<Eigen::Vector3d>& points) {
@@ -71,9 +77,9 @@ std::optional<Laid> laid(const SeenBoard& board, const std::vector<Eigen::Vector
   if (axes[1] < 1e-3 * axes[2]) {
     return std::nullopt; // one row says nothing
   }
-  Laid found{alignment(from, board.places, true), 0.0};
+  Laid found{alignment(from, board.positions, true), 0.0};
   for (std::size_t i = 0; i < from.size(); ++i) {
-    found.rms += (found.worldFromBody * from[i] - board.places[i]).squaredNorm();
+    found.rms += (found.worldFromBody * from[i] - board.positions[i]).squaredNorm();
   }
   found.rms = std::sqrt(found.rms / static_cast<double>(from.size()));
   return found;
@@ -145,7 +151,7 @@ std::optional<NamedFault> mirrored(const FaultQuestion& question,
 }
 
 /// Given lengths over those that the cameras show.
-std::vector<double> lengthRatios(const BundleProblem& problem, const PointPlaces& places,
+std::vector<double> lengthRatios(const BundleProblem& problem, const PointPositions& positions,
                                  const std::vector<SeenBoard>& boards) {
   std::vector<double> ratios;
   for (const SeenBoard& board : boards) {
@@ -156,17 +162,17 @@ std::vector<double> lengthRatios(const BundleProblem& problem, const PointPlaces
   }
   for (std::size_t s = 0; s < problem.states.size(); ++s) {
     const BundleBody& body = problem.bodies[problem.states[s].body];
-    if (body.kind == BundleBody::Kind::Stick && places[s].size() > 1 && places[s][0] &&
-        places[s][1]) {
-      ratios.push_back(body.length / (*places[s][0] - *places[s][1]).norm());
+    if (body.kind == BundleBody::Kind::Stick && positions[s].size() > 1 && positions[s][0] &&
+        positions[s][1]) {
+      ratios.push_back(body.length / (*positions[s][0] - *positions[s][1]).norm());
     }
   }
   return ratios;
 }
 
-std::optional<NamedFault> lengths(const FaultQuestion& question, const PointPlaces& places,
+std::optional<NamedFault> lengths(const FaultQuestion& question, const PointPositions& positions,
                                   const std::vector<SeenBoard>& boards, double sigma) {
-  auto ratios = lengthRatios(question.problem, places, boards);
+  auto ratios = lengthRatios(question.problem, positions, boards);
   const double ratio = upperMedian(ratios);
   for (double& value : ratios) {
     value = std::abs(std::log(value / ratio));
@@ -183,7 +189,7 @@ std::optional<NamedFault> lengths(const FaultQuestion& question, const PointPlac
            clear;
   };
   if (near(1000.0)) {
-    return NamedFault{CalibrationFault::MillimetresMixed, {}, ratio};
+    return NamedFault{CalibrationFault::MillimetersMixed, {}, ratio};
   }
   for (const double inches : {1.0 / 0.0254, 25.4, 2.54}) {
     if (near(inches)) {
@@ -199,12 +205,12 @@ std::optional<NamedFault> lengths(const FaultQuestion& question, const PointPlac
 double sizeSigma(const CameraRig& rig, const RoughSigma& sigma) {
   const double spread = 0.5 * cameraSpread(rig);
   const double cameras = std::sqrt(static_cast<double>(std::max<std::size_t>(rig.size(), 1)));
-  return std::max(kLeastSizeSigma, sigma.place / std::max(spread, 1e-6) / cameras);
+  return std::max(kLeastSizeSigma, sigma.position / std::max(spread, 1e-6) / cameras);
 }
 
-std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question, const PointPlaces& places,
-                                       const CameraRig& rig) {
-  const auto boards = seenBoards(question.problem, places);
+std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question,
+                                       const PointPositions& positions, const CameraRig& rig) {
+  const auto boards = seenBoards(question.problem, positions);
   if (question.board) {
     if (auto count = squareCount(question, boards)) {
       return {*count};
@@ -214,7 +220,7 @@ std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question, const Poin
   if (auto side = mirrored(question, boards, rig)) {
     faults.push_back(*side);
   }
-  if (auto length = lengths(question, places, boards, sizeSigma(rig, question.rough))) {
+  if (auto length = lengths(question, positions, boards, sizeSigma(rig, question.rough))) {
     faults.push_back(*length);
   }
   return faults;

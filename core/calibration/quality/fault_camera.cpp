@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/quality/fault_camera.h"
+
 #include "core/base/statistics.h"
-#include "core/calibration/quality/fault_hypotheses.h"
 #include "core/geometry/image_symmetry.h"
+#include "core/geometry/projector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +13,16 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr std::size_t kMostLooks = 150;
-constexpr std::size_t kQuickLooks = 40;
-constexpr std::size_t kFewestLooks = 12;
-constexpr double kLeastGain = 30.0;
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Correspondences that a hypothesis is weighed on, at most, ...
+constexpr std::size_t kMostCorrespondences = 150;
+/// ... while time offsets are searched, ...
+constexpr std::size_t kQuickCorrespondences = 40;
+/// ... and at least.
+constexpr std::size_t kFewestCorrespondences = 12;
+/// Gain in log-likelihood per number measured, ...
 constexpr double kLeastGainShare = 0.1;
+/// ... and when the cameras run freely.
 constexpr double kLeastGainShareUnsynchronized = 0.5;
 constexpr double kWellExplained = 3.0; ///< residuals against those of the cameras that agree
 constexpr double kLeastMove = 3.0;     ///< standard deviations of an image point
@@ -26,8 +33,10 @@ constexpr double kLeastMove = 3.0;     ///< standard deviations of an image poin
 constexpr double kMovedCost = 2.0;
 constexpr double kLeastZoom = 0.03; ///< lenses are rarely known better when others calibrated
 constexpr int kMostLate = 120;      ///< frames
+/// Frames that a late camera is late by, at least.
 constexpr int kLeastLate = 2;
-constexpr double kPlacesNoise = 1.5; ///< noise of the places adds to that of the image points
+constexpr double kPositionNoise = 1.5; ///< noise of the positions adds to that of the image points
+/// Ratios of the sizes of videos and lens data that occur.
 constexpr std::array<double, 8> kResolutions{2.0, 0.5,       1.5,       2.0 / 3.0,
                                              3.0, 1.0 / 3.0, 4.0 / 3.0, 0.75};
 
@@ -42,20 +51,22 @@ public:
   CameraSuspicion(const FaultQuestion& question, const Suspect& suspect)
       : question_(question), suspect_(suspect),
         rough_(question.problem.cameras[suspect.camera].camera),
-        sigma_(kPlacesNoise * std::max(suspect.sigmaPx, 1e-3)) {}
+        sigma_(kPositionNoise * std::max(suspect.sigmaPx, 1e-3)) {}
 
   std::optional<NamedFault> run() {
-    const auto looks = spreadOver(known(0.0), kMostLooks);
-    const auto asIs = looks.size() < kFewestLooks ? std::nullopt : explain(rough_, looks, false);
+    const auto correspondences = spreadOver(known(0.0), kMostCorrespondences);
+    const auto asIs = correspondences.size() < kFewestCorrespondences
+                          ? std::nullopt
+                          : explain(rough_, correspondences, false);
     if (!asIs) {
       return std::nullopt;
     }
     base_ = *asIs;
-    numbers_ = 2.0 * static_cast<double>(looks.size());
-    tryFlips(looks);
-    tryResolutions(looks);
-    tryZoom(looks);
-    tryMoved(looks);
+    numbers_ = 2.0 * static_cast<double>(correspondences.size());
+    tryFlips(correspondences);
+    tryResolutions(correspondences);
+    tryZoom(correspondences);
+    tryMoved(correspondences);
     if (base_.median > kWellExplained * sigma_) {
       tryLate();
     }
@@ -65,19 +76,19 @@ public:
 private:
   /// Looks of the camera at points the others place, as they were `shift` seconds before.
   std::vector<PointCorrespondence> known(double shift) const {
-    std::vector<PointCorrespondence> looks;
-    const auto& times = suspect_.looks->times;
-    for (const ImagePoint& look : suspect_.looks->looks[suspect_.camera]) {
+    std::vector<PointCorrespondence> correspondences;
+    const auto& times = suspect_.imagePoints->times;
+    for (const ImagePoint& seen : suspect_.imagePoints->perCamera[suspect_.camera]) {
       const auto instant =
-          shift == 0.0 ? std::optional(look.instant) : instantAt(times[look.instant] - shift);
+          shift == 0.0 ? std::optional(seen.instant) : instantAt(times[seen.instant] - shift);
       if (!instant) {
         continue;
       }
-      if (const auto& place = (*suspect_.places)[*instant][look.id]) {
-        looks.push_back({*place, look.pixel, times[look.instant]});
+      if (const auto& position = (*suspect_.positions)[*instant][seen.id]) {
+        correspondences.push_back({*position, seen.pixel, times[seen.instant]});
       }
     }
-    return looks;
+    return correspondences;
   }
 
   std::optional<std::size_t> instantAt(double time) const {
@@ -88,9 +99,10 @@ private:
   }
 
   std::optional<Explained> explain(const Camera& rough,
-                                   const std::vector<PointCorrespondence>& looks, bool focalFree,
-                                   bool quick = false, Camera* found = nullptr) const {
-    const auto one = fitCamera(rough, looks, question_.rough, focalFree, quick);
+                                   const std::vector<PointCorrespondence>& correspondences,
+                                   bool focalFree, bool quick = false,
+                                   Camera* found = nullptr) const {
+    const auto one = fitCamera(rough, correspondences, question_.rough, focalFree, quick);
     if (!one) {
       return std::nullopt;
     }
@@ -114,30 +126,30 @@ private:
     }
   }
 
-  void tryFlips(const std::vector<PointCorrespondence>& looks) {
+  void tryFlips(const std::vector<PointCorrespondence>& correspondences) {
     const Intrinsics& in = rough_.intrinsics;
     for (const ImageSymmetry symmetry :
          {ImageSymmetry{0, true}, ImageSymmetry{180, false}, ImageSymmetry{180, true}}) {
-      std::vector<PointCorrespondence> flipped = looks;
-      for (PointCorrespondence& look : flipped) {
-        look.pixel = transformed(symmetry, look.pixel, in.width, in.height);
+      std::vector<PointCorrespondence> flipped = correspondences;
+      for (PointCorrespondence& seen : flipped) {
+        seen.pixel = transformed(symmetry, seen.pixel, in.width, in.height);
       }
       weigh(CalibrationFault::VideoFlipped, 0.0, explain(rough_, flipped, false), 1.0);
     }
   }
 
-  void tryResolutions(const std::vector<PointCorrespondence>& looks) {
+  void tryResolutions(const std::vector<PointCorrespondence>& correspondences) {
     for (const double ratio : kResolutions) {
-      std::vector<PointCorrespondence> scaled = looks;
-      for (PointCorrespondence& look : scaled) { // edges of pixels scale, not centers
-        look.pixel = (look.pixel.array() + 0.5) / ratio - 0.5;
+      std::vector<PointCorrespondence> scaled = correspondences;
+      for (PointCorrespondence& seen : scaled) { // edges of pixels scale, not centers
+        seen.pixel = (seen.pixel.array() + 0.5) / ratio - 0.5;
       }
       auto now = explain(rough_, scaled, false);
       weigh(CalibrationFault::WrongResolution, ratio, now, 2.0);
     }
   }
 
-  void tryZoom(const std::vector<PointCorrespondence>& looks) {
+  void tryZoom(const std::vector<PointCorrespondence>& correspondences) {
     if (question_.focalUnknown) {
       return;
     }
@@ -146,7 +158,7 @@ private:
       begin.intrinsics.focalX *= start;
       begin.intrinsics.focalY *= start;
       Camera found;
-      const auto now = explain(begin, looks, true, false, &found);
+      const auto now = explain(begin, correspondences, true, false, &found);
       const double ratio = now ? found.intrinsics.focalX / rough_.intrinsics.focalX : 1.0;
       if (std::abs(std::log(ratio)) > kLeastZoom) {
         weigh(CalibrationFault::ZoomChanged, ratio, now, 0.5 * std::log(numbers_));
@@ -155,14 +167,14 @@ private:
   }
 
   /// Another place from some time on.
-  void tryMoved(const std::vector<PointCorrespondence>& looks) {
+  void tryMoved(const std::vector<PointCorrespondence>& correspondences) {
     for (int tenth = 2; tenth <= 8; ++tenth) {
-      const std::size_t split = looks.size() * static_cast<std::size_t>(tenth) / 10;
-      const auto middle = looks.begin() + static_cast<std::ptrdiff_t>(split);
-      const auto before = fitCamera(rough_, {looks.begin(), middle}, wide(), false);
-      const auto after = fitCamera(rough_, {middle, looks.end()}, wide(), false);
+      const std::size_t split = correspondences.size() * static_cast<std::size_t>(tenth) / 10;
+      const auto middle = correspondences.begin() + static_cast<std::ptrdiff_t>(split);
+      const auto before = fitCamera(rough_, {correspondences.begin(), middle}, wide(), false);
+      const auto after = fitCamera(rough_, {middle, correspondences.end()}, wide(), false);
       if (!before || !after ||
-          movedBy(before->camera, after->camera, looks) < kLeastMove * sigma_) {
+          movedBy(before->camera, after->camera, correspondences) < kLeastMove * sigma_) {
         continue;
       }
       std::vector<double> squares = before->squares;
@@ -171,18 +183,18 @@ private:
       if (cost > kMovedCost) {
         continue; // two places explain it a little better, as two of anything would
       }
-      weigh(CalibrationFault::CameraMoved, looks[split].time,
+      weigh(CalibrationFault::CameraMoved, correspondences[split].time,
             Explained{cost, std::sqrt(upperMedian(squares))}, 3.5 * std::log(numbers_));
     }
   }
 
   /// How far the same points lie apart in the images of two poses: median, pixels.
   static double movedBy(const Camera& one, const Camera& other,
-                        const std::vector<PointCorrespondence>& looks) {
+                        const std::vector<PointCorrespondence>& correspondences) {
     std::vector<double> distances;
-    for (const PointCorrespondence& look : looks) {
-      const auto a = Projector(one).project(look.place);
-      const auto b = Projector(other).project(look.place);
+    for (const PointCorrespondence& seen : correspondences) {
+      const auto a = Projector(one).project(seen.position);
+      const auto b = Projector(other).project(seen.position);
       if (a && b) {
         distances.push_back((*a - *b).norm());
       }
@@ -191,10 +203,10 @@ private:
   }
 
   /// A camera that was moved may be farther off than the rough rig.
-  RoughSigma wide() const { return {2.0 * question_.rough.turn, 2.0 * question_.rough.place}; }
+  RoughSigma wide() const { return {2.0 * question_.rough.turn, 2.0 * question_.rough.position}; }
 
   void tryLate() {
-    const auto& times = suspect_.looks->times;
+    const auto& times = suspect_.imagePoints->times;
     const auto& states = question_.problem.states;
     std::vector<double> gaps;
     for (std::size_t s = 0; s < times.size(); ++s) {
@@ -211,18 +223,19 @@ private:
     }
     std::vector<std::pair<double, int>> order; // cost, frames
     for (int frames = -kMostLate; frames <= kMostLate; ++frames) {
-      const auto looks = spreadOver(known(frames * period_), kQuickLooks);
-      if (std::abs(frames) < kLeastLate || looks.size() < kFewestLooks) {
+      const auto correspondences = spreadOver(known(frames * period_), kQuickCorrespondences);
+      if (std::abs(frames) < kLeastLate || correspondences.size() < kFewestCorrespondences) {
         continue;
       }
-      if (const auto now = explain(rough_, looks, false, true)) {
+      if (const auto now = explain(rough_, correspondences, false, true)) {
         order.emplace_back(now->cost, frames);
       }
     }
     std::sort(order.begin(), order.end());
     for (std::size_t k = 0; k < std::min<std::size_t>(3, order.size()); ++k) {
-      const auto looks = spreadOver(known(order[k].second * period_), kMostLooks);
-      weigh(CalibrationFault::CameraLate, order[k].second, explain(rough_, looks, false),
+      const auto correspondences =
+          spreadOver(known(order[k].second * period_), kMostCorrespondences);
+      weigh(CalibrationFault::CameraLate, order[k].second, explain(rough_, correspondences, false),
             0.5 * std::log(numbers_) + std::log(2.0 * kMostLate));
     }
   }

@@ -12,7 +12,10 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Points that a rig is fitted to.
 constexpr std::size_t kMostPoints = 240;
+/// Instants, and points, that a fit needs.
 constexpr std::size_t kFewestPoints = 8;
 constexpr double kMostSigmas = 5.0;      ///< that a camera is off the rough rig
 constexpr double kUnseen = 1e6;          ///< pixels², of a point the camera cannot see
@@ -22,20 +25,22 @@ constexpr std::array<double, 3> kWidths{40.0, 8.0, 2.0}; ///< of the loss, pixel
 using SeenBy = std::vector<std::pair<std::size_t, Eigen::Vector2d>>;
 
 /// Who sees each point, by instant and id.
-std::vector<std::vector<SeenBy>> seenBy(const ImagePoints& looks, const std::vector<bool>& use) {
-  std::vector<std::vector<SeenBy>> table(looks.times.size(), std::vector<SeenBy>(looks.ids));
-  for (std::size_t c = 0; c < looks.looks.size(); ++c) {
+std::vector<std::vector<SeenBy>> seenBy(const ImagePoints& imagePoints,
+                                        const std::vector<bool>& use) {
+  std::vector<std::vector<SeenBy>> table(imagePoints.times.size(),
+                                         std::vector<SeenBy>(imagePoints.ids));
+  for (std::size_t c = 0; c < imagePoints.perCamera.size(); ++c) {
     if (!use[c]) {
       continue;
     }
-    for (const ImagePoint& look : looks.looks[c]) {
-      table[look.instant][look.id].emplace_back(c, look.pixel);
+    for (const ImagePoint& imagePoint : imagePoints.perCamera[c]) {
+      table[imagePoint.instant][imagePoint.id].emplace_back(c, imagePoint.pixel);
     }
   }
   return table;
 }
 
-BundleProblem pointProblem(const CameraRig& rough, const ImagePoints& looks,
+BundleProblem pointProblem(const CameraRig& rough, const ImagePoints& imagePoints,
                            const std::vector<bool>& use, const RoughSigma& sigma,
                            bool centersFree) {
   BundleProblem problem;
@@ -45,12 +50,12 @@ BundleProblem pointProblem(const CameraRig& rough, const ImagePoints& looks,
       renamed[c] = problem.cameras.size();
       problem.cameras.push_back({.camera = rough[c],
                                  .centerFree = centersFree,
-                                 .posePrior = PosePrior{sigma.turn, sigma.place}});
+                                 .posePrior = PosePrior{sigma.turn, sigma.position}});
     }
   }
   problem.bodies.push_back({.name = "point"});
   std::vector<SeenBy> points;
-  for (auto& instant : seenBy(looks, use)) {
+  for (auto& instant : seenBy(imagePoints, use)) {
     for (SeenBy& seen : instant) {
       if (seen.size() >= 2) {
         points.push_back(std::move(seen));
@@ -109,28 +114,28 @@ bool plausible(const Camera& rough, const Camera& found, const RoughSigma& sigma
       Eigen::AngleAxisd(found.cameraFromWorld.linear() * rough.cameraFromWorld.linear().transpose())
           .angle();
   return turn < kMostSigmas * sigma.turn &&
-         (found.center() - rough.center()).norm() < kMostSigmas * sigma.place;
+         (found.center() - rough.center()).norm() < kMostSigmas * sigma.position;
 }
 
 } // namespace
 
-ImagePoints pointLooks(const BundleProblem& problem) {
+ImagePoints imagePointsOf(const BundleProblem& problem) {
   ImagePoints all;
-  all.looks.resize(problem.cameras.size());
+  all.perCamera.resize(problem.cameras.size());
   for (const BundleState& state : problem.states) {
     all.times.push_back(state.time);
   }
   for (const BundleObservation& seen : problem.observations) {
-    all.looks[seen.camera].push_back({seen.state, seen.point, seen.pixel});
+    all.perCamera[seen.camera].push_back({seen.state, seen.point, seen.pixel});
     all.ids = std::max(all.ids, seen.point + 1);
   }
   return all;
 }
 
-std::optional<PointFit> fitPoints(const CameraRig& rough, const ImagePoints& looks,
+std::optional<PointFit> fitPoints(const CameraRig& rough, const ImagePoints& imagePoints,
                                   const std::vector<bool>& use, const RoughSigma& sigma,
                                   bool centersFree) {
-  BundleProblem problem = pointProblem(rough, looks, use, sigma, centersFree);
+  BundleProblem problem = pointProblem(rough, imagePoints, use, sigma, centersFree);
   if (problem.cameras.size() < 2 || problem.states.size() < kFewestPoints) {
     return std::nullopt;
   }
@@ -161,15 +166,15 @@ std::optional<PointFit> fitPoints(const CameraRig& rough, const ImagePoints& loo
   return fit;
 }
 
-PointPlaces triangulated(const CameraRig& rig, const ImagePoints& looks,
-                         const std::vector<bool>& use) {
+PointPositions triangulated(const CameraRig& rig, const ImagePoints& imagePoints,
+                            const std::vector<bool>& use) {
   std::vector<Unprojector> unprojectors;
   for (const Camera& camera : rig) {
     unprojectors.emplace_back(camera);
   }
-  PointPlaces places;
-  for (const auto& instant : seenBy(looks, use)) {
-    auto& there = places.emplace_back();
+  PointPositions positions;
+  for (const auto& instant : seenBy(imagePoints, use)) {
+    auto& there = positions.emplace_back();
     for (const SeenBy& seen : instant) {
       std::vector<Ray> rays;
       for (const auto& [camera, pixel] : seen) {
@@ -180,26 +185,27 @@ PointPlaces triangulated(const CameraRig& rig, const ImagePoints& looks,
       there.push_back(rays.size() >= 2 ? nearestPoint(rays) : std::nullopt);
     }
   }
-  return places;
+  return positions;
 }
 
 std::optional<CameraResection> fitCamera(const Camera& rough,
-                                         const std::vector<PointCorrespondence>& looks,
+                                         const std::vector<PointCorrespondence>& correspondences,
                                          const RoughSigma& sigma, bool focalFree, bool quick) {
   BundleProblem problem;
-  problem.cameras.push_back(
-      {.camera = rough, .focalFree = focalFree, .posePrior = PosePrior{sigma.turn, sigma.place}});
+  problem.cameras.push_back({.camera = rough,
+                             .focalFree = focalFree,
+                             .posePrior = PosePrior{sigma.turn, sigma.position}});
   problem.bodies.push_back({.name = "point"});
-  for (const PointCorrespondence& look : looks) {
+  for (const PointCorrespondence& seen : correspondences) {
     problem.observations.push_back(
-        {.camera = 0, .state = problem.states.size(), .pixel = look.pixel});
-    problem.states.push_back({.fixed = true, .ends = {look.place, look.place}});
+        {.camera = 0, .state = problem.states.size(), .pixel = seen.pixel});
+    problem.states.push_back({.fixed = true, .ends = {seen.position, seen.position}});
   }
   problem.loss = RobustLoss::SoftL1;
   problem.draft = true;
   problem.maxIterations = quick ? 8 : 40;
   const auto now = narrowed(problem, quick ? kWidths.size() - 2 : 0);
-  if (looks.empty() || !now) {
+  if (correspondences.empty() || !now) {
     return std::nullopt;
   }
   CameraResection found{now->cameras[0], squaresOf(*now)};
@@ -210,6 +216,7 @@ std::optional<CameraResection> fitCamera(const Camera& rough,
 }
 
 double meanCost(const std::vector<double>& squares, double sigmaPx) {
+  /// Of Student's distribution.
   constexpr double kFreedoms = 4.0;
   double sum = 0.0;
   for (const double square : squares) {

@@ -20,16 +20,16 @@ struct ImagePoint {
 
 /// Image points of all cameras, bodies taken apart: nothing is assumed of lengths.
 struct ImagePoints {
-  std::vector<double> times;                  ///< of the instants, seconds
-  std::vector<std::vector<ImagePoint>> looks; ///< per camera
-  std::size_t ids = 1;                        ///< points an instant can have
+  std::vector<double> times; ///< of the instants, seconds
+  std::vector<std::vector<ImagePoint>> perCamera;
+  std::size_t ids = 1; ///< points an instant can have
 };
-ImagePoints pointLooks(const BundleProblem& problem);
+ImagePoints imagePointsOf(const BundleProblem& problem);
 
 /// How far the rig may be off.
 struct RoughSigma {
-  double turn = 0.06;  ///< radians
-  double place = 0.12; ///< metres
+  double turn = 0.06;     ///< radians
+  double position = 0.12; ///< meters
 };
 
 /// A rig that explains points by themselves.
@@ -43,30 +43,30 @@ struct PointFit {
 /// The poses of the cameras that `use` names, from up to 240 points that two of them see, near the
 /// rough rig (residuals count as gross where a camera ends far from it); with `centersFree` their
 /// principal points too. Nothing when they cannot be solved.
-std::optional<PointFit> fitPoints(const CameraRig& rough, const ImagePoints& looks,
+std::optional<PointFit> fitPoints(const CameraRig& rough, const ImagePoints& imagePoints,
                                   const std::vector<bool>& use, const RoughSigma& sigma,
                                   bool centersFree = false);
 
 /// Where the points are, as the cameras that `use` names see them with the rig: by instant, then
 /// id.
-using PointPlaces = std::vector<std::vector<std::optional<Eigen::Vector3d>>>;
-PointPlaces triangulated(const CameraRig& rig, const ImagePoints& looks,
-                         const std::vector<bool>& use);
+using PointPositions = std::vector<std::vector<std::optional<Eigen::Vector3d>>>;
+PointPositions triangulated(const CameraRig& rig, const ImagePoints& imagePoints,
+                            const std::vector<bool>& use);
 
-/// A point whose place is known, in the image of one camera.
+/// A point of known position in the image of one camera.
 struct PointCorrespondence {
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double time = 0.0;
 };
 
-/// One camera's pose (and focal length) from known places.
+/// One camera's pose (and focal length) from points of known position (resection).
 struct CameraResection {
   Camera camera;
   std::vector<double> squares; ///< of residuals per axis, pixels²; large where it sees nothing
 };
 std::optional<CameraResection> fitCamera(const Camera& rough,
-                                         const std::vector<PointCorrespondence>& looks,
+                                         const std::vector<PointCorrespondence>& correspondences,
                                          const RoughSigma& sigma, bool focalFree,
                                          bool quick = false);
 

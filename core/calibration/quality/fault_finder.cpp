@@ -3,7 +3,9 @@
 
 #include "core/base/statistics.h"
 #include "core/calibration/formats/calibration_plausibility.h"
-#include "core/calibration/quality/fault_hypotheses.h"
+#include "core/calibration/quality/fault_all.h"
+#include "core/calibration/quality/fault_bodies.h"
+#include "core/calibration/quality/fault_camera.h"
 #include "core/calibration/wand/wand_bundle.h"
 
 #include <algorithm>
@@ -12,12 +14,9 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr double kClean =
-    2.0; ///< cameras agree when their residuals are within the best times this
-constexpr double kLeastGainOfSwap = 30.0;
+/// Cameras agree when their residuals are within the best times this.
+constexpr double kClean = 2.0;
 constexpr double kSwapExplains = 0.5; ///< exchanged cameras fit at least so much better
-constexpr double kLeastGainOfAll = 25.0;
-constexpr double kWidestRoom = 100.0; ///< metres; a larger rig is in millimetres
 
 /// Lens data of another size than the video: no question of residuals.
 std::optional<NamedFault> declaredSize(const FaultQuestion& question) {
@@ -35,12 +34,12 @@ std::optional<NamedFault> declaredSize(const FaultQuestion& question) {
 class FaultSearch {
 public:
   explicit FaultSearch(const FaultQuestion& question)
-      : question_(question), looks_(pointLooks(question.problem)) {
+      : question_(question), imagePoints_(imagePointsOf(question.problem)) {
     for (const BundleCamera& camera : question.problem.cameras) {
       rough_.push_back(camera.camera);
     }
     if (cameraSpread(rough_) > kWidestRoom) {
-      question_.rough.place *= 1000.0;
+      question_.rough.position *= 1000.0;
     }
     everyone_.assign(rough_.size(), true);
   }
@@ -51,7 +50,7 @@ public:
       report.faults.push_back(*size);
       return finished(std::move(report));
     }
-    all_ = fitPoints(rough_, looks_, everyone_, question_.rough);
+    all_ = fitPoints(rough_, imagePoints_, everyone_, question_.rough);
     fitOthers();
     fitSwapped();
     report.sigmaPx = best_;
@@ -60,7 +59,7 @@ public:
       named = swap;
     }
     if (!named && all_) {
-      named = faultOfAll(question_, looks_, *all_);
+      named = faultOfAll(question_, imagePoints_, *all_);
     }
     if (named) {
       report.faults.push_back(*named);
@@ -68,7 +67,7 @@ public:
     if (all_ && all_->sigmaPx <= kClean * best_ &&
         (!named || named->fault == CalibrationFault::HalfPixel)) {
       for (NamedFault& fault :
-           faultsOfBodies(question_, triangulated(all_->rig, looks_, everyone_), all_->rig)) {
+           faultsOfBodies(question_, triangulated(all_->rig, imagePoints_, everyone_), all_->rig)) {
         report.faults.push_back(fault);
       }
     }
@@ -107,8 +106,9 @@ private:
   void fitOthers() {
     consider(all_);
     for (std::size_t c = 0; c < rough_.size(); ++c) {
-      others_.push_back(rough_.size() < 3 ? std::nullopt
-                                          : fitPoints(rough_, looks_, without(c), question_.rough));
+      others_.push_back(rough_.size() < 3
+                            ? std::nullopt
+                            : fitPoints(rough_, imagePoints_, without(c), question_.rough));
       consider(others_.back());
     }
   }
@@ -128,8 +128,8 @@ private:
     }
     for (std::size_t i = 0; i < rough_.size(); ++i) {
       for (std::size_t j = i + 1; j < rough_.size(); ++j) {
-        ImagePoints exchanged = looks_;
-        std::swap(exchanged.looks[i], exchanged.looks[j]);
+        ImagePoints exchanged = imagePoints_;
+        std::swap(exchanged.perCamera[i], exchanged.perCamera[j]);
         if (auto fit = fitPoints(rough_, exchanged, everyone_, question_.rough)) {
           swaps_.push_back({i, j, std::move(*fit)});
           consider(swaps_.back().fit);
@@ -144,8 +144,9 @@ private:
       if (!others_[c] || others_[c]->sigmaPx > kClean * best_) {
         continue;
       }
-      const PointPlaces places = triangulated(others_[c]->rig, looks_, without(c));
-      const auto found = faultOfCamera(question_, {c, &looks_, &places, others_[c]->sigmaPx});
+      const PointPositions positions = triangulated(others_[c]->rig, imagePoints_, without(c));
+      const auto found =
+          faultOfCamera(question_, {c, &imagePoints_, &positions, others_[c]->sigmaPx});
       if (found && (!best || found->gain > best->gain)) {
         best = found;
       }
@@ -162,7 +163,7 @@ private:
       }
       const double gain = static_cast<double>(swap.fit.squares.size()) *
                           (meanCost(all_->squares, best_) - meanCost(swap.fit.squares, best_));
-      if (gain > kLeastGainOfSwap && (!best || gain > best->gain)) {
+      if (gain > kLeastGain && (!best || gain > best->gain)) {
         best = NamedFault{CalibrationFault::CamerasSwapped, {swap.one, swap.other}, 0.0, gain};
       }
     }
@@ -170,7 +171,7 @@ private:
   }
 
   FaultQuestion question_;
-  ImagePoints looks_;
+  ImagePoints imagePoints_;
   CameraRig rough_;
   std::vector<bool> everyone_;
   std::optional<PointFit> all_;
@@ -181,45 +182,6 @@ private:
 
 } // namespace
 
-std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImagePoints& looks,
-                                     const PointFit& fit) {
-  const std::vector<bool> everyone(looks.looks.size(), true);
-  CameraRig rough;
-  for (const BundleCamera& camera : question.problem.cameras) {
-    rough.push_back(camera.camera);
-  }
-  const auto free = question.unsynchronized
-                        ? std::nullopt
-                        : fitPoints(rough, looks, everyone, question.rough, true);
-  if (!free) {
-    return std::nullopt;
-  }
-  const auto total = [&](const PointFit& one) {
-    return static_cast<double>(fit.squares.size()) * meanCost(one.squares, free->sigmaPx);
-  };
-  std::optional<NamedFault> best;
-  for (const double shift : {-0.5, 0.5}) {
-    ImagePoints shifted = looks;
-    for (auto& camera : shifted.looks) {
-      for (ImagePoint& look : camera) {
-        look.pixel.array() += shift;
-      }
-    }
-    const auto now = fitPoints(rough, shifted, everyone, question.rough);
-    if (!now) {
-      continue;
-    }
-    // As good as any other principal points, which have two numbers per camera to choose.
-    const double worseThanFree = total(*now) - total(*free);
-    const double gain = total(fit) - total(*now);
-    if (gain > kLeastGainOfAll && worseThanFree < 2.0 * static_cast<double>(rough.size()) + 8.0 &&
-        (!best || gain > best->gain)) {
-      best = NamedFault{CalibrationFault::HalfPixel, {}, shift, gain};
-    }
-  }
-  return best;
-}
-
 FaultReport findFaults(const FaultQuestion& question) {
   return FaultSearch(question).run();
 }
@@ -228,7 +190,7 @@ Result<FaultReport> findWandFaults(const WandProblem& problem) {
   return wandBundle(problem).map([&](const BundleProblem& bundle) {
     FaultQuestion question;
     question.problem = bundle;
-    question.rough = {problem.roughTurn, problem.roughPlace};
+    question.rough = {problem.roughTurn, problem.roughPosition};
     question.focalUnknown = problem.findFocal;
     question.unsynchronized =
         problem.findOffsets ||

@@ -1,29 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/board/board.h"
 #include "core/calibration/bundle/fault.h"
-#include "core/calibration/quality/fault_evidence.h"
+#include "core/calibration/quality/fault_question.h"
 #include "core/calibration/wand/wand_calibration.h"
 
-#include <array>
-#include <optional>
 #include <vector>
 
 namespace dewpoint::calibration {
-
-/// What was seen and what was said about it, before anything was solved or dropped.
-struct FaultQuestion {
-  /// Cameras: the former, rough rig with the lenses as given. Bodies: as typed. A fixed state of a
-  /// board is the floor (or a wall) that defines the world.
-  BundleProblem problem;
-  RoughSigma rough;                                ///< how far the former rig may be off
-  std::vector<std::array<int, 2>> imageSizes = {}; ///< of the videos, pixels; empty: not known
-  std::optional<BoardDescription> board = {};      ///< of the first body
-  bool focalUnknown = false; ///< focal lengths are to be found: they may differ
-  /// Cameras run freely, or offsets are to be found: only what explains far more is named.
-  bool unsynchronized = false;
-};
 
 struct FaultReport {
   std::vector<NamedFault> faults;
@@ -35,7 +19,7 @@ struct FaultReport {
 /// Points are taken by themselves (no lengths), so that a wrong length hides nothing. Each camera
 /// in turn is left out; if the others agree, the left-out one is explained from their points: as
 /// it is, flipped, with another focal length, with lens data of another resolution, with another
-/// place from some time on, shifted in time. Pairs are exchanged and all solved again. A hypothesis
+/// pose from some time on, shifted in time. Pairs are exchanged and all solved again. A hypothesis
 /// is named when it gains more than 30 in log-likelihood (Student's, 4 degrees) and 0.1 per number
 /// measured, and explains the images nearly as well as the cameras that agree explain theirs; of
 /// several, the best. When no camera is named: half-pixel shifts of all, lengths against the rough
@@ -43,7 +27,7 @@ struct FaultReport {
 /// With two cameras, faults of a single one cannot be told apart and are not looked for.
 FaultReport findFaults(const FaultQuestion& question);
 
-/// The same for a waved target, as it was seen. Errors: those of calibrateFromWand() about its
+/// The same for a wand, as it was seen. Errors: those of calibrateFromWand() about its
 /// views.
 Result<FaultReport> findWandFaults(const WandProblem& problem);
 

@@ -3,6 +3,7 @@
 
 #include "core/calibration/bundle/bundle_cost.h"
 #include "core/geometry/linear_algebra.h"
+#include "core/geometry/projector.h"
 
 #include <Eigen/LU>
 
@@ -11,12 +12,16 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Radians, of the differences.
 constexpr double kAngleStep = 1e-6;
-constexpr double kMetreStep = 1e-6;
+/// Meters, of the differences.
+constexpr double kMeterStep = 1e-6;
 constexpr double kLensStep = 1e-4; ///< pixels, and of dimensionless numbers a thousandth of it
 
-std::vector<Eigen::Vector3d> seenPlaces(const BundleProblem& problem, const BundleResult& result) {
-  std::vector<Eigen::Vector3d> places;
+std::vector<Eigen::Vector3d> seenPositions(const BundleProblem& problem,
+                                           const BundleResult& result) {
+  std::vector<Eigen::Vector3d> positions;
   for (const BundleState& state : result.states) {
     if (!state.known) {
       continue;
@@ -24,16 +29,16 @@ std::vector<Eigen::Vector3d> seenPlaces(const BundleProblem& problem, const Bund
     const BundleBody& body = problem.bodies[state.body];
     if (body.kind == BundleBody::Kind::Board) {
       for (const std::size_t corner : {std::size_t{0}, body.points.size() - 1}) {
-        places.push_back(state.worldFromBoard * body.points[corner]);
+        positions.push_back(state.worldFromBoard * body.points[corner]);
       }
       continue;
     }
-    places.push_back(state.ends[0]);
+    positions.push_back(state.ends[0]);
     if (body.kind == BundleBody::Kind::Stick) {
-      places.push_back(state.ends[1]);
+      positions.push_back(state.ends[1]);
     }
   }
-  return places;
+  return positions;
 }
 
 double stepOf(CameraQuantity quantity) {
@@ -41,7 +46,7 @@ double stepOf(CameraQuantity quantity) {
     return kAngleStep;
   }
   if (quantity <= CameraQuantity::CenterZ) {
-    return kMetreStep;
+    return kMeterStep;
   }
   return quantity == CameraQuantity::Focal || quantity == CameraQuantity::PrincipalX ||
                  quantity == CameraQuantity::PrincipalY
@@ -100,27 +105,28 @@ bool inImage(const Intrinsics& image, const Eigen::Vector2d& pixel) {
 }
 
 /// Adds one place to the errors, if two cameras see it.
-void addPlace(const std::vector<VariedCamera>& cameras, const Eigen::Vector3d& place,
-              PositionErrors& errors, std::vector<Eigen::MatrixXd>& rows, Eigen::Index columns) {
+void addPosition(const std::vector<VariedCamera>& cameras, const Eigen::Vector3d& position,
+                 PositionErrors& errors, std::vector<Eigen::MatrixXd>& rows, Eigen::Index columns) {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(3, columns);
   int seeing = 0;
   for (const VariedCamera& camera : cameras) {
-    const auto here = camera.projector.project(place);
+    const auto here = camera.projector.project(position);
     if (!here || !inImage(camera.projector.intrinsics(), *here)) {
       continue;
     }
-    Eigen::Matrix<double, 2, 3> byPlace;
+    Eigen::Matrix<double, 2, 3> byPosition;
     for (int axis = 0; axis < 3; ++axis) {
-      const auto there = camera.projector.project(place + kMetreStep * Eigen::Vector3d::Unit(axis));
-      byPlace.col(axis) = there ? Eigen::Vector2d((*there - *here) / kMetreStep)
-                                : Eigen::Vector2d(Eigen::Vector2d::Zero());
+      const auto there =
+          camera.projector.project(position + kMeterStep * Eigen::Vector3d::Unit(axis));
+      byPosition.col(axis) = there ? Eigen::Vector2d((*there - *here) / kMeterStep)
+                                   : Eigen::Vector2d(Eigen::Vector2d::Zero());
     }
-    information += byPlace.transpose() * byPlace;
+    information += byPosition.transpose() * byPosition;
     for (std::size_t k = 0; k < camera.varied.size(); ++k) {
-      if (const auto there = camera.varied[k].second.project(place)) {
+      if (const auto there = camera.varied[k].second.project(position)) {
         pull.col(camera.varied[k].first) -=
-            byPlace.transpose() * (*there - *here) / camera.steps[k];
+            byPosition.transpose() * (*there - *here) / camera.steps[k];
       }
     }
     ++seeing;
@@ -129,17 +135,17 @@ void addPlace(const std::vector<VariedCamera>& cameras, const Eigen::Vector3d& p
   if (seeing < 2 || !solver.isInvertible()) {
     return;
   }
-  errors.places.push_back(place);
+  errors.positions.push_back(position);
   errors.noise.emplace_back(solver.inverse());
   rows.emplace_back(solver.solve(pull));
 }
 
-Eigen::Vector3d middleOf(const std::vector<Eigen::Vector3d>& places) {
+Eigen::Vector3d centroidOf(const std::vector<Eigen::Vector3d>& positions) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const auto& place : places) {
-    sum += place;
+  for (const auto& position : positions) {
+    sum += position;
   }
-  return sum / static_cast<double>(std::max<std::size_t>(places.size(), 1));
+  return sum / static_cast<double>(std::max<std::size_t>(positions.size(), 1));
 }
 
 } // namespace
@@ -149,11 +155,11 @@ PositionErrors propagateToPositions(const BundleProblem& problem, const BundleRe
   PositionErrors errors;
   const auto columns = static_cast<Eigen::Index>(result.covariance.columns.size());
   const auto cameras = variedCameras(result);
-  const auto all = seenPlaces(problem, result);
+  const auto all = seenPositions(problem, result);
   const std::size_t count = std::min(most, all.size());
   std::vector<Eigen::MatrixXd> rows;
   for (std::size_t i = 0; i < count; ++i) {
-    addPlace(cameras, all[i * all.size() / count], errors, rows, columns);
+    addPosition(cameras, all[i * all.size() / count], errors, rows, columns);
   }
   errors.fromCameras.resize(static_cast<Eigen::Index>(3 * rows.size()), columns);
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -162,12 +168,12 @@ PositionErrors propagateToPositions(const BundleProblem& problem, const BundleRe
   return errors;
 }
 
-Eigen::MatrixXd removeRigidMotion(const std::vector<Eigen::Vector3d>& places,
+Eigen::MatrixXd removeRigidMotion(const std::vector<Eigen::Vector3d>& positions,
                                   const Eigen::MatrixXd& errors, bool sizeToo) {
-  const Eigen::Vector3d middle = middleOf(places);
+  const Eigen::Vector3d middle = centroidOf(positions);
   Eigen::MatrixXd motions(errors.rows(), sizeToo ? 7 : 6);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Eigen::Vector3d arm = places[i] - middle;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Eigen::Vector3d arm = positions[i] - middle;
     auto rows = motions.middleRows<3>(static_cast<Eigen::Index>(3 * i));
     rows.leftCols<3>().setIdentity();
     for (int axis = 0; axis < 3; ++axis) {
@@ -180,12 +186,12 @@ Eigen::MatrixXd removeRigidMotion(const std::vector<Eigen::Vector3d>& places,
   return errors - motions * geometry::leastSquares(motions, errors);
 }
 
-Eigen::RowVectorXd sizeChange(const std::vector<Eigen::Vector3d>& places,
+Eigen::RowVectorXd sizeChange(const std::vector<Eigen::Vector3d>& positions,
                               const Eigen::MatrixXd& errors) {
-  const Eigen::Vector3d middle = middleOf(places);
+  const Eigen::Vector3d middle = centroidOf(positions);
   Eigen::VectorXd arms(errors.rows());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    arms.segment<3>(static_cast<Eigen::Index>(3 * i)) = places[i] - middle;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    arms.segment<3>(static_cast<Eigen::Index>(3 * i)) = positions[i] - middle;
   }
   return arms.transpose() * errors / arms.squaredNorm();
 }

@@ -3,6 +3,7 @@
 
 #include "core/base/markup.h"
 #include "core/calibration/report/report_drawing.h"
+#include "core/calibration/report/space_drawing.h"
 
 #include <fmt/format.h>
 
@@ -48,7 +49,7 @@ std::vector<SpaceLine> outlines(const BoardReport& report) {
   const BoardDescription& board = report.board;
   const int columns = board.cornerColumns();
   const int count = board.cornerCount();
-  for (const BoardPlace& place : report.places) {
+  for (const BoardPose& place : report.boardPoses) {
     SpaceLine& outline = lines.emplace_back(SpaceLine{"board", {}});
     for (const int id : {0, columns - 1, count - 1, count - columns, 0}) {
       outline.points.push_back(place.worldFromBoard * board.corner(id));
@@ -91,13 +92,13 @@ void addCamera(std::string& html, const BoardReport::CameraPart& camera) {
 void addReport(std::string& html, const BoardReport& report) {
   html += fmt::format("<h1>{}</h1>\n<p>Board: <code>{}</code></p>\n", escaped(report.title),
                       escaped(boardText(report.board)));
-  if (!report.verdict.empty()) {
-    html += fmt::format("<p><b>{}</b></p>\n", escaped(report.verdict));
+  if (!report.accuracy.empty()) {
+    html += fmt::format("<p><b>{}</b></p>\n", escaped(report.accuracy));
   }
   for (const std::string& notice : report.notices) {
     html += fmt::format("<p class=\"notice\">{}.</p>\n", escaped(notice));
   }
-  if (!report.places.empty()) {
+  if (!report.boardPoses.empty()) {
     CameraRig rig;
     for (const auto& part : report.cameras) {
       rig.push_back(part.camera);
@@ -128,7 +129,7 @@ BoardReport reportOf(const BoardDescription& board, const ExtrinsicsResult& resu
   BoardReport report;
   report.title = fmt::format("Poses of {} cameras from a board", result.cameras.size());
   report.board = board;
-  report.places = result.places;
+  report.boardPoses = result.boardPoses;
   report.notices = result.notices;
   for (std::size_t k = 0; k < result.cameras.size(); ++k) {
     const CameraFit& fit = result.fits[k];

@@ -20,16 +20,16 @@ struct BoardReport {
     std::vector<ViewFit> views;
     std::vector<EstimatedParameter> parameters; ///< empty where intrinsics were given
     std::optional<double> projectionPx;         ///< IntrinsicsResult::worstProjectionPx
-    std::optional<double> centerSigma;          ///< metres, where poses were found
+    std::optional<double> centerSigma;          ///< meters, where poses were found
     std::optional<double> turnSigma;            ///< radians
   };
 
   std::string title;
   BoardDescription board;
   std::vector<CameraPart> cameras;
-  std::vector<BoardPlace> places; ///< for the plot in space; empty: no plot
+  std::vector<BoardPose> boardPoses; ///< for the plot in space; empty: no plot
   std::vector<std::string> notices;
-  std::string verdict; ///< a sentence; may be empty
+  std::string accuracy; ///< a sentence; may be empty
 };
 
 /// The part of a report about one camera's intrinsics.

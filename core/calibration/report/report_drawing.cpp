@@ -12,7 +12,6 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr double kDrawingWidth = 460.0;
 constexpr double kArrowPart = 0.06; // of the drawing's width: how long a usual arrow is drawn
 constexpr double kBarHeight = 12.0;
 

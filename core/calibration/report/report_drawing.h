@@ -12,6 +12,9 @@ namespace dewpoint::calibration {
 
 /// The beginning of a self-contained HTML page, up to its body; styles for the drawings below.
 std::string pageHead(const std::string& title);
+/// Width of the widest drawings, SVG units. Origin not recorded.
+inline constexpr double kDrawingWidth = 460.0;
+
 inline constexpr const char* kPageEnd = "</body></html>\n";
 
 /// Something seen in an image, and how far it is from where it is projected.
@@ -30,15 +33,5 @@ std::string coverageDrawing(const Intrinsics& image, const BoardCoverage& covera
 
 /// The error of each picture as a bar; those left out are hatched. SVG.
 std::string errorDrawing(const std::vector<ViewFit>& views);
-
-/// A line through points of the world: "board" (thin, amber) or another class of the page.
-struct SpaceLine {
-  const char* kind = "board";
-  std::vector<Eigen::Vector3d> points;
-};
-
-/// Cameras and lines in space: from the side above (with this label), and from above. SVG.
-std::string spaceDrawing(const CameraRig& cameras, const std::vector<SpaceLine>& lines,
-                         const char* label);
 
 } // namespace dewpoint::calibration

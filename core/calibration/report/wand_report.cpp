@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/report/wand_report.h"
 
+#include "core/base/angle.h"
 #include "core/base/markup.h"
 #include "core/calibration/manual/pose_change.h"
 #include "core/calibration/report/report_drawing.h"
+#include "core/calibration/report/space_drawing.h"
 
 #include <fmt/format.h>
 
 #include <iterator>
-#include <numbers>
 
 namespace dewpoint::calibration {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kMostSticks = 300; ///< drawn in space
 
 /// Residuals per camera, those that took part.
@@ -69,7 +69,7 @@ void addFigures(std::string& html, const WandReport& report) {
                    "<tr><td>{}</td><td>{}</td><td>{}</td><td>{:.3f}</td><td>{:.3f}</td>"
                    "<td>{:.2f}</td><td>{:.2f}°</td>",
                    escaped(camera.name), result.views[c], result.dropped[c],
-                   result.bundle.cameraRms.at(c), result.cameraMedianPx[c], 100.0 * shift.metres,
+                   result.bundle.cameraRms.at(c), result.cameraMedianPx[c], 100.0 * shift.meters,
                    shift.radians / kDegree);
     if (report.offsetsFound) {
       fmt::format_to(out, "<td>{:.2f}</td>", -1000.0 * result.offsets[c] + 0.0);
@@ -99,7 +99,7 @@ std::string htmlText(const WandReport& report) {
       fmt::format("Poses of {} cameras from a waved target", result.cameras.size());
   std::string html = pageHead(title);
   html += fmt::format("<h1>{}</h1>\n<p><strong>{}</strong></p>\n", escaped(title),
-                      escaped(report.verdict));
+                      escaped(report.accuracy));
   for (const NamedFault& fault : result.faults) {
     html += fmt::format("<p class=\"notice\">{}</p>\n", escaped(fault.sentence));
   }

@@ -9,16 +9,16 @@
 
 namespace dewpoint::calibration {
 
-/// What the page about a calibration from a waved target shows.
+/// What the page about a calibration by wand shows.
 struct WandReport {
   CameraRig before;                    ///< the rough rig
   WandResult result;                   ///< with its faults
-  std::string verdict;                 ///< a sentence
+  std::string accuracy;                ///< a sentence
   std::vector<BoardCoverage> coverage; ///< per camera
   bool offsetsFound = false;           ///< time offsets were looked for
 };
 
-/// One self-contained HTML page: the verdict, faults and figures, residual arrows and coverage for
+/// One self-contained HTML page: the accuracy, faults and results, residual arrows and coverage for
 /// each camera, and cameras and the target's way in space.
 std::string htmlText(const WandReport& report);
 

@@ -15,23 +15,25 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr double kMost = 0.5;             ///< seconds
 constexpr double kStep = 0.5;             ///< of a frame's time
 constexpr double kLongestGap = 2.5;       ///< frames between two views that are joined by a line
 constexpr std::size_t kMostSamples = 300; ///< of one pair and offset
+/// Samples of one pair and offset, at least.
 constexpr std::size_t kFewestSamples = 60;
 constexpr double kFewestShare = 0.6; ///< of those without any offset
 constexpr int kTerms = 10;           ///< of a polynomial of second order in space
 constexpr double kClearGain = 0.5;   ///< of what is left without any offset
 
 /// Views of one ball by one camera, rising in time, with their rays.
-struct Look {
+struct TimedDirection {
   double time;
   Eigen::Vector3d direction;
 };
 struct Track {
   Eigen::Vector3d center;
-  std::vector<Look> looks;
+  std::vector<TimedDirection> directions;
 };
 
 Track trackOf(const WandProblem& problem, std::size_t camera, std::size_t ball) {
@@ -40,29 +42,29 @@ Track trackOf(const WandProblem& problem, std::size_t camera, std::size_t ball) 
   for (const MarkerObservation& view : problem.views[camera]) {
     const auto direction = unprojector.rayWorld(view.pixel);
     if (view.ball == ball && direction && std::isfinite(view.time)) {
-      track.looks.push_back({view.time, *direction});
+      track.directions.push_back({view.time, *direction});
     }
   }
-  std::ranges::stable_sort(track.looks, {}, &Look::time);
+  std::ranges::stable_sort(track.directions, {}, &TimedDirection::time);
   return track;
 }
 
 /// The usual time between two views of a track; 0 if there is none.
 double periodOf(const Track& track) {
   std::vector<double> gaps;
-  for (std::size_t i = 1; i < track.looks.size(); ++i) {
-    gaps.push_back(track.looks[i].time - track.looks[i - 1].time);
+  for (std::size_t i = 1; i < track.directions.size(); ++i) {
+    gaps.push_back(track.directions[i].time - track.directions[i - 1].time);
   }
   return upperMedian(std::move(gaps));
 }
 
 std::optional<Eigen::Vector3d> directionAt(const Track& track, double time, double longestGap) {
-  const auto after = std::ranges::lower_bound(track.looks, time, {}, &Look::time);
-  if (after == track.looks.begin() || after == track.looks.end()) {
+  const auto after = std::ranges::lower_bound(track.directions, time, {}, &TimedDirection::time);
+  if (after == track.directions.begin() || after == track.directions.end()) {
     return std::nullopt;
   }
-  const Look& late = *after;
-  const Look& early = *std::prev(after);
+  const TimedDirection& late = *after;
+  const TimedDirection& early = *std::prev(after);
   const double gap = late.time - early.time;
   if (!(gap > 0.0) || gap > longestGap) {
     return std::nullopt;
@@ -91,7 +93,7 @@ std::optional<Passing> passing(const Eigen::Vector3d& a, const Eigen::Vector3d& 
   return Passing{0.5 * (a + alongU * u + b + alongV * v), apart.dot(normal) / std::sqrt(square)};
 }
 
-/// Median of what the gaps are off a polynomial of the place, metres.
+/// Median of what the gaps are off a polynomial of the place, meters.
 double unexplained(const std::vector<Passing>& samples) {
   const auto count = static_cast<Eigen::Index>(samples.size());
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -123,11 +125,11 @@ std::vector<Passing> passingsAt(const Tracks& reference, const Tracks& other, do
                                 double longestGap) {
   std::vector<Passing> samples;
   for (std::size_t ball = 0; ball < reference.size(); ++ball) {
-    const auto& looks = reference[ball].looks;
-    const std::size_t stride = looks.size() / kMostSamples + 1;
-    for (std::size_t i = 0; i < looks.size(); i += stride) {
-      const auto direction = directionAt(other[ball], looks[i].time - shift, longestGap);
-      const auto sample = direction ? passing(reference[ball].center, looks[i].direction,
+    const auto& directions = reference[ball].directions;
+    const std::size_t stride = directions.size() / kMostSamples + 1;
+    for (std::size_t i = 0; i < directions.size(); i += stride) {
+      const auto direction = directionAt(other[ball], directions[i].time - shift, longestGap);
+      const auto sample = direction ? passing(reference[ball].center, directions[i].direction,
                                               other[ball].center, *direction)
                                     : std::nullopt;
       if (sample) {
@@ -167,9 +169,10 @@ std::size_t shared(const Tracks& a, const Tracks& b) {
   std::size_t count = 0;
   for (std::size_t ball = 0; ball < a.size(); ++ball) {
     const double gap = kLongestGap * std::max(periodOf(a[ball]), periodOf(b[ball]));
-    count += static_cast<std::size_t>(std::ranges::count_if(a[ball].looks, [&](const Look& look) {
-      return directionAt(b[ball], look.time, gap).has_value();
-    }));
+    count += static_cast<std::size_t>(
+        std::ranges::count_if(a[ball].directions, [&](const TimedDirection& seen) {
+          return directionAt(b[ball], seen.time, gap).has_value();
+        }));
   }
   return count;
 }

@@ -12,7 +12,7 @@ namespace dewpoint::calibration {
 /// looked for; 0 where the views say nothing clear.
 ///
 /// With the right offset the rays of two cameras to the moving ball miss each other only because
-/// the cameras stand roughly: by something that changes smoothly with the place (a polynomial of
+/// the cameras stand roughly: by something that changes smoothly with the position (a polynomial of
 /// second order is taken). With a wrong one they miss by the ball's way meanwhile, too. So the
 /// offset is taken that leaves the least beyond such a polynomial.
 std::vector<double> roughOffsets(const WandProblem& problem);

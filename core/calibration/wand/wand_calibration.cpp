@@ -17,10 +17,13 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr int kInstantsOfStart = 120; ///< a start is judged on so many
-constexpr double kLooseStick = 0.02;  ///< metres: while the cameras are still far off
-constexpr double kTightStick = 2e-4;  ///< metres
+constexpr double kLooseStick = 0.02;  ///< meters: while the cameras are still far off
+constexpr double kTightStick = 2e-4;  ///< meters
+/// Of the solver, for each start and width of the loss.
 constexpr int kStartIterations = 40;
+/// Rounds of dropping views.
 constexpr int kMostRounds = 10;
 constexpr double kLeastLimitPx = 1.5; ///< views nearer than this to the solution are never dropped
 constexpr double kLimitMedians = 5.0; ///< and none nearer than so many median residuals
@@ -100,7 +103,7 @@ private:
       const double share = 1.0 / std::sqrt(3.0); // so that the length is about what was asked for
       const Eigen::Vector3d center =
           rig[c].center() +
-          share * given_.roughPlace * Eigen::Vector3d(place[0], place[1], place[2]);
+          share * given_.roughPosition * Eigen::Vector3d(place[0], place[1], place[2]);
       auto& pose = rig[c].cameraFromWorld;
       pose.linear() =
           turnRotation(share * given_.roughTurn * Eigen::Vector3d(turn[0], turn[1], turn[2])) *
@@ -183,7 +186,7 @@ private:
     return bundle;
   }
 
-  void freeWhatIsAsked(BundleProblem& bundle) const {
+  void freeRequested(BundleProblem& bundle) const {
     for (std::size_t c = 0; c < bundle.cameras.size(); ++c) {
       BundleCamera& camera = bundle.cameras[c];
       camera.offsetFree = given_.findOffsets && c > 0;
@@ -202,7 +205,7 @@ private:
   Status narrow(BundleProblem bundle) {
     const bool inTime = followsInTime(bundle); // then an instant costs far more
     bundle = thinned(bundle, given_.mostInstants / (inTime ? 2 : 1), inTime);
-    freeWhatIsAsked(bundle);
+    freeRequested(bundle);
     setStick(bundle, kTightStick);
     result_.dropped.assign(bundle.cameras.size(), 0);
     bundle.loss = RobustLoss::SoftL1;

@@ -17,7 +17,7 @@ namespace dewpoint::calibration {
 struct MarkerObservation {
   double time = 0.0;                               ///< seconds, by the camera's own clock
   std::size_t ball = 0;                            ///< 0, or 1 for the other end of a stick
-  Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< middle of its outline
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< center of its outline
   double radius = 0.0;                             ///< of the outline, pixels; 0: not measured
   double sigma = 0.3;                              ///< standard deviation of `pixel` per axis
 };
@@ -26,23 +26,23 @@ struct MarkerObservation {
 enum class WandScale {
   Rough,    ///< the rough rig: sizes are only as good as it
   Stick,    ///< the known length of the stick
-  Distance, ///< between two places that were touched
+  Distance, ///< between two positions that were touched
   Diameter  ///< the ball's apparent radius: to about 0.05 px of it
 };
 
-/// The ball was held at two places a known distance apart.
+/// The ball was held at two positions a known distance apart.
 struct TouchedDistance {
   double firstTime = 0.0;  ///< seconds
   double secondTime = 0.0; ///< seconds
-  double metres = 0.0;
+  double meters = 0.0;
 };
 
-/// A waved target, and how its images are to be read.
+/// A wand, and how its images are to be read.
 struct WandProblem {
   CameraRig rough;                                   ///< where the cameras are, roughly
   std::vector<std::vector<MarkerObservation>> views; ///< per camera of `rough`
-  std::array<double, 2> ballRadius = {0.0, 0.0};     ///< metres; 0: unknown, taken for points
-  double stickLength = 0.0; ///< between the middles of balls 0 and 1, metres; 0: one ball
+  std::array<double, 2> ballRadius = {0.0, 0.0};     ///< meters; 0: unknown, taken for points
+  double stickLength = 0.0; ///< between the middles of balls 0 and 1, meters; 0: one ball
   WandScale scale = WandScale::Rough;
   TouchedDistance distance;                  ///< for WandScale::Distance
   std::vector<double> floorTimes;            ///< when ball 0 lay on or touched the floor, seconds
@@ -51,7 +51,7 @@ struct WandProblem {
   bool findFocal = false;                    ///< focal lengths, in their ratio
   bool findDistortion = false;               ///< k1 of every camera
   double roughTurn = 0.06;                   ///< by how much the rough rig may be off, radians
-  double roughPlace = 0.12;                  ///< metres
+  double roughPosition = 0.12;               ///< meters
   int starts = 6;                            ///< the rough rig, and it perturbed by as much
   std::uint64_t seed = 1;                    ///< of the perturbations
   int mostInstants = 900;                    ///< used, spread evenly over the recording
@@ -65,12 +65,12 @@ struct WandStart {
 
 /// What was read off a fall.
 struct WandDrop {
-  double gravity = 0.0;  ///< metres per second squared; 9.81 if the scale is right
-  double sigma = 0.0;    ///< its standard deviation
-  std::size_t looks = 0; ///< instants used
+  double gravity = 0.0;     ///< meters per second squared; 9.81 if the scale is right
+  double sigma = 0.0;       ///< its standard deviation
+  std::size_t instants = 0; ///< used
 };
 
-/// A calibration from a waved target.
+/// A calibration by wand.
 struct WandResult {
   CameraRig cameras;                  ///< named as the rough ones
   std::vector<double> offsets;        ///< seconds; true time = camera's time + offset
@@ -83,9 +83,9 @@ struct WandResult {
   double scaleFactor = 1.0; ///< by which sizes were corrected against the rough rig
   double scaleSigma = 0.0;  ///< relative standard deviation of the size; 0: not known
   bool floorFound = false;
-  double floorRms = 0.0; ///< metres, of the touched places about the plane
+  double floorRms = 0.0; ///< meters, of the touched positions about the plane
   std::optional<WandDrop> drop;
-  double upTurned = 0.0;               ///< radians between the rough rig's up and the result's
+  double upRotated = 0.0;              ///< radians between the rough rig's up and the result's
   BundleProblem problem;               ///< what was adjusted last, in the result's world
   BundleResult bundle;                 ///< and its outcome, with the covariance
   double seconds = 0.0;                ///< of computing
@@ -100,10 +100,10 @@ struct WandProgress {
 };
 using WandCallback = std::function<bool(const WandProgress&)>;
 
-/// Poses (focal lengths, k1, time offsets) of all cameras from a waved ball or stick, starting from
-/// a rough rig: bundle adjustment with robust losses, narrowed in steps, from several starts;
-/// views that no solution explains are dropped one per instant and round. The world stays aligned
-/// to the rough rig unless floor touches or a fall say where up is. Deterministic.
+/// Poses (focal lengths, k1, time offsets) of all cameras from a wand (a waved ball or stick),
+/// starting from a rough rig: bundle adjustment with robust losses, narrowed in steps, from several
+/// starts; views that no solution explains are dropped one per instant and round. The world stays
+/// aligned to the rough rig unless floor touches or a fall say where up is. Deterministic.
 ///
 /// Errors: too few views of a camera (named), cameras that are not connected by common views,
 /// touches at times when the ball was not seen by two cameras, and Cancelled.

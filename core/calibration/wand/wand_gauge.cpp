@@ -15,11 +15,13 @@
 namespace dewpoint::calibration {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr double kTouchSeconds = 0.1; ///< before and after a touch, while the ball is held
+/// Instants that a fall needs.
 constexpr std::size_t kFewestOfFall = 5;
 /// By how much all edges of a ball may lie too far in or out alike: that does not average out.
 constexpr double kEdgePx = 0.05;
-constexpr double kFlatEnough = 0.05; ///< metres that floor touches must spread in both directions
+constexpr double kFlatEnough = 0.05; ///< meters that floor touches must spread in both directions
 
 Eigen::Vector3d meanOf(const std::vector<Eigen::Vector3d>& points) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -41,11 +43,11 @@ Result<ScaleFound> scaleOfDistance(const WandProblem& problem, const BundleResul
     return notSeen("distance", first ? problem.distance.secondTime : problem.distance.firstTime);
   }
   const double seen = (*second - *first).norm();
-  if (!(problem.distance.metres > 0.0) || !(seen > 0.0)) {
+  if (!(problem.distance.meters > 0.0) || !(seen > 0.0)) {
     return failure(ErrorCode::BadValue, "", "distance", "it must be more than zero");
   }
-  // A millimetre at either end, as a hand holds a ball to a mark.
-  return ScaleFound{problem.distance.metres / seen, 0.0015 / problem.distance.metres};
+  // A millimeter at either end, as a hand holds a ball to a mark.
+  return ScaleFound{problem.distance.meters / seen, 0.0015 / problem.distance.meters};
 }
 
 /// Apparent against expected radius. The median: a hidden or blurred ball is too small or large.
@@ -107,17 +109,17 @@ Result<WandDrop> fall(const std::array<double, 2>& when, const BundleResult& now
   }
   const auto rows = static_cast<Eigen::Index>(seen.size());
   Eigen::MatrixXd powers(rows, 3);
-  Eigen::MatrixXd places(rows, 3);
+  Eigen::MatrixXd positions(rows, 3);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const BundleState& state = *seen[static_cast<std::size_t>(i)];
     const double t = state.time - when[0];
     powers.row(i) << 1.0, t, t * t;
-    places.row(i) = state.ends[0].transpose();
+    positions.row(i) = state.ends[0].transpose();
   }
-  const Eigen::MatrixXd fitted = geometry::leastSquares(powers, places);
+  const Eigen::MatrixXd fitted = geometry::leastSquares(powers, positions);
   acceleration = 2.0 * fitted.row(2).transpose();
   const double freedoms = static_cast<double>(3 * std::max<Eigen::Index>(rows - 3, 1));
-  const double variance = (powers * fitted - places).squaredNorm() / freedoms;
+  const double variance = (powers * fitted - positions).squaredNorm() / freedoms;
   const Eigen::Matrix3d inverse = (powers.transpose() * powers).inverse();
   return WandDrop{acceleration.norm(), 2.0 * std::sqrt(variance * inverse(2, 2)), seen.size()};
 }
@@ -126,11 +128,11 @@ Result<Similarity> onFloor(const WandProblem& problem, const BundleResult& now,
                            const Eigen::Vector3d& fallUp, WandResult& result) {
   std::vector<Eigen::Vector3d> touches;
   for (const double time : problem.floorTimes) {
-    const auto place = ballAt(now, time);
-    if (!place) {
+    const auto position = ballAt(now, time);
+    if (!position) {
       return notSeen("floor", time);
     }
-    touches.push_back(*place);
+    touches.push_back(*position);
   }
   const Eigen::Vector3d middle = meanOf(touches);
   Eigen::Vector3d up = fallUp;
@@ -178,33 +180,34 @@ Similarity alignment(const std::vector<Eigen::Vector3d>& from,
 Similarity rigAlignment(const CameraRig& from, const CameraRig& to, bool sized) {
   // The size comes from the places alone; then points ahead of and above each camera, as far away
   // as the cameras are from each other, let the axes have their say.
-  std::vector<Eigen::Vector3d> fromPlaces, toPlaces;
+  std::vector<Eigen::Vector3d> fromPositions, toPositions;
   for (std::size_t c = 0; c < from.size(); ++c) {
-    fromPlaces.push_back(from[c].center());
-    toPlaces.push_back(to[c].center());
+    fromPositions.push_back(from[c].center());
+    toPositions.push_back(to[c].center());
   }
-  const auto spread = [](const std::vector<Eigen::Vector3d>& places) {
+  const auto spread = [](const std::vector<Eigen::Vector3d>& positions) {
     double sum = 0.0;
-    for (const auto& place : places) {
-      sum += (place - meanOf(places)).squaredNorm();
+    for (const auto& position : positions) {
+      sum += (position - meanOf(positions)).squaredNorm();
     }
-    return std::sqrt(sum / static_cast<double>(places.size()));
+    return std::sqrt(sum / static_cast<double>(positions.size()));
   };
   const double scale =
-      sized && spread(fromPlaces) > 0.0 ? spread(toPlaces) / spread(fromPlaces) : 1.0;
-  const double reach = std::max(spread(toPlaces), 1e-6);
+      sized && spread(fromPositions) > 0.0 ? spread(toPositions) / spread(fromPositions) : 1.0;
+  const double reach = std::max(spread(toPositions), 1e-6);
   for (std::size_t c = 0; c < from.size(); ++c) {
     for (const Eigen::Index axis : {1, 2}) {
-      fromPlaces.push_back(from[c].center() +
-                           reach / scale * from[c].cameraFromWorld.linear().row(axis).transpose());
-      toPlaces.push_back(to[c].center() +
-                         reach * to[c].cameraFromWorld.linear().row(axis).transpose());
+      fromPositions.push_back(from[c].center() +
+                              reach / scale *
+                                  from[c].cameraFromWorld.linear().row(axis).transpose());
+      toPositions.push_back(to[c].center() +
+                            reach * to[c].cameraFromWorld.linear().row(axis).transpose());
     }
   }
-  for (auto& place : fromPlaces) {
-    place *= scale;
+  for (auto& position : fromPositions) {
+    position *= scale;
   }
-  Similarity change = alignment(fromPlaces, toPlaces, false);
+  Similarity change = alignment(fromPositions, toPositions, false);
   change.scale = scale;
   return change;
 }
@@ -237,13 +240,13 @@ void moveWorld(const Similarity& change, BundleResult& result) {
 }
 
 std::optional<Eigen::Vector3d> ballAt(const BundleResult& now, double time, std::size_t ball) {
-  std::vector<Eigen::Vector3d> places;
+  std::vector<Eigen::Vector3d> positions;
   for (const BundleState& state : now.states) {
     if (state.known && std::abs(state.time - time) <= kTouchSeconds) {
-      places.push_back(state.ends[ball]);
+      positions.push_back(state.ends[ball]);
     }
   }
-  return places.empty() ? std::nullopt : std::optional(meanOf(places));
+  return positions.empty() ? std::nullopt : std::optional(meanOf(positions));
 }
 
 Result<ScaleFound> scaleOf(const WandProblem& problem, const BundleProblem& bundle,
@@ -253,7 +256,7 @@ Result<ScaleFound> scaleOf(const WandProblem& problem, const BundleProblem& bund
     return scaleOfDistance(problem, now);
   case WandScale::Diameter:
     return scaleOfDiameter(problem, bundle, now);
-  case WandScale::Stick: // a stick is measured to half a millimetre
+  case WandScale::Stick: // a stick is measured to half a millimeter
     return ScaleFound{1.0, problem.stickLength > 0.0 ? 5e-4 / problem.stickLength : 0.0};
   default:
     return ScaleFound{};
@@ -275,7 +278,7 @@ Result<Similarity> uprightWorld(const WandProblem& problem, const BundleResult& 
   const auto change = problem.floorTimes.empty() ? Result<Similarity>(toUpright(up))
                                                  : onFloor(problem, now, up, result);
   if (change) {
-    result.upTurned = std::acos(std::clamp(change->rotation(2, 2), -1.0, 1.0));
+    result.upRotated = std::acos(std::clamp(change->rotation(2, 2), -1.0, 1.0));
   }
   return change;
 }

@@ -23,13 +23,13 @@ struct Similarity {
 Similarity alignment(const std::vector<Eigen::Vector3d>& from,
                      const std::vector<Eigen::Vector3d>& to, bool sized);
 
-/// The one that brings the cameras of a rig, places and axes, to those of another.
+/// The one that brings the cameras of a rig, positions and axes, to those of another.
 Similarity rigAlignment(const CameraRig& from, const CameraRig& to, bool sized);
 
 /// The cameras, states and covariance of a result in another world.
 void moveWorld(const Similarity& change, BundleResult& result);
 
-/// The mean place of ball `ball` within a tenth of a second of a time; nothing when not seen.
+/// The mean position of ball `ball` within a tenth of a second of a time; nothing when not seen.
 std::optional<Eigen::Vector3d> ballAt(const BundleResult& now, double time, std::size_t ball = 0);
 
 /// The factor on sizes that the scale source of the problem asks for, with its relative standard

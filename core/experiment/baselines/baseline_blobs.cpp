@@ -33,8 +33,8 @@ Eigen::Matrix3d covarianceOf(const std::vector<Bearing>& bearings, const Eigen::
 std::optional<TriangulatedPoint> growPair(const std::vector<std::vector<Bearing>>& bearings,
                                           const Bearing& first, const Bearing& second,
                                           double gatePx) {
-  auto place = triangulate({first, second});
-  if (!place || place->residualPx > gatePx) {
+  auto position = triangulate({first, second});
+  if (!position || position->residualPx > gatePx) {
     return std::nullopt;
   }
   for (std::size_t camera = 0; camera < bearings.size(); ++camera) {
@@ -43,33 +43,33 @@ std::optional<TriangulatedPoint> growPair(const std::vector<std::vector<Bearing>
     }
     const auto nearest =
         std::ranges::min_element(bearings[camera], {}, [&](const Bearing& bearing) {
-          return distancePx(bearing, place->position);
+          return distancePx(bearing, position->position);
         });
-    std::vector<Bearing> more = place->bearings;
+    std::vector<Bearing> more = position->bearings;
     more.push_back(*nearest);
     auto joined = triangulate(std::move(more));
     if (joined && joined->residualPx <= gatePx) {
-      place = std::move(joined);
+      position = std::move(joined);
     }
   }
-  return place;
+  return position;
 }
 
-std::vector<TriangulatedPoint> allPlaces(const std::vector<std::vector<Bearing>>& bearings,
-                                         double gatePx) {
-  std::vector<TriangulatedPoint> places;
+std::vector<TriangulatedPoint> allPositions(const std::vector<std::vector<Bearing>>& bearings,
+                                            double gatePx) {
+  std::vector<TriangulatedPoint> positions;
   for (std::size_t a = 0; a < bearings.size(); ++a) {
     for (std::size_t b = a + 1; b < bearings.size(); ++b) {
       for (const Bearing& first : bearings[a]) {
         for (const Bearing& second : bearings[b]) {
-          if (auto place = growPair(bearings, first, second, gatePx)) {
-            places.push_back(std::move(*place));
+          if (auto position = growPair(bearings, first, second, gatePx)) {
+            positions.push_back(std::move(*position));
           }
         }
       }
     }
   }
-  return places;
+  return positions;
 }
 
 } // namespace
@@ -117,24 +117,24 @@ std::optional<TriangulatedPoint> triangulate(std::vector<Bearing> bearings) {
 
 std::vector<TriangulatedPoint> triangulateMany(const std::vector<std::vector<Bearing>>& bearings,
                                                std::size_t count, double gatePx) {
-  std::vector<TriangulatedPoint> places = allPlaces(bearings, gatePx);
-  std::ranges::stable_sort(places, [](const TriangulatedPoint& a, const TriangulatedPoint& b) {
+  std::vector<TriangulatedPoint> positions = allPositions(bearings, gatePx);
+  std::ranges::stable_sort(positions, [](const TriangulatedPoint& a, const TriangulatedPoint& b) {
     return a.bearings.size() != b.bearings.size() ? a.bearings.size() > b.bearings.size()
                                                   : a.residualPx < b.residualPx;
   });
   std::set<std::pair<std::size_t, std::size_t>> used;
   std::vector<TriangulatedPoint> picked;
-  for (TriangulatedPoint& place : places) {
-    const bool free = std::ranges::none_of(place.bearings, [&](const Bearing& bearing) {
+  for (TriangulatedPoint& position : positions) {
+    const bool free = std::ranges::none_of(position.bearings, [&](const Bearing& bearing) {
       return used.contains({bearing.camera, bearing.blob});
     });
     if (!free || picked.size() == count) {
       continue;
     }
-    for (const Bearing& bearing : place.bearings) {
+    for (const Bearing& bearing : position.bearings) {
       used.insert({bearing.camera, bearing.blob});
     }
-    picked.push_back(std::move(place));
+    picked.push_back(std::move(position));
   }
   return picked;
 }

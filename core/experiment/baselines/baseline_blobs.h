@@ -33,7 +33,7 @@ struct Bearing {
   double focalLength = 1.0; ///< pixels
 };
 
-/// A place that bearings of at least two cameras agree on. World frame, metres.
+/// A position that bearings of at least two cameras agree on. World frame, meters.
 struct TriangulatedPoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   /// From the geometry alone: each bearing is off by kCenterSigmaPx across its ray.
@@ -49,8 +49,8 @@ inline constexpr double kCenterSigmaPx = 0.5;
 /// Least-squares intersection of the bearings; nothing where nearestPoint() has none.
 std::optional<TriangulatedPoint> triangulate(std::vector<Bearing> bearings);
 
-/// Up to `count` places from the blobs of all cameras (bearings[camera][blob]), each blob used
-/// once: places that more cameras agree on first, then those with the smaller residual. No place
+/// Up to `count` positions from the blobs of all cameras (bearings[camera][blob]), each blob used
+/// once: positions that more cameras agree on first, then those with the smaller residual. No place
 /// has a residual above `gatePx`.
 std::vector<TriangulatedPoint> triangulateMany(const std::vector<std::vector<Bearing>>& bearings,
                                                std::size_t count, double gatePx);

@@ -8,8 +8,8 @@
 namespace dewpoint::experiment {
 
 /// OpenCV's CamShift (Bradski 1998) in each camera, with the color mask as its probability image,
-/// so that it sees what the other methods see. A window starts, and starts anew when it has lost
-/// its color, as the box of the largest blob. The place is the center of mass in the window, not
+/// so that it sees what the other methods see. A window starts, and starts again when it has lost
+/// its color, as the box of the largest blob. The position is the center of mass in the window, not
 /// the rounded center that CamShift itself returns.
 class CamShiftFinder final : public BearingFinder {
 public:

@@ -13,13 +13,13 @@ struct KalmanSetup {
   /// Squared Mahalanobis distance that a measurement may have: 99.9 % of chi-square with 3 degrees
   /// of freedom.
   double gate = 16.266;
-  int restartAfter = 3;     ///< measurements outside the gate in a row: believe them, start anew
+  int restartAfter = 3;     ///< measurements outside the gate in a row: believe them, start again
   double forgetAfter = 0.5; ///< seconds without a measurement until the target counts as lost
 };
 
 /// Constant-velocity Kalman filter on positions with known covariance (Bar-Shalom, Li &
 /// Kirubarajan 2001, section 6.3.2: white-noise acceleration, piecewise constant). World frame,
-/// metres and seconds.
+/// meters and seconds.
 class KalmanPoint {
 public:
   explicit KalmanPoint(const KalmanSetup& setup = {}) : setup_(setup) {}

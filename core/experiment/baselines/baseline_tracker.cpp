@@ -13,23 +13,23 @@ namespace {
 
 /// Blobs per camera that are looked at beyond the number of targets.
 constexpr std::size_t kSpareBlobs = 4;
-/// Metres that a target seen nowhere yet is away from every place: it takes what others leave.
+/// Meters that a target seen nowhere yet is away from every place: it takes what others leave.
 constexpr double kNeverSeen = 1e3;
 
 /// Which place each member gets; places.size() for none.
 std::vector<std::size_t> shareOut(const std::vector<std::optional<Eigen::Vector3d>>& last,
-                                  const std::vector<TriangulatedPoint>& places) {
+                                  const std::vector<TriangulatedPoint>& measured) {
   Eigen::MatrixXd cost(static_cast<Eigen::Index>(last.size()),
-                       static_cast<Eigen::Index>(places.size()));
+                       static_cast<Eigen::Index>(measured.size()));
   for (std::size_t row = 0; row < last.size(); ++row) {
-    for (std::size_t column = 0; column < places.size(); ++column) {
+    for (std::size_t column = 0; column < measured.size(); ++column) {
       cost(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
-          last[row] ? (places[column].position - *last[row]).norm() : kNeverSeen;
+          last[row] ? (measured[column].position - *last[row]).norm() : kNeverSeen;
     }
   }
   std::vector<std::size_t> result;
   for (const Eigen::Index column : assignMinimumCost(cost).columnOfRow) {
-    result.push_back(column == kUnassigned ? places.size() : static_cast<std::size_t>(column));
+    result.push_back(column == kUnassigned ? measured.size() : static_cast<std::size_t>(column));
   }
   return result;
 }
@@ -81,7 +81,7 @@ void BaselineTracker::iterate(ThreadTeam&) {
     return;
   }
   predict();
-  Places places(targets_.size());
+  Measured measured(targets_.size());
   std::vector<bool> done(targets_.size(), false);
   for (std::size_t first = 0; first < targets_.size(); ++first) {
     std::vector<std::size_t> members;
@@ -96,15 +96,15 @@ void BaselineTracker::iterate(ThreadTeam&) {
     }
     const auto masks = masksOf(targets_[first].color);
     if (members.size() > 1 && setup_.manyBlobs) {
-      findMany(members, masks, places);
+      findMany(members, masks, measured);
     } else {
       for (const std::size_t k : members) {
-        places[k] = findOne(tracked_[k], masks);
+        measured[k] = findOne(tracked_[k], masks);
       }
     }
   }
   for (std::size_t k = 0; k < targets_.size(); ++k) {
-    conclude(k, places[k]);
+    conclude(k, measured[k]);
   }
 }
 
@@ -153,7 +153,7 @@ std::optional<TriangulatedPoint> BaselineTracker::findOne(Tracked& tracked,
 }
 
 void BaselineTracker::findMany(const std::vector<std::size_t>& members,
-                               const std::vector<cv::Mat>& masks, Places& places) const {
+                               const std::vector<cv::Mat>& masks, Measured& measured) const {
   std::vector<std::vector<Bearing>> bearings(masks.size());
   for (std::size_t camera = 0; camera < masks.size(); ++camera) {
     const auto blobs = findBlobs(masks[camera]);
@@ -172,25 +172,26 @@ void BaselineTracker::findMany(const std::vector<std::size_t>& members,
   const auto shares = shareOut(last, found);
   for (std::size_t k = 0; k < members.size(); ++k) {
     if (shares[k] < found.size()) {
-      places[members[k]] = found[shares[k]];
+      measured[members[k]] = found[shares[k]];
     }
   }
 }
 
-void BaselineTracker::conclude(std::size_t target, const std::optional<TriangulatedPoint>& place) {
+void BaselineTracker::conclude(std::size_t target,
+                               const std::optional<TriangulatedPoint>& position) {
   Tracked& tracked = tracked_[target];
   SphereEstimate estimate;
-  estimate.camerasSeeing = place ? static_cast<int>(place->bearings.size()) : 0;
-  if (place && setup_.kalman) {
-    tracked.filter.update(place->position, place->covariance);
+  estimate.camerasSeeing = position ? static_cast<int>(position->bearings.size()) : 0;
+  if (position && setup_.kalman) {
+    tracked.filter.update(position->position, position->covariance);
   }
   if (setup_.kalman && tracked.filter.started()) {
     tracked.last = tracked.filter.position();
     estimate.covariance = tracked.filter.covariance();
     estimate.valid = true;
-  } else if (place && !setup_.kalman) {
-    tracked.last = place->position;
-    estimate.covariance = place->covariance;
+  } else if (position && !setup_.kalman) {
+    tracked.last = position->position;
+    estimate.covariance = position->covariance;
     estimate.valid = true;
   }
   estimate.mean = tracked.last.value_or(Eigen::Vector3d::Zero());

@@ -37,14 +37,14 @@ struct BaselineSetup {
   BearingFinderFactory finder = nullptr;
   bool kalman = false;     ///< a Kalman filter behind the triangulation
   bool manyBlobs = true;   ///< several targets of one color share the blobs; else each has a finder
-  double residualPx = 4.0; ///< several targets: how far from a ray a place may be
+  double residualPx = 4.0; ///< several targets: how far from a ray a position may be
 };
 
-/// The baselines: color mask, a place in each camera's image, least-squares intersection of the
+/// The baselines: color mask, a position in each camera's image, least-squares intersection of the
 /// rays, no particles and no appearance but the mask. A target is valid when two cameras see it (or
 /// while its Kalman filter predicts); it knows no probability, so `existence` is 0 or 1.
 ///
-/// Targets of one color: the places that blobs of two or more cameras agree on are given to the
+/// Targets of one color: the positions that blobs of two or more cameras agree on are given to the
 /// targets so that the sum of the distances to where they were last is least. Deterministic: seed
 /// and parameters mean nothing to it.
 class BaselineTracker final : public Tracker,
@@ -73,7 +73,7 @@ private:
     KalmanPoint filter;
     std::optional<Eigen::Vector3d> last; ///< where it was seen last
   };
-  using Places = std::vector<std::optional<TriangulatedPoint>>;
+  using Measured = std::vector<std::optional<TriangulatedPoint>>;
 
   std::vector<cv::Mat> masksOf(const ColorRange& color) const;
   std::optional<Bearing> bearingOf(std::size_t camera, std::size_t blob,
@@ -81,9 +81,9 @@ private:
   std::optional<TriangulatedPoint> findOne(Tracked& tracked,
                                            const std::vector<cv::Mat>& masks) const;
   void findMany(const std::vector<std::size_t>& members, const std::vector<cv::Mat>& masks,
-                Places& places) const;
+                Measured& measured) const;
   void predict();
-  void conclude(std::size_t target, const std::optional<TriangulatedPoint>& place);
+  void conclude(std::size_t target, const std::optional<TriangulatedPoint>& position);
 
   BaselineSetup setup_;
   std::vector<Unprojector> cameras_;

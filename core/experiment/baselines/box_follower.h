@@ -14,7 +14,7 @@
 
 namespace dewpoint::experiment {
 
-/// What a follower says of the box it found.
+/// A follower's statement about the box it found.
 struct BoxClaim {
   double similarity = 0.0; ///< [0, 1]
   bool visible = true;     ///< false: held where the target is thought to be
@@ -25,9 +25,9 @@ class BoxFollower {
 public:
   virtual ~BoxFollower() = default;
   virtual Status start(const cv::Mat& bgr, const ImageBox& box) = 0;
-  /// Nothing where it says that it has lost the target.
+  /// Nothing where it reports that it has lost the target.
   virtual std::optional<ImageBox> step(const cv::Mat& bgr) = 0;
-  /// What it said of the last box; nothing from those that say nothing.
+  /// Its statement about the last box; nothing from those that make none.
   virtual std::optional<BoxClaim> claim() const { return std::nullopt; }
 };
 

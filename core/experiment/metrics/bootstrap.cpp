@@ -32,9 +32,9 @@ std::vector<PooledValue> pool(std::span<const std::vector<double>> runs) {
 std::vector<int> drawRuns(std::size_t runCount, const RandomStream& random) {
   std::vector<int> times(runCount, 0);
   for (std::size_t draw = 0; draw < runCount; ++draw) {
-    const double place =
+    const double drawn =
         random.uniform(static_cast<std::uint32_t>(draw)) * static_cast<double>(runCount);
-    ++times[std::min(static_cast<std::size_t>(place), runCount - 1)];
+    ++times[std::min(static_cast<std::size_t>(drawn), runCount - 1)];
   }
   return times;
 }

@@ -19,18 +19,18 @@ struct ClearMot {
   std::int64_t identitySwitches = 0;
   /// A truth was matched again after frames in which it was there and was not.
   std::int64_t fragmentations = 0;
-  double distanceSum = 0.0; ///< over the matches, metres
+  double distanceSum = 0.0; ///< over the matches, meters
 
   /// Multiple object tracking accuracy, equation 2; at most 1, may be negative; NaN without truths.
   double mota() const;
-  /// Multiple object tracking precision, equation 1: mean distance of the matches, metres; NaN
+  /// Multiple object tracking precision, equation 1: mean distance of the matches, meters; NaN
   /// without matches.
   double motp() const;
 };
 
 /// Frames in order. A match is kept while both are there and no farther apart than `gate`, even if
-/// another estimate is nearer; what is left is matched anew, most pairs first, then least distance.
-/// A truth remembers its last identity through gaps.
+/// another estimate is nearer; what is left is matched again, most pairs first, then least
+/// distance. A truth remembers its last identity through gaps.
 ClearMot clearMot(std::span<const TrackFrame> frames, double gate);
 
 } // namespace dewpoint::experiment

@@ -11,7 +11,7 @@
 
 namespace dewpoint::experiment {
 
-/// Where an error comes from. World frame, metres. rmse² = |bias|² + spread², and for each view
+/// Where an error comes from. World frame, meters. rmse² = |bias|² + spread², and for each view
 /// rmse² = alongRms² + acrossRms².
 struct ErrorSplit {
   std::int64_t count = 0; ///< finite errors; the others are left out, and all figures NaN if none

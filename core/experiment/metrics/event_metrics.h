@@ -14,13 +14,13 @@
 
 namespace dewpoint::experiment {
 
-/// One target at one frame: what the metrics of events look at. World frame, metres.
+/// One target at one frame: the input of the metrics of events. World frame, meters.
 struct TargetFrame {
   std::int64_t frame = 0;
   std::optional<Eigen::Vector3d> truth;    ///< nothing: the target is not there
   std::optional<Eigen::Vector3d> estimate; ///< nothing: the method does not declare it present
-  bool visible =
-      true; ///< the target can be seen; clear it where no method could (all cameras blind)
+  /// The target can be seen; clear it where no method could (all cameras blind).
+  bool visible = true;
 
   /// Declared present, and nearer to the truth than `gate`.
   bool isFollowed(double gate) const;

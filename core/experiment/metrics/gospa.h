@@ -8,7 +8,7 @@
 namespace dewpoint::experiment {
 
 struct GospaSetup {
-  double cutoff = 0.1; ///< metres; a pair farther apart counts as one missed and one false target
+  double cutoff = 0.1; ///< meters; a pair farther apart counts as one missed and one false target
   double order = 2.0;  ///< p, at least 1
 };
 
@@ -16,8 +16,8 @@ struct GospaSetup {
 /// (Rahmathullah, Garcia-Fernandez & Svensson 2017, proposition 1):
 /// distance^p = sum over the assigned pairs of d^p + cutoff^p / 2 * (missed + false).
 struct Gospa {
-  double distance = 0.0; ///< metres
-  /// What the three kinds of error add to distance^p, in metres^p.
+  double distance = 0.0; ///< meters
+  /// What the three kinds of error add to distance^p, in meters^p.
   double localization = 0.0;
   double missed = 0.0;
   double falseTargets = 0.0;
@@ -27,8 +27,8 @@ struct Gospa {
 
 /// Averages over frames. The parts add up to rootMean^p, as in one frame.
 struct GospaAverage {
-  double mean = 0.0;     ///< mean of the distance, metres
-  double rootMean = 0.0; ///< p-th root of the mean of distance^p, metres
+  double mean = 0.0;     ///< mean of the distance, meters
+  double rootMean = 0.0; ///< p-th root of the mean of distance^p, meters
   double localization = 0.0;
   double missed = 0.0;
   double falseTargets = 0.0;

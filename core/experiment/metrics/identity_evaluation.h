@@ -17,13 +17,13 @@ namespace dewpoint::experiment {
 
 /// How several targets are compared whose names have nothing to do with each other.
 struct IdentityComparison {
-  double gate = 0.5;   ///< metres within which an estimate belongs to a truth; cutoff of GOSPA
-  bool ground = false; ///< places are compared on the floor: z does not count
+  double gate = 0.5;   ///< meters within which an estimate belongs to a truth; cutoff of GOSPA
+  bool ground = false; ///< positions are compared on the floor: z does not count
 };
 
-/// A trajectory against the truth, frame by frame: valid samples with a place, identities by target
-/// name in the order of their appearance. Frames are matched by number, and those of either count.
-/// Mismatch when one has no frame numbers, or no frame is common.
+/// A trajectory against the truth, frame by frame: valid samples with a position, identities by
+/// target name in the order of their appearance. Frames are matched by number, and those of either
+/// count. Mismatch when one has no frame numbers, or no frame is common.
 Result<std::vector<TrackFrame>> trackFrames(const Trajectory& estimate, const Trajectory& truth,
                                             const IdentityComparison& comparison);
 
@@ -38,7 +38,7 @@ struct IdentityEvaluation {
 Result<IdentityEvaluation> evaluateIdentities(const Trajectory& estimate, const Trajectory& truth,
                                               const IdentityComparison& comparison);
 
-/// As `dewpoint-cli evaluate --identities` prints it; metres and millimetres.
+/// As `dewpoint-cli evaluate --identities` prints it; meters and millimeters.
 std::string identityText(const IdentityEvaluation& evaluation);
 nlohmann::json identityJson(const IdentityEvaluation& evaluation);
 

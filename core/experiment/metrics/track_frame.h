@@ -10,7 +10,7 @@
 
 namespace dewpoint::experiment {
 
-/// A target, or an estimate of one, at one instant. World frame, metres.
+/// A target, or an estimate of one, at one instant. World frame, meters.
 struct TrackPoint {
   int identity = 0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
@@ -27,7 +27,7 @@ struct TrackFrame {
   std::vector<TrackPoint> estimates;
 };
 
-/// Distances in metres, one row per truth and one column per estimate; infinite where either is not
+/// Distances in meters, one row per truth and one column per estimate; infinite where either is not
 /// finite.
 Eigen::MatrixXd distances(const TrackFrame& frame);
 

@@ -26,12 +26,12 @@ std::string rowOf(const std::vector<std::string>& cells, const char* tag) {
 
 } // namespace
 
-Verdict verdictOnNone(const std::vector<double>& shares) {
+ClaimOutcome claimOfNone(const std::vector<double>& shares) {
   constexpr double kNone = 0.1;
   const auto none = std::ranges::count_if(shares, [](double share) { return share < kNone; });
-  return none == 0                    ? Verdict::NotReproduced
-         : none == std::ssize(shares) ? Verdict::Reproduced
-                                      : Verdict::InPart;
+  return none == 0                    ? ClaimOutcome::NotReproduced
+         : none == std::ssize(shares) ? ClaimOutcome::Reproduced
+                                      : ClaimOutcome::InPart;
 }
 
 FigurePage::FigurePage(const std::string& title, const std::string& sentence)
@@ -48,16 +48,16 @@ void FigurePage::paragraph(const std::string& text) {
 }
 
 void FigurePage::claim(const std::string& text, bool reproduced, const std::string& here) {
-  claim(text, reproduced ? Verdict::Reproduced : Verdict::NotReproduced, here);
+  claim(text, reproduced ? ClaimOutcome::Reproduced : ClaimOutcome::NotReproduced, here);
 }
 
-void FigurePage::claim(const std::string& text, Verdict verdict, const std::string& here) {
-  const char* style = verdict == Verdict::Reproduced ? "good"
-                      : verdict == Verdict::InPart   ? "part"
-                                                     : "bad";
-  const char* word = verdict == Verdict::Reproduced ? "reproduced"
-                     : verdict == Verdict::InPart   ? "reproduced in part"
-                                                    : "not reproduced";
+void FigurePage::claim(const std::string& text, ClaimOutcome outcome, const std::string& here) {
+  const char* style = outcome == ClaimOutcome::Reproduced ? "good"
+                      : outcome == ClaimOutcome::InPart   ? "part"
+                                                          : "bad";
+  const char* word = outcome == ClaimOutcome::Reproduced ? "reproduced"
+                     : outcome == ClaimOutcome::InPart   ? "reproduced in part"
+                                                         : "not reproduced";
   body_ += fmt::format("<p><span class='chip {}'>{}</span> <b>{}</b> {}</p>", style, word,
                        escaped(text), escaped(here));
 }

@@ -15,11 +15,11 @@ namespace dewpoint::experiment {
 
 /// Whether a claim of a paper came out here; InPart: under some of the conditions that the paper
 /// leaves open.
-enum class Verdict { Reproduced, InPart, NotReproduced };
+enum class ClaimOutcome { Reproduced, InPart, NotReproduced };
 
 /// Of a claim that nothing converges, from the shares that do from all starts tried: reproduced
 /// when each is below a tenth, in part when some are.
-Verdict verdictOnNone(const std::vector<double>& shares);
+ClaimOutcome claimOfNone(const std::vector<double>& shares);
 
 /// The report of one experiment: a page with its plots inline and its pictures beside it, light and
 /// dark. Texts are plain; they are escaped here.
@@ -31,8 +31,8 @@ public:
   void paragraph(const std::string& text);
   /// A claim of the paper, and what came out here.
   void claim(const std::string& text, bool reproduced, const std::string& here);
-  void claim(const std::string& text, Verdict verdict, const std::string& here);
-  /// Something that is asked for, with a word on whether it came out; `good` gives the color.
+  void claim(const std::string& text, ClaimOutcome outcome, const std::string& here);
+  /// A requirement, with a word on whether it is met; `good` gives the color.
   void bar(const std::string& word, bool good, const std::string& text);
   /// Plots beside each other, each with its caption; `legend` names the styles.
   void plots(const std::vector<std::pair<std::string, Plot>>& plots,

@@ -29,7 +29,7 @@ SvgSeries lineOver(const std::string& style, const std::vector<double>& values, 
 SvgSeries pointsOf(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
                    Eigen::Index up, double area = 7.0);
 
-/// Axes of one scale within which every point of all these plots lies, at least `least` metres up.
+/// Axes of one scale within which every point of all these plots lies, at least `least` meters up.
 void showAll(std::initializer_list<Plot*> plots, double least = 0.5);
 
 } // namespace dewpoint::experiment

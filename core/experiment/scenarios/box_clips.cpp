@@ -170,7 +170,7 @@ Scene sceneOfClip(std::uint64_t seed) {
   Scene scene = demoScene();
   scene.seed = seed;
   scene.frameCount = kClipFrames;
-  scene.lookAlikes = 0;
+  scene.distractors = 0;
   scene.noiseSigma = 5.0;
   SceneBall& ball = scene.balls.front();
   ball.motion = Motion::Smooth;

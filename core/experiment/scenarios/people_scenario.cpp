@@ -22,6 +22,7 @@ using simulation::Walker;
 using simulation::Waypoint;
 
 constexpr double kAppear = 1.3; ///< seconds: the cameras have learned the empty room by then
+/// Draws of ways before a scenario gives up.
 constexpr int kMostDraws = 2000;
 
 Vector2d heading(double angle) {
@@ -29,9 +30,9 @@ Vector2d heading(double angle) {
 }
 
 /// Where somebody can walk: not in the furniture, nor along the walls.
-bool walkable(const Vector2d& place) {
-  const double x = place.x();
-  const double y = place.y();
+bool walkable(const Vector2d& position) {
+  const double x = position.x();
+  const double y = position.y();
   const bool desks = std::abs(x) > 1.6 && std::abs(y - std::copysign(0.9, x)) < 1.15;
   const bool partition = x < -0.9 && y < -1.1;
   return std::abs(x) < 2.6 && std::abs(y) < 2.6 && !desks && !partition;
@@ -39,7 +40,7 @@ bool walkable(const Vector2d& place) {
 
 bool walkable(const Walker& walker) {
   return std::ranges::all_of(walker.way,
-                             [](const Waypoint& point) { return walkable(point.place); });
+                             [](const Waypoint& point) { return walkable(point.position); });
 }
 
 Vector3f colorOf(double hue, double saturation, double value) {
@@ -98,9 +99,9 @@ void cross(PeopleScenario& scenario, Draws& draws) {
   const Vector2d gap = draws.uniform(0.45, 0.6) * Vector2d(-along.y(), along.x());
   for (int k = 0; k < 2; ++k) {
     Walker walker = named(k + 1);
-    const Vector2d place = middle + (k == 0 ? -0.5 : 0.5) * gap;
+    const Vector2d position = middle + (k == 0 ? -0.5 : 0.5) * gap;
     const Vector2d& pace = velocity.at(static_cast<std::size_t>(k));
-    walker.way = {{kAppear, place - kHalf * pace}, {nearest + kHalf, place + kHalf * pace}};
+    walker.way = {{kAppear, position - kHalf * pace}, {nearest + kHalf, position + kHalf * pace}};
     scenario.scene.people.push_back(walker);
   }
   scenario.before = nearest - 0.9;
@@ -138,7 +139,7 @@ void accompany(PeopleScenario& scenario, Draws& draws) {
   const Vector2d aside(-along.y(), along.x());
   const double gap = draws.uniform(0.5, 0.62);
   const double pace = draws.uniform(0.75, 0.95);
-  const double together = 1.3; // metres before and after the middle
+  const double together = 1.3; // meters before and after the middle
   const double join = kAppear + 1.2;
   const double part = join + 2.0 * together / pace;
   for (int k = 0; k < 2; ++k) {
@@ -188,9 +189,9 @@ void visit(PeopleScenario& scenario, Draws& draws) {
     const Vector2d inside(draws.uniform(-0.9, 0.9), draws.uniform(-0.9, 0.9));
     double time = start;
     walker.way.push_back({time, in[0]});
-    for (const Vector2d& place : {in[1], inside, out[1], out[0]}) {
-      time += (place - walker.way.back().place).norm() / pace;
-      walker.way.push_back({time, place});
+    for (const Vector2d& position : {in[1], inside, out[1], out[0]}) {
+      time += (position - walker.way.back().position).norm() / pace;
+      walker.way.push_back({time, position});
     }
     scenario.after = std::max(scenario.after, time + 1.5);
     scenario.scene.people.push_back(walker);
@@ -224,7 +225,7 @@ bool possible(const PeopleScenario& scenario, const std::string& name) {
     for (double time = 0.0; time < scenario.after; time += 0.1) {
       for (std::size_t a = 0; a < people.size(); ++a) {
         for (std::size_t b = 0; b < a; ++b) {
-          if ((people[a].place(time) - people[b].place(time)).norm() < 0.45) {
+          if ((people[a].position(time) - people[b].position(time)).norm() < 0.45) {
             return false;
           }
         }

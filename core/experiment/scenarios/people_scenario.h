@@ -10,7 +10,7 @@
 
 namespace dewpoint::experiment {
 
-/// Whether clothes tell people apart.
+/// Whether people can be distinguished by their clothes.
 enum class PeopleClothes { Different, Similar };
 
 /// People in the simulated office, drawn from a seed.

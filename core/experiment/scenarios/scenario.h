@@ -43,9 +43,9 @@ struct ScenarioRun {
   Grade grade = Grade::Ideal;
   std::uint64_t seed = 0;
   CameraRig rig;     ///< as the method believes it
-  CameraRig trueRig; ///< as the images were rendered, until a bump
+  CameraRig trueRig; ///< as the images were rendered, until a camera is moved
   std::vector<Target> targets;
-  Eigen::Vector3d startCenter = Eigen::Vector3d::Zero(); ///< where the search starts, metres
+  Eigen::Vector3d startCenter = Eigen::Vector3d::Zero(); ///< where the search starts, meters
   Eigen::Vector3d startHalf = Eigen::Vector3d::Zero();   ///< half size of the box around it
   double framesPerSecond = 30.0;
   std::int64_t frameCount = 0;
@@ -61,7 +61,7 @@ struct ScenarioDeclaration {
   std::string name;     ///< "S4-desk-cloud"
   std::string family;   ///< "S4"
   std::string sentence; ///< what happens in it
-  int seeds = 20;       ///< runs of a report unless asked otherwise
+  int seeds = 20;       ///< runs of a report unless requested otherwise
   std::function<Result<ScenarioRun>(std::uint64_t seed, Grade grade)> make;
 };
 

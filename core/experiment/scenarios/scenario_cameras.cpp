@@ -33,8 +33,8 @@ bool withDropouts(ScenarioDraft& draft) {
   }
   std::vector<int> order;
   for (int camera = 0; camera < count; ++camera) {
-    const auto place = order.begin() + draft.draws.whole(0, camera);
-    order.insert(place, camera);
+    const auto found = order.begin() + draft.draws.whole(0, camera);
+    order.insert(found, camera);
   }
   std::vector<Dropout> dropouts;
   for (const int camera : order) {
@@ -53,11 +53,11 @@ bool withDropouts(ScenarioDraft& draft) {
   return true;
 }
 
-/// The camera after a bump: turned about an axis in its image plane, so that the image shifts by
+/// The camera after a bump: rotated about an axis in its image plane, so that the image shifts by
 /// as much everywhere, and moved anywhere.
 Camera bumped(Camera camera, Draws& draws) {
   constexpr double kTurn = 1.5 * std::numbers::pi / 180.0;
-  constexpr double kShift = 0.01; // metres
+  constexpr double kShift = 0.01; // meters
   const double angle = draws.uniform(0.0, 2.0 * std::numbers::pi);
   const Eigen::AngleAxisd turn(kTurn, Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0));
   const Eigen::Vector3d center = camera.center() + kShift * draws.direction();
@@ -66,7 +66,7 @@ Camera bumped(Camera camera, Draws& draws) {
   return camera;
 }
 
-/// The ball is in the bumped camera's image as well, in every frame from `frame` on.
+/// The ball is in the moved camera's image as well, in every frame from `frame` on.
 bool staysVisibleSince(const ScenarioDraft& draft, std::int64_t frame,
                        const simulation::CameraView& view) {
   const simulation::StageBody& ball = draft.stage.bodies[draft.targets.front()];

@@ -8,7 +8,7 @@ const std::vector<ScenarioDeclaration>& scenarioCatalog() {
     const auto cache = std::make_shared<simulation::ViewCache>();
     std::vector<ScenarioDeclaration> all;
     for (const auto& family :
-         {scenarios::cleanScenarios(), scenarios::lookAlikeScenarios(),
+         {scenarios::cleanScenarios(), scenarios::distractorScenarios(),
           scenarios::occlusionScenarios(), scenarios::blackoutScenarios(),
           scenarios::startScenarios(), scenarios::crossingScenarios(), scenarios::cameraScenarios(),
           scenarios::clockScenarios(), scenarios::lightScenarios(), scenarios::bumpScenarios(),

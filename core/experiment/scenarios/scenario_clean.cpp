@@ -13,8 +13,8 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-constexpr double kRadius = 0.035;
-constexpr double kTwinDistance = 3.0 * kRadius; // least distance of a look-alike to the target
+/// Least distance of a distractor to the target, meters.
+constexpr double kDistractorDistance = 3.0 * kBallRadius;
 
 /// Radii of balls of unknown size: that of a walnut to that of an orange.
 constexpr double kSmallest = 0.02;
@@ -26,14 +26,15 @@ bool cleanDesk(ScenarioDraft& draft, bool fast) {
 
 /// What hides the target is S2's matter: a twin before the target leaves its middle free.
 bool leavesTargetVisible(const simulation::CameraView& view, const Eigen::Vector3d& target,
-                         const Eigen::Vector3d& twin) {
+                         const Eigen::Vector3d& distractor) {
   const Eigen::Vector3d eye = view.center.cast<double>();
-  return (twin - eye).norm() > (target - eye).norm() || apart(view, target, 0.0, twin, kRadius);
+  return (distractor - eye).norm() > (target - eye).norm() ||
+         apart(view, target, 0.0, distractor, kBallRadius);
 }
 
 bool seenSomewhere(const simulation::Stage& stage, const Eigen::Vector3d& center) {
   for (const auto& view : stage.views) {
-    if (fullyVisible(*view, center, kRadius)) {
+    if (fullyVisible(*view, center, kBallRadius)) {
       return true;
     }
   }
@@ -41,53 +42,53 @@ bool seenSomewhere(const simulation::Stage& stage, const Eigen::Vector3d& center
 }
 
 /// Never near any other ball, never in a camera, never hides the target.
-bool isPossible(const ScenarioDraft& draft, const RoundPath& twin) {
+bool isPossible(const ScenarioDraft& draft, const RoundPath& distractor) {
   for (std::int64_t frame = 0; frame < draft.frameCount; ++frame) {
     const double time = draft.timeOf(frame);
-    const Eigen::Vector3d place = twin(time);
+    const Eigen::Vector3d position = distractor(time);
     for (const simulation::StageBody& body : draft.stage.bodies) {
-      if ((body.path(time) - place).norm() < kTwinDistance) {
+      if ((body.path(time) - position).norm() < kDistractorDistance) {
         return false;
       }
     }
     const Eigen::Vector3d target = draft.stage.bodies[draft.targets.front()].path(time);
     for (const auto& view : draft.stage.views) {
-      const bool begins = frame > 0 || apart(*view, target, kRadius, place, kRadius);
-      if (!begins || !leavesTargetVisible(*view, target, place)) {
+      const bool begins = frame > 0 || apart(*view, target, kBallRadius, position, kBallRadius);
+      if (!begins || !leavesTargetVisible(*view, target, position)) {
         return false;
       }
     }
   }
-  return seenSomewhere(draft.stage, twin.center);
+  return seenSomewhere(draft.stage, distractor.center);
 }
 
-bool addTwin(ScenarioDraft& draft, bool moving) {
+bool addDistractor(ScenarioDraft& draft, bool moving) {
   Draws& draws = draft.draws;
   for (int i = 0; i < kMostDraws; ++i) {
-    RoundPath twin;
-    twin.center = draws.inBox({0.25, 0.3, moving ? 0.1 : kRadius}, {0.85, 0.85, 0.3});
+    RoundPath distractor;
+    distractor.center = draws.inBox({0.25, 0.3, moving ? 0.1 : kBallRadius}, {0.85, 0.85, 0.3});
     if (!moving && draws.coin()) {
-      twin.center.z() = kRadius; // on the desk
+      distractor.center.z() = kBallRadius; // on the desk
     }
     if (moving) {
-      twin.extent = draws.uniform(0.6, 1.1) * Eigen::Vector3d{0.09, 0.07, 0.05};
-      twin.phase =
+      distractor.extent = draws.uniform(0.6, 1.1) * Eigen::Vector3d{0.09, 0.07, 0.05};
+      distractor.phase =
           draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(2.0 * std::numbers::pi));
-      twin.period = draws.uniform(4.0, 9.0);
+      distractor.period = draws.uniform(4.0, 9.0);
     }
-    if (isPossible(draft, twin)) {
+    if (isPossible(draft, distractor)) {
       simulation::StageBody& body = draft.stage.bodies.emplace_back();
       body.name = fmt::format("twin {}", draft.stage.bodies.size() - 1);
-      body.radius = kRadius;
-      body.path = twin;
+      body.radius = kBallRadius;
+      body.path = distractor;
       return true;
     }
   }
   return false;
 }
 
-bool amongTwins(ScenarioDraft& draft, int count, bool moving) {
-  // Some targets' paths leave no room for so many twins: draw the path anew as well.
+bool amongDistractors(ScenarioDraft& draft, int count, bool moving) {
+  // Some targets' paths leave no room for so many twins: draw the path again as well.
   constexpr int kPaths = 20;
   for (int attempt = 0; attempt < kPaths; ++attempt) {
     draft.stage.bodies.clear();
@@ -96,7 +97,7 @@ bool amongTwins(ScenarioDraft& draft, int count, bool moving) {
       return false;
     }
     int placed = 0;
-    while (placed < count && addTwin(draft, moving)) {
+    while (placed < count && addDistractor(draft, moving)) {
       ++placed;
     }
     if (placed == count) {
@@ -107,8 +108,8 @@ bool amongTwins(ScenarioDraft& draft, int count, bool moving) {
 }
 
 /// The ball of the clean desk, of any size; methods must find it out.
-bool ofUnknownSize(ScenarioDraft& draft, int twins) {
-  if (twins > 0 ? !amongTwins(draft, twins, false) : !cleanDesk(draft, false)) {
+bool ofUnknownSize(ScenarioDraft& draft, int distractors) {
+  if (distractors > 0 ? !amongDistractors(draft, distractors, false) : !cleanDesk(draft, false)) {
     return false;
   }
   const double radius = draft.draws.uniform(kSmallest, kLargest);
@@ -129,7 +130,7 @@ std::vector<ScenarioRecipe> cleanScenarios() {
   return {slow, fast};
 }
 
-std::vector<ScenarioRecipe> lookAlikeScenarios() {
+std::vector<ScenarioRecipe> distractorScenarios() {
   std::vector<ScenarioRecipe> recipes;
   for (const bool moving : {false, true}) {
     for (int count = 1; count <= 5; ++count) {
@@ -138,7 +139,7 @@ std::vector<ScenarioRecipe> lookAlikeScenarios() {
                                         moving ? "balls on paths of their own" : "balls at rest"),
                             demoRig()};
       recipe.complete = [count, moving](ScenarioDraft& draft) {
-        return amongTwins(draft, count, moving);
+        return amongDistractors(draft, count, moving);
       };
       recipes.push_back(std::move(recipe));
     }
@@ -150,9 +151,9 @@ std::vector<ScenarioRecipe> unknownScenarios() {
   ScenarioRecipe clean{"S10-clean", "The smooth path; how large the ball is must be found out.",
                        demoRig()};
   clean.complete = [](ScenarioDraft& draft) { return ofUnknownSize(draft, 0); };
-  ScenarioRecipe twins{"S10-still-3", "The same among 3 identical balls at rest.", demoRig()};
-  twins.complete = [](ScenarioDraft& draft) { return ofUnknownSize(draft, 3); };
-  return {clean, twins};
+  ScenarioRecipe distractors{"S10-still-3", "The same among 3 identical balls at rest.", demoRig()};
+  distractors.complete = [](ScenarioDraft& draft) { return ofUnknownSize(draft, 3); };
+  return {clean, distractors};
 }
 
 } // namespace dewpoint::experiment::scenarios

@@ -9,8 +9,7 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-constexpr double kRadius = 0.035;
-constexpr double kLeastDistance = 2.5 * kRadius; // between the centers of two balls
+constexpr double kLeastDistance = 2.5 * kBallRadius; // between the centers of two balls
 // All go round in the same time: what does not touch in the first round never does, however long
 // the run is.
 constexpr double kPeriod = 8.0;
@@ -25,7 +24,7 @@ bool keepsClear(const ScenarioDraft& draft, const RoundPath& path) {
       }
     }
     return std::ranges::all_of(draft.stage.views, [&](const auto& view) {
-      return apart(*view, body.path(0.0), kRadius, path(0.0), kRadius);
+      return apart(*view, body.path(0.0), kBallRadius, path(0.0), kBallRadius);
     });
   };
   return std::ranges::all_of(draft.stage.bodies, clear);
@@ -40,8 +39,8 @@ bool addBall(ScenarioDraft& draft) {
     path.phase =
         draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(2.0 * std::numbers::pi));
     path.period = kPeriod;
-    if (keepsClear(draft, path) && staysVisible(draft, path, kRadius)) {
-      addTarget(draft, path, kRadius);
+    if (keepsClear(draft, path) && staysVisible(draft, path, kBallRadius)) {
+      addTarget(draft, path, kBallRadius);
       return true;
     }
   }
@@ -49,10 +48,9 @@ bool addBall(ScenarioDraft& draft) {
 }
 
 bool crossing(ScenarioDraft& draft, std::size_t count, std::int64_t frames) {
-  // Some first paths leave no room for so many more: begin anew.
-  constexpr int kLayouts = 50;
+  // Some first paths leave no room for so many more: begin again.
   draft.frameCount = frames;
-  for (int layout = 0; layout < kLayouts; ++layout) {
+  for (int layout = 0; layout < kMostLayouts; ++layout) {
     draft.stage.bodies.clear();
     draft.targets.clear();
     while (draft.targets.size() < count && addBall(draft)) {

@@ -16,14 +16,18 @@ namespace {
 
 // The constants of grade `room`.
 constexpr double kRadialDistortion = -0.15; // k1; k2 keeps the image monotonous to its corners
+/// k2.
 constexpr double kRadialDistortion2 = 0.04;
-constexpr double kFocalError = 0.005; // standard deviation, of the focal length
-constexpr double kPlaceError = 0.002; // metres, per axis
+constexpr double kFocalError = 0.005;    // standard deviation, of the focal length
+constexpr double kPositionError = 0.002; // meters, per axis
 constexpr double kTurnError = 0.2 * std::numbers::pi / 180.0; // about a random axis
+/// Quality of JPEG in the grade `Room`.
 constexpr int kJpegQuality = 70;
+/// Loss of light in the corners.
 constexpr double kVignette = 0.25;
 constexpr double kSideLight = 0.12; // at most, per direction
 
+/// Keeps the noise's seed apart from the draws'.
 constexpr std::uint32_t kNoisePart = 0x5EED;
 
 void addDistortion(CameraRig& rig) {
@@ -38,12 +42,13 @@ CameraRig withCalibrationNoise(CameraRig rig, Draws& draws) {
     const double focal = 1.0 + draws.normal(kFocalError);
     camera.intrinsics.focalX *= focal;
     camera.intrinsics.focalY *= focal;
-    const Eigen::Vector3d place =
-        camera.center() + Eigen::Vector3d(draws.normal(kPlaceError), draws.normal(kPlaceError),
-                                          draws.normal(kPlaceError));
+    const Eigen::Vector3d position =
+        camera.center() + Eigen::Vector3d(draws.normal(kPositionError),
+                                          draws.normal(kPositionError),
+                                          draws.normal(kPositionError));
     const Eigen::AngleAxisd turn(draws.normal(kTurnError), draws.direction());
     camera.cameraFromWorld.linear() = turn * camera.cameraFromWorld.linear();
-    camera.cameraFromWorld.translation() = -(camera.cameraFromWorld.linear() * place);
+    camera.cameraFromWorld.translation() = -(camera.cameraFromWorld.linear() * position);
   }
   return rig;
 }

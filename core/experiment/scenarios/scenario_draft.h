@@ -14,6 +14,9 @@
 
 namespace dewpoint::experiment::scenarios {
 
+/// Radius of the ball of most scenarios, meters: that of the demo's (SceneBall).
+inline constexpr double kBallRadius = 0.035;
+
 /// When a camera takes its frames: frame j at `offset` + j / `framesPerSecond` seconds.
 struct CameraClock {
   double framesPerSecond = 30.0;
@@ -29,15 +32,15 @@ struct ScenarioDraft {
   CameraRig rig; ///< the true cameras
   simulation::Stage stage = {};
   std::vector<std::size_t> targets = {}; ///< which bodies of the stage are to be tracked
-  bool radiusKnown = true;               ///< whether methods are told how large the targets are
+  bool radiusKnown = true;               ///< whether methods know how large the targets are
   Eigen::Vector3d startCenter = Eigen::Vector3d::Zero();
   Eigen::Vector3d startHalf = Eigen::Vector3d::Zero();
   double framesPerSecond = 30.0;
   std::int64_t frameCount = 0;
-  std::vector<CameraClock> clocks =
-      {}; ///< one per camera; empty: all cameras take frame k with set k
-  std::function<bool(std::size_t camera, std::int64_t frame)> lost =
-      nullptr; ///< frame does not arrive
+  /// One per camera; empty: all cameras take frame k with set k.
+  std::vector<CameraClock> clocks = {};
+  /// Frame does not arrive.
+  std::function<bool(std::size_t camera, std::int64_t frame)> lost = nullptr;
   std::vector<ScenarioEvent> events = {};
 
   double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
@@ -60,27 +63,27 @@ ScenarioDeclaration declared(ScenarioRecipe recipe, std::shared_ptr<simulation::
 Target pinkTarget(const std::string& name, double radius);
 
 /// Adds a pink ball that is to be tracked ("ball 1", "ball 2", ...).
-void addTarget(ScenarioDraft& draft, simulation::Path path, double radius = 0.035);
+void addTarget(ScenarioDraft& draft, simulation::Path path, double radius = kBallRadius);
 
-/// Lets the search start near the first target's true first place: a box of half size 0.1 m whose
-/// center is up to 0.05 m off along each axis.
+/// Lets the search start near the first target's true first position: a box of half size 0.1 m
+/// whose center is up to 0.05 m off along each axis.
 void startNearTruth(ScenarioDraft& draft);
 
-/// Lets the search start in a box that holds the first places of all targets with 0.05 m around
+/// Lets the search start in a box that holds the first positions of all targets with 0.05 m around
 /// each.
 void startAroundAll(ScenarioDraft& draft);
 
 // The recipes, one function per family.
-std::vector<ScenarioRecipe> cleanScenarios();     ///< S0
-std::vector<ScenarioRecipe> lookAlikeScenarios(); ///< S1
-std::vector<ScenarioRecipe> occlusionScenarios(); ///< S2
-std::vector<ScenarioRecipe> blackoutScenarios();  ///< S3
-std::vector<ScenarioRecipe> startScenarios();     ///< S4
-std::vector<ScenarioRecipe> crossingScenarios();  ///< S5
-std::vector<ScenarioRecipe> cameraScenarios();    ///< S6
-std::vector<ScenarioRecipe> clockScenarios();     ///< S7
-std::vector<ScenarioRecipe> lightScenarios();     ///< S8
-std::vector<ScenarioRecipe> bumpScenarios();      ///< S9
-std::vector<ScenarioRecipe> unknownScenarios();   ///< S10
+std::vector<ScenarioRecipe> cleanScenarios();      ///< S0
+std::vector<ScenarioRecipe> distractorScenarios(); ///< S1
+std::vector<ScenarioRecipe> occlusionScenarios();  ///< S2
+std::vector<ScenarioRecipe> blackoutScenarios();   ///< S3
+std::vector<ScenarioRecipe> startScenarios();      ///< S4
+std::vector<ScenarioRecipe> crossingScenarios();   ///< S5
+std::vector<ScenarioRecipe> cameraScenarios();     ///< S6
+std::vector<ScenarioRecipe> clockScenarios();      ///< S7
+std::vector<ScenarioRecipe> lightScenarios();      ///< S8
+std::vector<ScenarioRecipe> bumpScenarios();       ///< S9
+std::vector<ScenarioRecipe> unknownScenarios();    ///< S10
 
 } // namespace dewpoint::experiment::scenarios

@@ -12,7 +12,6 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-constexpr double kRadius = 0.035;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// A flat plate before one camera, square to the line of sight, one edge on that line.
@@ -24,7 +23,7 @@ struct Plate {
 };
 
 constexpr double kAlong = 0.4;       // of the way from the eye to the target
-constexpr double kPlateWide = 0.045; // half sizes, metres
+constexpr double kPlateWide = 0.045; // half sizes, meters
 constexpr double kPlateTall = 0.075;
 constexpr double kPlateThick = 0.001;
 
@@ -57,7 +56,7 @@ bool hidesNothingElse(const ScenarioDraft& draft, std::size_t camera, double fro
   for (std::int64_t frame = 0; frame < draft.frameCount; ++frame) {
     const double time = std::max(from, draft.timeOf(frame));
     for (std::size_t other = 0; other < draft.stage.views.size(); ++other) {
-      if (other != camera && !apart(*draft.stage.views[other], target.path(time), kRadius,
+      if (other != camera && !apart(*draft.stage.views[other], target.path(time), kBallRadius,
                                     plate.path(time), plate.bound())) {
         return false;
       }
@@ -81,7 +80,7 @@ bool besideStillPlate(ScenarioDraft& draft) {
   addTarget(draft, path);
   const Eigen::Vector3d rest = plate.eye + kAlong * (center - plate.eye) + kPlateWide * plate.aside;
   addPlate(draft, plate, [rest](double) { return rest; });
-  return staysVisible(draft, path, kRadius) && hidesNothingElse(draft, camera, 0.0);
+  return staysVisible(draft, path, kBallRadius) && hidesNothingElse(draft, camera, 0.0);
 }
 
 /// The plate slides in from the side within seconds 0.7 to 1.3 and then stays before half of the
@@ -100,19 +99,19 @@ bool withMovingPlate(ScenarioDraft& draft) {
   const double wander = draft.draws.uniform(1.0, 2.0);
   addPlate(draft, plate, [=, path = *path](double time) -> Eigen::Vector3d {
     const double out = std::clamp((kEnd - time) / (kEnd - kBegin), 0.0, 1.0);
-    const double edge = 0.15 * kRadius * kAlong * std::sin(kTurn * time / wander);
+    const double edge = 0.15 * kBallRadius * kAlong * std::sin(kTurn * time / wander);
     return plate.eye + kAlong * (path(time) - plate.eye) +
            (kPlateWide + kFar * out * out * (3.0 - 2.0 * out) + edge) * plate.aside;
   });
   return hidesNothingElse(draft, camera, kEnd);
 }
 
-bool halfHidden(ScenarioDraft& draft, bool (*place)(ScenarioDraft&)) {
+bool halfHidden(ScenarioDraft& draft, bool (*arrange)(ScenarioDraft&)) {
   draft.frameCount = 180;
   for (int i = 0; i < kMostDraws; ++i) {
     draft.stage.bodies.clear();
     draft.targets.clear();
-    if (place(draft)) {
+    if (arrange(draft)) {
       startNearTruth(draft);
       return true;
     }

@@ -5,14 +5,16 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// How often a place is drawn anew before a scenario gives up.
+/// How often a position is drawn again before a scenario gives up.
 inline constexpr int kMostDraws = 4000;
+/// How often a whole layout is drawn again before a scenario gives up. Origin not recorded.
+inline constexpr int kMostLayouts = 50;
 
 /// A closed path: center + extent .* (sin a, sin 2a, sin 3a), each with a phase of its own, once
 /// round in `period` seconds.
 struct RoundPath {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< metres
-  Eigen::Vector3d extent = Eigen::Vector3d::Zero(); ///< metres
+  Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters
+  Eigen::Vector3d extent = Eigen::Vector3d::Zero(); ///< meters
   Eigen::Vector3d phase = Eigen::Vector3d::Zero();  ///< radians
   double period = 6.0;                              ///< seconds
   Eigen::Vector3d operator()(double time) const;
@@ -30,7 +32,7 @@ bool apart(const simulation::CameraView& view, const Eigen::Vector3d& one, doubl
            const Eigen::Vector3d& other, double otherRadius, double gap = 0.0);
 
 /// A path on the desk that stays in all images; `fast`: a round in 1.2 s instead of 6.
-std::optional<RoundPath> drawDeskPath(ScenarioDraft& draft, bool fast, double radius = 0.035);
+std::optional<RoundPath> drawDeskPath(ScenarioDraft& draft, bool fast, double radius = kBallRadius);
 
 /// One ball to be tracked on a desk path for `frames` frames, and a search that starts near it;
 /// false when no path was found.

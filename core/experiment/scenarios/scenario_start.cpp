@@ -18,31 +18,31 @@ namespace {
 struct Volume {
   Eigen::Vector3d low;
   Eigen::Vector3d high;
-  double radius = 0.035; ///< of the target, metres
-  double nearest = 0.25; ///< no thing of the target's color is nearer to a camera, metres
-  double drift = 0.2;    ///< the target's greatest speed, m/s
+  double radius = kBallRadius; ///< of the target, meters
+  double nearest = 0.25;       ///< no thing of the target's color is nearer to a camera, meters
+  double drift = 0.2;          ///< the target's greatest speed, m/s
   Eigen::Vector3d center() const { return 0.5 * (low + high); }
   Eigen::Vector3d half() const { return 0.5 * (high - low); }
 };
 
-const Volume kDesk{{0.0, 0.0, 0.0}, {1.0, 1.0, 0.5}, 0.035, 0.25, 0.2};
+const Volume kDesk{{0.0, 0.0, 0.0}, {1.0, 1.0, 0.5}, kBallRadius, 0.25, 0.2};
 const Volume kHall{{-2.0, -2.0, 0.0}, {2.0, 2.0, 2.0}, 0.10, 1.0, 0.5};
 
 bool farFromCameras(const simulation::Stage& stage, const Volume& volume,
-                    const Eigen::Vector3d& place) {
+                    const Eigen::Vector3d& position) {
   return std::ranges::all_of(stage.views, [&](const auto& view) {
-    return (view->center.template cast<double>() - place).norm() >= volume.nearest;
+    return (view->center.template cast<double>() - position).norm() >= volume.nearest;
   });
 }
 
 /// A place in the volume that all cameras see.
-std::optional<Eigen::Vector3d> drawPlace(ScenarioDraft& draft, const Volume& volume) {
+std::optional<Eigen::Vector3d> drawPosition(ScenarioDraft& draft, const Volume& volume) {
   const Eigen::Vector3d up = volume.radius * Eigen::Vector3d::UnitZ();
   for (int i = 0; i < kMostDraws; ++i) {
-    const Eigen::Vector3d place = draft.draws.inBox(volume.low + up, volume.high);
-    if (farFromCameras(draft.stage, volume, place) &&
-        fullyVisible(draft.stage, place, volume.radius)) {
-      return place;
+    const Eigen::Vector3d position = draft.draws.inBox(volume.low + up, volume.high);
+    if (farFromCameras(draft.stage, volume, position) &&
+        fullyVisible(draft.stage, position, volume.radius)) {
+      return position;
     }
   }
   return std::nullopt;
@@ -51,13 +51,13 @@ std::optional<Eigen::Vector3d> drawPlace(ScenarioDraft& draft, const Volume& vol
 /// A slow straight way that begins anywhere in the volume.
 std::optional<simulation::Path> drawWay(ScenarioDraft& draft, const Volume& volume) {
   for (int i = 0; i < kMostDraws; ++i) {
-    const auto place = drawPlace(draft, volume);
-    if (!place) {
+    const auto position = drawPosition(draft, volume);
+    if (!position) {
       return std::nullopt;
     }
     const Eigen::Vector3d speed = draft.draws.uniform(0.0, volume.drift) * draft.draws.direction();
     const simulation::Path way = [=](double time) -> Eigen::Vector3d {
-      return *place + time * speed;
+      return *position + time * speed;
     };
     if (staysVisible(draft, way, volume.radius)) {
       return way;
@@ -66,35 +66,35 @@ std::optional<simulation::Path> drawWay(ScenarioDraft& draft, const Volume& volu
   return std::nullopt;
 }
 
-enum class LookAlike { SmallBall, BigBall, SmallBox, BigBox, Patch };
+enum class Distractor { SmallBall, BigBall, SmallBox, BigBox, Patch };
 
 /// The target's color, but another physical size (0.5 to 0.7 or 1.6 to 2 times) or shape.
-simulation::StageBody drawLookAlike(Draws& draws, LookAlike kind, double radius) {
+simulation::StageBody drawDistractor(Draws& draws, Distractor kind, double radius) {
   simulation::StageBody body;
   const double small = draws.uniform(0.5, 0.7) * radius;
   const double big = draws.uniform(1.6, 2.0) * radius;
   const double other = draws.uniform(1.6, 2.4) * radius;
   const Eigen::AngleAxisd yaw(draws.uniform(0.0, 2.0 * std::numbers::pi), Eigen::Vector3d::UnitZ());
   switch (kind) {
-  case LookAlike::SmallBall:
+  case Distractor::SmallBall:
     body.radius = small;
     return body;
-  case LookAlike::BigBall:
+  case Distractor::BigBall:
     body.radius = big;
     return body;
-  case LookAlike::SmallBox:
+  case Distractor::SmallBox:
     body.halfSize = {0.8 * small, 0.8 * small, 0.8 * small};
     break;
-  case LookAlike::BigBox:
+  case Distractor::BigBox:
     body.halfSize = {big, 0.8 * big, 0.9 * big};
     break;
-  case LookAlike::Patch:
+  case Distractor::Patch:
     body.halfSize = {big, other, 0.02 * radius};
     break;
   }
   body.box = true;
   body.axes = yaw.toRotationMatrix().transpose();
-  if (kind == LookAlike::Patch && draws.coin()) {
+  if (kind == Distractor::Patch && draws.coin()) {
     // Upright like a poster instead of flat like a sheet.
     body.axes = (yaw * Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitX()))
                     .toRotationMatrix()
@@ -103,45 +103,45 @@ simulation::StageBody drawLookAlike(Draws& draws, LookAlike kind, double radius)
   return body;
 }
 
-/// Where a look-alike may be: not near the target, not before or beside it in any image, seen by
+/// Where a distractor may be: not near the target, not before or beside it in any image, seen by
 /// at least `cameras` cameras.
 bool isPossible(const ScenarioDraft& draft, const Volume& volume, const simulation::StageBody& body,
-                const Eigen::Vector3d& place, int cameras) {
+                const Eigen::Vector3d& position, int cameras) {
   constexpr double kGap = 0.01; // radians: about 3 pixels
   const simulation::Path& target = draft.stage.bodies[draft.targets.front()].path;
   const double last = draft.timeOf(draft.frameCount - 1);
   int seen = 0;
   for (const auto& view : draft.stage.views) {
     for (const double time : {0.0, 0.5 * last, last}) {
-      if ((target(time) - place).norm() < 3.0 * volume.radius + body.bound() ||
-          !apart(*view, target(time), volume.radius, place, body.bound(), kGap)) {
+      if ((target(time) - position).norm() < 3.0 * volume.radius + body.bound() ||
+          !apart(*view, target(time), volume.radius, position, body.bound(), kGap)) {
         return false;
       }
     }
-    seen += fullyVisible(*view, place, body.bound()) ? 1 : 0;
+    seen += fullyVisible(*view, position, body.bound()) ? 1 : 0;
   }
-  return seen >= cameras && farFromCameras(draft.stage, volume, place);
+  return seen >= cameras && farFromCameras(draft.stage, volume, position);
 }
 
-bool addLookAlikes(ScenarioDraft& draft, const Volume& volume) {
-  std::array<LookAlike, 5> kinds{LookAlike::SmallBall, LookAlike::BigBall, LookAlike::SmallBox,
-                                 LookAlike::BigBox, LookAlike::Patch};
+bool addDistractors(ScenarioDraft& draft, const Volume& volume) {
+  std::array<Distractor, 5> kinds{Distractor::SmallBall, Distractor::BigBall, Distractor::SmallBox,
+                                  Distractor::BigBox, Distractor::Patch};
   for (int count = 0; count < 3; ++count) {
     const auto first = static_cast<std::size_t>(count);
     std::swap(kinds[first], kinds[static_cast<std::size_t>(draft.draws.whole(count, 4))]);
-    simulation::StageBody body = drawLookAlike(draft.draws, kinds[first], volume.radius);
+    simulation::StageBody body = drawDistractor(draft.draws, kinds[first], volume.radius);
     body.name = fmt::format("look-alike {}", count + 1);
     const int cameras = count == 0 ? 2 : 1;
     bool placed = false;
     for (int i = 0; i < kMostDraws / 10 && !placed; ++i) {
-      Eigen::Vector3d place = draft.draws.inBox(volume.low, volume.high);
+      Eigen::Vector3d position = draft.draws.inBox(volume.low, volume.high);
       if (draft.draws.coin()) {
-        place.z() = 0.0; // on the ground: that high is half of what stands on it
+        position.z() = 0.0; // on the ground: that high is half of what stands on it
       }
-      place.z() = std::max(place.z(), body.box ? body.halfSize.z() : body.radius);
-      placed = isPossible(draft, volume, body, place, cameras);
+      position.z() = std::max(position.z(), body.box ? body.halfSize.z() : body.radius);
+      placed = isPossible(draft, volume, body, position, cameras);
       if (placed) {
-        body.path = [place](double) { return place; };
+        body.path = [position](double) { return position; };
         draft.stage.bodies.push_back(body);
       }
     }
@@ -154,8 +154,7 @@ bool addLookAlikes(ScenarioDraft& draft, const Volume& volume) {
 
 bool startAnywhere(ScenarioDraft& draft, const Volume& volume, bool cloud) {
   draft.frameCount = 10;
-  constexpr int kLayouts = 50;
-  for (int i = 0; i < kLayouts; ++i) {
+  for (int i = 0; i < kMostLayouts; ++i) {
     draft.stage.bodies.clear();
     draft.targets.clear();
     const auto way = drawWay(draft, volume);
@@ -163,7 +162,7 @@ bool startAnywhere(ScenarioDraft& draft, const Volume& volume, bool cloud) {
       return false;
     }
     addTarget(draft, *way, volume.radius);
-    if (!addLookAlikes(draft, volume)) {
+    if (!addDistractors(draft, volume)) {
       continue;
     }
     draft.startCenter = cloud ? volume.center() : draft.draws.inBox(volume.low, volume.high);
@@ -177,7 +176,7 @@ bool jumpBy(ScenarioDraft& draft, const Volume& volume, double length) {
   constexpr std::int64_t kJumpFrame = 30;
   draft.frameCount = 60;
   for (int i = 0; i < kMostDraws; ++i) {
-    const auto from = drawPlace(draft, volume);
+    const auto from = drawPosition(draft, volume);
     if (!from) {
       return false;
     }

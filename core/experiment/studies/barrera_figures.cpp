@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Barrera et al. 2005, section III, A and B: figures 3 and 4, the drift and the starts.
+#include "core/experiment/studies/barrera_figures.h"
+
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/figure_parts.h"
 #include "core/experiment/studies/convergence_study.h"
+#include "core/geometry/projector.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
@@ -204,10 +207,10 @@ Status barreraFigure4(const ExperimentOptions& options) {
     legend.emplace_back(style, fmt::format("iteration {}", iteration));
     rows.push_back(rowOf(iteration, instant, setup, rig.front().opticalAxis()));
   }
-  Eigen::ArrayXXd places(3, 3);
-  places << setup.ball.transpose().array(), rig[0].center().transpose().array(),
+  Eigen::ArrayXXd positions(3, 3);
+  positions << setup.ball.transpose().array(), rig[0].center().transpose().array(),
       rig[1].center().transpose().array();
-  plot.series.push_back(pointsOf("m5", places, 0, 1, 60.0));
+  plot.series.push_back(pointsOf("m5", positions, 0, 1, 60.0));
   legend.emplace_back("m5", "the ball and both cameras");
   showAll({&plot});
   page.plots({{"The room from above, all particles of each instant", plot}}, legend);
@@ -321,14 +324,14 @@ Status barreraStarts(const ExperimentOptions& options) {
               {"From one point (0.5, y, 0.15), at and beyond the ball",
                sharePlot("y, m", beyond, *pointShares)}});
   page.heading("What the paper says");
-  page.claim("From random starts it does not converge at all.", verdictOnNone(*boxShares),
+  page.claim("From random starts it does not converge at all.", claimOfNone(*boxShares),
              fmt::format("It depends on the volume, which the paper does not state: here {:.0f} % "
                          "converge from a cube of 0.4 m, {:.0f} % from one of 1 m, {:.0f} % from "
                          "one of 4 m.",
                          100.0 * (*boxShares)[2], 100.0 * (*boxShares)[4],
                          100.0 * boxShares->back()));
   page.claim("From a start farther than the ball it does not converge at all.",
-             verdictOnNone({pointShares->begin() + 1, pointShares->end()}),
+             claimOfNone({pointShares->begin() + 1, pointShares->end()}),
              fmt::format("It depends on how far: here {:.0f} % converge from 0.1 m beyond the "
                          "ball, {:.0f} % from 0.3 m, {:.0f} % from 0.5 m.",
                          100.0 * (*pointShares)[2], 100.0 * (*pointShares)[6],

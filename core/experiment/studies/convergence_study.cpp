@@ -5,6 +5,7 @@
 #include "core/session/run/frame_loop.h"
 #include "core/simulation/scene_renderer.h"
 #include "core/tracking/barrera/barrera_parameters.h"
+#include "core/trajectory/evaluation.h"
 
 #include <algorithm>
 #include <array>
@@ -17,8 +18,9 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr double kConvergedError = 0.03; // metres: "position error < 3 cm once converged"
-constexpr int kDistinctFrames = 16;      // frames of a still ball differ by their noise only
+/// Meters: "position error < 3 cm once converged".
+constexpr double kConvergedError = kDefaultGate;
+constexpr int kDistinctFrames = 16; // frames of a still ball differ by their noise only
 
 Scene stillScene(const Eigen::Vector3d& ball) {
   Scene scene = demoScene();

@@ -14,7 +14,7 @@
 
 namespace dewpoint::experiment {
 
-/// One row of the study: where the ball lies and where the cloud starts (world, metres).
+/// One row of the study: where the ball lies and where the cloud starts (world, meters).
 struct ConvergenceCase {
   std::string name;
   Eigen::Vector3d ball;
@@ -29,8 +29,8 @@ struct ConvergenceResult {
   ConvergenceCase setup;
   int converged = 0;             ///< runs whose error is below 3 cm (the paper's figure) at the end
   double medianIterations = 0.0; ///< iterations until it stays below, over the converged runs
-  double rmse = 0.0;             ///< metres, converged runs, iterations after convergence
-  double depthBias = 0.0;        ///< metres along camera 1's optical axis, same iterations
+  double rmse = 0.0;             ///< meters, converged runs, iterations after convergence
+  double depthBias = 0.0;        ///< meters along camera 1's optical axis, same iterations
 };
 
 /// The cases of Barrera et al. 2005, section III, completed where the paper is silent: ball
@@ -46,10 +46,10 @@ using ConvergenceWatch =
 Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
                         const ConvergenceWatch& watch);
 
-/// As measureDrift(), after each iteration: metres that the mean has moved so far.
+/// As measureDrift(), after each iteration: meters that the mean has moved so far.
 Result<std::vector<double>> driftCurve(int runs, int iterations);
 
-/// The systematic drift (section III, figures 4 and 5): metres per iteration that the cloud's mean
+/// The systematic drift (section III, figures 4 and 5): meters per iteration that the cloud's mean
 /// moves away from camera 1 along its optical axis when only that camera looks; mean over runs.
 Result<double> measureDrift(int runs = 50, int iterations = 40);
 

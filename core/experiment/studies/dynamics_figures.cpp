@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Barrera et al. 2005, section III-C: figures 6, 7 and 8.
+#include "core/experiment/studies/dynamics_figures.h"
+
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/figure_parts.h"
 #include "core/experiment/studies/dynamics_study.h"
@@ -15,8 +17,8 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr double kConverged = 0.1;   // metres: the sigma of the observation
-constexpr double kPaperSigma = 0.03; // metres, as stated
+constexpr double kConverged = 0.1;   // meters: the sigma of the observation
+constexpr double kPaperSigma = 0.03; // meters, as stated
 constexpr double kFittingSigma = 0.06;
 
 /// What was chosen where the paper is silent; `start` says where the cloud starts.
@@ -57,7 +59,7 @@ Convergence convergenceOf(const std::vector<double>& errors, const DynamicsSetup
 
 /// Errors as gray, black 2 m, white 0; a row per sigma, the smallest at the bottom.
 cv::Mat errorImage(const std::vector<std::vector<double>>& rows) {
-  constexpr double kBlack = 2.0; // metres
+  constexpr double kBlack = 2.0; // meters
   cv::Mat image(int(rows.size()), int(rows.front().size()), CV_8UC1);
   for (int y = 0; y < image.rows; ++y) {
     for (int x = 0; x < image.cols; ++x) {

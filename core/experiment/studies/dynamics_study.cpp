@@ -55,7 +55,7 @@ DynamicsRun follow(const DynamicsSetup& setup, const Path& truth, std::uint64_t 
 }
 
 bool keepsUp(const DynamicsSetup& setup, double speed, int runs) {
-  constexpr double kLost = 0.25; // metres
+  constexpr double kLost = 0.25; // meters
   const Path path = [&](int k) { return Eigen::Vector3d(speed * k, 0.0, 0.0); };
   int kept = 0;
   for (int seed = 1; seed <= runs; ++seed) {
@@ -107,7 +107,7 @@ double speedLimit(DynamicsSetup setup, int runs) {
 }
 
 double farAdvance(DynamicsSetup setup, int runs) {
-  static constexpr double kFar = 50.0; // metres
+  static constexpr double kFar = 50.0; // meters
   constexpr int kSteps = 40;
   setup.start = Eigen::Vector3d::Zero();
   setup.iterations = kSteps;

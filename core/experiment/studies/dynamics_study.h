@@ -12,7 +12,7 @@
 namespace dewpoint::experiment {
 
 /// An object that stands still, and at one iteration is elsewhere (Barrera et al. 2005, section
-/// III-C). Metres. The paper states 2 m, iteration 30, 200 particles and sigma_m; not where the
+/// III-C). Meters. The paper states 2 m, iteration 30, 200 particles and sigma_m; not where the
 /// cloud starts, nor the sigma of its observation.
 struct DynamicsSetup {
   int particles = 200;
@@ -27,14 +27,14 @@ struct DynamicsSetup {
 
 /// Method dynamics in one such run.
 struct DynamicsRun {
-  std::vector<double> errors; ///< metres, after each iteration
-  /// Metres: root mean square distance of the particles to their mean after the prediction, all
+  std::vector<double> errors; ///< meters, after each iteration
+  /// Meters: root mean square distance of the particles to their mean after the prediction, all
   /// alike, as `clouds` shows them.
   std::vector<double> cloudSpreads;
   /// The same, weighted by what was observed: of the belief. Far from the object, where one
   /// particle has all the weight, it is nearly nothing.
   std::vector<double> beliefSpreads;
-  std::vector<Eigen::ArrayXXd> clouds; ///< at the instants asked for: rows x y z
+  std::vector<Eigen::ArrayXXd> clouds; ///< at the requested instants: rows x y z
 };
 
 /// One iteration per measurement. `instants`: iterations (ascending) whose clouds are kept.
@@ -49,10 +49,10 @@ std::vector<double> meanErrors(const DynamicsSetup& setup, int runs);
 int iterationsUntilBelow(const std::vector<double>& errors, int from, int end, double bound);
 
 /// Meters per iteration that a cloud can follow: the speed of a steadily moving object at which the
-/// error stays below a quarter of a metre, by bisection over 60 iterations and `runs` seeds.
+/// error stays below a quarter of a meter, by bisection over 60 iterations and `runs` seeds.
 double speedLimit(DynamicsSetup setup, int runs);
 
-/// Metres per iteration that the mean moves towards an object far away, mean of `runs` seeds: about
+/// Meters per iteration that the mean moves towards an object far away, mean of `runs` seeds: about
 /// the expected largest of N standard normals times sigma_m (2.75 sigma_m at N = 200), since only
 /// the nearest particle survives.
 double farAdvance(DynamicsSetup setup, int runs);

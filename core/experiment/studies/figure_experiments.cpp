@@ -2,6 +2,8 @@
 #include "core/experiment/studies/figure_experiments.h"
 
 #include "core/experiment/report/report_folder.h"
+#include "core/experiment/studies/barrera_figures.h"
+#include "core/experiment/studies/dynamics_figures.h"
 
 #include <array>
 

@@ -9,7 +9,7 @@
 
 namespace dewpoint::experiment {
 
-/// A figure or a table of a paper, made anew by one command.
+/// A figure or a table of a paper, reproduced by one command.
 struct FigureExperiment {
   std::string_view name;     ///< as on the command line
   std::string_view title;    ///< for people
@@ -27,15 +27,5 @@ std::span<const FigureExperiment> figureExperiments();
 /// The studies of boxes and of people, as experiments with defaults that take minutes: sugandi-rmse
 /// and people-<scenario>. The command line has all their options.
 std::span<const FigureExperiment> studyExperiments();
-
-// Barrera et al. 2005, section III, on the simulated demo.
-Status barreraFigure3(const ExperimentOptions& options);
-Status barreraFigure4(const ExperimentOptions& options);
-Status barreraDrift(const ExperimentOptions& options);
-Status barreraStarts(const ExperimentOptions& options);
-// The same, section III-C.
-Status dynamicsFigure6(const ExperimentOptions& options);
-Status dynamicsFigure7(const ExperimentOptions& options);
-Status dynamicsFigure8(const ExperimentOptions& options);
 
 } // namespace dewpoint::experiment

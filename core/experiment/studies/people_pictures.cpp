@@ -14,11 +14,11 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr double kHalfFloor = 3.6; // metres: a little more than the office
+constexpr double kHalfFloor = 3.6; // meters: a little more than the office
 constexpr int kFloorPixels = 480;
 constexpr int kViewWidth = 320;
 
-/// How many people are in the office, and the least distance of two of them (metres).
+/// How many people are in the office, and the least distance of two of them (meters).
 struct Gathering {
   int people = 0;
   double nearest = std::numeric_limits<double>::infinity();
@@ -30,18 +30,18 @@ struct Gathering {
 
 Gathering gatheringAt(const OfficeScene& scene, double time) {
   Gathering result;
-  std::vector<Eigen::Vector2d> places;
+  std::vector<Eigen::Vector2d> positions;
   for (const simulation::Walker& walker : scene.people) {
-    const Eigen::Vector2d place = walker.place(time);
-    if (!walker.presentAt(time) || place.cwiseAbs().maxCoeff() > kHalfFloor) {
+    const Eigen::Vector2d position = walker.position(time);
+    if (!walker.presentAt(time) || position.cwiseAbs().maxCoeff() > kHalfFloor) {
       continue;
     }
-    for (const Eigen::Vector2d& other : places) {
-      result.nearest = std::min(result.nearest, (other - place).norm());
+    for (const Eigen::Vector2d& other : positions) {
+      result.nearest = std::min(result.nearest, (other - position).norm());
     }
-    places.push_back(place);
+    positions.push_back(position);
   }
-  result.people = static_cast<int>(places.size());
+  result.people = static_cast<int>(positions.size());
   return result;
 }
 
@@ -51,18 +51,18 @@ cv::Mat folded(const cv::Mat& row, int width) {
   const int rows = (count + 1) / 2;
   cv::Mat page = cv::Mat::zeros(rows * row.rows, 2 * width, CV_8UC3);
   for (int k = 0; k < count; ++k) {
-    cv::Mat place = page(cv::Rect(k % 2 * width, k / 2 * row.rows, width, row.rows));
-    row(cv::Rect(k * width, 0, width, row.rows)).copyTo(place);
-    cv::putText(place, std::to_string(k + 1), {6, 16}, cv::FONT_HERSHEY_SIMPLEX, 0.45,
+    cv::Mat position = page(cv::Rect(k % 2 * width, k / 2 * row.rows, width, row.rows));
+    row(cv::Rect(k * width, 0, width, row.rows)).copyTo(position);
+    cv::putText(position, std::to_string(k + 1), {6, 16}, cv::FONT_HERSHEY_SIMPLEX, 0.45,
                 {255, 255, 255}, 1, cv::LINE_AA);
   }
   return page;
 }
 
-cv::Point onFloor(const Eigen::Vector2d& place) {
+cv::Point onFloor(const Eigen::Vector2d& position) {
   const double scale = kFloorPixels / (2.0 * kHalfFloor);
   const Eigen::Vector2d pixel =
-      (scale * Eigen::Vector2d(place.x() + kHalfFloor, kHalfFloor - place.y()))
+      (scale * Eigen::Vector2d(position.x() + kHalfFloor, kHalfFloor - position.y()))
           .cwiseMax(-1e4)
           .cwiseMin(1e4);
   return {cvRound(pixel.x()), cvRound(pixel.y())};
@@ -72,9 +72,9 @@ cv::Mat emptyFloor(const CameraRig& rig) {
   const cv::Scalar grid(62, 58, 54);
   const cv::Scalar marks(190, 190, 190);
   cv::Mat floor(kFloorPixels, kFloorPixels, CV_8UC3, cv::Scalar(34, 31, 28));
-  for (int metre = -3; metre <= 3; ++metre) {
-    cv::line(floor, onFloor({metre, -kHalfFloor}), onFloor({metre, kHalfFloor}), grid);
-    cv::line(floor, onFloor({-kHalfFloor, metre}), onFloor({kHalfFloor, metre}), grid);
+  for (int meter = -3; meter <= 3; ++meter) {
+    cv::line(floor, onFloor({meter, -kHalfFloor}), onFloor({meter, kHalfFloor}), grid);
+    cv::line(floor, onFloor({-kHalfFloor, meter}), onFloor({kHalfFloor, meter}), grid);
   }
   for (std::size_t k = 0; k < rig.size(); ++k) {
     const cv::Point at = onFloor(rig[k].center().head<2>());
@@ -104,9 +104,9 @@ void drawPerson(const PersonEstimate& person, const PersonShape& shape, cv::Mat&
 
 } // namespace
 
-std::vector<PeopleInstant> tellingMoments(const PeopleScenario& scenario) {
+std::vector<PeopleInstant> tellingInstants(const PeopleScenario& scenario) {
   const OfficeScene& scene = scenario.scene;
-  const auto momentAt = [&](double time, const char* words) {
+  const auto instantAt = [&](double time, const char* words) {
     const auto frame = std::llround(time * scene.framesPerSecond);
     return PeopleInstant{std::clamp<std::int64_t>(frame, 0, scene.frameCount - 1),
                          fmt::format("{}, {:.1f} s", words, time)};
@@ -122,10 +122,10 @@ std::vector<PeopleInstant> tellingMoments(const PeopleScenario& scenario) {
     }
   }
   if (scenario.before <= 0.0) {
-    return {momentAt(nearest, "most people, nearest to each other")};
+    return {instantAt(nearest, "most people, nearest to each other")};
   }
-  return {momentAt(scenario.before, "before"), momentAt(nearest, "nearest to each other"),
-          momentAt(scenario.after, "after")};
+  return {instantAt(scenario.before, "before"), instantAt(nearest, "nearest to each other"),
+          instantAt(scenario.after, "after")};
 }
 
 cv::Mat peoplePicture(const PeopleFinding& people, const FrameSet& frames, const CameraRig& rig,

@@ -15,15 +15,15 @@
 
 namespace dewpoint::experiment {
 
-/// An instant of a scenario that tells what a method can do.
+/// An instant of a scenario that shows what a method can do.
 struct PeopleInstant {
   std::int64_t frame = 0;
   std::string words; ///< "nearest to each other, 3.4 s"
 };
 
 /// Before people meet, when most of them are there and they are nearest to each other, and when
-/// identities are judged; of a scenario that judges none between two instants, only the second.
-std::vector<PeopleInstant> tellingMoments(const PeopleScenario& scenario);
+/// identities are assessed; of a scenario that assesses none between two instants, only the second.
+std::vector<PeopleInstant> tellingInstants(const PeopleScenario& scenario);
 
 /// As Mohedano et al. 2009, figure 2: the images of all cameras with the outlines of the 95 %
 /// volumes, two beside each other, and the floor from above with the level curves of each person's

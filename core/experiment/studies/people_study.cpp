@@ -95,7 +95,7 @@ public:
       : method_(std::move(method)), run_(std::move(run)) {}
 
   Status see(const OfficeRenderer& renderer, const OfficeInstant& instant,
-             const std::vector<PeopleInstant>& moments) {
+             const std::vector<PeopleInstant>& picturedInstants) {
     const std::clock_t begin = std::clock(); // of this process: others may be busy
     const Status tracked = trackOneFrame(run_, instant.frames, {});
     const std::clock_t end = std::clock();
@@ -107,11 +107,11 @@ public:
       ++steps_;
     }
     record(renderer, instant);
-    for (const PeopleInstant& moment : moments) {
-      if (moment.frame == instant.frames->index) {
+    for (const PeopleInstant& pictured : picturedInstants) {
+      if (pictured.frame == instant.frames->index) {
         pictures_.push_back(
-            {moment.words, peoplePicture(found(), *instant.frames, renderer.scene().cameras,
-                                         frames_.back().truth)});
+            {pictured.words, peoplePicture(found(), *instant.frames, renderer.scene().cameras,
+                                           frames_.back().truth)});
       }
     }
     return {};
@@ -157,9 +157,9 @@ private:
     const double interval = 1.0 / renderer.scene().framesPerSecond;
     for (std::size_t k = 0; k < renderer.scene().people.size(); ++k) {
       if (renderer.inside(k, time)) {
-        Eigen::Vector3d place = renderer.middle(k, time);
-        place.z() = 0.0;
-        frame.truth.push_back({static_cast<int>(k), place});
+        Eigen::Vector3d position = renderer.middle(k, time);
+        position.z() = 0.0;
+        frame.truth.push_back({static_cast<int>(k), position});
       }
     }
     for (const PersonEstimate& person : found().people()) {
@@ -277,11 +277,12 @@ Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
     return tl::make_unexpected(all.error());
   }
   const OfficeRenderer renderer(scenario->scene, views);
-  const auto moments = setup.pictures ? tellingMoments(*scenario) : std::vector<PeopleInstant>();
+  const auto picturedInstants =
+      setup.pictures ? tellingInstants(*scenario) : std::vector<PeopleInstant>();
   for (std::int64_t frame = 0; frame < scenario->scene.frameCount; ++frame) {
     const OfficeInstant instant = renderInstant(renderer, frame);
     for (EvaluatedTracker& one : *all) {
-      if (const auto seen = one.see(renderer, instant, moments); !seen) {
+      if (const auto seen = one.see(renderer, instant, picturedInstants); !seen) {
         return tl::make_unexpected(seen.error());
       }
     }

@@ -30,18 +30,18 @@ struct PeopleTrial {
   /// Everybody had an identity before the meeting, and has the same one after it.
   bool kept = false;
   double mota = 0.0;
-  double motp = 0.0; ///< metres
+  double motp = 0.0; ///< meters
   double hota = 0.0;
-  double gospa = 0.0; ///< metres, mean, cutoff kPeopleGate
+  double gospa = 0.0; ///< meters, mean, cutoff kPeopleGate
   int identitySwitches = 0;
   double longestGhost = 0.0;  ///< seconds in a row that an estimate belongs to nobody
   double longestMissed = 0.0; ///< seconds that somebody whom two cameras see has no estimate
   double hullVolume = 0.0;    ///< m³, mean over people and frames
   double stepMs = 0.0;        ///< mean CPU time of a frame with people
-  std::vector<PeoplePicture> pictures; ///< of tellingMoments(), where they were asked for
+  std::vector<PeoplePicture> pictures; ///< of tellingInstants(), where they were requested
 };
 
-/// Metres within which an estimate belongs to a person.
+/// Meters within which an estimate belongs to a person.
 inline constexpr double kPeopleGate = 0.5;
 
 struct PeopleStudySetup {
@@ -51,7 +51,7 @@ struct PeopleStudySetup {
   std::uint64_t seed = 1;
   /// Values that differ from the defaults, for the methods that have such a parameter.
   std::vector<std::pair<std::string, double>> parameters;
-  bool pictures = false; ///< draw the telling moments
+  bool pictures = false; ///< draw the instants of tellingInstants()
 };
 
 /// UnknownKey for a parameter that none of the methods has, BadValue for one out of range; `field`

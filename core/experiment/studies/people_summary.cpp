@@ -71,7 +71,7 @@ std::vector<Bar> barsOf(const std::vector<PeopleSummary>& summaries) {
 }
 
 /// Whether a bar is reached; of fewer runs than it is for, only how it looks.
-std::string verdictOf(const Bar& bar) {
+std::string assessmentOf(const Bar& bar) {
   const char* word = bar.reached ? "yes" : "no";
   return bar.runs >= kBarRuns ? word : fmt::format("so far {}", word);
 }
@@ -197,7 +197,7 @@ FigurePage peopleReport(const std::string& scenario, const std::vector<PeopleTri
              rows);
   page.heading("What is expected, and whether it came out");
   for (const Bar& bar : barsOf(summaries)) {
-    page.bar(verdictOf(bar), bar.reached, bar.words);
+    page.bar(assessmentOf(bar), bar.reached, bar.words);
   }
   page.paragraph(kHowToRead);
   addPictures(trials, page);

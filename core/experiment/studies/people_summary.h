@@ -19,8 +19,8 @@ struct PeopleSummary {
   int identitySwitches = 0;
   double mota = 0.0; ///< mean, as the next three
   double hota = 0.0;
-  double gospa = 0.0;         ///< metres
-  double motp = 0.0;          ///< metres; over the runs that have matches
+  double gospa = 0.0;         ///< meters
+  double motp = 0.0;          ///< meters; over the runs that have matches
   double longestGhost = 0.0;  ///< seconds, the worst run
   double longestMissed = 0.0; ///< seconds, the worst run
   double hullVolume = 0.0;    ///< m³, mean

@@ -10,9 +10,13 @@
 namespace dewpoint::experiment {
 namespace {
 
+/// Sizes of first boxes against the true one.
 constexpr double kScales[] = {0.8, 1.0, 1.2, 1.4};
+/// Shift of first boxes, share of the true size.
 constexpr double kShift = 0.15;
+/// Particles of the methods compared.
 constexpr int kParticles = 300;
+/// Similarity from which on a method claims to be on the target.
 constexpr double kSure = 0.9;
 
 bool isOpenCvs(const std::string& method) {

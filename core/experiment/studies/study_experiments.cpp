@@ -2,6 +2,7 @@
 #include "core/experiment/studies/study_experiments.h"
 
 #include "core/experiment/report/report_folder.h"
+#include "core/experiment/studies/sugandi_report.h"
 #include "core/experiment/studies/sugandi_study.h"
 #include "core/tracking/catalog/method_catalog.h"
 

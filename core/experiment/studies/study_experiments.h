@@ -8,7 +8,7 @@
 
 namespace dewpoint::experiment {
 
-/// Many seeds from setup.seed on, of each kind of clothes in turn. `progress` is told how many of
+/// Many seeds from setup.seed on, of each kind of clothes in turn. `progress` receives how many of
 /// how many scenes are done; when it returns false what there is comes back.
 Result<std::vector<PeopleTrial>>
 studyManyPeople(PeopleStudySetup setup, const std::vector<PeopleClothes>& clothes, int seeds,

@@ -140,8 +140,8 @@ std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip) {
     return lineOf("m5", count,
                   [&, axis](std::size_t k) { return figures.truth[k].center()[axis]; });
   };
-  std::array<std::vector<SvgSeries>, 2> places{std::vector{truthLine(0)},
-                                               std::vector{truthLine(1)}};
+  std::array<std::vector<SvgSeries>, 2> centers{std::vector{truthLine(0)},
+                                                std::vector{truthLine(1)}};
   std::vector<SvgSeries> errors;
   std::vector<std::pair<std::string, std::string>> legend{{"m5", "truth"}};
   for (const Shown& shown : kShown) {
@@ -151,15 +151,15 @@ std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip) {
     }
     legend.emplace_back(shown.style, shown.method);
     for (int axis = 0; axis < 2; ++axis) {
-      places.at(std::size_t(axis)).push_back(lineOf(shown.style, count, [&](std::size_t k) {
+      centers.at(std::size_t(axis)).push_back(lineOf(shown.style, count, [&](std::size_t k) {
         return row->boxes[k] ? row->boxes[k]->center()[axis] : kNothing;
       }));
     }
     errors.push_back(lineOf(shown.style, count,
                             [&](std::size_t k) { return errorAt(row->boxes, figures.truth, k); }));
   }
-  return plotsHtml({{"x of the center", plotOf("x over frames", "x, px", places[0], false)},
-                    {"y of the center", plotOf("y over frames", "y, px", places[1], false)},
+  return plotsHtml({{"x of the center", plotOf("x over frames", "x, px", centers[0], false)},
+                    {"y of the center", plotOf("y over frames", "y, px", centers[1], false)},
                     {"Distance to the true center",
                      plotOf("error over frames", "error, px", errors, true)}},
                    legend) +

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/studies/sugandi_report.h"
+
 #include "core/base/markup.h"
 #include "core/base/text_file.h"
 #include "core/experiment/report/figure_page.h"

@@ -6,7 +6,6 @@
 #include "core/experiment/studies/sloppy_study.h"
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -35,7 +34,7 @@ struct BoxRow {
   std::vector<std::optional<ImageBox>> boxes;
 };
 
-/// A requirement with its verdict.
+/// A requirement, and whether it was reached.
 struct BoxBar {
   std::string sentence;
   bool reached = false;
@@ -52,25 +51,12 @@ struct BoxStudy {
   std::vector<BoxRow> rows; ///< clip by clip
   std::vector<BoxBar> bars;
   std::vector<BoxClipFigures> figures; ///< one per clip
-  std::vector<SloppyRow> sloppy;       ///< of studySloppyBoxes(); empty unless asked for
+  std::vector<SloppyRow> sloppy;       ///< of studySloppyBoxes(); empty unless requested
 };
 
 /// Follows every clip with `sugandi` of 100 and of 300 particles, `histogram` and OpenCV's four
 /// trackers. `report` gets each row as it is done; it returns false to stop.
 Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
                             const std::function<bool(const BoxRow&)>& report);
-
-/// The study as text with aligned columns, as CSV, and as a page.
-std::string boxStudyText(const BoxStudy& study);
-std::string boxStudyCsv(const BoxStudy& study);
-std::string boxStudyHtml(const BoxStudy& study);
-
-/// What sloppy first boxes led to, as CSV; without numbers in the last three columns where a method
-/// does not say how sure it is.
-std::string sloppyBoxesCsv(const std::vector<SloppyRow>& rows);
-
-/// Writes sugandi-rmse.txt, .csv and .html with its pictures, tracks.csv, and sloppy-boxes.csv
-/// where that was studied, into a folder that exists.
-Status writeBoxStudy(const BoxStudy& study, const std::filesystem::path& folder);
 
 } // namespace dewpoint::experiment

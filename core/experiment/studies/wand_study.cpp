@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/studies/wand_study.h"
 
+#include "core/base/angle.h"
 #include "core/calibration/wand/wand_gauge.h"
 #include "core/experiment/scenarios/random_draws.h"
 #include "core/experiment/scenarios/scenario_draft.h"
@@ -20,11 +21,12 @@
 namespace dewpoint::experiment {
 namespace {
 
+/// Length of a recording, seconds.
 constexpr double kSeconds = 30.0;
-constexpr double kStick = 0.6;   ///< metres between the balls
-constexpr double kRadius = 0.04; ///< metres
+constexpr double kStick = 0.6;   ///< meters between the balls
+constexpr double kRadius = 0.04; ///< meters
+/// Seconds, either way.
 constexpr double kClockError = 0.016;
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kOffsetBar = 5e-4;                ///< seconds
 constexpr double kSolveBar = 5.0;                  ///< seconds
 const Eigen::Vector3d kViolet{200.0, 60.0, 130.0}; ///< BGR: a color that nothing in the hall has
@@ -142,17 +144,17 @@ private:
     options.fromDiameter = !stick;
     options.findOffsets = kind == WandCase::Unsynced;
     if (kind == WandCase::Far) {
-      options.roughPlace = 0.3;
+      options.roughPosition = 0.3;
       options.roughTurn = 10.0 * kDegree;
     }
     return options;
   }
 
-  CameraRig roughRig(double place, double turn) const {
+  CameraRig roughRig(double position, double turn) const {
     CameraRig rough = rig_;
     for (std::size_t c = 0; c < rough.size(); ++c) {
       auto& pose = rough[c].cameraFromWorld;
-      const Eigen::Vector3d center = rough[c].center() + place * directions_[c][0];
+      const Eigen::Vector3d center = rough[c].center() + position * directions_[c][0];
       pose.linear() = Eigen::AngleAxisd(turn, directions_[c][1]) * pose.linear();
       pose.translation() = -pose.linear() * center;
     }

@@ -25,13 +25,13 @@ struct WandRecording {
   int jpegQuality = 0; ///< 1 to 100: images go through JPEG; 0: they do not
 };
 
-/// The figures of one calibration of the simulated hall. Lengths in metres.
+/// The figures of one calibration of the simulated hall. Lengths in meters.
 struct WandTrial {
   std::uint64_t seed = 0;
   WandCase kind = WandCase::Near;
   std::string failure;      ///< the sentence, when nothing came out
-  double cameraRms = 0.0;   ///< of the cameras' places, after the best rigid motion of both
-  double pointRms = 0.0;    ///< of the balls' places, under the same motion
+  double cameraRms = 0.0;   ///< of the cameras' positions, after the best rigid motion of both
+  double pointRms = 0.0;    ///< of the balls' positions, under the same motion
   double scaleError = 0.0;  ///< relative
   double offsetError = 0.0; ///< largest, seconds; against the first camera
   double medianPx = 0.0;
@@ -40,14 +40,13 @@ struct WandTrial {
   bool passed = false; ///< within the bar of its case
 };
 
-/// Calibrations of the hall's four VGA cameras from rendered images of a waved stick with two
-/// balls, seen through the color code that tracking uses: for one seed, all cases. `report`
-/// gets each trial as it is done; it returns false to stop. 30 seconds, `framesPerSecond` images
-/// per second.
+/// Calibrations of the hall's four VGA cameras from rendered images of a wand with two balls, seen
+/// through the color code that tracking uses: for one seed, all cases. `report` gets each trial as
+/// it is done; it returns false to stop. 30 seconds, `framesPerSecond` images per second.
 std::vector<WandTrial> studyWand(std::uint64_t seed, const WandRecording& recording,
                                  const std::function<bool(const WandTrial&)>& report);
 
-/// The bar of a case: largest RMS of cameras and points, metres; infinite where there is none.
+/// The bar of a case: largest RMS of cameras and points, meters; infinite where there is none.
 double wandBar(WandCase kind);
 std::string wandCaseName(WandCase kind);
 

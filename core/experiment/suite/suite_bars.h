@@ -9,7 +9,7 @@
 
 namespace dewpoint::experiment {
 
-/// One thing the method `dewpoint` must reach in the `ideal` grade.
+/// One requirement that the method `dewpoint` must reach in the `ideal` grade.
 struct SuiteBar {
   int item = 0;         ///< number in the list of requirements
   std::string sentence; ///< what is measured, and where

@@ -18,7 +18,7 @@ Plot errorOverTime(std::span<const SuiteCell> cells);
 /// Share of all frames from the start in which the target is declared with an error of at most x:
 /// the curve ends below 100 % where a method declares nothing.
 Plot errorDistribution(std::span<const SuiteCell> cells);
-/// How often the target was where the estimate said, over the stated P(exists).
+/// How often the target was where the estimate stated, over the stated P(exists).
 Plot reliabilityDiagram(std::span<const SuiteCell> cells);
 
 } // namespace dewpoint::experiment

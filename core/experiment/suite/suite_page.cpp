@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/suite/suite_page.h"
+
 #include "core/experiment/report/report_style.h"
 #include "core/experiment/suite/suite_figures.h"
-#include "core/experiment/suite/suite_report.h"
 #include "core/experiment/suite/suite_tables.h"
 
 #include <fmt/format.h>

@@ -19,7 +19,7 @@ namespace dewpoint::experiment {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kMillimetres = 1000.0;
+constexpr double kMillimeters = 1000.0;
 constexpr std::int64_t kStepFrames = 5; // frames before and after a camera's loss that are averaged
 
 bool isDeclared(const SphereEstimate& estimate) {
@@ -95,13 +95,13 @@ void measureEvents(const ScenarioRun& run, const std::vector<TargetFrame>& frame
       raise(row.framesToDeclareLoss, framesOrNever(framesToDeclareLoss(frames, event.frame)));
     } else if (event.kind == ScenarioEvent::Kind::BlackoutBegin) {
       const auto errors = errorsBetween(frames, event.frame, endOfBlackout(run, event));
-      raise(row.blackoutRmseMm, errors.empty() ? kNever : kMillimetres * rootMeanSquare(errors));
+      raise(row.blackoutRmseMm, errors.empty() ? kNever : kMillimeters * rootMeanSquare(errors));
     } else if (happensToACamera(event.kind)) {
       const auto before = errorsBetween(frames, event.frame - kStepFrames, event.frame);
       const auto after = errorsBetween(frames, event.frame, event.frame + kStepFrames);
       const bool both = !before.empty() && !after.empty();
       raise(row.largestStepMm,
-            both ? kMillimetres * (meanOfErrors(after) - meanOfErrors(before)).norm() : kNever);
+            both ? kMillimeters * (meanOfErrors(after) - meanOfErrors(before)).norm() : kNever);
     }
   }
 }
@@ -115,20 +115,20 @@ void fillErrors(const std::vector<Eigen::Vector3d>& errors, const CameraRig& rig
     cameras.push_back({camera.name, camera.center(), camera.opticalAxis()});
   }
   const ErrorSplit split = splitErrors(errors, cameras);
-  row.rmseMm = kMillimetres * split.summary.rmse;
-  row.medianMm = kMillimetres * split.summary.median;
-  row.p95Mm = kMillimetres * split.summary.p95;
-  row.maxMm = kMillimetres * split.summary.max;
-  row.biasMm = kMillimetres * split.summary.bias.norm();
+  row.rmseMm = kMillimeters * split.summary.rmse;
+  row.medianMm = kMillimeters * split.summary.median;
+  row.p95Mm = kMillimeters * split.summary.p95;
+  row.maxMm = kMillimeters * split.summary.max;
+  row.biasMm = kMillimeters * split.summary.bias.norm();
   if (split.meanView) {
-    row.depthMm = kMillimetres * split.meanView->alongRms;
-    row.lateralMm = kMillimetres * split.meanView->acrossRms;
-    row.depthBiasMm = kMillimetres * split.meanView->alongBias;
+    row.depthMm = kMillimeters * split.meanView->alongRms;
+    row.lateralMm = kMillimeters * split.meanView->acrossRms;
+    row.depthBiasMm = kMillimeters * split.meanView->alongBias;
   }
 }
 
 void fillTracks(const std::vector<TrackFrame>& frames, SuiteRow& row) {
-  row.gospaMm = kMillimetres * averageGospa(frames, {kMatchGate, 2.0}).mean;
+  row.gospaMm = kMillimeters * averageGospa(frames, {kMatchGate, 2.0}).mean;
   const ClearMot mot = clearMot(frames, kMatchGate);
   row.mota = mot.mota();
   row.identitySwitches = static_cast<double>(mot.identitySwitches);
@@ -274,7 +274,7 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
     for (std::size_t k = 0; k < frames.size(); ++k) {
       const SphereEstimate& estimate = estimates_[k][estimateOf[target]];
       const auto error = errorOf(frames[k]);
-      trace.push_back(error ? kMillimetres * error->norm()
+      trace.push_back(error ? kMillimeters * error->norm()
                             : std::numeric_limits<double>::quiet_NaN());
       forecasts.push_back(
           {estimate.existence,

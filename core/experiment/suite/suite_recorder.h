@@ -16,7 +16,8 @@ struct SuiteResult {
   SuiteTrace trace;
 };
 
-/// Collects what one method says over the frames of one run and measures it against the truth.
+/// Collects the estimates of one method over the frames of one run and measures it against the
+/// truth.
 ///
 /// A target is declared present when its estimate is valid or existence is above one half. With
 /// several targets of one color a method may name them as it likes: over the whole run, estimates

@@ -2,6 +2,7 @@
 #include "core/experiment/suite/suite_report.h"
 
 #include "core/base/text_file.h"
+#include "core/experiment/suite/suite_page.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

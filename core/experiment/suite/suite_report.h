@@ -26,9 +26,6 @@ std::string seedSentence(const std::vector<std::uint64_t>& seeds);
 
 std::string summaryCsv(const SuiteReport& report);
 std::string reportJson(const SuiteReport& report);
-/// One page that needs nothing else: light and dark, plots inline.
-std::string reportHtml(const SuiteReport& report);
-
 /// Writes report.html, summary.csv and report.json into the folder.
 Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults& results,
                         const std::vector<RunKey>& order,

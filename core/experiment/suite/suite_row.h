@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/experiment/scenarios/scenario.h"
+#include "core/trajectory/evaluation.h"
 
 #include <compare>
 #include <cstdint>
@@ -13,9 +14,9 @@
 
 namespace dewpoint::experiment {
 
-/// A target counts as followed when it is declared present nearer to the truth than this, metres.
-inline constexpr double kFollowGate = 0.03;
-/// Gate of the metrics of several targets (GOSPA's cutoff, CLEAR MOT, HOTA), metres.
+/// A target counts as followed when it is declared present nearer to the truth than this, meters.
+inline constexpr double kFollowGate = kDefaultGate;
+/// Gate of the metrics of several targets (GOSPA's cutoff, CLEAR MOT, HOTA), meters.
 inline constexpr double kMatchGate = 0.1;
 /// A start counts as quick when it takes no more frames than this.
 inline constexpr double kQuickFrames = 5.0;
@@ -87,7 +88,7 @@ struct ReliabilityCount {
 /// What the plots need of one run: one line of traces.csv.
 struct SuiteTrace {
   RunKey key;
-  /// Per target and frame: distance of the estimate to the truth in millimetres; NaN where the
+  /// Per target and frame: distance of the estimate to the truth in millimeters; NaN where the
   /// method does not declare the target present, or where it is not there.
   std::vector<std::vector<double>> errorsMm;
   std::vector<ReliabilityCount> reliability; ///< kReliabilityBins

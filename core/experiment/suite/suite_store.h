@@ -25,7 +25,7 @@ public:
   const SuiteResults& results() const { return results_; }
   /// Appends one result to both files and to results().
   Status append(const SuiteResult& result);
-  /// Writes both files anew, in this order of the runs' keys.
+  /// Writes both files again, in this order of the runs' keys.
   Status rewrite(const std::vector<RunKey>& order);
 
 private:

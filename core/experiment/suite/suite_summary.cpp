@@ -12,7 +12,9 @@
 namespace dewpoint::experiment {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+/// Resamples of the bootstrap.
 constexpr int kResamplesOfRuns = 2000;
 constexpr int kResamplesOfFrames = 300; // each sorts every frame of the cell
 

@@ -38,7 +38,7 @@ double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Figure Sui
 double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Figure SuiteRow::*figure);
 
 /// Errors of each target of each run from its convergence on (from the start if it never did),
-/// millimetres.
+/// millimeters.
 std::vector<std::vector<double>> errorsAfterConvergence(std::span<const SuiteResult* const> runs);
 
 /// The runs' reliability tables as one.

@@ -31,7 +31,7 @@ std::string requirementOf(const SuiteBar& bar) {
              : fmt::format("{:g}–{:g}{}", bar.low, bar.high, unit);
 }
 
-std::string verdictOf(const BarResult& result) {
+std::string assessmentOf(const BarResult& result) {
   if (!result.measured()) {
     return "<span class='chip'>not measured</span>";
   }
@@ -161,7 +161,7 @@ std::string barTable(std::span<const BarResult> bars) {
     text += fmt::format("<tr><td>{}</td><td class='text'>{}</td><td>{}</td><td>{}</td><td>{}</td>"
                         "<td class='text'>{}</td></tr>",
                         result.bar->item, escaped(result.bar->sentence), requirementOf(*result.bar),
-                        figureText(result.value), result.runs, verdictOf(result));
+                        figureText(result.value), result.runs, assessmentOf(result));
   }
   return text + "</tbody></table></div>";
 }

@@ -12,7 +12,7 @@ namespace dewpoint::experiment {
 /// Three significant digits as people read them: "1.41", "23.4", "630", "never", "-" for nothing.
 std::string figureText(double value);
 
-/// The bars with their verdicts, as an HTML table.
+/// The bars, and whether each is reached, as an HTML table.
 std::string barTable(std::span<const BarResult> bars);
 /// Median RMSE and lost frames, scenario by method.
 std::string overviewTable(std::span<const SuiteCell> cells);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>

@@ -3,6 +3,7 @@
 
 #include "core/filter/particle_set.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 #include "core/observation/boxes/motion_likelihood.h"
 
 #include <opencv2/core/mat.hpp>

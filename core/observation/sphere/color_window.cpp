@@ -2,6 +2,7 @@
 #include "core/observation/sphere/color_window.h"
 
 #include "core/base/vector_kernel.h"
+#include "core/geometry/projector.h"
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,7 @@
 #include "core/color/color_classifier.h"
 #include "core/filter/particle_set.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 #include "core/observation/sphere/window_counts.h"
 
 #include <Eigen/Core>

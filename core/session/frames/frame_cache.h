@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 
 namespace dewpoint::session {
 
@@ -16,28 +15,19 @@ public:
   virtual ~FrameCache() = default;
   /// A frame set that was taken from the source; numbers only rise.
   virtual void add(const FrameSetPtr& frames) = 0;
-  /// The images of this frame; null when they are gone (live), or not there.
+  /// The images of this frame; null when they were dropped (live), or not there.
   virtual Result<FrameSetPtr> at(std::int64_t frame) = 0;
-  /// A quick look at a frame: in full when that takes no time, else small and scaled up (`exact` is
+  /// A preview of a frame: in full when that takes no time, else small and scaled up (`exact` is
   /// false then); null when there is none.
-  virtual FrameSetPtr glance(std::int64_t frame, bool& exact) = 0;
+  virtual FrameSetPtr previewAt(std::int64_t frame, bool& exact) = 0;
   /// The oldest frame that at() still has.
   virtual std::int64_t oldest() const = 0;
   /// The newest frame that at() has.
   virtual std::int64_t newest() const = 0;
   virtual std::size_t bytes() const = 0;
-  /// Forgets everything (the run begins anew).
+  /// Forgets everything (the run begins again).
   virtual void clear() = 0;
 };
-
-/// Frames of a recording, read again by seeking; those decoded last are kept, and small pictures of
-/// all that went by, up to `mostBytes`.
-/// When frames are asked for backwards, some earlier ones are decoded on the way. Moves the source.
-std::unique_ptr<FrameCache> recordedFrames(FrameSetSource& source, std::size_t mostBytes);
-
-/// Frames of live cameras: the newest as they are, older ones as JPEG, compressed by a thread of
-/// its own, up to `mostBytes` in all.
-std::unique_ptr<FrameCache> liveFrames(std::size_t mostBytes);
 
 /// Bytes of the pixels.
 std::size_t bytesOf(const FrameSet& frames);

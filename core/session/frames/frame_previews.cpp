@@ -11,7 +11,9 @@
 namespace dewpoint::session {
 namespace {
 
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr int kWidth = 160; ///< pixels
+/// Quality of JPEG, 1 to 100.
 constexpr int kQuality = 75;
 /// A picture stands for frames up to this many behind it.
 constexpr std::int64_t kFarthest = 16;
@@ -50,10 +52,10 @@ void FramePreviews::add(const FrameSet& frames) {
 
 void FramePreviews::thin() {
   spacing_ *= 2;
-  for (auto place = entries_.begin(); place != entries_.end();) {
-    const bool wanted = place->first % spacing_ == 0 && spacing_ <= kFarthest;
-    bytes_ -= wanted ? 0 : place->second.bytes;
-    place = wanted ? std::next(place) : entries_.erase(place);
+  for (auto found = entries_.begin(); found != entries_.end();) {
+    const bool wanted = found->first % spacing_ == 0 && spacing_ <= kFarthest;
+    bytes_ -= wanted ? 0 : found->second.bytes;
+    found = wanted ? std::next(found) : entries_.erase(found);
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/frames/frame_cache.h"
+
+#include "core/session/frames/live_frames.h"
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -89,11 +90,11 @@ public:
     Kept found;
     {
       const std::lock_guard lock(mutex_);
-      const auto place = find(frame);
-      if (place == kept_.end()) {
+      const auto entry = find(frame);
+      if (entry == kept_.end()) {
         return FrameSetPtr();
       }
-      found = *place;
+      found = *entry;
     }
     if (found.raw) {
       return found.raw;
@@ -105,7 +106,7 @@ public:
     }
   }
 
-  FrameSetPtr glance(std::int64_t frame, bool& exact) override {
+  FrameSetPtr previewAt(std::int64_t frame, bool& exact) override {
     exact = true;
     return at(frame).value_or(FrameSetPtr());
   }
@@ -131,10 +132,10 @@ public:
 
 private:
   std::deque<Kept>::iterator find(std::int64_t frame) {
-    const auto place =
+    const auto entry =
         std::lower_bound(kept_.begin(), kept_.end(), frame,
                          [](const Kept& kept, std::int64_t index) { return kept.index < index; });
-    return place != kept_.end() && place->index == frame ? place : kept_.end();
+    return entry != kept_.end() && entry->index == frame ? entry : kept_.end();
   }
 
   void forgetOldest() {
@@ -145,11 +146,11 @@ private:
 
   /// The oldest that is not packed; null when there is room for all that are not.
   FrameSetPtr oldestRaw() {
-    const auto place = rawBytes_ > most_ / kRawShare
+    const auto entry = rawBytes_ > most_ / kRawShare
                            ? std::find_if(kept_.begin(), kept_.end(),
                                           [](const Kept& kept) { return kept.raw != nullptr; })
                            : kept_.end();
-    return place != kept_.end() ? place->raw : nullptr;
+    return entry != kept_.end() ? entry->raw : nullptr;
   }
 
   void packOld(const std::stop_token& stop) {
@@ -173,19 +174,19 @@ private:
       packed.assign(raw->frames.size(), {}); // shown as missing
     }
     const std::lock_guard lock(mutex_);
-    const auto place = find(raw->index);
-    if (place == kept_.end() || place->raw != raw) {
+    const auto entry = find(raw->index);
+    if (entry == kept_.end() || entry->raw != raw) {
       return; // forgotten meanwhile
     }
-    bytes_ -= place->bytes;
-    rawBytes_ -= place->bytes;
-    place->raw = nullptr;
-    place->packed = std::move(packed);
-    place->bytes = 0;
-    for (const PackedFrame& frame : place->packed) {
-      place->bytes += frame.bytes.size();
+    bytes_ -= entry->bytes;
+    rawBytes_ -= entry->bytes;
+    entry->raw = nullptr;
+    entry->packed = std::move(packed);
+    entry->bytes = 0;
+    for (const PackedFrame& frame : entry->packed) {
+      entry->bytes += frame.bytes.size();
     }
-    bytes_ += place->bytes;
+    bytes_ += entry->bytes;
   }
 
   std::size_t most_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/frames/frame_cache.h"
+#include "core/session/frames/recorded_frames.h"
+
 #include "core/session/frames/frame_previews.h"
 
 #include <algorithm>
@@ -7,15 +8,6 @@
 #include <map>
 
 namespace dewpoint::session {
-
-std::size_t bytesOf(const FrameSet& frames) {
-  std::size_t bytes = 0;
-  for (const FramePtr& frame : frames.frames) {
-    bytes += frame ? frame->image.total() * frame->image.elemSize() : 0;
-  }
-  return bytes;
-}
-
 namespace {
 
 /// Frames decoded before the one asked for when the numbers fall: the next ones asked for.
@@ -47,7 +39,7 @@ public:
   }
 
   Result<FrameSetPtr> at(std::int64_t frame) override {
-    const std::int64_t last = std::exchange(lastAsked_, frame);
+    const std::int64_t last = std::exchange(lastRequested_, frame);
     if (const auto known = found_.find(frame); known != found_.end()) {
       order_.splice(order_.begin(), order_, known->second);
       return order_.front();
@@ -72,7 +64,7 @@ public:
     return wanted;
   }
 
-  FrameSetPtr glance(std::int64_t frame, bool& exact) override {
+  FrameSetPtr previewAt(std::int64_t frame, bool& exact) override {
     exact = found_.contains(frame);
     return exact ? *found_.at(frame) : previews_.at(frame);
   }
@@ -89,7 +81,7 @@ private:
   std::size_t bytes_ = 0;
   std::list<FrameSetPtr> order_; ///< the one used last first
   std::map<std::int64_t, std::list<FrameSetPtr>::iterator> found_;
-  std::int64_t lastAsked_ = -1;
+  std::int64_t lastRequested_ = -1;
 };
 
 } // namespace

@@ -29,14 +29,14 @@ TargetStatus statusOf(bool held, double time, double lastHeld) {
                                                                   : TargetStatus::Searching;
 }
 
-FrameRecord frameRecord(const TrackedFrame& moment, const FrameSet& frames) {
+FrameRecord frameRecord(const TrackedFrame& trackedFrame, const FrameSet& frames) {
   FrameRecord record;
-  record.frame = moment.frame;
-  record.time = moment.time;
+  record.frame = trackedFrame.frame;
+  record.time = trackedFrame.time;
   for (std::size_t k = 0; k < std::min<std::size_t>(64, frames.frames.size()); ++k) {
     record.missingCameras |= frames.frames[k] ? 0 : std::uint64_t{1} << k;
   }
-  for (const TrackedTarget& target : moment.targets) {
+  for (const TrackedTarget& target : trackedFrame.targets) {
     const bool held = target.status == TargetStatus::Held || target.status == TargetStatus::Gone;
     record.targets.push_back({target.status, static_cast<float>(existenceOf(target.estimate)),
                               held ? std::vector<CameraReport>() : target.reasons});

@@ -27,7 +27,7 @@ inline constexpr double kLostAfter = 1.0;
 /// One target as it was believed at one frame.
 struct TrackedTarget {
   TrackEstimate estimate;
-  Eigen::ArrayXXf particles; ///< rows x y z, metres
+  Eigen::ArrayXXf particles; ///< rows x y z, meters
   Eigen::ArrayXf weights;    ///< one per row, linear
   std::vector<CandidatePosition> proposals;
   std::vector<CameraReport> reasons; ///< per camera, why it does not confirm the target
@@ -64,7 +64,7 @@ struct FrameRecord {
 
 /// Status of a target that is (not) held at `time`, given when it was held last.
 TargetStatus statusOf(bool held, double time, double lastHeld);
-/// The record of a moment.
-FrameRecord frameRecord(const TrackedFrame& moment, const FrameSet& frames);
+/// The record of a frame.
+FrameRecord frameRecord(const TrackedFrame& trackedFrame, const FrameSet& frames);
 
 } // namespace dewpoint::session

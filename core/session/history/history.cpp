@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::int64_t kFirstSpacing = 15; ///< frames between copies, as long as there is room
 
-bool hasParticles(const TrackedFrame& moment) {
-  return std::ranges::any_of(moment.targets, [](const auto& target) {
+bool hasParticles(const TrackedFrame& trackedFrame) {
+  return std::ranges::any_of(trackedFrame.targets, [](const auto& target) {
     return target.particles.size() > 0 || target.boxParticles.centers.size() > 0;
   });
 }
@@ -39,8 +39,8 @@ HistoryLimits HistoryLimits::of(std::size_t total, bool live) {
 }
 
 void History::clear() {
-  moments_.clear();
-  momentBytes_ = 0;
+  trackedFrames_.clear();
+  trackedFrameBytes_ = 0;
   checkpoints_.clear();
   checkpointBytes_ = 0;
   spacing_ = 0;
@@ -71,13 +71,13 @@ void History::beforeFrame(std::int64_t frame, const TrackingRun& run) {
 
 void History::thinCheckpoints() {
   bool wanted = true; // the first stays
-  for (auto place = checkpoints_.begin(); place != checkpoints_.end(); wanted = !wanted) {
-    if (wanted || std::next(place) == checkpoints_.end()) {
-      ++place;
+  for (auto found = checkpoints_.begin(); found != checkpoints_.end(); wanted = !wanted) {
+    if (wanted || std::next(found) == checkpoints_.end()) {
+      ++found;
       continue;
     }
-    checkpointBytes_ -= place->second.state.bytes;
-    place = checkpoints_.erase(place);
+    checkpointBytes_ -= found->second.state.bytes;
+    found = checkpoints_.erase(found);
   }
   spacing_ *= 2;
 }
@@ -95,60 +95,61 @@ void History::changed(std::int64_t frame, int iterations, const RunChange& chang
   }
 }
 
-void History::record(TrackedFrame moment) {
-  if (!moments_.empty() && moments_.back().frame == moment.frame) {
-    momentBytes_ -= moments_.back().bytes();
-    moments_.pop_back();
+void History::record(TrackedFrame trackedFrame) {
+  if (!trackedFrames_.empty() && trackedFrames_.back().frame == trackedFrame.frame) {
+    trackedFrameBytes_ -= trackedFrames_.back().bytes();
+    trackedFrames_.pop_back();
   }
-  momentBytes_ += moment.bytes();
-  moments_.push_back(std::move(moment));
-  if (momentBytes_ > limits_.moments) {
-    thinMoments();
+  trackedFrameBytes_ += trackedFrame.bytes();
+  trackedFrames_.push_back(std::move(trackedFrame));
+  if (trackedFrameBytes_ > limits_.trackedFrames) {
+    thinTrackedFrames();
   }
 }
 
-void History::thinMoments() {
-  const std::size_t half = moments_.size() / 2;
+void History::thinTrackedFrames() {
+  const std::size_t half = trackedFrames_.size() / 2;
   bool wanted = true;
   for (std::size_t k = 0; k < half; ++k) {
-    TrackedFrame& moment = moments_[k];
-    if (hasParticles(moment) && !(wanted = !wanted)) {
-      forgetParticles(moment);
+    TrackedFrame& trackedFrame = trackedFrames_[k];
+    if (hasParticles(trackedFrame) && !(wanted = !wanted)) {
+      forgetParticles(trackedFrame);
     }
   }
   // A run is repeated through its moments: none is given up while there are particles to give up.
-  for (auto moment = moments_.begin();
-       momentBytes_ > limits_.moments && moment != std::prev(moments_.end()); ++moment) {
-    if (hasParticles(*moment)) {
-      forgetParticles(*moment);
+  for (auto trackedFrame = trackedFrames_.begin(); trackedFrameBytes_ > limits_.trackedFrames &&
+                                                   trackedFrame != std::prev(trackedFrames_.end());
+       ++trackedFrame) {
+    if (hasParticles(*trackedFrame)) {
+      forgetParticles(*trackedFrame);
     }
   }
-  while (momentBytes_ > limits_.moments && moments_.size() > 1) {
-    momentBytes_ -= moments_.front().bytes(); // estimates alone fill the memory
-    moments_.pop_front();
+  while (trackedFrameBytes_ > limits_.trackedFrames && trackedFrames_.size() > 1) {
+    trackedFrameBytes_ -= trackedFrames_.front().bytes(); // estimates alone fill the memory
+    trackedFrames_.pop_front();
   }
 }
 
-void History::forgetParticles(TrackedFrame& moment) {
-  momentBytes_ -= moment.bytes();
-  for (TrackedTarget& target : moment.targets) {
+void History::forgetParticles(TrackedFrame& trackedFrame) {
+  trackedFrameBytes_ -= trackedFrame.bytes();
+  for (TrackedTarget& target : trackedFrame.targets) {
     target.particles.resize(0, 3);
     target.weights.resize(0);
     target.proposals = {};
     target.boxParticles.centers.resize(0, 2);
     target.boxParticles.weights.resize(0);
   }
-  momentBytes_ += moment.bytes();
+  trackedFrameBytes_ += trackedFrame.bytes();
 }
 
 void History::forgetFrom(std::int64_t frame) {
-  while (!moments_.empty() && moments_.back().frame >= frame) {
-    momentBytes_ -= moments_.back().bytes();
-    moments_.pop_back();
+  while (!trackedFrames_.empty() && trackedFrames_.back().frame >= frame) {
+    trackedFrameBytes_ -= trackedFrames_.back().bytes();
+    trackedFrames_.pop_back();
   }
-  for (auto place = checkpoints_.upper_bound(frame); place != checkpoints_.end();) {
-    checkpointBytes_ -= place->second.state.bytes;
-    place = checkpoints_.erase(place);
+  for (auto found = checkpoints_.upper_bound(frame); found != checkpoints_.end();) {
+    checkpointBytes_ -= found->second.state.bytes;
+    found = checkpoints_.erase(found);
   }
   changes_.erase(changes_.lower_bound({frame, 0}), changes_.end());
   tailBegins_.erase(tailBegins_.lower_bound(frame), tailBegins_.end());
@@ -166,9 +167,9 @@ void History::forgetCopies() {
 }
 
 void History::forgetBefore(std::int64_t frame) {
-  while (!moments_.empty() && moments_.front().frame < frame) {
-    momentBytes_ -= moments_.front().bytes();
-    moments_.pop_front();
+  while (!trackedFrames_.empty() && trackedFrames_.front().frame < frame) {
+    trackedFrameBytes_ -= trackedFrames_.front().bytes();
+    trackedFrames_.pop_front();
   }
   while (!checkpoints_.empty() && checkpoints_.begin()->first < frame) {
     checkpointBytes_ -= checkpoints_.begin()->second.state.bytes;
@@ -178,38 +179,41 @@ void History::forgetBefore(std::int64_t frame) {
 }
 
 std::deque<TrackedFrame>::const_iterator History::lowerBound(std::int64_t frame) const {
-  return std::lower_bound(
-      moments_.begin(), moments_.end(), frame,
-      [](const TrackedFrame& moment, std::int64_t number) { return moment.frame < number; });
+  return std::lower_bound(trackedFrames_.begin(), trackedFrames_.end(), frame,
+                          [](const TrackedFrame& trackedFrame, std::int64_t number) {
+                            return trackedFrame.frame < number;
+                          });
 }
 
 const TrackedFrame* History::at(std::int64_t frame) const {
-  const auto place = lowerBound(frame);
-  return place != moments_.end() && place->frame == frame ? &*place : nullptr;
+  const auto found = lowerBound(frame);
+  return found != trackedFrames_.end() && found->frame == frame ? &*found : nullptr;
 }
 
 const TrackedFrame* History::before(std::int64_t frame) const {
-  const auto place = lowerBound(frame);
-  return place != moments_.begin() ? &*std::prev(place) : nullptr;
+  const auto found = lowerBound(frame);
+  return found != trackedFrames_.begin() ? &*std::prev(found) : nullptr;
 }
 
 const TrackedFrame* History::after(std::int64_t frame) const {
-  const auto place = lowerBound(frame + 1);
-  return place != moments_.end() ? &*place : nullptr;
+  const auto found = lowerBound(frame + 1);
+  return found != trackedFrames_.end() ? &*found : nullptr;
 }
 
 std::vector<Eigen::Vector3d> History::tail(std::size_t target, std::int64_t frame,
                                            std::int64_t end) const {
   const auto begins = tailBegins_.upper_bound(frame);
   const auto first =
-      begins != tailBegins_.begin() ? lowerBound(*std::prev(begins)) : moments_.begin();
+      begins != tailBegins_.begin() ? lowerBound(*std::prev(begins)) : trackedFrames_.begin();
   std::vector<Eigen::Vector3d> tail;
-  for (auto moment = lowerBound(end + 1); moment != first && tail.size() < kTailLength;) {
-    --moment;
-    if (target >= moment->targets.size() || !positionOf(moment->targets[target].estimate)) {
+  for (auto trackedFrame = lowerBound(end + 1);
+       trackedFrame != first && tail.size() < kTailLength;) {
+    --trackedFrame;
+    if (target >= trackedFrame->targets.size() ||
+        !positionOf(trackedFrame->targets[target].estimate)) {
       break;
     }
-    tail.push_back(tailPlace(moment->targets[target].estimate));
+    tail.push_back(tailPlace(trackedFrame->targets[target].estimate));
   }
   std::ranges::reverse(tail);
   return tail;
@@ -221,8 +225,8 @@ const History::Checkpoint* History::checkpointFor(std::int64_t frame) const {
 }
 
 std::vector<RunChange> History::changesAt(std::int64_t frame, int iterations) const {
-  const auto place = changes_.find({frame, iterations});
-  return place != changes_.end() ? place->second : std::vector<RunChange>();
+  const auto found = changes_.find({frame, iterations});
+  return found != changes_.end() ? found->second : std::vector<RunChange>();
 }
 
 } // namespace dewpoint::session

@@ -16,19 +16,19 @@ namespace dewpoint::session {
 
 /// Bytes that the parts of a run's history may take.
 struct HistoryLimits {
-  std::size_t frames = 0;      ///< images
-  std::size_t moments = 0;     ///< particles and estimates
-  std::size_t checkpoints = 0; ///< copies of the method to go on from
+  std::size_t frames = 0;        ///< images
+  std::size_t trackedFrames = 0; ///< particles and estimates
+  std::size_t checkpoints = 0;   ///< copies of the method to go on from
   /// A share of `total` for each; live cameras need most of it for images.
   static HistoryLimits of(std::size_t total, bool live);
-  std::size_t sum() const { return frames + moments + checkpoints; }
+  std::size_t sum() const { return frames + trackedFrames + checkpoints; }
 };
 
 /// What a tail shows of an estimate: its mean, or nothing finite where it was only guessed.
 Eigen::Vector3d tailPlace(const TrackEstimate& estimate);
 
 /// What was believed at every frame tracked so far, and copies of the method from which any of them
-/// can be reached again. When the memory is used up, every second moment of the older half gives up
+/// can be reached again. When the memory is used up, every second frame of the older half gives up
 /// its particles (never its estimate), and every second copy is given up. Used by one thread.
 class History {
 public:
@@ -38,11 +38,11 @@ public:
   void clear();
   /// Before the run begins `frame`: keeps a copy of it from time to time.
   void beforeFrame(std::int64_t frame, const TrackingRun& run);
-  /// The run was told something while it was at `frame`, after so many iterations.
+  /// A change was made while the run was at `frame`, after so many iterations.
   void changed(std::int64_t frame, int iterations, const RunChange& change);
   /// The frame was tracked, or tracked again.
-  void record(TrackedFrame moment);
-  /// Forgets moments, copies and changes of this frame and of later ones; a copy made right before
+  void record(TrackedFrame trackedFrame);
+  /// Forgets results, copies and changes of this frame and of later ones; a copy made right before
   /// it stays.
   void forgetFrom(std::int64_t frame);
   /// Forgets all copies: they are of another method.
@@ -56,10 +56,12 @@ public:
 
   /// Null when the frame was not tracked.
   const TrackedFrame* at(std::int64_t frame) const;
-  /// The last moment before this frame; null when there is none.
+  /// The last one before this frame; null when there is none.
   const TrackedFrame* before(std::int64_t frame) const;
-  const TrackedFrame* newest() const { return moments_.empty() ? nullptr : &moments_.back(); }
-  /// The first moment after this frame; null when there is none.
+  const TrackedFrame* newest() const {
+    return trackedFrames_.empty() ? nullptr : &trackedFrames_.back();
+  }
+  /// The first one after this frame; null when there is none.
   const TrackedFrame* after(std::int64_t frame) const;
   /// Places in a tail, at most.
   static constexpr std::size_t kTailLength = 256;
@@ -82,17 +84,17 @@ public:
   std::vector<RunChange> changesAt(std::int64_t frame, int iterations) const;
 
   const HistoryLimits& limits() const { return limits_; }
-  std::size_t bytes() const { return momentBytes_ + checkpointBytes_; }
+  std::size_t bytes() const { return trackedFrameBytes_ + checkpointBytes_; }
 
 private:
-  void thinMoments();
-  void forgetParticles(TrackedFrame& moment);
+  void thinTrackedFrames();
+  void forgetParticles(TrackedFrame& trackedFrame);
   void thinCheckpoints();
   std::deque<TrackedFrame>::const_iterator lowerBound(std::int64_t frame) const;
 
   HistoryLimits limits_;
-  std::deque<TrackedFrame> moments_; ///< by rising frame
-  std::size_t momentBytes_ = 0;
+  std::deque<TrackedFrame> trackedFrames_; ///< by rising frame
+  std::size_t trackedFrameBytes_ = 0;
   std::map<std::int64_t, Checkpoint> checkpoints_;
   std::size_t checkpointBytes_ = 0;
   std::int64_t spacing_ = 0; ///< frames between checkpoints

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/history/time_travel.h"
 
+#include "core/session/frames/live_frames.h"
+#include "core/session/frames/recorded_frames.h"
+
 #include <algorithm>
 
 namespace dewpoint::session {
@@ -40,7 +43,7 @@ void TimeTravel::changed(const TrackingRun& run, const RunChange& change) {
 
 const TrackedFrame& TimeTravel::record(const TrackingRun& run) {
   const std::int64_t frame = run.frames()->index;
-  history_.record(run.moment(kParticlesKept, history_.before(frame)));
+  history_.record(run.trackedFrame(kParticlesKept, history_.before(frame)));
   return *history_.newest();
 }
 
@@ -53,9 +56,9 @@ std::optional<std::int64_t> TimeTravel::following(std::int64_t frame) const {
   return frame < library_->newest() ? nearest(frame + 1) : std::nullopt;
 }
 
-Result<FrameSetPtr> TimeTravel::glance(std::int64_t frame, bool& preview) {
+Result<FrameSetPtr> TimeTravel::previewAt(std::int64_t frame, bool& preview) {
   bool exact = true;
-  const FrameSetPtr frames = library_->glance(frame, exact);
+  const FrameSetPtr frames = library_->previewAt(frame, exact);
   preview = frames && !exact;
   return frames ? frames : library_->at(frame);
 }
@@ -72,17 +75,17 @@ HistoryState TimeTravel::state() const {
   return state;
 }
 
-Status TimeTravel::repeat(TrackingRun& run, const TrackedFrame& moment) {
-  const auto frames = library_->at(moment.frame);
+Status TimeTravel::repeat(TrackingRun& run, const TrackedFrame& trackedFrame) {
+  const auto frames = library_->at(trackedFrame.frame);
   if (!frames) {
     return tl::make_unexpected(frames.error());
   }
   run.beginFrame(*frames);
-  for (int done = 0; done <= moment.iterations; ++done) {
-    for (const RunChange& change : history_.changesAt(moment.frame, done)) {
+  for (int done = 0; done <= trackedFrame.iterations; ++done) {
+    for (const RunChange& change : history_.changesAt(trackedFrame.frame, done)) {
       run.apply(change);
     }
-    if (done < moment.iterations) {
+    if (done < trackedFrame.iterations) {
       run.iterate();
     }
   }
@@ -114,13 +117,14 @@ Result<std::int64_t> TimeTravel::goBack(TrackingRun& run, std::int64_t frame, co
   if (!bringNear(run, frame, next)) {
     return frame;
   }
-  const TrackedFrame* moment = history_.at(next);
-  moment = moment != nullptr ? moment : history_.after(next);
-  for (; moment != nullptr && moment->frame < frame; moment = history_.after(moment->frame)) {
+  const TrackedFrame* trackedFrame = history_.at(next);
+  trackedFrame = trackedFrame != nullptr ? trackedFrame : history_.after(next);
+  for (; trackedFrame != nullptr && trackedFrame->frame < frame;
+       trackedFrame = history_.after(trackedFrame->frame)) {
     if (!goOn()) {
-      return moment->frame;
+      return trackedFrame->frame;
     }
-    if (const auto repeated = repeat(run, *moment); !repeated) {
+    if (const auto repeated = repeat(run, *trackedFrame); !repeated) {
       return tl::make_unexpected(repeated.error());
     }
   }

@@ -11,7 +11,7 @@
 
 namespace dewpoint::session {
 
-/// Goes back in a run: shows earlier moments as they were, and brings the run back to before a
+/// Goes back in a run: shows earlier frames as they were, and brings the run back to before a
 /// frame, from where it tracks on with the same bits. Used by the tracking thread only.
 class TimeTravel {
 public:
@@ -26,14 +26,14 @@ public:
   /// The run has finished (another iteration on) its frame.
   const TrackedFrame& record(const TrackingRun& run);
 
-  /// Frames of this moment; null when there are none (any more).
+  /// Images of this frame; null when there are none (any more).
   Result<FrameSetPtr> frames(std::int64_t frame) { return library_->at(frame); }
   /// The frame that can be shown and is nearest to this one; nothing before the first.
   std::optional<std::int64_t> nearest(std::int64_t frame) const;
   /// The next frame after this one that can be shown; nothing at the end.
   std::optional<std::int64_t> following(std::int64_t frame) const;
   /// As frames(), perhaps as a `preview`: small images, scaled up.
-  Result<FrameSetPtr> glance(std::int64_t frame, bool& preview);
+  Result<FrameSetPtr> previewAt(std::int64_t frame, bool& preview);
   /// Range and memory of what can be shown.
   HistoryState state() const;
   const History& history() const { return history_; }
@@ -42,7 +42,7 @@ public:
   using GoOn = std::function<bool()>;
   /// Makes `run` what it was right before it began `frame`: from the nearest copy, tracking on. The
   /// frame it reached (`frame`, unless `goOn` said no) or an error. Nothing is forgotten yet; the
-  /// run goes by what it went by then. When there is no copy before the frame, `run` begins anew
+  /// run goes by what it went by then. When there is no copy before the frame, `run` begins again
   /// there.
   Result<std::int64_t> goBack(TrackingRun& run, std::int64_t frame, const GoOn& goOn);
   /// Forgets what was recorded of this frame and of later ones.
@@ -64,10 +64,10 @@ public:
 
 private:
   /// Brings a run to a copy from before `frame`, or to the method's beginning when it cannot be
-  /// copied; `next` is the frame it begins next. False: it begins anew at `frame`.
+  /// copied; `next` is the frame it begins next. False: it begins again at `frame`.
   bool bringNear(TrackingRun& run, std::int64_t frame, std::int64_t& next) const;
   /// Tracks one frame of the past again, with the changes that were made meanwhile.
-  Status repeat(TrackingRun& run, const TrackedFrame& moment);
+  Status repeat(TrackingRun& run, const TrackedFrame& trackedFrame);
 
   bool live_;
   History history_;

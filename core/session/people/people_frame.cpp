@@ -6,11 +6,11 @@
 
 namespace dewpoint::session {
 
-PeopleFramePtr peopleFrame(const TrackedFrame& moment) {
+PeopleFramePtr peopleFrame(const TrackedFrame& trackedFrame) {
   auto frame = std::make_shared<PeopleFrame>();
-  frame->frame = moment.frame;
-  frame->time = moment.time;
-  for (const TrackedTarget& target : moment.targets) {
+  frame->frame = trackedFrame.frame;
+  frame->time = trackedFrame.time;
+  for (const TrackedTarget& target : trackedFrame.targets) {
     if (const auto* person = std::get_if<PersonEstimate>(&target.estimate)) {
       frame->people.push_back({*person, target.particles, target.weights});
     }

@@ -19,7 +19,7 @@ namespace dewpoint::session {
 struct PeopleFrame {
   struct Person {
     PersonEstimate estimate;
-    Eigen::ArrayXXf points; ///< rows x y z, metres
+    Eigen::ArrayXXf points; ///< rows x y z, meters
     Eigen::ArrayXf weights; ///< one per row, linear
     BodyCloud body() const { return {points.cast<double>(), weights.cast<double>()}; }
   };
@@ -29,7 +29,7 @@ struct PeopleFrame {
 };
 using PeopleFramePtr = std::shared_ptr<const PeopleFrame>;
 
-PeopleFramePtr peopleFrame(const TrackedFrame& moment);
+PeopleFramePtr peopleFrame(const TrackedFrame& trackedFrame);
 
 /// All that is known of the people of a run; a value of its own, to be written beside it.
 struct PeopleRecord {
@@ -37,8 +37,8 @@ struct PeopleRecord {
   std::vector<PeopleFramePtr> frames;
 };
 /// Writes trajectory.csv, volumes.csv, hulls.csv and ground.csv into a folder (PeopleWriter): some
-/// milliseconds per person and frame. `goOn` is told how much is done (0 to 1); at its false the
-/// rest is left out. How many frames were written; FileUnwritable.
+/// milliseconds per person and frame. `goOn` receives the part done (0 to 1); at its false the rest
+/// is left out. How many frames were written; FileUnwritable.
 Result<std::size_t> savePeople(const PeopleRecord& record, const std::filesystem::path& folder,
                                const std::function<bool(double)>& goOn);
 

@@ -16,9 +16,9 @@ namespace {
 std::vector<cv::Point> scaled(const std::vector<Eigen::Vector2d>& outline, double factor) {
   std::vector<cv::Point> points;
   for (const auto& pixel : outline) {
-    const Eigen::Vector2d place = (factor * pixel).cwiseMax(-1e4).cwiseMin(1e4);
-    points.emplace_back(static_cast<int>(std::lround(place.x())),
-                        static_cast<int>(std::lround(place.y())));
+    const Eigen::Vector2d position = (factor * pixel).cwiseMax(-1e4).cwiseMin(1e4);
+    points.emplace_back(static_cast<int>(std::lround(position.x())),
+                        static_cast<int>(std::lround(position.y())));
   }
   return points;
 }

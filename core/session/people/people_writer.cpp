@@ -29,9 +29,9 @@ std::string volumeRow(const PersonEstimate& person, const ConvexHull& hull, std:
 std::string hullRows(const PersonEstimate& person, const ConvexHull& hull, std::int64_t frame) {
   std::string text;
   int vertex = 0;
-  for (const auto& place : hull.vertices) {
-    text += fmt::format("{},{},{},{},{},{}\n", frame, person.identity, vertex++, place.x(),
-                        place.y(), place.z());
+  for (const auto& position : hull.vertices) {
+    text += fmt::format("{},{},{},{},{},{}\n", frame, person.identity, vertex++, position.x(),
+                        position.y(), position.z());
   }
   return text;
 }
@@ -43,9 +43,9 @@ std::string groundRows(const PersonEstimate& person, const GroundGrid& density,
     int curve = 0;
     for (const LevelCurve& line : levelCurves(density, levelHolding(density, share))) {
       int point = 0;
-      for (const auto& place : line) {
+      for (const auto& position : line) {
         text += fmt::format("{},{},{},{},{},{:.4f},{:.4f}\n", frame, person.identity, share, curve,
-                            point++, place.x(), place.y());
+                            point++, position.x(), position.y());
       }
       ++curve;
     }

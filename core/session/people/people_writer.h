@@ -17,7 +17,8 @@ namespace dewpoint::session {
 TrajectorySample sampleOf(const PersonEstimate& person, std::int64_t frame, double time);
 
 /// Writes what is known about people, frame by frame, into a folder:
-/// - trajectory.csv: places and identities, as every trajectory of ours (`person N` is the target);
+/// - trajectory.csv: positions and identities, as every trajectory of ours (`person N` is the
+/// target);
 /// - volumes.csv: frame, time_s, person, volume_m3, vertices, interacting, hue, saturation,
 /// height_m;
 /// - hulls.csv: frame, person, vertex, x_m, y_m, z_m: corners of the convex hull of the 95 %

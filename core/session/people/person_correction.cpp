@@ -11,13 +11,13 @@
 namespace dewpoint::session {
 namespace {
 
-/// A person who is said not to be there stands at most so far from the place, metres: less than
+/// A person who is said not to be there stands at most so far from the place, meters: less than
 /// two people do from each other.
 constexpr double kReach = 0.3;
 
-std::optional<int> personNear(const PeopleFinding& finding, const Eigen::Vector2d& place) {
+std::optional<int> personNear(const PeopleFinding& finding, const Eigen::Vector2d& position) {
   const auto distance = [&](const PersonEstimate& person) {
-    return (person.position.head<2>() - place).norm();
+    return (person.position.head<2>() - position).norm();
   };
   const auto& people = finding.people();
   const auto nearest = std::ranges::min_element(people, {}, distance);
@@ -31,14 +31,15 @@ PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFindin
                           const CameraRig& rig, const ParameterValues& parameters,
                           std::vector<Error>& refusals) {
   PeopleChange change;
-  if (correction.place && !correction.present) {
-    change.personGone = personNear(finding, *correction.place);
-  } else if (correction.place && peopleSettings(parameters).area.contains(*correction.place)) {
-    change.newPerson = middleOfBody(*correction.place, parameters);
-  } else if (correction.place) {
+  if (correction.position && !correction.present) {
+    change.personGone = personNear(finding, *correction.position);
+  } else if (correction.position &&
+             peopleSettings(parameters).area.contains(*correction.position)) {
+    change.newPerson = middleOfBody(*correction.position, parameters);
+  } else if (correction.position) {
     refusals.push_back({ErrorCode::BadValue, "", "place of a person",
                         fmt::format("{:.2f}, {:.2f} m lies outside the watched floor",
-                                    correction.place->x(), correction.place->y())});
+                                    correction.position->x(), correction.position->y())});
   }
   if (correction.click) {
     const auto camera = static_cast<std::size_t>(correction.click->camera);

@@ -18,8 +18,8 @@ struct PeopleChange {
   std::optional<int> personGone;            ///< PersonPlacing::removePerson
 };
 
-/// What a correction means to a method in its frame: who is new, or who is gone. What cannot be
-/// granted, as somebody outside the watched floor, changes nothing and adds to `refusals`.
+/// The effect of a correction in its frame: a new person, or one to remove. What cannot be granted,
+/// as somebody outside the watched floor, changes nothing and adds to `refusals`.
 PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFinding& finding,
                           const CameraRig& rig, const ParameterValues& parameters,
                           std::vector<Error>& refusals);
@@ -27,7 +27,7 @@ PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFindin
 /// The first frame for which other corrections hold; nothing when they are the same.
 std::optional<std::int64_t> firstDifference(const std::vector<PersonCorrection>& before,
                                             const std::vector<PersonCorrection>& after);
-/// What `after` says besides `before`, with which it begins; nothing when it does not.
+/// What `after` adds to `before`, with which it begins; nothing when it does not.
 std::optional<std::vector<PersonCorrection>> additions(const std::vector<PersonCorrection>& before,
                                                        const std::vector<PersonCorrection>& after);
 

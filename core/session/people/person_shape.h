@@ -9,7 +9,7 @@
 
 namespace dewpoint::session {
 
-/// What views show of a person's body (Mohedano et al. 2009, figures 1 and 2). Metres, world.
+/// What views show of a person's body (Mohedano et al. 2009, figures 1 and 2). Meters, world.
 struct PersonShape {
   ConvexHull hull;     ///< of the 95 % volume
   double volume = 0.0; ///< m³, of the hull

@@ -62,11 +62,11 @@ Result<std::filesystem::path> keepEmptyRoom(const Project& project, std::size_t 
     return failure(ErrorCode::FileUnwritable, folder.string(), cameraField(its.camera.name),
                    problem.message());
   }
-  cv::Mat turned = image;
+  cv::Mat rotated = image;
   if (its.mirrored) {
-    cv::flip(image, turned, 1);
+    cv::flip(image, rotated, 1);
   }
-  const auto back = shaped(turned, {its.camera.name, (360 - its.rotateDegrees) % 360}, "");
+  const auto back = shaped(rotated, {its.camera.name, (360 - its.rotateDegrees) % 360}, "");
   if (!back) {
     return tl::make_unexpected(back.error());
   }

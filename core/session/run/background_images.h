@@ -16,9 +16,9 @@ namespace dewpoint::session {
 /// that was not said. The error names the file and the camera.
 Result<std::vector<cv::Mat>> loadEmptyRooms(const Project& project);
 
-/// Writes an image that a camera of the project shows (CV_8UC3, turned) as a picture of its empty
-/// room, turned back, into a folder, which is made when it does not exist; the file's name is a new
-/// one. Returns the file.
+/// Writes an image that a camera of the project shows (CV_8UC3, rotated) as a picture of its empty
+/// room, rotated back, into a folder, which is made when it does not exist; the file's name is a
+/// new one. Returns the file.
 Result<std::filesystem::path> keepEmptyRoom(const Project& project, std::size_t camera,
                                             const cv::Mat& image,
                                             const std::filesystem::path& folder);

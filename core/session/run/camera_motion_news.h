@@ -10,7 +10,7 @@
 
 namespace dewpoint::session {
 
-/// How far it is with a bumped camera.
+/// The stage of dealing with a camera that was moved.
 enum class CameraMotionStage {
   Waiting,    ///< its new pose is being worked out
   Solved,     ///< the new pose is known
@@ -25,9 +25,9 @@ inline constexpr double kCameraMotionPatience = 3.0;
 /// `now`: seconds of the run.
 CameraMotionStage stageOf(const CameraMotionReport& report, double now);
 
-/// What a person should hear of bumped cameras, each stage of a bump once. A pose that is known now
-/// and then stays known: nothing worse is said of that bump afterwards. When a bump is dealt with,
-/// the others are worth saying again.
+/// The messages about moved cameras, each stage of a motion once. A pose that is known now and then
+/// stays known: nothing worse is said of that bump afterwards. When a bump is dealt with, the
+/// others are worth saying again.
 class CameraMotionNews {
 public:
   struct Item {
@@ -35,18 +35,18 @@ public:
     CameraMotionStage stage = CameraMotionStage::Waiting;
   };
   struct News {
-    bool withdrawn = false; ///< what was said before holds no more
+    bool withdrawn = false; ///< what was reported before no longer holds
     std::vector<Item> items;
   };
 
-  /// All reports of a moment, in the order of the bumps; `now` in seconds of the run.
+  /// All reports of a frame, in the order of the motions; `now` in seconds of the run.
   News take(const std::vector<CameraMotionReport>& reports, double now);
-  /// Another run: what was said counts no more.
+  /// Another run: earlier messages no longer count.
   void clear();
 
 private:
   std::set<std::tuple<std::size_t, std::int64_t, CameraMotionStage>>
-      said_;              ///< camera, frame of the bump
+      said_;              ///< camera, frame of the motion
   std::size_t count_ = 0; ///< reports the last time
 };
 

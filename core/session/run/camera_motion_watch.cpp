@@ -1,30 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/run/camera_motion_watch.h"
 
+#include "core/base/angle.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace dewpoint::session {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr double kPuttingDown =
     3.0;                         // seconds from the end of a calibration until its board is gone
 constexpr double kEvery = 1.0;   // seconds
 constexpr double kSettled = 1.0; // seconds after a bump that count for nothing
 constexpr double kWindow = 2.0;  // seconds of residuals that are compared
+/// Residuals that are compared.
 constexpr std::size_t kFewest = 10;
-constexpr std::int64_t kSameBump = 60; // frames: where a run that begins anew may notice it
-constexpr double kSightingSigma = 1.0; // pixels: blob, and the other cameras' calibration
+constexpr std::int64_t kSameMotion = 60; // frames: where a run that begins again may notice it
+constexpr double kSightingSigma = 1.0;   // pixels: blob, and the other cameras' calibration
 
 } // namespace
 
-Result<ResolvedCamera> resolveBump(const Camera& camera, const CameraRotation& turn,
-                                   const std::deque<ReprojectionResidual>& sightings,
-                                   double since) {
+Result<ResolvedCamera> resolveCameraMotion(const Camera& camera, const CameraRotation& turn,
+                                           const std::deque<ReprojectionResidual>& sightings,
+                                           double since) {
   std::vector<PointSighting> points;
   for (const ReprojectionResidual& one : sightings) {
     if (one.time >= since) {
@@ -42,7 +44,7 @@ CameraMotionWatch::CameraMotionWatch(const CameraRig& rig)
 
 bool CameraMotionWatch::isSolved(const CameraMotionEvent& event) const {
   const auto& at = solvedAt_[event.camera];
-  return at && std::abs(event.frame - *at) <= kSameBump;
+  return at && std::abs(event.frame - *at) <= kSameMotion;
 }
 
 void CameraMotionWatch::restart() {
@@ -127,7 +129,7 @@ void CameraMotionWatch::update(CameraMotionReport& report, double time) {
   // With two cameras the estimate leans on the bumped one too: the background alone is better.
   const auto& sightings =
       rig_.size() < 3 ? std::deque<ReprojectionResidual>() : sightings_.of(camera);
-  const auto resolved = resolveBump(rig_[camera], turn, sightings, since);
+  const auto resolved = resolveCameraMotion(rig_[camera], turn, sightings, since);
   report.resolved = resolved && !report.back ? std::optional(*resolved) : std::nullopt;
 }
 

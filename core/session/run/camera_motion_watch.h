@@ -12,19 +12,19 @@
 
 namespace dewpoint::session {
 
-/// A bumped camera, as views and reports show it.
+/// A camera that was moved, as views and reports show it.
 struct CameraMotionReport {
   CameraMotionEvent event;
   bool back = false; ///< the camera stands as before again
   /// How far the target is beside where the other cameras see it, since the bump; pixels.
   std::optional<double> targetPixels;
   /// The camera as it stands now, to be put into the project: by the turn that was measured, and by
-  /// the tracked targets' sightings since the bump. Computed anew about once a second.
+  /// the tracked targets' sightings since the bump. Recomputed about once a second.
   std::optional<ResolvedCamera> resolved;
 };
 
-/// Watches during a run whether cameras are bumped (CameraMotionDetector), and how far the targets
-/// are beside where the other cameras see them. What a bumped camera would have to be calibrated to
+/// Watches during a run whether cameras are moved (CameraMotionDetector), and how far the targets
+/// are beside where the other cameras see them. What a moved camera would have to be calibrated to
 /// is kept ready.
 class CameraMotionWatch {
 public:
@@ -51,7 +51,7 @@ public:
 
 private:
   void update(CameraMotionReport& report, double time);
-  /// Whether the calibration is that after this very bump.
+  /// Whether the calibration is that after this very motion.
   bool isSolved(const CameraMotionEvent& event) const;
 
   CameraRig rig_;
@@ -69,7 +69,8 @@ private:
 
 /// The pose of a camera that was bumped at `event`, from the turn known now and the sightings
 /// since.
-Result<ResolvedCamera> resolveBump(const Camera& camera, const CameraRotation& turn,
-                                   const std::deque<ReprojectionResidual>& sightings, double since);
+Result<ResolvedCamera> resolveCameraMotion(const Camera& camera, const CameraRotation& turn,
+                                           const std::deque<ReprojectionResidual>& sightings,
+                                           double since);
 
 } // namespace dewpoint::session

@@ -12,7 +12,7 @@
 
 namespace dewpoint::session {
 
-/// Is told of the frames of a run as they are tracked.
+/// Receives the frames of a run as they are tracked.
 class FrameObserver {
 public:
   virtual ~FrameObserver() = default;
@@ -25,7 +25,7 @@ public:
 };
 using FrameObservers = std::span<FrameObserver* const>;
 
-/// Makes all iterations of the frame that the run has begun, and tells the observers in their
+/// Makes all iterations of the frame that the run has begun, and calls the observers in their
 /// order; the first error that one of them returns.
 Status trackOneFrame(TrackingRun& run, FrameObservers observers);
 /// Takes a frame set and begins it first.
@@ -43,8 +43,8 @@ struct FrameRange {
   std::optional<std::int64_t> count(const FrameSetSource& source) const;
 };
 
-/// Tracks frames of a source until they are all done, an error comes up, or `goOn`, which is asked
-/// before each frame, says no.
+/// Tracks frames of a source until they are all done, an error comes up, or `goOn`, which is called
+/// before each frame, returns false.
 Status trackFrames(FrameSetSource& source, const FrameRange& range, TrackingRun& run,
                    FrameObservers observers, const std::function<bool()>& goOn);
 

@@ -22,15 +22,16 @@ namespace dewpoint::session {
 struct TargetSnapshot {
   Target target;
   TrackEstimate estimate;
-  Eigen::ArrayXXd particles;         ///< up to 10,000 rows x y z, metres
-  Eigen::ArrayXd weights;            ///< one per row, linear
-  std::vector<Eigen::Vector3d> tail; ///< last frames' places, oldest first; NaN where not held
+  Eigen::ArrayXXd particles; ///< up to 10,000 rows x y z, meters
+  Eigen::ArrayXd weights;    ///< one per row, linear
+  std::vector<Eigen::Vector3d>
+      tail; ///< positions in the last frames, oldest first; NaN where not held
   std::optional<Eigen::Vector3d> truth;
   TargetStatus status = TargetStatus::Searching;
   BoxParticles boxParticles; ///< of a BoxEstimate
   /// Per camera, why it does not confirm the target (reasonSentence); may be empty.
   std::vector<CameraReport> reasons;
-  std::vector<CandidatePosition> proposals; ///< places considered in this frame; may be empty
+  std::vector<CandidatePosition> proposals; ///< positions considered in this frame; may be empty
   std::vector<LikelihoodMap> maps;          ///< per camera; empty unless wanted
   std::shared_ptr<const PersonShape> shape; ///< of a person; null unless wanted
 
@@ -48,7 +49,7 @@ struct Latency {
   double longest = 0.0;
 };
 
-/// Which moments of the run can be shown, and what keeping them takes.
+/// Which frames of the run can be shown, and what keeping them takes.
 struct HistoryState {
   std::int64_t first = 0; ///< oldest frame that can be shown
   std::int64_t last = -1; ///< newest frame that can be shown; -1: none yet
@@ -71,7 +72,7 @@ struct BudgetFigures {
   std::int64_t late = 0;       ///< of them, those that took longer
 };
 
-/// Everything a view may show of one moment. Immutable once published.
+/// Everything a view may show of one frame. Immutable once published.
 struct TrackSnapshot {
   std::shared_ptr<const CameraRig> rig;
   MethodFamily family;
@@ -85,8 +86,8 @@ struct TrackSnapshot {
   std::int64_t frame = -1;                      ///< the one shown
   bool past = false;                            ///< an other frame is shown than the run stands at
   bool tracked = false;                         ///< the frame shown was tracked
-  /// The images are small ones kept for a quick look, scaled up; the true ones follow at once
-  /// unless another moment is asked for.
+  /// The images are small previews, scaled up; the true ones follow at once unless another frame is
+  /// requested.
   bool preview = false;
   HistoryState history;            ///< what else could be shown
   std::optional<RerunState> rerun; ///< while past frames are tracked again
@@ -100,8 +101,8 @@ struct TrackSnapshot {
   std::uint64_t seed = 0;
   PlayState state = PlayState::Paused;
   std::vector<Error> notices;
-  /// Cameras that were bumped since the run began; each has its notice too: the last ones there.
-  std::vector<CameraMotionReport> bumps;
+  /// Cameras that were moved since the run began; each has its notice too: the last ones there.
+  std::vector<CameraMotionReport> cameraMotions;
 };
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
@@ -111,12 +112,12 @@ struct IterationRecord {
   std::int64_t iteration = 0; ///< since the (re)start, from 1
   std::int64_t frame = 0;
   int target = 0;
-  double spread = 0.0; ///< metres, all axes together
+  double spread = 0.0; ///< meters, all axes together
   double effectiveSampleSize = 0.0;
-  double error = -1.0;       ///< metres against truth; negative when unknown
+  double error = -1.0;       ///< meters against truth; negative when unknown
   double time = 0.0;         ///< seconds, of the frame
   double microseconds = 0.0; ///< this iteration took, per target
-  Eigen::Vector3d spreadPerAxis = Eigen::Vector3d::Zero(); ///< standard deviations x y z, metres
+  Eigen::Vector3d spreadPerAxis = Eigen::Vector3d::Zero(); ///< standard deviations x y z, meters
   int particleCount = 0;
   double existence = 0.0; ///< probability, all cameras together
   bool held = false;      ///< see isHeld()

@@ -238,35 +238,36 @@ void TrackingRun::particles(std::size_t target, int limit, Eigen::ArrayXXd& posi
   }
 }
 
-TrackedFrame TrackingRun::commonMoment(const TrackedFrame* before, int boxParticleLimit) const {
-  TrackedFrame moment;
-  moment.frame = frames_ ? frames_->index : -1;
-  moment.time = frames_ ? seconds(frames_->time) : 0.0;
-  moment.iterations = frameIterations_;
-  moment.totalIterations = iterations_;
+TrackedFrame TrackingRun::commonTrackedFrame(const TrackedFrame* before,
+                                             int boxParticleLimit) const {
+  TrackedFrame trackedFrame;
+  trackedFrame.frame = frames_ ? frames_->index : -1;
+  trackedFrame.time = frames_ ? seconds(frames_->time) : 0.0;
+  trackedFrame.iterations = frameIterations_;
+  trackedFrame.totalIterations = iterations_;
   const std::vector<Target>& tracked = targets();
   const bool same = before != nullptr && before->definitions && tracked == *before->definitions;
-  moment.definitions =
+  trackedFrame.definitions =
       same ? before->definitions : std::make_shared<const std::vector<Target>>(tracked);
   if (const auto* const finding = capability<PeopleFinding>()) {
-    moment.peopleCameras = finding->cameraStates();
+    trackedFrame.peopleCameras = finding->cameraStates();
   }
   const auto* const boxes = capability<BoxFollowing>();
-  moment.targets.resize(tracked.size());
+  trackedFrame.targets.resize(tracked.size());
   for (std::size_t k = 0; k < tracked.size(); ++k) {
-    TrackedTarget& target = moment.targets[k];
+    TrackedTarget& target = trackedFrame.targets[k];
     target.estimate = tracker_->estimate(k);
     if (boxes != nullptr) {
       target.boxParticles = boxes->boxParticles(k, boxParticleLimit);
     }
   }
-  return moment;
+  return trackedFrame;
 }
 
 TrackedFrame TrackingRun::present(const TrackedFrame* recorded, int boxParticleLimit) const {
-  TrackedFrame moment = commonMoment(recorded, boxParticleLimit);
-  for (std::size_t k = 0; k < moment.targets.size(); ++k) {
-    TrackedTarget& target = moment.targets[k];
+  TrackedFrame trackedFrame = commonTrackedFrame(recorded, boxParticleLimit);
+  for (std::size_t k = 0; k < trackedFrame.targets.size(); ++k) {
+    TrackedTarget& target = trackedFrame.targets[k];
     if (recorded != nullptr && k < recorded->targets.size()) {
       target.status = recorded->targets[k].status;
       target.reasons = recorded->targets[k].reasons;
@@ -278,15 +279,15 @@ TrackedFrame TrackingRun::present(const TrackedFrame* recorded, int boxParticleL
                                                          : TargetStatus::Searching;
     }
   }
-  return moment;
+  return trackedFrame;
 }
 
-TrackedFrame TrackingRun::moment(int particleLimit, const TrackedFrame* previous) const {
-  TrackedFrame moment = commonMoment(previous, particleLimit);
+TrackedFrame TrackingRun::trackedFrame(int particleLimit, const TrackedFrame* previous) const {
+  TrackedFrame trackedFrame = commonTrackedFrame(previous, particleLimit);
   const auto* const proposing = capability<PositionProposing>();
   const auto* const explaining = capability<CameraExplaining>();
-  for (std::size_t k = 0; k < moment.targets.size(); ++k) {
-    TrackedTarget& target = moment.targets[k];
+  for (std::size_t k = 0; k < trackedFrame.targets.size(); ++k) {
+    TrackedTarget& target = trackedFrame.targets[k];
     Eigen::ArrayXXd positions;
     Eigen::ArrayXd weights;
     particles(k, particleLimit, positions, weights);
@@ -302,11 +303,11 @@ TrackedFrame TrackingRun::moment(int particleLimit, const TrackedFrame* previous
       target.lastHeld = previous->targets[k].lastHeld;
     }
     const bool held = isHeld(target.estimate);
-    target.lastHeld = held ? moment.time : target.lastHeld;
+    target.lastHeld = held ? trackedFrame.time : target.lastHeld;
     target.status = isAbsent(target.estimate) ? TargetStatus::Gone
-                                              : statusOf(held, moment.time, target.lastHeld);
+                                              : statusOf(held, trackedFrame.time, target.lastHeld);
   }
-  return moment;
+  return trackedFrame;
 }
 
 TruthTable::TruthTable(const Trajectory& truth) {

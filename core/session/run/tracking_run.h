@@ -28,13 +28,13 @@ TrajectoryHeader trajectoryHeader(const Project& project);
 /// Header of the boxes that were tracked: method, seed, parameters, and what each target is.
 std::vector<std::pair<std::string, std::string>> boxTrackHeader(const Project& project);
 
-/// A run goes by `after` in place of `before`.
+/// A run uses `after` instead of `before`.
 struct DefinitionChange {
   RunDefinitionPtr before;
   RunDefinitionPtr after;
 };
 
-/// What a run under way may be told.
+/// A change for a run under way.
 using RunChange = std::variant<DefinitionChange, PeopleChange>;
 
 /// The tracker of all targets fed with frame sets: what the window's tracking thread and
@@ -90,7 +90,7 @@ public:
 
   /// What a correction means in the current frame; nothing unless the method finds people.
   PeopleChange changeBy(const PersonCorrection& correction);
-  /// What was said of people and could not be granted since the last call.
+  /// Corrections of people that could not be granted since the last call.
   std::vector<Error> takeRefusals() { return std::exchange(refusals_, {}); }
 
   MethodFamily family() const { return definition_->family(); }
@@ -109,22 +109,23 @@ public:
   std::vector<TrajectorySample> samples() const;
   /// The boxes of the current frame, of methods that follow boxes.
   std::vector<BoxSample> boxSamples() const;
-  /// Up to `limit` particles of a target; rows x y z, metres, and their weights, linear.
+  /// Up to `limit` particles of a target; rows x y z, meters, and their weights, linear.
   void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
                  Eigen::ArrayXd& weights) const;
-  /// What is believed now, without particles in space; `recorded` is the moment that was kept of
-  /// this frame, null when it was not tracked: how the targets are doing, and why, is from there.
+  /// What is believed now, without particles in space; `recorded` is the TrackedFrame that was kept
+  /// of this frame, null when it was not tracked: how the targets are doing, and why, is from
+  /// there.
   TrackedFrame present(const TrackedFrame* recorded, int boxParticleLimit) const;
-  /// What is kept of the current frame; `previous` is the moment before it, null at the beginning.
-  TrackedFrame moment(int particleLimit, const TrackedFrame* previous) const;
+  /// What is kept of the current frame; `previous` is the one before it, null at the beginning.
+  TrackedFrame trackedFrame(int particleLimit, const TrackedFrame* previous) const;
   /// Iterations on the current frame.
   int frameIterations() const { return frameIterations_; }
   /// Targets that are tracked now; of people, those who are there.
   std::size_t trackedCount() const;
 
 private:
-  /// What both kinds of moments hold.
-  TrackedFrame commonMoment(const TrackedFrame* before, int boxParticleLimit) const;
+  /// The common part of both kinds of tracked frames.
+  TrackedFrame commonTrackedFrame(const TrackedFrame* before, int boxParticleLimit) const;
   void correctPeople();
 
   RunDefinitionPtr definition_;
@@ -136,7 +137,7 @@ private:
   std::vector<Error> refusals_;
 };
 
-/// Truth by target and frame, for quick look-up while tracking.
+/// Truth by target and frame, found quickly while tracking.
 class TruthTable {
 public:
   explicit TruthTable(const Trajectory& truth);

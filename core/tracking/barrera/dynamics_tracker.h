@@ -24,7 +24,7 @@ public:
   void setCameras(const CameraRig& rig);
   /// Measures the position in the images.
   void beginFrame(FrameSetPtr frames);
-  /// The position of frame `frame` from elsewhere (world, metres), in place of beginFrame();
+  /// The position of frame `frame` from elsewhere (world, meters), in place of beginFrame();
   /// nothing when it is not known: the cloud spreads.
   void beginFrame(std::int64_t frame, const std::optional<Eigen::Vector3d>& measured);
   SphereEstimate iterate(ThreadTeam& team);

@@ -10,7 +10,7 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr double kBirthHalfWidth = 0.25; ///< metres around the place of birth
+constexpr double kBirthHalfWidth = 0.25; ///< meters around the place of birth
 constexpr double kBirthSpeed = 0.5;      ///< m/s, standard deviation of a new person's velocity
 
 /// The middle of hues in [0, 1], which lie on a circle.

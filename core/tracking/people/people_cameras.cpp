@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/people/people_cameras.h"
 
+#include "core/geometry/projector.h"
+
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "core/base/thread_team.h"
 #include "core/capture/frame.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 #include "core/observation/background/foreground_model.h"
 #include "core/tracking/people/people_parameters.h"
 #include "core/tracking/people_state.h"
@@ -37,7 +38,7 @@ public:
 
   std::size_t count() const { return views_.size(); }
   const Projector& projector(std::size_t camera) const { return views_[camera].projector; }
-  /// The optical center (world, metres), the axis, and the focal length in pixels.
+  /// The optical center (world, meters), the axis, and the focal length in pixels.
   const Camera& camera(std::size_t camera) const { return views_[camera].camera; }
   bool usable(std::size_t camera) const { return states_[camera].usable; }
   const cv::Mat& image(std::size_t camera) const { return views_[camera].image; }

@@ -11,7 +11,7 @@
 
 namespace dewpoint::tracking {
 
-/// The floor that people walk on: a rectangle, metres, world.
+/// The floor that people walk on: a rectangle, meters, world.
 struct PeopleArea {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   Eigen::Vector2d half{3.5, 3.5};

@@ -14,11 +14,11 @@ namespace dewpoint::tracking {
 namespace {
 
 constexpr double kPieceFloor = -0.25;  ///< what a piece of the body says at least
-constexpr double kBirthSpread = 0.12;  ///< metres, standard deviation of a new person's place
+constexpr double kBirthSpread = 0.12;  ///< meters, standard deviation of a new person's place
 constexpr double kBirthSpeed = 0.6;    ///< m/s, the same of the velocity
-constexpr double kHeightSpread = 0.08; ///< metres, the same of the height
+constexpr double kHeightSpread = 0.08; ///< meters, the same of the height
 constexpr double kTooNear = 8.0;       ///< nats against standing in somebody else's place
-constexpr double kColorReach = 1.5;    ///< metres within which clothes are compared
+constexpr double kColorReach = 1.5;    ///< meters within which clothes are compared
 constexpr double kMeetingMemory = 4.0; ///< seconds after which a meeting is settled
 constexpr double kEvidenceLoss = 0.9;  ///< per frame
 constexpr double kMistaken = -4.0;     ///< evidence at which two people change identities

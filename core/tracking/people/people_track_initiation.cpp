@@ -10,14 +10,14 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr double kStep = 0.2;            ///< metres between places of the grid
+constexpr double kStep = 0.2;            ///< meters between places of the grid
 constexpr std::size_t kMostCells = 4000; ///< a larger floor gets a coarser grid
 constexpr double kSeen = 0.2;            ///< score from which a camera sees somebody
 constexpr double kNotSeen = 0.0;         ///< score below which it sees nobody
 constexpr double kPieceFloor = -0.3;
 constexpr double kUpperShare = 0.7; ///< what the upper body counts by itself
-constexpr double kApart = 0.5;      ///< metres to people who are there already
-constexpr double kSame = 0.5;       ///< metres a candidate may move between frames
+constexpr double kApart = 0.5;      ///< meters to people who are there already
+constexpr double kSame = 0.5;       ///< meters a candidate may move between frames
 constexpr double kPatience = 0.15;  ///< seconds that a candidate may be out of sight
 constexpr double kInImage = 0.6;    ///< share of a body in the image from which its camera counts
 

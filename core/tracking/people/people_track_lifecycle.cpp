@@ -16,8 +16,8 @@ constexpr double kSeenScore = 0.25;     ///< from which a camera confirms a pers
 constexpr double kFreeShare = 0.3;      ///< of a silhouette, below which a camera cannot judge
 constexpr double kHiddenPatience = 4.0; ///< a hidden person survives so many times as long
 constexpr double kExplainedWider = 1.3; ///< silhouettes explain a rim around them
-constexpr double kNear = 1.0;           ///< metres between two people who interact
-constexpr double kBirthMargin = 0.05;   ///< metres within the area's border
+constexpr double kNear = 1.0;           ///< meters between two people who interact
+constexpr double kBirthMargin = 0.05;   ///< meters within the area's border
 
 double withinImage(const cv::Rect& piece, const cv::Mat& image) {
   return (piece & cv::Rect(0, 0, image.cols, image.rows)).area();

@@ -9,11 +9,11 @@ namespace dewpoint::tracking {
 
 /// P_H of Mohedano et al. 2009: the share of the occupancy density that a person's volume holds.
 inline constexpr double kVolumeProbability = 0.95;
-/// Standard deviation of the Gaussian kernel on every particle, metres; the paper gives none.
+/// Standard deviation of the Gaussian kernel on every particle, meters; the paper gives none.
 inline constexpr double kBodyKernel = 0.06;
 
 /// The occupancy density of a person (Mohedano et al. 2009, section 3): a Gaussian of `sigma`
-/// metres on every point of the body; per m³, at the points themselves.
+/// meters on every point of the body; per m³, at the points themselves.
 Eigen::ArrayXd densityAtPoints(const BodyCloud& body, double sigma = kBodyKernel);
 
 /// The smallest volume that holds `probability` of a person, as the convex hull of the points of

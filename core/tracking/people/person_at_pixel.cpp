@@ -13,7 +13,7 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr double kStep = 0.1; ///< metres between places that are tried
+constexpr double kStep = 0.1; ///< meters between places that are tried
 constexpr double kMostSteps = 200.0;
 constexpr double kUsualHeight = 1.72; ///< where the method has none of its own
 constexpr double kPieceFloor = -0.25; ///< what a piece of a body says at least

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board/board_detection.h"
 #include "core/calibration/board/board_picture.h"
+#include "core/geometry/projector.h"
 #include "tests/calibration/board_views.h"
 
 #include <opencv2/aruco/charuco.hpp>
@@ -139,7 +140,7 @@ TEST(BoardDetection, SymmetricChessboardRunsToTheRight) {
         BoardDetector(board).detect(renderBoard(board, camera, pose, 4), DetectionEffort::Live);
     ASSERT_TRUE(found);
     EXPECT_LT(found->pixels.front().x(), found->pixels[6].x());
-    const auto half = turned(*found, board, 2);
+    const auto half = rotated(*found, board, 2);
     EXPECT_EQ(half.pixels.front(), found->pixels.back());
   }
 }

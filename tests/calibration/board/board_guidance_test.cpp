@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board/board_guidance.h"
+#include "core/calibration/board/rig_guidance.h"
 #include "tests/calibration/board_views.h"
 
 namespace dewpoint::tests {
@@ -55,7 +56,7 @@ TEST(BoardGuidance, TakesNothingInMotionOrOutOfFocus) {
   EXPECT_EQ(state.advice, GuidanceAdvice::Sharpen);
 }
 
-/// Before a region of the image, half a metre away.
+/// Before a region of the image, half a meter away.
 Eigen::Vector3d placeFor(const Camera& camera, int region) {
   const auto& in = camera.intrinsics;
   const double x = (region % BoardCoverage::kColumns + 0.5) / BoardCoverage::kColumns * in.width;

@@ -65,7 +65,7 @@ TEST(BoardReport, IsOnePageWithEverythingInIt) {
   report.title = "Lens <1>";
   report.board = request.board;
   report.cameras.push_back(reportPart("left & right", *result));
-  report.places.push_back({0, worldFromFlatBoard()});
+  report.boardPoses.push_back({0, worldFromFlatBoard()});
   const std::string html = htmlText(report);
   for (const char* part : {"Lens &lt;1&gt;", "left &amp; right", "chessboard:9x6:0.025", "<svg",
                            "view 3", "standard deviation", "In space"}) {

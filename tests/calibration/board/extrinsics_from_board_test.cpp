@@ -59,11 +59,11 @@ ExtrinsicsRequest requestOf(const char* board, double sigmaPx) {
   return request;
 }
 
-void expectRing(const ExtrinsicsResult& result, double metres) {
+void expectRing(const ExtrinsicsResult& result, double meters) {
   const CameraRig truth = ring();
   for (std::size_t k = 0; k < truth.size(); ++k) {
-    EXPECT_LT((result.cameras[k].center() - truth[k].center()).norm(), metres) << k;
-    EXPECT_LT((result.cameras[k].opticalAxis() - truth[k].opticalAxis()).norm(), 2.0 * metres) << k;
+    EXPECT_LT((result.cameras[k].center() - truth[k].center()).norm(), meters) << k;
+    EXPECT_LT((result.cameras[k].opticalAxis() - truth[k].opticalAxis()).norm(), 2.0 * meters) << k;
   }
 }
 
@@ -95,7 +95,7 @@ TEST(ExtrinsicsFromBoard, SymmetricBoardIsCountedAlike) {
   for (std::size_t camera = 1; camera < 4; ++camera) {
     for (std::size_t k = camera; k < request.cameras[camera].views.size(); k += 2) {
       auto& detection = request.cameras[camera].views[k].detection;
-      detection = turned(detection, request.board, 2); // as a camera that is turned may count
+      detection = rotated(detection, request.board, 2); // as a camera that is turned may count
     }
   }
   const auto result = calibrateExtrinsics(request);

@@ -2,6 +2,8 @@
 #include "core/calibration/formats/calibration_file.h"
 #include "core/calibration/formats/convert_calibration.h"
 #include "core/calibration/formats/lens_refit.h"
+#include "core/calibration/formats/read_calibration.h"
+#include "core/geometry/projector.h"
 #include "tests/calibration/own_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/random.h"
 #include "core/calibration/manual/interactive_pose.h"
+#include "core/calibration/manual/point_drag.h"
 
 #include <gtest/gtest.h>
 
@@ -198,7 +199,7 @@ TEST(Nudges, AreUndoneByTheirInverse) {
     const Eigen::Vector3d step = 0.1 * draw.point();
     for (const NudgeFrame frame : {NudgeFrame::Camera, NudgeFrame::World}) {
       EXPECT_LT(difference(moved(moved(camera, step, frame), -step, frame), camera), 1e-14);
-      EXPECT_LT(difference(turned(turned(camera, step, frame), -step, frame), camera), 1e-14);
+      EXPECT_LT(difference(rotated(rotated(camera, step, frame), -step, frame), camera), 1e-14);
     }
     EXPECT_NEAR(zoomed(zoomed(camera, 1.25), 0.8).intrinsics.focalX, 520.0, 1e-12);
   }
@@ -213,13 +214,13 @@ TEST(Nudges, GoAlongTheAxesTheyName) {
   EXPECT_LT((ahead - camera.center() - 0.01 * camera.opticalAxis()).norm(), 1e-14);
   // About the vertical, counterclockwise: the heading grows, pitch and roll stay.
   const Heading before = headingOf(camera);
-  const Camera other = turned(camera, {0, 0, 0.02}, NudgeFrame::World);
+  const Camera other = rotated(camera, {0, 0, 0.02}, NudgeFrame::World);
   EXPECT_NEAR(headingOf(other).yaw, before.yaw + 0.02, 1e-12);
   EXPECT_NEAR(headingOf(other).pitch, before.pitch, 1e-12);
   EXPECT_NEAR(headingOf(other).roll, before.roll, 1e-12);
   EXPECT_LT((other.center() - camera.center()).norm(), 1e-12);
   // About its own axis: only the roll.
-  EXPECT_NEAR(headingOf(turned(camera, {0, 0, 0.02}, NudgeFrame::Camera)).roll, before.roll + 0.02,
+  EXPECT_NEAR(headingOf(rotated(camera, {0, 0, 0.02}, NudgeFrame::Camera)).roll, before.roll + 0.02,
               1e-12);
 }
 
@@ -253,7 +254,7 @@ TEST(Conversions, AGridSuitsItsRig) {
   camera.cameraFromWorld = lookAt({3.0, -3.0, 2.0}, {1.0, 2.0, 0.0});
   const ReferenceGrid grid = gridFor({camera});
   EXPECT_TRUE(checkGrid(grid));
-  // 5.7 m away: half a metre from line to line, around (1, 2).
+  // 5.7 m away: half a meter from line to line, around (1, 2).
   EXPECT_EQ(grid.step, 0.5);
   EXPECT_LT((grid.middle() - Eigen::Vector3d(1.0, 2.0, 0.0)).norm(), 1e-9);
   EXPECT_EQ(gridFor({}), ReferenceGrid());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/manual/interactive_pose.h"
 #include "core/calibration/manual/measured_points.h"
+#include "core/geometry/projector.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -45,7 +46,7 @@ std::vector<MeasuredPoint> pointsSeenBy(const CameraRig& rig, std::size_t count)
 CameraRig displaced(const CameraRig& rig) {
   CameraRig result;
   for (const Camera& camera : rig) {
-    result.push_back(moved(turned(camera, {0.2, -0.3, 0.1}, NudgeFrame::Camera), {0.4, -0.3, 0.2},
+    result.push_back(moved(rotated(camera, {0.2, -0.3, 0.1}, NudgeFrame::Camera), {0.4, -0.3, 0.2},
                            NudgeFrame::World));
   }
   return result;
@@ -86,18 +87,18 @@ TEST(MeasuredPoints, TheFocalLengthComesBackToo) {
   EXPECT_LT(apart(solution.rig[0], rig[0]), 1e-4);
 }
 
-TEST(MeasuredPoints, ResidualsAreInPixelsAndMetres) {
+TEST(MeasuredPoints, ResidualsAreInPixelsAndMeters) {
   const CameraRig rig{cameraAt({0.0, -3.0, 1.0}, "only")};
   auto points = pointsSeenBy(rig, 5);
-  // A click 5 px beside, at the point's distance d: 5 d / f metres from the ray, roughly.
+  // A click 5 px beside, at the point's distance d: 5 d / f meters from the ray, roughly.
   points[2].clicks[0].pixel.x() += 5.0;
   const auto residuals = clickResiduals(rig, points);
   ASSERT_EQ(residuals.size(), 5U);
   EXPECT_NEAR(residuals[2].pixels, 5.0, 1e-9);
   const double distance = (points[2].world - rig[0].center()).norm();
-  EXPECT_NEAR(residuals[2].metres, 5.0 * distance / 520.0, 0.15 * 5.0 * distance / 520.0);
+  EXPECT_NEAR(residuals[2].meters, 5.0 * distance / 520.0, 0.15 * 5.0 * distance / 520.0);
   EXPECT_LT(residuals[1].pixels, 1e-9);
-  EXPECT_LT(residuals[1].metres, 1e-9);
+  EXPECT_LT(residuals[1].meters, 1e-9);
 }
 
 TEST(MeasuredPoints, TheMistypedPointIsNamed) {
@@ -120,7 +121,7 @@ TEST(MeasuredPoints, TapeErrorsDoNotShakeTheCameras) {
     points[k].world += Eigen::Vector3d(way, k % 3 == 0 ? -0.003 : 0.003, 0.0);
   }
   const PointSolution solution = solveFromPoints(displaced(rig), points);
-  // 3 mm on 8 points around the middle: some millimetres at the cameras, 3.5 m away.
+  // 3 mm on 8 points around the middle: some millimeters at the cameras, 3.5 m away.
   EXPECT_LT(apart(solution.rig[0], rig[0]), 0.03);
   EXPECT_LT(solution.rmsPx, 2.0);
   EXPECT_FALSE(solution.worstExplains);

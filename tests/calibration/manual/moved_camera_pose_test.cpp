@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/random.h"
 #include "core/calibration/manual/moved_camera_pose.h"
+#include "core/geometry/projector.h"
 #include "core/geometry/rotation_check.h"
 
 #include <gtest/gtest.h>
@@ -48,12 +49,12 @@ TEST(ResolveCamera, WithoutSightingsTurnsTheCamera) {
   const Eigen::Vector3d turn(0.01, -0.02, 0.005);
   const auto resolved = resolveCamera(camera(), {.turn = turn}, {});
   ASSERT_TRUE(resolved) << sentence(resolved.error());
-  EXPECT_LT(angleBetween(resolved->camera, turnedCamera(camera(), turn)), 1e-9);
+  EXPECT_LT(angleBetween(resolved->camera, rotatedCamera(camera(), turn)), 1e-9);
   EXPECT_LT((resolved->camera.center() - camera().center()).norm(), 1e-9);
 }
 
 TEST(ResolveCamera, FindsTurnAndShiftFromTheTarget) {
-  Camera bumped = turnedCamera(camera(), Eigen::Vector3d(0.5, -0.8, 0.3) * kDegree);
+  Camera bumped = rotatedCamera(camera(), Eigen::Vector3d(0.5, -0.8, 0.3) * kDegree);
   bumped.cameraFromWorld.translation() += Eigen::Vector3d(0.004, -0.003, 0.002);
   // The background gives the turn to 0.05 degrees.
   const CameraMotionPrior prior{.turn = Eigen::Vector3d(0.52, -0.75, 0.33) * kDegree};
@@ -73,7 +74,7 @@ TEST(ResolveCamera, FindsTurnAndShiftFromTheTarget) {
 }
 
 TEST(ResolveCamera, IsNotFooledByWrongSightings) {
-  const Camera bumped = turnedCamera(camera(), Eigen::Vector3d(0.1, 0.2, 0.0) * kDegree);
+  const Camera bumped = rotatedCamera(camera(), Eigen::Vector3d(0.1, 0.2, 0.0) * kDegree);
   const auto seen = sightings(bumped, 200, 0.5, 40);
   const auto resolved =
       resolveCamera(camera(), {.turn = Eigen::Vector3d(0.1, 0.2, 0.0) * kDegree}, seen);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/random.h"
 #include "core/calibration/planning/uncertainty_map.h"
+#include "core/geometry/projector.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

@@ -19,10 +19,10 @@ std::vector<double> trueErrors(const CameraRig& truth, const CameraRig& found, d
   const RandomStream random(21, seed, 0, RandomPurpose::Noise);
   std::vector<Eigen::Vector3d> real, exact, noisy;
   for (std::uint32_t i = 0; i < 100; ++i) {
-    const Eigen::Vector3d place = waved(seed, 0.31 * i, 0);
+    const Eigen::Vector3d position = waved(seed, 0.31 * i, 0);
     std::vector<Ray> clean, rays;
     for (std::size_t c = 0; c < truth.size(); ++c) {
-      const auto pixel = Projector(truth[c]).project(place);
+      const auto pixel = Projector(truth[c]).project(position);
       if (!pixel || !inImage(truth[c], *pixel)) {
         continue;
       }
@@ -34,7 +34,7 @@ std::vector<double> trueErrors(const CameraRig& truth, const CameraRig& found, d
     const auto a = nearestPoint(clean);
     const auto b = nearestPoint(rays);
     if (a && b) {
-      real.push_back(place);
+      real.push_back(position);
       exact.push_back(*a);
       noisy.push_back(*b);
     }
@@ -70,15 +70,15 @@ Summary manyTrials(int trials) {
       continue;
     }
     // The simulated stick has exactly its length.
-    const auto verdict = assessCalibration(result->problem, result->bundle);
-    EXPECT_TRUE(verdict) << trial;
+    const auto accuracy = assessCalibration(result->problem, result->bundle);
+    EXPECT_TRUE(accuracy) << trial;
     double sizeError = 0.0;
     for (const double error : trueErrors(truth, result->cameras, noise, seed, sizeError)) {
-      all.errors.push_back(error / verdict->position95);
+      all.errors.push_back(error / accuracy->position95);
     }
-    const double z = sizeError / (*verdict->scale95 / 1.96);
+    const double z = sizeError / (*accuracy->scale95 / 1.96);
     all.sizeSquares += z * z;
-    all.worstRatio = std::max(all.worstRatio, verdict->changeRatio);
+    all.worstRatio = std::max(all.worstRatio, accuracy->changeRatio);
     ++all.trials;
     if (::testing::Test::HasFailure()) {
       break;
@@ -112,13 +112,13 @@ TEST(CalibrationAccuracy, DISABLED_PredictsTheTrueErrorsOfFifty) {
 }
 
 TEST(CalibrationAccuracy, SaysItInOneSentence) {
-  CalibrationAccuracy verdict;
-  verdict.position95 = 0.0031;
-  EXPECT_EQ(verdictSentence(verdict),
+  CalibrationAccuracy accuracy;
+  accuracy.position95 = 0.0031;
+  EXPECT_EQ(accuracySentence(accuracy),
             "In this volume +-3.1 mm (95 %), scale unknown, up not measured.");
-  verdict.scale95 = 0.001;
-  verdict.up95 = 0.2 / 180.0 * 3.14159265358979;
-  EXPECT_EQ(verdictSentence(verdict),
+  accuracy.scale95 = 0.001;
+  accuracy.up95 = 0.2 / 180.0 * 3.14159265358979;
+  EXPECT_EQ(accuracySentence(accuracy),
             "In this volume +-3.1 mm (95 %), scale +-0.1 %, up +-0.2 degrees.");
 }
 
@@ -140,10 +140,10 @@ TEST(CalibrationAccuracy, WidensWhereErrorsAreNotIndependent) {
   problem.rough = moved(truth, 0.1, 0.05, 5);
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
-  const auto verdict = judgeWand(*result, {});
-  ASSERT_TRUE(verdict);
-  EXPECT_GT(verdict->modelFactor, 1.5);
-  EXPECT_GT(verdict->heldOutPx, 0.1); // the noise alone leaves 0.05 px times some 1.2
+  const auto accuracy = assessWand(*result, {});
+  ASSERT_TRUE(accuracy);
+  EXPECT_GT(accuracy->modelFactor, 1.5);
+  EXPECT_GT(accuracy->heldOutPx, 0.1); // the noise alone leaves 0.05 px times some 1.2
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/quality/fault_finder.h"
 #include "core/calibration/wand/wand_bundle.h"
+#include "core/geometry/projector.h"
 #include "tests/calibration/waved_rig.h"
 
 #include <gtest/gtest.h>
@@ -188,14 +189,14 @@ TEST(FaultFinder, MixedUnitsAreNamed) {
     SCOPED_TRACE(seed);
     WandProblem problem = clean(seed);
     problem.stickLength = 1000.0 * kStick;
-    expectOnly(find(problem), CalibrationFault::MillimetresMixed, {});
+    expectOnly(find(problem), CalibrationFault::MillimetersMixed, {});
     problem.stickLength = kStick / 0.0254;
     expectOnly(find(problem), CalibrationFault::InchesMixed, {});
     problem.stickLength = kStick;
     for (Camera& camera : problem.rough) {
       camera.cameraFromWorld.translation() *= 1000.0;
     }
-    expectOnly(find(problem), CalibrationFault::MillimetresMixed, {});
+    expectOnly(find(problem), CalibrationFault::MillimetersMixed, {});
   }
 }
 
@@ -211,8 +212,8 @@ FaultQuestion shown(std::uint32_t seed, bool floor, double noise = 0.1) {
   }
   const RandomStream random(22, seed, 0, RandomPurpose::Noise);
   std::uint32_t count = 0;
-  const int places = floor ? 1 : 25;
-  for (int k = 0; k < places; ++k) {
+  const int positions = floor ? 1 : 25;
+  for (int k = 0; k < positions; ++k) {
     BundleState state;
     state.time = k;
     state.fixed = floor;

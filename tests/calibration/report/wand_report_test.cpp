@@ -44,7 +44,7 @@ TEST(WandReport, ShowsEveryCameraAndTheTarget) {
   WandReport report;
   report.before = problem.rough;
   report.result = *result;
-  report.verdict = "In this volume +-3.1 mm (95 %)";
+  report.accuracy = "In this volume +-3.1 mm (95 %)";
   report.coverage.resize(3);
   report.offsetsFound = true;
   const std::string html = htmlText(report);

@@ -28,7 +28,7 @@ CameraRig trueRig() {
   return rig;
 }
 
-/// Every camera moved by `place` metres and turned by `turn` radians, in directions of its own.
+/// Every camera moved by `place` meters and turned by `turn` radians, in directions of its own.
 CameraRig moved(CameraRig rig, double place, double turn, std::uint32_t seed = 0) {
   const RandomStream random(5, seed, 0, RandomPurpose::Noise);
   for (std::size_t c = 0; c < rig.size(); ++c) {
@@ -109,11 +109,11 @@ TEST(WandCalibration, AStickGivesTheRigBack) {
   EXPECT_EQ(again->cameras, result->cameras);
 }
 
-TEST(WandCalibration, HalfAPixelOfNoiseIsMillimetres) {
+TEST(WandCalibration, HalfAPixelOfNoiseIsMillimeters) {
   const CameraRig rig = trueRig();
   WandProblem problem = wave(rig, 2, 0.3);
   problem.rough = moved(rig, 0.3, 10.0 / 180.0 * std::numbers::pi);
-  problem.roughPlace = 0.3;
+  problem.roughPosition = 0.3;
   problem.roughTurn = 0.17;
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
@@ -231,7 +231,7 @@ TEST(WandCalibration, TheSizeComesFromADistanceOrTheDiameter) {
             3.0)
         .eval();
   };
-  problem.distance.metres = (mean(8.0) - mean(2.0)).norm();
+  problem.distance.meters = (mean(8.0) - mean(2.0)).norm();
   const auto measured = calibrateFromWand(problem);
   ASSERT_TRUE(measured) << sentence(measured.error());
   EXPECT_LT(misplacement(measured->cameras, rig), 3e-3);

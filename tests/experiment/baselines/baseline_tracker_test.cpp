@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/baselines/baseline_methods.h"
+#include "core/geometry/projector.h"
 #include "tests/tracking/sphere_of.h"
 
 #include <gtest/gtest.h>

@@ -92,9 +92,9 @@ std::string pageOf(Status (*run)(const ExperimentOptions&), const char* name) {
 }
 
 TEST(BarreraStarts, TheVerdictFollowsFromAllStarts) {
-  EXPECT_EQ(verdictOnNone({1.0, 0.58, 0.07}), Verdict::InPart); // as measured with 100 runs
-  EXPECT_EQ(verdictOnNone({0.0, 0.09}), Verdict::Reproduced);
-  EXPECT_EQ(verdictOnNone({1.0, 0.1}), Verdict::NotReproduced);
+  EXPECT_EQ(claimOfNone({1.0, 0.58, 0.07}), ClaimOutcome::InPart); // as measured with 100 runs
+  EXPECT_EQ(claimOfNone({0.0, 0.09}), ClaimOutcome::Reproduced);
+  EXPECT_EQ(claimOfNone({1.0, 0.1}), ClaimOutcome::NotReproduced);
 }
 
 TEST(DynamicsFigure7, SaysOnceWhereTheCloudStarts) {
@@ -129,7 +129,7 @@ TEST(FigureParts, EveryPointIsWithinTheAxes) {
   EXPECT_GT(plot.x.high, 3.0);
   EXPECT_LT(plot.y.low, -0.7);
   EXPECT_GT(plot.y.high, 1.4);
-  // A metre is as long across as upwards: a plot is 320 by 200 units.
+  // A meter is as long across as upwards: a plot is 320 by 200 units.
   EXPECT_NEAR((plot.x.high - plot.x.low) / (plot.y.high - plot.y.low), 1.6, 1e-9);
 }
 

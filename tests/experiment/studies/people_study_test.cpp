@@ -15,9 +15,9 @@ TEST(PeopleScenario, IsDrawnFromItsSeedAlone) {
     const auto one = makePeopleScenario(name, PeopleClothes::Different, 5);
     const auto again = makePeopleScenario(name, PeopleClothes::Different, 5);
     ASSERT_TRUE(one) << name;
-    EXPECT_EQ(one->scene.people[0].place(3.0), again->scene.people[0].place(3.0));
+    EXPECT_EQ(one->scene.people[0].position(3.0), again->scene.people[0].position(3.0));
     const auto other = makePeopleScenario(name, PeopleClothes::Different, 6);
-    EXPECT_NE(one->scene.people[0].place(3.0), other->scene.people[0].place(3.0));
+    EXPECT_NE(one->scene.people[0].position(3.0), other->scene.people[0].position(3.0));
   }
   EXPECT_FALSE(makePeopleScenario("dance", PeopleClothes::Similar, 1));
 }
@@ -28,9 +28,9 @@ TEST(PeopleScenario, CrossingComesAsNearAsItSays) {
     ASSERT_TRUE(scenario);
     double nearest = 10.0;
     for (double time = 1.3; time < 5.5; time += 0.01) {
-      nearest = std::min(
-          nearest,
-          (scenario->scene.people[0].place(time) - scenario->scene.people[1].place(time)).norm());
+      nearest = std::min(nearest, (scenario->scene.people[0].position(time) -
+                                   scenario->scene.people[1].position(time))
+                                      .norm());
     }
     EXPECT_GT(nearest, 0.44);
     EXPECT_LT(nearest, 0.61);
@@ -62,7 +62,7 @@ TEST(PeopleStudy, OursKeepsTwoInSimilarClothesApart) {
   const PeopleTrial& trial = trials->front();
   EXPECT_TRUE(trial.kept);
   EXPECT_GT(trial.mota, 0.85);
-  EXPECT_LT(trial.motp, 0.1);         // metres
+  EXPECT_LT(trial.motp, 0.1);         // meters
   EXPECT_LE(trial.longestGhost, 1.0); // seconds: the bar
   EXPECT_LE(trial.longestMissed, 1.0);
   // A person of 1.75 m and 75 kg is 0.075 m³; the hull is larger.
@@ -135,17 +135,17 @@ TEST(PeopleReport, IdentitiesOfThoseWhoComeAndGoAreJudgedToo) {
 TEST(PeoplePictures, ShowTheMeetingAndBothSidesOfIt) {
   const auto crossing = makePeopleScenario("crossing", PeopleClothes::Different, 1);
   ASSERT_TRUE(crossing);
-  const auto moments = tellingMoments(*crossing);
+  const auto moments = tellingInstants(*crossing);
   ASSERT_EQ(moments.size(), 3U);
   EXPECT_LT(moments[0].frame, moments[1].frame);
   EXPECT_LT(moments[1].frame, moments[2].frame);
   const double time = crossing->scene.timeOf(moments[1].frame);
   const auto& people = crossing->scene.people;
-  EXPECT_LT((people[0].place(time) - people[1].place(time)).norm(),
+  EXPECT_LT((people[0].position(time) - people[1].position(time)).norm(),
             0.7); // 0.45 to 0.6 m is aimed at
   const auto visit = makePeopleScenario("enter-leave", PeopleClothes::Different, 1);
   ASSERT_TRUE(visit);
-  EXPECT_EQ(tellingMoments(*visit).size(), 1U);
+  EXPECT_EQ(tellingInstants(*visit).size(), 1U);
 }
 
 TEST(PeopleStudy, AParameterThatNoMethodHasIsSaid) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/studies/sugandi_pictures.h"
+#include "core/experiment/studies/sugandi_report.h"
 #include "core/experiment/studies/sugandi_study.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/suite_report.h"
 #include "core/experiment/suite/suite_runner.h"
+#include "core/geometry/projector.h"
 #include "core/simulation/scene.h"
 #include "tests/capture/temporary_folder.h"
 

@@ -2,6 +2,8 @@
 #include "core/capture/recording.h"
 #include "core/session/frames/frame_cache.h"
 #include "core/session/frames/frame_previews.h"
+#include "core/session/frames/live_frames.h"
+#include "core/session/frames/recorded_frames.h"
 #include "tests/capture/temporary_folder.h"
 
 #include <gtest/gtest.h>

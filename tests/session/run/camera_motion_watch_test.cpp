@@ -11,7 +11,7 @@ namespace dewpoint::tests {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kRadius = 0.1; // metres
+constexpr double kRadius = 0.1; // meters
 
 CameraRig threeCameras() {
   CameraRig rig;
@@ -95,7 +95,7 @@ double angleBetween(const Camera& a, const Camera& b) {
 }
 
 TEST(CameraMotionWatch, ReportsAndSolvesABumpedCamera) {
-  Camera bumped = turnedCamera(threeCameras()[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
+  Camera bumped = rotatedCamera(threeCameras()[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
   bumped.cameraFromWorld.translation().x() += 0.003;
   CameraMotionWatch watch(threeCameras());
   run(watch, bumped);
@@ -116,7 +116,7 @@ TEST(CameraMotionWatch, ReportsAndSolvesABumpedCamera) {
 
 TEST(CameraMotionWatch, ACameraThatIsCalibratedAgainIsNotReportedAnyMore) {
   CameraRig rig = threeCameras();
-  const Camera bumped = turnedCamera(rig[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
+  const Camera bumped = rotatedCamera(rig[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
   CameraMotionWatch watch(rig);
   run(watch, bumped);
   ASSERT_EQ(watch.reports().size(), 1U);
@@ -127,7 +127,7 @@ TEST(CameraMotionWatch, ACameraThatIsCalibratedAgainIsNotReportedAnyMore) {
 }
 
 TEST(CameraMotionWatch, WhatWasSolvedIsNotReportedWhenTheRecordingPlaysAgain) {
-  const Camera bumped = turnedCamera(threeCameras()[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
+  const Camera bumped = rotatedCamera(threeCameras()[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
   CameraMotionWatch watch(threeCameras());
   run(watch, bumped);
   ASSERT_EQ(watch.reports().size(), 1U);
@@ -146,7 +146,7 @@ TEST(CameraMotionWatch, WhatWasSolvedIsNotReportedWhenTheRecordingPlaysAgain) {
 
 TEST(CameraMotionWatch, ForgetsWhenTheRunBeginsAnew) {
   CameraMotionWatch watch(threeCameras());
-  run(watch, turnedCamera(threeCameras()[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree));
+  run(watch, rotatedCamera(threeCameras()[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree));
   watch.restart();
   EXPECT_TRUE(watch.reports().empty());
   EXPECT_TRUE(watch.notices().empty());
@@ -194,7 +194,7 @@ TEST(CameraMotionWatch, ABoardWavedBeforeTheCamerasIsNoBumpWhileItRests) {
   show(watch, rig, 8.0, 12.0, picture);
   EXPECT_TRUE(watch.reports().empty());
   CameraRig bumped = rig;
-  bumped[1] = turnedCamera(rig[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
+  bumped[1] = rotatedCamera(rig[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
   show(watch, bumped, 12.0, 18.0, picture);
   ASSERT_EQ(watch.reports().size(), 1U);
   EXPECT_EQ(watch.reports()[0].event.camera, 1U);
@@ -205,7 +205,7 @@ TEST(CameraMotionWatch, WhatWasReportedBeforeStaysWhileItRests) {
   CameraMotionWatch watch(rig);
   show(watch, rig, 0.0, 3.0, picture);
   CameraRig bumped = rig;
-  bumped[1] = turnedCamera(rig[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
+  bumped[1] = rotatedCamera(rig[1], Eigen::Vector3d(0.2, -0.3, 0.1) * kDegree);
   show(watch, bumped, 3.0, 9.0, picture);
   ASSERT_EQ(watch.reports().size(), 1U);
   watch.setResting(true);

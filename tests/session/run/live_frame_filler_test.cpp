@@ -7,7 +7,7 @@ namespace dewpoint::tests {
 namespace {
 
 /// A live moment of two cameras; where `present` is false, a camera has no image.
-std::shared_ptr<TrackSnapshot> moment(double time, bool first, bool second) {
+std::shared_ptr<TrackSnapshot> trackedFrame(double time, bool first, bool second) {
   auto set = std::make_shared<FrameSet>();
   set->time = timeStamp(time);
   for (const bool present : {first, second}) {
@@ -27,9 +27,9 @@ FramePtr frameOf(const TrackSnapshotPtr& snapshot, std::size_t camera) {
 
 TEST(LiveFrameFiller, ALateCameraShowsItsLastImage) {
   LiveFrameFiller filler;
-  const auto both = moment(1.0, true, true);
+  const auto both = trackedFrame(1.0, true, true);
   EXPECT_EQ(filler.filled(both).get(), both.get()); // nothing to fill: no copy
-  auto one = moment(1.05, true, false);
+  auto one = trackedFrame(1.05, true, false);
   one->masks = {cv::Mat(2, 2, CV_8UC1), cv::Mat()};
   const auto seen = filler.filled(one);
   EXPECT_EQ(frameOf(seen, 0), frameOf(one, 0));
@@ -40,20 +40,20 @@ TEST(LiveFrameFiller, ALateCameraShowsItsLastImage) {
 
 TEST(LiveFrameFiller, ASilentCameraIsMissing) {
   LiveFrameFiller filler;
-  filler.filled(moment(1.0, true, true));
+  filler.filled(trackedFrame(1.0, true, true));
   const double young = LiveFrameFiller::kYoung;
-  EXPECT_NE(frameOf(filler.filled(moment(1.0 + 0.9 * young, true, false)), 1), nullptr);
-  EXPECT_EQ(frameOf(filler.filled(moment(1.0 + young, true, false)), 1), nullptr);
-  EXPECT_EQ(frameOf(filler.filled(moment(0.5, true, false)), 1), nullptr); // begun anew
+  EXPECT_NE(frameOf(filler.filled(trackedFrame(1.0 + 0.9 * young, true, false)), 1), nullptr);
+  EXPECT_EQ(frameOf(filler.filled(trackedFrame(1.0 + young, true, false)), 1), nullptr);
+  EXPECT_EQ(frameOf(filler.filled(trackedFrame(0.5, true, false)), 1), nullptr); // begun anew
 }
 
 TEST(LiveFrameFiller, RecordingsAndThePastAreShownAsTheyAre) {
   LiveFrameFiller filler;
-  filler.filled(moment(1.0, true, true));
-  auto recorded = moment(1.05, true, false);
+  filler.filled(trackedFrame(1.0, true, true));
+  auto recorded = trackedFrame(1.05, true, false);
   recorded->frameCount = 100;
   EXPECT_EQ(frameOf(filler.filled(recorded), 1), nullptr);
-  auto past = moment(1.05, true, false);
+  auto past = trackedFrame(1.05, true, false);
   past->past = true;
   EXPECT_EQ(frameOf(filler.filled(past), 1), nullptr);
   EXPECT_EQ(filler.filled(nullptr), nullptr);

@@ -30,7 +30,7 @@ protected:
     if (solved) {
       report.resolved.emplace();
     }
-    snapshot.bumps = {report};
+    snapshot.cameraMotions = {report};
     return shown;
   }
   QPushButton* answer() const {
@@ -81,7 +81,7 @@ TEST_F(CameraMotionAlertsTest, WhoClosesTheBarIsLeftAlone) {
 TEST_F(CameraMotionAlertsTest, WhatIsDealtWithIsWithdrawnUnlessTheBarSaysSomethingElse) {
   messages_.setSnapshot(at(11.0, true));
   TrackSnapshot without = *at(12.0);
-  without.bumps.clear();
+  without.cameraMotions.clear();
   const auto none = std::make_shared<const TrackSnapshot>(without);
   messages_.setSnapshot(none);
   EXPECT_FALSE(bar_.isVisibleTo(&window_));

@@ -13,7 +13,7 @@ TEST(WandText, EveryObstacleIsASentenceOfItsOwn) {
   Project project;
   WandSettings wish;
   std::set<QString> sentences;
-  const auto note = [&](const std::vector<TouchedMoment>& moments = {}) {
+  const auto note = [&](const std::vector<TouchedInstant>& moments = {}) {
     sentences.insert(validationMessage(wish, moments, project));
   };
   note(); // no camera

@@ -127,7 +127,8 @@ void BoardCalibrationPage::refresh() {
   progress_->setVisible(computing);
   cancel_->setVisible(computing);
   apply_->setVisible(outcome != nullptr && !desk_.isApplied());
-  const bool doubted = outcome != nullptr && outcome->places && !outcome->places->faults.empty();
+  const bool doubted =
+      outcome != nullptr && outcome->extrinsics && !outcome->extrinsics->faults.empty();
   apply_->setText(doubted ? tr("Use it anyway") : tr("Apply"));
   report_->setVisible(outcome != nullptr);
   QString words = outcome ? outcomeWords(desk_, *outcome) : QString();

@@ -62,9 +62,9 @@ BoardPreferences BoardCalibrator::preferences() const {
   return {QString::fromStdString(boardText(wish_.board.board)),
           static_cast<int>(wish_.board.model),
           wish_.goal.lenses,
-          wish_.goal.places,
+          wish_.goal.poses,
           wish_.lenses.requestedProjectionPx,
-          wish_.requestedPlace};
+          wish_.requestedPosition};
 }
 
 void BoardCalibrator::recall() {
@@ -77,9 +77,9 @@ void BoardCalibrator::recall() {
   }
   wish_.board.model = static_cast<IntrinsicsModel>(std::clamp(kept.lensModel, 0, 2));
   wish_.goal.lenses = kept.lenses;
-  wish_.goal.places = kept.places || !wish_.goal.lenses;
+  wish_.goal.poses = kept.places || !wish_.goal.lenses;
   wish_.lenses.requestedProjectionPx = kept.lensAccuracy;
-  wish_.requestedPlace = kept.placeAccuracy;
+  wish_.requestedPosition = kept.placeAccuracy;
 }
 
 void BoardCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {

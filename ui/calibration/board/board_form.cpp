@@ -25,7 +25,7 @@ namespace {
 
 struct Unit {
   const char* name;
-  double metres;
+  double meters;
   NumberRange range;
 };
 const std::array<Unit, 4> kUnits{{{"mm", 0.001, {1.0, 2000.0, 1.0, 2}},
@@ -121,7 +121,7 @@ void BoardForm::build() {
 }
 
 double BoardForm::metresPerUnit() const {
-  return kUnits.at(static_cast<std::size_t>(std::max(0, unit_->currentIndex()))).metres;
+  return kUnits.at(static_cast<std::size_t>(std::max(0, unit_->currentIndex()))).meters;
 }
 
 void BoardForm::connectFields() {
@@ -137,13 +137,13 @@ void BoardForm::connectFields() {
     edit([value](Board& board) { board = withSquares(board, board.squareColumns(), value); });
   });
   connect(size_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([metres = value * metresPerUnit()](Board& board) {
-      board = withSquareSize(board, metres);
+    edit([meters = value * metresPerUnit()](Board& board) {
+      board = withSquareSize(board, meters);
     });
   });
   connect(marker_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([metres = value * metresPerUnit()](Board& board) {
-      board = withMarkerSize(board, metres);
+    edit([meters = value * metresPerUnit()](Board& board) {
+      board = withMarkerSize(board, meters);
     });
   });
   connect(unit_, &QComboBox::activated, this, &BoardForm::refresh);
@@ -231,8 +231,8 @@ void BoardForm::refresh() {
   const QString suffix = QLatin1Char(' ') + QLatin1String(unit.name);
   setRange(*size_, unit.range, suffix);
   setRange(*marker_, unit.range, suffix);
-  showValue(*size_, board.squareSize / unit.metres);
-  showValue(*marker_, board.markerSize / unit.metres);
+  showValue(*size_, board.squareSize / unit.meters);
+  showValue(*marker_, board.markerSize / unit.meters);
   dictionary_->setCurrentText(QString::fromStdString(board.dictionary));
   for (QWidget* field : std::initializer_list<QWidget*>{markerLabel_, marker_, dictionaryLabel_,
                                                         dictionary_, legacy_, inverted_}) {

@@ -111,8 +111,8 @@ void BoardGoalForm::connectFields() {
   connect(lensAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double pixels) {
     edit([pixels](BoardGuideRequest& wish) { wish.lenses.requestedProjectionPx = pixels; });
   });
-  connect(placeAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double millimetres) {
-    edit([=](BoardGuideRequest& wish) { wish.requestedPlace = kMillimetre * millimetres; });
+  connect(placeAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double millimeters) {
+    edit([=](BoardGuideRequest& wish) { wish.requestedPosition = kMillimetre * millimeters; });
   });
 }
 
@@ -165,7 +165,7 @@ void BoardGoalForm::refresh() {
   const bool live = desk_.isLive();
   const bool onFloor = wish.board.worldFrame.has_value();
   floor_->setChecked(onFloor);
-  floor_->setVisible(!live && wish.goal.places);
+  floor_->setVisible(!live && wish.goal.poses);
   floorFrame_->setVisible(onFloor && floor_->isVisibleTo(this));
   floorHere_->setVisible(onFloor && floor_->isVisibleTo(this));
   floorHere_->setEnabled(desk_.shownFrame() >= 0);
@@ -175,9 +175,9 @@ void BoardGoalForm::refresh() {
   }
   accuracyLabel_->setVisible(live);
   lensAccuracy_->setVisible(live && wish.goal.lenses);
-  placeAccuracy_->setVisible(live && wish.goal.places);
+  placeAccuracy_->setVisible(live && wish.goal.poses);
   showValue(*lensAccuracy_, wish.lenses.requestedProjectionPx);
-  showValue(*placeAccuracy_, wish.requestedPlace / kMillimetre);
+  showValue(*placeAccuracy_, wish.requestedPosition / kMillimetre);
 }
 
 } // namespace dewpoint::ui

@@ -109,13 +109,13 @@ void BoardLive::makeRows(std::size_t count) {
 void BoardLive::fillRow(const Row& row, const BoardGuideState& state, std::size_t camera) {
   const auto& of = state.cameras[camera];
   const bool lens = state.phase == BoardGuideState::Phase::Lenses ||
-                    (!desk_.wish().goal.places && desk_.wish().goal.lenses);
+                    (!desk_.wish().goal.poses && desk_.wish().goal.lenses);
   row.map->show(of, lens);
   row.name->setText(desk_.nameOf(camera));
   row.advice->setText(lens ? adviceWords(of) : seenWords(of));
   row.accuracy->setText(lens ? accuracyWords(of, desk_.wish().lenses) : placeWords(of));
   row.sharpness->setText(sharpnessWords(of, desk_.wish().lenses));
-  const double held = lens ? of.lens.held : of.seen ? state.places.held : 0.0;
+  const double held = lens ? of.lens.held : of.seen ? state.rig.held : 0.0;
   row.held->setValue(static_cast<int>(kHeldSteps * held));
   row.held->setAccessibleName(
       tr("How long the board was held still before %1").arg(desk_.nameOf(camera)));
@@ -141,14 +141,14 @@ void BoardLive::retranslateUi() {
 void BoardLive::refresh() {
   const bool watching = desk_.isWatching();
   const auto state = desk_.guide();
-  const bool places = state->phase == BoardGuideState::Phase::Places;
+  const bool places = state->phase == BoardGuideState::Phase::Poses;
   start_->setText(watching || desk_.hasViews() ? tr("Start over") : tr("Start"));
   start_->setToolTip(tr("Look for the board in the live images, and be told what to show"));
   start_->setEnabled(!desk_.isComputing());
   capture_->setEnabled(watching);
-  floor_->setVisible(desk_.wish().goal.places);
+  floor_->setVisible(desk_.wish().goal.poses);
   floor_->setEnabled(watching && places);
-  next_->setVisible(desk_.wish().goal.places && desk_.wish().goal.lenses);
+  next_->setVisible(desk_.wish().goal.poses && desk_.wish().goal.lenses);
   next_->setEnabled(watching && !places);
   finish_->setEnabled(desk_.hasViews() && !desk_.isComputing() && !desk_.outcome());
   list_->setVisible(!state->cameras.empty());
@@ -166,8 +166,8 @@ void BoardLive::followGuide() {
   }
   overall_->setText(
       state->frame < 0 ? tr("Waiting for images: are the cameras playing?")
-      : state->phase == BoardGuideState::Phase::Places
-          ? pairWords(desk_, state->places)
+      : state->phase == BoardGuideState::Phase::Poses
+          ? pairWords(desk_, state->rig)
           : tr("Show the board to one camera after the other, as each of them asks."));
 }
 

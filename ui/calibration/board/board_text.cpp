@@ -67,7 +67,7 @@ void addPlaces(const BoardCalibrator& desk, const ExtrinsicsResult& places, QStr
     lines << QString();
   }
   lines << Words::tr("Places: rms %1 px over %2 positions of the board")
-               .arg(numberText(places.rmsPx, 3), QString::number(places.places.size()));
+               .arg(numberText(places.rmsPx, 3), QString::number(places.boardPoses.size()));
   for (std::size_t k = 0; k < places.fits.size(); ++k) {
     lines << placeLine(desk.nameOf(k), places.fits[k]);
   }
@@ -167,9 +167,9 @@ QString seenWords(const BoardGuideState::PerCamera& camera) {
 
 QString placeWords(const BoardGuideState::PerCamera& camera) {
   const QString views = QString::number(camera.pairViews);
-  return camera.placeSigma ? Words::tr("%1 views, place known to %2 mm")
-                                 .arg(views, numberText(1e3 * *camera.placeSigma, 2))
-                           : Words::tr("%1 views with others").arg(views);
+  return camera.positionSigma ? Words::tr("%1 views, place known to %2 mm")
+                                    .arg(views, numberText(1e3 * *camera.positionSigma, 2))
+                              : Words::tr("%1 views with others").arg(views);
 }
 
 QString outcomeWords(const BoardCalibrator& desk, const BoardOutcome& outcome) {
@@ -177,20 +177,21 @@ QString outcomeWords(const BoardCalibrator& desk, const BoardOutcome& outcome) {
   if (outcome.lenses) {
     addLenses(desk, *outcome.lenses, lines);
   }
-  if (outcome.noPlaces) {
-    lines << QStringLiteral("⚠ ") +
-                 Words::tr("The places were not found: %1").arg(errorSentence(*outcome.noPlaces));
+  if (outcome.extrinsicsError) {
+    lines << QStringLiteral("⚠ ") + Words::tr("The places were not found: %1")
+                                        .arg(errorSentence(*outcome.extrinsicsError));
   }
-  if (outcome.places) {
-    addPlaces(desk, *outcome.places, lines);
-    lines << (outcome.verdict ? verdictWords(*outcome.verdict)
-                              : Words::tr("How good it is cannot be said: too few places were seen "
-                                          "by two cameras."));
+  if (outcome.extrinsics) {
+    addPlaces(desk, *outcome.extrinsics, lines);
+    lines << (outcome.accuracy
+                  ? verdictWords(*outcome.accuracy)
+                  : Words::tr("How good it is cannot be said: too few places were seen "
+                              "by two cameras."));
     QStringList names;
-    for (std::size_t k = 0; k < outcome.places->cameras.size(); ++k) {
+    for (std::size_t k = 0; k < outcome.extrinsics->cameras.size(); ++k) {
       names << desk.nameOf(k);
     }
-    for (const NamedFault& fault : outcome.places->faults) {
+    for (const NamedFault& fault : outcome.extrinsics->faults) {
       lines << QStringLiteral("⚠ ") + faultWords(fault, names);
     }
   }

@@ -101,7 +101,7 @@ CalibrationTarget CalibrationExportDialog::target() const {
   CalibrationTarget target;
   target.path = file().toStdString();
   target.format = format().name;
-  target.unit = unit_->isEnabled() ? metresOfUnit(unit_->currentData().toString().toStdString())
+  target.unit = unit_->isEnabled() ? metersOfUnit(unit_->currentData().toString().toStdString())
                                    : std::nullopt;
   target.replace = true;
   return target;

@@ -151,7 +151,7 @@ ImportRequest CalibrationImportDialog::wish() const {
   wish.hints.format = format_->currentData().toString().toStdString();
   const int listed = unit_->findText(unit_->currentText());
   const QString unit = listed >= 0 ? unit_->itemData(listed).toString() : unit_->currentText();
-  wish.hints.unit = metresOfUnit(unit.trimmed().toStdString());
+  wish.hints.unit = metersOfUnit(unit.trimmed().toStdString());
   const QString lens = lens_->currentData().toString();
   if (!lens.isEmpty()) {
     wish.hints.lens = lens == QLatin1String("fisheye") ? LensModel::Fisheye : LensModel::Pinhole;
@@ -220,7 +220,7 @@ void CalibrationImportDialog::adopt(const Result<CalibrationImport>& made) {
   for (const ImportedCamera& camera : made->cameras) {
     lines << tr("%1 (in the file: %2): %3 cm and %4° from where it is now")
                  .arg(QString::fromStdString(camera.name), QString::fromStdString(camera.fileName),
-                      numberText(100.0 * camera.shift.metres, 1),
+                      numberText(100.0 * camera.shift.meters, 1),
                       numberText(camera.shift.radians * 180.0 / std::numbers::pi, 2));
   }
   lines << tr("Largest reprojection difference to the file: %1 px")

@@ -204,8 +204,8 @@ void RigPlanner::setLens(const PlannedLens& lens) {
   }
 }
 
-void RigPlanner::setWallDistance(double metres) {
-  wallDistance_ = metres;
+void RigPlanner::setWallDistance(double meters) {
+  wallDistance_ = meters;
   Q_EMIT changed();
 }
 

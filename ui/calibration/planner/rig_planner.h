@@ -71,7 +71,7 @@ public:
 
   // The search for a position.
   double wallDistance() const { return wallDistance_; }
-  void setWallDistance(double metres);
+  void setWallDistance(double meters);
   /// Looks for the best position for one more camera, and adds it there.
   void findPlace();
   BackgroundJob& search() { return search_; }

@@ -221,19 +221,19 @@ QString PointCalibrator::cameraSentence(const CameraFromPoints& camera) const {
 QString PointCalibrator::worstPointSentence(const PointSolution& solution) const {
   const auto worst = static_cast<std::size_t>(*solution.worst);
   double pixels = 0.0;
-  double metres = 0.0;
+  double meters = 0.0;
   for (const ClickResidual& residual : solution.residuals) {
     if (residual.point == *solution.worst && std::isfinite(residual.pixels)) {
       pixels = std::max(pixels, residual.pixels);
-      metres = std::max(metres, residual.metres);
+      meters = std::max(meters, residual.meters);
     }
   }
   const QString name = QString::fromStdString(points()[worst].name);
   return solution.worstExplains
              ? tr("%1 does not fit the rest (%2 px, %3 mm): measure or click it again")
-                   .arg(name, numberText(pixels, 1), numberText(1000.0 * metres, 1))
+                   .arg(name, numberText(pixels, 1), numberText(1000.0 * meters, 1))
              : tr("Worst: %1 (%2 px, %3 mm)")
-                   .arg(name, numberText(pixels, 2), numberText(1000.0 * metres, 1));
+                   .arg(name, numberText(pixels, 2), numberText(1000.0 * meters, 1));
 }
 
 std::optional<int> PointCalibrator::proposedCamera() const {

@@ -147,19 +147,19 @@ void PointsTable::showResiduals() {
   const auto residuals = points_.residuals();
   for (int row = 0; row < table_->rowCount(); ++row) {
     double pixels = -1.0;
-    double metres = -1.0;
+    double meters = -1.0;
     QStringList each;
     for (const ClickResidual& residual : residuals) {
       if (residual.point == row) {
         pixels = std::max(pixels, residual.pixels);
-        metres = std::max(metres, residual.metres);
+        meters = std::max(meters, residual.meters);
         each << tr("%1: %2 px, %3 mm")
                     .arg(hand_.nameOf(residual.camera), numberText(residual.pixels, 2),
-                         numberText(1000.0 * residual.metres, 1));
+                         numberText(1000.0 * residual.meters, 1));
       }
     }
     setCell(row, Pixels, pixels < 0.0 ? QStringLiteral("–") : numberText(pixels, 2), false);
-    setCell(row, Millimetres, metres < 0.0 ? QStringLiteral("–") : numberText(1000.0 * metres, 1),
+    setCell(row, Millimetres, meters < 0.0 ? QStringLiteral("–") : numberText(1000.0 * meters, 1),
             false);
     for (const int column : {int(Clicks), int(Pixels), int(Millimetres)}) {
       table_->item(row, column)->setToolTip(each.join(QLatin1Char('\n')));

@@ -79,8 +79,8 @@ void WandCalibrator::takeMoment(TouchRole role) {
   if (!canTakeMoment()) {
     return;
   }
-  const TouchedMoment taken{shownFrame_, shownSeconds_, role};
-  addMoment(moments_, taken);
+  const TouchedInstant taken{shownFrame_, shownSeconds_, role};
+  addInstant(moments_, taken);
   Q_EMIT changed();
 }
 

@@ -43,7 +43,7 @@ public:
   TargetListModel& targets() const { return around_.targets; }
 
   // Moments at which the ball was somewhere special.
-  const std::vector<TouchedMoment>& moments() const { return moments_; }
+  const std::vector<TouchedInstant>& moments() const { return moments_; }
   /// The moment shown; ends of a distance or a fall take the place of the former ones.
   void takeMoment(TouchRole role);
   void removeMoment(std::size_t index);
@@ -100,7 +100,7 @@ private:
 
   Surroundings around_;
   WandSettings wish_;
-  std::vector<TouchedMoment> moments_;
+  std::vector<TouchedInstant> moments_;
   bool live_ = false;
   qint64 shownFrame_ = -1;
   double shownSeconds_ = 0.0;                ///< its time, as the calibration will know it

@@ -127,7 +127,7 @@ void WandForm::connectFields() {
     edit([=](WandSettings& wish) { wish.distance = value / 100.0; });
   });
   connect(roughPlace_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([=](WandSettings& wish) { wish.roughPlace = value / 100.0; });
+    edit([=](WandSettings& wish) { wish.roughPosition = value / 100.0; });
   });
   connect(roughTurn_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     edit([=](WandSettings& wish) { wish.roughTurn = value * kDegree; });
@@ -180,7 +180,7 @@ void WandForm::refresh() {
   ::dewpoint::ui::show(*size_, static_cast<int>(wish.size));
   showValue(*length_, 100.0 * wish.length);
   showValue(*distance_, 100.0 * wish.distance);
-  showValue(*roughPlace_, 100.0 * wish.roughPlace);
+  showValue(*roughPlace_, 100.0 * wish.roughPosition);
   showValue(*roughTurn_, wish.roughTurn / kDegree);
   offsets_->setChecked(wish.findOffsets);
   focal_->setChecked(wish.findFocal);

@@ -71,7 +71,7 @@ void WandMoments::refresh() {
   {
     const QSignalBlocker quiet(list_);
     list_->clear();
-    for (const TouchedMoment& moment : desk_.moments()) {
+    for (const TouchedInstant& moment : desk_.moments()) {
       list_->addItem(tr("%1 s – %2").arg(numberText(moment.seconds, 3), touchWords(moment.role)));
     }
     list_->setCurrentRow(std::min(chosen, list_->count() - 1));

@@ -164,8 +164,8 @@ void WandOutcome::showOutcome() {
     notes << tr("The cameras are as they were.");
   }
   if (found) {
-    verdict = found->verdict ? verdictWords(*found->verdict)
-                             : QStringLiteral("⚠ ") + errorSentence(found->verdict.error());
+    verdict = found->accuracy ? verdictWords(*found->accuracy)
+                              : QStringLiteral("⚠ ") + errorSentence(found->accuracy.error());
     if (desk_.isStale()) {
       notes << tr("The cameras were changed since; this is about how they were refined.");
     }
@@ -175,15 +175,15 @@ void WandOutcome::showOutcome() {
     if (saysTooLittle(*found)) {
       notes << QStringLiteral("⚠ ") + tr("That is less sure than the cameras were (off by up to %1 "
                                          "cm): wave through more of the volume.")
-                                          .arg(numberText(100.0 * found->options.roughPlace, 1));
+                                          .arg(numberText(100.0 * found->options.roughPosition, 1));
     }
     if (!desk_.isApplied()) {
       notes << tr("The cameras are as they were.");
     }
-    if (found->verdict && found->verdict->modelFactor > 1.0) {
+    if (found->accuracy && found->accuracy->modelFactor > 1.0) {
       notes << tr("Solutions without a part of the recording differ %1 times more than noise "
                   "explains; the verdict includes that.")
-                   .arg(numberText(found->verdict->modelFactor, 1));
+                   .arg(numberText(found->accuracy->modelFactor, 1));
     }
     if (found->result.drop) {
       notes << tr("The fall says %1 m/s² (9.81 is expected).")
@@ -222,7 +222,7 @@ void WandOutcome::fillTable() {
     const PoseShift shift = poseShift(found.before[k], result.cameras[k]);
     set(k, Name, cameraName(found.before, k));
     set(k, Pixels, numberText(result.bundle.cameraRms[k], 2));
-    set(k, Moved, numberText(100.0 * shift.metres, 1));
+    set(k, Moved, numberText(100.0 * shift.meters, 1));
     set(k, Turned, numberText(shift.radians * 180.0 / std::numbers::pi, 2));
     // True time is the camera's plus the offset: a late image has a negative one.
     set(k, Offset, numberText(-1000.0 * result.offsets[k], 1, NumberForm::Signed));

@@ -28,7 +28,7 @@ QString touchWords(TouchRole role) {
   return Words::tr("still falls");
 }
 
-QString validationMessage(const WandSettings& wish, const std::vector<TouchedMoment>& moments,
+QString validationMessage(const WandSettings& wish, const std::vector<TouchedInstant>& moments,
                           const Project& project) {
   switch (obstacleOf(wish, moments, project)) {
   case WandObstacle::None:

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/calibrate/calibrate_commands.h"
+#include "app/dewpoint-cli/calibrate/calibrate_output.h"
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/wiring/open_project.h"
+#include "core/setup/board_outcome.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <numbers>
+
+namespace dewpoint::app {
+namespace {
+
+struct BoardOptions {
+  std::vector<std::string> inputs;
+  std::string board;
+  std::string model = "5";
+  std::string pixels = "measured";
+  std::string corners = "sample";
+  BoardCalibrationRequest wish;
+  CalibrateOutput output;
+};
+
+/// The text options that stand for values.
+Status takeWish(BoardOptions& options) {
+  const auto board = parseBoard(options.board);
+  if (!board) {
+    return tl::make_unexpected(board.error());
+  }
+  options.wish.board = *board;
+  options.wish.model = options.model == "8"         ? IntrinsicsModel::EightCoefficients
+                       : options.model == "fisheye" ? IntrinsicsModel::Fisheye
+                                                    : IntrinsicsModel::FiveCoefficients;
+  options.wish.pixels = options.pixels == "square" ? PixelShape::Square
+                        : options.pixels == "free" ? PixelShape::Free
+                                                   : PixelShape::Measured;
+  return {};
+}
+
+bool isProject(const std::vector<std::string>& inputs) {
+  const std::filesystem::path first(inputs.front());
+  return inputs.size() == 1 && (first.extension() == ".toml" || !first.has_extension());
+}
+
+void printLens(const Camera& camera) {
+  const auto& in = camera.intrinsics;
+  const auto& d = camera.distortion;
+  const int count = camera.lens == LensModel::Fisheye           ? 4
+                    : d[5] != 0.0 || d[6] != 0.0 || d[7] != 0.0 ? 8
+                                                                : 5;
+  fmt::print("K [[{:.4f}, 0, {:.4f}], [0, {:.4f}, {:.4f}], [0, 0, 1]]\n", in.focalX, in.centerX,
+             in.focalY, in.centerY);
+  fmt::print("{} [{:.6f}]\n",
+             camera.lens == LensModel::Fisheye ? "fisheye distortion" : "distortion",
+             fmt::join(d.begin(), d.begin() + count, ", "));
+}
+
+void printViews(const std::vector<ViewFit>& views) {
+  for (const ViewFit& view : views) {
+    if (!view.used) {
+      fmt::print("left out: {}: {}\n", view.name, view.reason);
+    } else if (view.doubtful) {
+      fmt::print("doubtful: {}: {}\n", view.name, view.reason);
+    }
+  }
+}
+
+void printIntrinsics(const SeenBoards::PerCamera& seen, const IntrinsicsResult& result,
+                     bool named) {
+  if (named) {
+    fmt::print("{}\n", seen.name);
+  }
+  fmt::print("the board is seen in {} of {} pictures; {} are used\n", seen.views.size(),
+             seen.searched, std::ranges::count(result.views, true, &ViewFit::used));
+  fmt::print("rms {:.4f} px\n", result.rmsPx);
+  printLens(result.camera);
+  const auto& focal = result.parameters.front();
+  fmt::print("{} {:.2f} +- {:.2f} px; a ray is known to {:.2f} px (1 sigma) where the image is "
+             "known least; corners in {:.0f} % of it\n",
+             focal.name, focal.value, focal.sigma, result.worstProjectionPx,
+             100.0 * result.coverage.imagePart());
+  printViews(result.views);
+}
+
+void printLenses(const SeenBoards& seen, const LensesFromBoards& lenses) {
+  for (std::size_t k = 0; k < lenses.cameras.size(); ++k) {
+    if (lenses.cameras[k]) {
+      printIntrinsics(seen.cameras[k], *lenses.cameras[k], lenses.cameras.size() > 1);
+    }
+  }
+  for (const Error& kept : lenses.kept) {
+    fmt::print("note: {}.\n", keptSentence(kept));
+  }
+}
+
+void printPositions(const SeenBoards& seen, const BoardOutcome& outcome) {
+  const ExtrinsicsResult& result = *outcome.extrinsics;
+  fmt::print("rms {:.4f} px over {} positions of the board\n", result.rmsPx,
+             result.boardPoses.size());
+  for (std::size_t k = 0; k < result.cameras.size(); ++k) {
+    const Camera& camera = result.cameras[k];
+    const CameraFit& fit = result.fits[k];
+    const Eigen::Vector3d center = camera.center();
+    const Eigen::Vector3d axis = camera.opticalAxis();
+    fmt::print("{}\n", seen.cameras[k].name);
+    fmt::print("rms {:.4f} px; at {:.4f} {:.4f} {:.4f} m, looking along {:.4f} {:.4f} {:.4f}",
+               fit.rmsPx, center.x(), center.y(), center.z(), axis.x(), axis.y(), axis.z());
+    if (fit.centerSigma > 0.0) {
+      fmt::print("; +- {:.2f} mm, {:.3f} degrees against the first", 1e3 * fit.centerSigma,
+                 fit.turnSigma * 180.0 / std::numbers::pi);
+    }
+    fmt::print("\n");
+    printViews(fit.views);
+  }
+  for (const std::string& notice : result.notices) {
+    fmt::print("note: {}.\n", notice);
+  }
+  printAccuracy(outcome.accuracy, outcome.accuracySentence, result.faults);
+}
+
+/// Calibrates, says what was found, and writes it.
+int calibrate(const BoardOptions& options, const BoardGoal& goal, const Project& project,
+              const SeenBoards& seen, const CalibrationProgress& progress) {
+  const auto outcome = calibrateFromBoards(project, seen, options.wish, goal, progress);
+  if (!outcome) {
+    return reportCalibration(outcome.error());
+  }
+  if (outcome->lenses) {
+    printLenses(seen, *outcome->lenses);
+  }
+  if (outcome->extrinsics) {
+    printPositions(seen, *outcome);
+  }
+  const auto written = writeCalibrated(options.output, outcome->project, outcome->report);
+  return written ? static_cast<int>(kExitDone) : report(written.error());
+}
+
+int intrinsicsOfPictures(const BoardOptions& options) {
+  const std::vector<std::filesystem::path> files(options.inputs.begin(), options.inputs.end());
+  const auto effort =
+      options.corners == "sample" ? DetectionEffort::Sample : DetectionEffort::Exact;
+  const auto progress = interruptibleProgress();
+  const auto seen = findBoards(files, options.wish.board, effort, progress);
+  if (!seen) {
+    return reportCalibration(seen.error());
+  }
+  Project project;
+  project.cameras.emplace_back().camera.name = "camera";
+  BoardOptions all = options;
+  all.wish.views = std::max<int>(options.wish.views, static_cast<int>(files.size())); // all of them
+  return calibrate(all, {true, false}, project, *seen, progress);
+}
+
+/// A project's recording, with the board looked for in it.
+struct FoundBoards {
+  Project project;
+  SeenBoards seen;
+};
+
+Result<FoundBoards> readBoards(const BoardOptions& options, const CalibrationProgress& progress) {
+  auto project = resolveProject(options.inputs.front());
+  if (!project) {
+    return tl::make_unexpected(project.error());
+  }
+  if (options.output.apply && project->file.empty()) {
+    return failure(ErrorCode::BadValue, "", "--apply", "a built-in scene is in no file");
+  }
+  auto inputs = openInputs(std::move(*project));
+  if (!inputs) {
+    return tl::make_unexpected(inputs.error());
+  }
+  auto seen = findBoards(inputs->project, *inputs->source, options.wish, progress);
+  if (!seen) {
+    return tl::make_unexpected(seen.error());
+  }
+  return FoundBoards{std::move(inputs->project), std::move(*seen)};
+}
+
+int calibrateProject(const BoardOptions& options, const BoardGoal& goal) {
+  const auto progress = interruptibleProgress();
+  const auto searched = readBoards(options, progress);
+  if (!searched) {
+    return reportCalibration(searched.error());
+  }
+  return calibrate(options, goal, searched->project, searched->seen, progress);
+}
+
+int intrinsics(BoardOptions& options) {
+  if (const auto taken = takeWish(options); !taken) {
+    report(taken.error());
+    return kExitUsage;
+  }
+  if (isProject(options.inputs)) {
+    return calibrateProject(options, {true, false});
+  }
+  if (options.output.apply) {
+    report({ErrorCode::BadValue, "", "--apply", "pictures have no project; use --out"});
+    return kExitUsage;
+  }
+  return intrinsicsOfPictures(options);
+}
+
+int extrinsics(BoardOptions& options) {
+  if (const auto taken = takeWish(options); !taken) {
+    report(taken.error());
+    return kExitUsage;
+  }
+  return calibrateProject(options, {false, true});
+}
+
+void addBoardOptions(CLI::App& command, BoardOptions& options) {
+  command
+      .add_option("--board", options.board,
+                  "chessboard:9x6:0.025 (inner corners, square in metres) or "
+                  "charuco:7x5:0.054:0.040:DICT_4X4_50[:legacy][:inverted] (squares, square and "
+                  "marker in metres)")
+      ->required();
+  command
+      .add_option("--looks", options.wish.frameLimit, "Frames of a recording that are looked at")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+}
+
+} // namespace
+
+void addCalibrateIntrinsicsCommand(CLI::App& group, int& exitCode) {
+  auto* command = group.add_subcommand(
+      "intrinsics", "Focal length, image center and distortion from pictures of a board.");
+  auto options = std::make_shared<BoardOptions>();
+  command
+      ->add_option("INPUT", options->inputs,
+                   "Project file (TOML): its recordings; or picture files of one camera")
+      ->required();
+  addBoardOptions(*command, *options);
+  command->add_option("--model", options->model, "Coefficients of the lens: 5, 8 or fisheye")
+      ->check(CLI::IsMember({"5", "8", "fisheye"}))
+      ->capture_default_str();
+  command
+      ->add_option("--pixels", options->pixels,
+                   "square, free, or measured: square unless the pictures clearly say otherwise")
+      ->check(CLI::IsMember({"measured", "square", "free"}))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--corners", options->corners,
+          "Of picture files: sample refines chessboards as OpenCV's sample program does, so "
+          "that figures compare; exact keeps neighboring corners out of the window")
+      ->check(CLI::IsMember({"sample", "exact"}))
+      ->capture_default_str();
+  command->add_option("--views", options->wish.views, "Pictures of a recording that are used")
+      ->check(CLI::Range(3, 1000))
+      ->capture_default_str();
+  addOutputOptions(*command, options->output, true);
+  command->callback([options, &exitCode] { exitCode = intrinsics(*options); });
+}
+
+void addCalibrateExtrinsicsCommand(CLI::App& group, int& exitCode) {
+  auto* command = group.add_subcommand(
+      "extrinsics", "Where cameras stand, from a board that several of them see at once.");
+  auto options = std::make_shared<BoardOptions>();
+  options->inputs.resize(1);
+  command->add_option("PROJECT", options->inputs.front(), "Project file (TOML) with known lenses")
+      ->required();
+  addBoardOptions(*command, *options);
+  command
+      ->add_option("--world-frame", options->wish.worldFrame,
+                   "Frame in which the board lies on the floor and makes the world: X along its "
+                   "columns, Y to its upper edge, Z up; without, the first camera keeps its pose")
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40));
+  command->add_option("--instants", options->wish.instants, "Positions of the board that are used")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command->add_flag("--refine-lenses", options->wish.refineIntrinsics,
+                    "Adjust the lenses with the poses");
+  addOutputOptions(*command, options->output, true);
+  command->callback([options, &exitCode] { exitCode = extrinsics(*options); });
+}
+
+} // namespace dewpoint::app

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/calibrate/calibrate_commands.h"
+#include "app/dewpoint-cli/commands.h"
+
+#include <CLI/CLI.hpp>
+
+namespace dewpoint::app {
+
+void addCalibrateCommand(CLI::App& app, int& exitCode) {
+  auto* group = app.add_subcommand("calibrate", "Find out where the cameras are and how they see.");
+  group->require_subcommand(1);
+  addCalibratePointsCommand(*group, exitCode);
+  addCalibrateIntrinsicsCommand(*group, exitCode);
+  addCalibrateExtrinsicsCommand(*group, exitCode);
+  addCalibrateWandCommand(*group, exitCode);
+}
+
+} // namespace dewpoint::app

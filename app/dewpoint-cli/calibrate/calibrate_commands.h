@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <CLI/App.hpp>
+
+namespace dewpoint::app {
+
+// The subcommands of `calibrate`, one line each; as in commands.h.
+void addCalibrateIntrinsicsCommand(CLI::App& group, int& exitCode);
+void addCalibrateExtrinsicsCommand(CLI::App& group, int& exitCode);
+void addCalibrateWandCommand(CLI::App& group, int& exitCode);
+void addCalibratePointsCommand(CLI::App& group, int& exitCode);
+
+} // namespace dewpoint::app

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/calibrate/calibrate_output.h"
+
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/common/interruption.h"
+#include "app/dewpoint-cli/common/progress.h"
+#include "core/base/text_file.h"
+#include "core/calibration/formats/calibration_file.h"
+#include "core/project/project_save.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+namespace dewpoint::app {
+namespace {
+
+constexpr std::int64_t kSteps = 1000;
+
+/// Before the progress bar.
+const char* nameOf(CalibrationStage stage) {
+  switch (stage) {
+  case CalibrationStage::BoardDetection:
+    return "looking for the board";
+  case CalibrationStage::Intrinsics:
+    return "solving";
+  case CalibrationStage::Chaining:
+    return "chaining";
+  case CalibrationStage::Adjustment:
+    return "adjusting";
+  case CalibrationStage::Assessment:
+    return "judging";
+  case CalibrationStage::PlacementSearch:
+    return "places";
+  }
+  return "";
+}
+
+} // namespace
+
+void addOutputOptions(CLI::App& command, CalibrateOutput& output, bool ofProject) {
+  command.add_option("--out", output.out, "Calibration file (TOML) to write");
+  command.add_option("--report", output.report,
+                     "HTML page to write: residuals, coverage, errors of each picture");
+  if (ofProject) {
+    command.add_flag("--apply", output.apply, "Write the result into the project file");
+  }
+}
+
+Status writeCalibrated(const CalibrateOutput& output, const Project& calibrated,
+                       const std::string& reportHtml) {
+  CameraRig rig;
+  for (const ProjectCamera& camera : calibrated.cameras) {
+    rig.push_back(camera.camera);
+  }
+  if (!output.report.empty()) {
+    if (const auto written = writeTextFile(output.report, reportHtml); !written) {
+      return written;
+    }
+  }
+  if (!output.out.empty()) {
+    if (const auto written = saveCalibration(rig, output.out); !written) {
+      return written;
+    }
+  }
+  return output.apply ? saveProject(calibrated, calibrated.file) : Status();
+}
+
+CalibrationProgress interruptibleProgress() {
+  catchInterruption();
+  struct Shown {
+    std::optional<CalibrationStage> stage;
+    std::unique_ptr<Progress> bar;
+    ~Shown() {
+      if (bar != nullptr) {
+        bar->finish();
+      }
+    }
+  };
+  return [shown = std::make_shared<Shown>()](CalibrationStage stage, double part) {
+    if (shown->stage != stage) {
+      shown->stage = stage;
+      if (shown->bar != nullptr) {
+        shown->bar->finish();
+      }
+      shown->bar = std::make_unique<Progress>(nameOf(stage), kSteps);
+    }
+    shown->bar->show(static_cast<std::int64_t>(part * static_cast<double>(kSteps)));
+    return !interruptionRequested();
+  };
+}
+
+void printAccuracy(const std::optional<CalibrationAccuracy>& accuracy, const std::string& sentence,
+                   const std::vector<NamedFault>& faults) {
+  fmt::print("Verdict: {}\n", sentence);
+  if (accuracy && accuracy->modelFactor > 1.0) {
+    fmt::print("Solutions without a part of the recording differ {:.1f} times more than noise "
+               "explains; the verdict includes that.\n",
+               accuracy->modelFactor);
+  }
+  for (const NamedFault& fault : faults) {
+    fmt::print("Fault: {}\n", fault.sentence);
+  }
+}
+
+int reportCalibration(const Error& error) {
+  if (error.code == ErrorCode::Cancelled) {
+    fmt::print(stderr, "dewpoint-cli: stopped; the former calibration is kept.\n");
+    return kExitInterrupted;
+  }
+  return report(error);
+}
+
+} // namespace dewpoint::app

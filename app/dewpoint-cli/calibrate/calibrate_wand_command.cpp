@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/calibrate/calibrate_commands.h"
+#include "app/dewpoint-cli/calibrate/calibrate_output.h"
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/common/frame_range.h"
+#include "app/dewpoint-cli/common/interruption.h"
+#include "app/dewpoint-cli/common/progress.h"
+#include "app/wiring/open_project.h"
+#include "core/base/angle.h"
+#include "core/base/text_file.h"
+#include "core/calibration/formats/calibration_file.h"
+#include "core/project/project_save.h"
+#include "core/setup/wand_refinement.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+namespace dewpoint::app {
+namespace {
+
+struct WandCommandOptions {
+  std::string project;
+  std::string target;
+  std::vector<std::string> stick;
+  std::vector<double> distance, drop, rough;
+  std::string frames, out, report;
+  bool apply = false;
+  WandOptions wand;
+};
+
+Status settle(WandCommandOptions& options) {
+  WandOptions& wand = options.wand;
+  const auto wrong = [](const char* option, const char* why) {
+    return failure(ErrorCode::BadValue, "", option, why);
+  };
+  wand.targets = options.stick;
+  if (!options.target.empty()) {
+    wand.targets = {options.target};
+  }
+  if (options.stick.empty() != !(wand.stickLength > 0.0)) {
+    return wrong("--stick", "--stick and --length belong together");
+  }
+  if (!options.distance.empty()) {
+    wand.distance = TouchedDistance{options.distance[0], options.distance[1], options.distance[2]};
+  }
+  if (!options.drop.empty()) {
+    wand.drop = std::array<double, 2>{options.drop[0], options.drop[1]};
+  }
+  if (!options.rough.empty()) {
+    wand.roughPosition = options.rough[0];
+    wand.roughTurn = options.rough[1] * kDegree;
+  }
+  const auto frames = parseFrames(options.frames);
+  if (!frames) {
+    return tl::make_unexpected(frames.error());
+  }
+  wand.firstFrame = frames->first;
+  wand.endFrame = frames->end;
+  if (options.apply && options.project.find(".toml") == std::string::npos) {
+    return wrong("--apply", "only a project file can be changed");
+  }
+  return {};
+}
+
+/// The bar of whatever is being done.
+class WandBars {
+public:
+  bool show(const WandWork& work) {
+    if (!bar_ || work.looking != looking_) {
+      finish();
+      bar_.emplace(work.looking ? "looking" : "solving", work.total);
+      looking_ = work.looking;
+    }
+    bar_->show(work.done);
+    return !interruptionRequested();
+  }
+  void finish() {
+    if (bar_) {
+      bar_->finish();
+    }
+    bar_.reset();
+  }
+
+private:
+  std::optional<Progress> bar_;
+  bool looking_ = true;
+};
+
+void printCameras(const WandRefinement& refinement) {
+  const WandOptions& options = refinement.options;
+  const WandResult& result = refinement.result;
+  fmt::print("{:<16} {:>6} {:>8} {:>7} {:>9} {:>9}", "camera", "views", "dropped", "px", "moved cm",
+             "turned deg");
+  fmt::print("{}{}\n", options.findOffsets ? "   late ms" : "",
+             options.findFocal ? "   focal" : "");
+  for (std::size_t c = 0; c < result.cameras.size(); ++c) {
+    const Camera& camera = result.cameras[c];
+    const PoseShift shift = poseShift(refinement.before[c], camera);
+    fmt::print("{:<16} {:>6} {:>8} {:>7.3f} {:>9.2f} {:>10.2f}", camera.name, result.views[c],
+               result.dropped[c], result.cameraMedianPx[c], 100.0 * shift.meters,
+               shift.radians / kDegree);
+    if (options.findOffsets) {
+      fmt::print(" {:>9.2f}", -1000.0 * result.offsets[c] + 0.0); // no -0.00
+    }
+    if (options.findFocal) {
+      fmt::print(" {:>7.1f}", camera.intrinsics.focalX);
+    }
+    fmt::print("\n");
+  }
+}
+
+void printDecisions(const WandOptions& options, const WandResult& result) {
+  fmt::print("Median reprojection error {:.3f} px; best of {} starts; {:.1f} s.\n", result.medianPx,
+             result.starts.size(), result.seconds);
+  const char* source = result.scale == WandScale::Stick      ? "the stick's length"
+                       : result.scale == WandScale::Distance ? "the measured distance"
+                       : result.scale == WandScale::Diameter ? "the ball's diameter"
+                                                             : "the cameras as they were";
+  fmt::print("Size: from {}, {:+.2f} % against before", source, 100.0 * (result.scaleFactor - 1.0));
+  if (result.scaleSigma > 0.0) {
+    fmt::print(" (+-{:.2f} %)", 100.0 * result.scaleSigma);
+  }
+  fmt::print(".\n");
+  if (result.floorFound) {
+    fmt::print("Floor: from {} places, flat to {:.1f} mm; z is 0 there.\n",
+               options.floorTimes.size(), 1000.0 * result.floorRms);
+  } else if (!options.floorTimes.empty()) {
+    fmt::print("Floor: its height from {} places; three would show where up is.\n",
+               options.floorTimes.size());
+  }
+  if (result.drop) {
+    fmt::print("Fall: {:.2f} +- {:.2f} m/s^2 ({} instants); 9.81 is expected.\n",
+               result.drop->gravity, result.drop->sigma, result.drop->instants);
+  }
+  if (result.floorFound || result.drop) {
+    fmt::print("Up: turned by {:.2f} degrees.\n", result.upRotated / kDegree);
+  } else {
+    fmt::print("World: as it was, up unchanged.\n");
+  }
+}
+
+void printAccuracyOf(const WandRefinement& refinement) {
+  const auto& accuracy = refinement.accuracy;
+  printAccuracy(accuracy ? std::optional(*accuracy) : std::nullopt,
+                accuracy ? accuracySentence(*accuracy) : "none; " + sentence(accuracy.error()),
+                refinement.result.faults);
+}
+
+int calibrate(WandCommandOptions options) {
+  if (const auto settled = settle(options); !settled) {
+    report(settled.error());
+    return kExitUsage;
+  }
+  auto inputs = resolveProject(options.project).and_then([](Project project) {
+    return openInputs(std::move(project));
+  });
+  if (!inputs) {
+    return report(inputs.error());
+  }
+  catchInterruption();
+  WandBars bars;
+  const auto result = refineFromRecording(inputs->project, *inputs->source, options.wand,
+                                          [&](const WandWork& work) { return bars.show(work); });
+  bars.finish();
+  if (!result) {
+    return report(result.error());
+  }
+  printCameras(*result);
+  printDecisions(options.wand, result->result);
+  printAccuracyOf(*result);
+  const CameraRig& cameras = result->result.cameras;
+  const bool better = !saysTooLittle(*result);
+  if (!better) {
+    report({ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
+            fmt::format("less sure than they were, off by up to {:.2f} m: wave through more of the "
+                        "volume{}",
+                        options.wand.roughPosition,
+                        options.apply ? "; the project stays as it was" : "")});
+  }
+  auto written = options.out.empty() ? Status() : saveCalibration(cameras, options.out);
+  if (written && options.apply && better) {
+    Project calibrated = withCameras(inputs->project, cameras);
+    if (options.wand.findOffsets) {
+      calibrated = withTimeOffsets(std::move(calibrated), result->result.offsets);
+    }
+    written = saveProject(calibrated, options.project);
+  }
+  if (written && !options.report.empty()) {
+    written = writeTextFile(options.report, htmlText(*result));
+  }
+  if (!written) {
+    return report(written.error());
+  }
+  return better || !options.apply ? kExitDone : kExitBadInput;
+}
+
+} // namespace
+
+void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
+  auto* command = group.add_subcommand(
+      "wand", "Refine the cameras from a recording of a waved ball, or a stick with two balls.");
+  auto options = std::make_shared<WandCommandOptions>();
+  WandOptions& wand = options->wand;
+  const auto positive = CLI::Range(1e-6, 1e6);
+  command->add_option("PROJECT", options->project, "Project file (TOML), or a built-in scene: demo")
+      ->required();
+  auto* target = command->add_option("--target", options->target,
+                                     "The ball; may be left out where there is only one");
+  command->add_option("--stick", options->stick, "The targets at both ends of a stick")
+      ->expected(2)
+      ->excludes(target);
+  command->add_option("--length", wand.stickLength, "Between the balls' middles, metres")
+      ->check(positive);
+  command->add_option("--frames", options->frames,
+                      "Only frames A to B-1, as A:B (either may be empty)");
+  command->add_flag("--offsets", wand.findOffsets,
+                    "Find how late each camera is against the first; --apply keeps it");
+  command->add_flag("--focal", wand.findFocal, "Find the focal lengths");
+  command->add_flag("--k1", wand.findDistortion, "Find the first lens coefficient");
+  command
+      ->add_option("--distance", options->distance,
+                   "T1 T2 METRES: the ball was held at two places this far apart")
+      ->expected(3);
+  command->add_flag("--diameter", wand.fromDiameter, "Size from the ball's diameter");
+  command->add_option("--floor", wand.floorTimes, "Seconds at which the ball lay on the floor");
+  command->add_option("--drop", options->drop, "FROM UNTIL, seconds: the ball fell freely")
+      ->expected(2);
+  command
+      ->add_option("--off-by", options->rough,
+                   "METRES DEGREES by which the cameras may be off (0.12 3.5)")
+      ->expected(2);
+  command->add_option("--out", options->out, "Calibration file to write");
+  command->add_option("--report", options->report,
+                      "HTML page to write: residuals, coverage and all in space");
+  command->add_flag("--apply", options->apply, "Write the cameras into the project file");
+  command->callback([options, &exitCode] { exitCode = calibrate(*options); });
+}
+
+} // namespace dewpoint::app

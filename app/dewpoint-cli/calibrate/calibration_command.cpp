@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "core/calibration/formats/convert_calibration.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace dewpoint::app {
+namespace {
+
+struct ConvertOptions {
+  std::string in;
+  std::string unit;
+  std::string outUnit;
+  std::string size;
+  std::string lens;
+  std::string poses;
+  CalibrationHints hints;
+  CalibrationTarget target;
+};
+
+/// A unit's meters, checked by the command line already.
+std::optional<double> meters(const std::string& unit) {
+  return unit.empty() ? std::nullopt : metersOfUnit(unit);
+}
+
+std::string wrongUnit(const std::string& text) {
+  return metersOfUnit(text) ? "" : "a unit is m, mm, cm, in, ft or the metres of one unit";
+}
+
+std::string wrongSize(const std::string& text) {
+  int width = 0;
+  int height = 0;
+  char rest = 0;
+  const int count = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest);
+  return count == 2 && width > 0 && height > 0 ? "" : "a size is WIDTHxHEIGHT, as in 1280x720";
+}
+
+void takeHints(ConvertOptions& options) {
+  options.hints.unit = meters(options.unit);
+  options.target.unit = meters(options.outUnit);
+  if (!options.size.empty()) {
+    auto& size = options.hints.size.emplace();
+    std::sscanf(options.size.c_str(), "%dx%d", &size[0], &size[1]);
+  }
+  if (!options.lens.empty()) {
+    options.hints.lens = options.lens == "fisheye" ? LensModel::Fisheye : LensModel::Pinhole;
+  }
+  if (!options.poses.empty()) {
+    options.hints.posesAreWorldFromCamera = options.poses == "world-from-camera";
+  }
+}
+
+std::string cameraSentence(const CameraDifference& camera) {
+  std::string text = fmt::format("{}: largest difference over the image {:.2g} px{}", camera.camera,
+                                 camera.largestPixels, camera.refitted ? " (fitted anew)" : "");
+  if (camera.lostDirections > 0) {
+    text += fmt::format("; {} of 81 directions have no pixel any more", camera.lostDirections);
+  }
+  return text;
+}
+
+int convert(ConvertOptions& options) {
+  takeHints(options);
+  const auto conversion = convertCalibration(options.in, options.hints, options.target);
+  if (!conversion) {
+    return report(conversion.error());
+  }
+  for (const std::string& decision : conversion->decisions) {
+    fmt::print("{}\n", decision);
+  }
+  for (const CameraDifference& camera : conversion->cameras) {
+    fmt::print("{}\n", cameraSentence(camera));
+  }
+  fmt::print("largest reprojection difference: {:.2g} px\n", conversion->largestPixels);
+  for (const auto& file : conversion->written) {
+    fmt::print("{}\n", file.string());
+  }
+  return kExitDone;
+}
+
+std::string formatNames() {
+  std::string names;
+  for (const CalibrationFormat& format : calibrationFormats()) {
+    names += fmt::format("\n  {:<14} {}{}", format.name, format.title,
+                         format.write == nullptr ? " (only read)" : "");
+  }
+  return "The formats:" + names;
+}
+
+} // namespace
+
+void addCalibrationCommand(CLI::App& app, int& exitCode) {
+  auto* command = app.add_subcommand("calibration", "Work with calibration files.");
+  command->require_subcommand(1);
+  auto* convertCommand = command->add_subcommand(
+      "convert", "Convert calibration files between Dewpoint and other tools.");
+  auto options = std::make_shared<ConvertOptions>();
+  auto* add = convertCommand;
+  add->add_option("IN", options->in, "File, or folder with a file per camera")->required();
+  add->add_option("OUT", options->target.path, "File to write, or folder for a file per camera")
+      ->required();
+  add->add_option("--from", options->hints.format, "Format of IN; recognized unless given");
+  add->add_option("--to", options->target.format, "Format of OUT; by its ending unless given");
+  add->add_option("--unit", options->unit, "Unit of IN: m, mm, cm, in, ft or metres of one unit")
+      ->check(wrongUnit);
+  add->add_option("--out-unit", options->outUnit, "Unit of OUT, where the format leaves it open")
+      ->check(wrongUnit);
+  add->add_option("--size", options->size, "WIDTHxHEIGHT of the images, where IN does not say it")
+      ->check(wrongSize);
+  add->add_option("--lens", options->lens, "What four coefficients in IN mean")
+      ->check(CLI::IsMember({"pinhole", "fisheye"}));
+  add->add_option("--poses", options->poses, "Which way the poses in IN go, if not the usual one")
+      ->check(CLI::IsMember({"camera-from-world", "world-from-camera"}));
+  add->add_flag("--force", options->target.replace, "Replace files that exist");
+  convertCommand->footer(formatNames());
+  convertCommand->callback([options, &exitCode] { exitCode = convert(*options); });
+}
+
+} // namespace dewpoint::app

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/common/interruption.h"
+#include "app/wiring/open_project.h"
+#include "core/base/angle.h"
+#include "core/calibration/formats/calibration_file.h"
+#include "core/calibration/manual/interactive_pose.h"
+#include "core/calibration/planning/camera_placement.h"
+#include "core/calibration/planning/rig_map.h"
+#include "core/geometry/camera_name.h"
+#include "core/project/project_rig.h"
+#include "core/setup/new_project.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace dewpoint::app {
+namespace {
+
+struct PlanOptions {
+  std::string project;
+  std::vector<double> volume;        ///< least x, y, z, then largest; empty: the project's room
+  std::vector<int> size;             ///< of the new camera's images
+  std::optional<double> fieldOfView; ///< degrees
+  std::string out;
+  PlacementSettings placement;
+};
+
+/// Like the project's first camera where it is not said.
+Camera newCamera(const PlanOptions& options, const CameraRig& rig) {
+  constexpr double kUsual = 1.0; // radians
+  const bool known = !rig.empty() && rig.front().intrinsics.width > 0;
+  const std::vector<int> like =
+      known ? std::vector{rig.front().intrinsics.width, rig.front().intrinsics.height}
+            : std::vector{kGuessedWidth, kGuessedHeight};
+  const std::vector<int>& size = options.size.empty() ? like : options.size;
+  const double angle = options.fieldOfView ? *options.fieldOfView * kDegree
+                       : known             ? fieldOfView(rig.front())
+                                           : kUsual;
+  return idealCamera(freeCameraName(rig), size[0], size[1], angle);
+}
+
+Result<Eigen::AlignedBox3d> volumeOf(const PlanOptions& options, const Project& project) {
+  const CameraRig rig = rigOf(project);
+  Eigen::AlignedBox3d volume = roomOf(rig, project.grid.value_or(gridFor(rig)));
+  if (const auto& v = options.volume; !v.empty()) {
+    volume = {Eigen::Vector3d(v[0], v[1], v[2]), Eigen::Vector3d(v[3], v[4], v[5])};
+  }
+  if (volume.isEmpty() || volume.sizes().minCoeff() <= 0.0) {
+    return failure(ErrorCode::BadValue, "", "--volume",
+                   "the least x, y, z are expected, then the largest");
+  }
+  return volume;
+}
+
+void printRig(const CameraRig& rig, const PlacementSettings& settings) {
+  const RigMap map =
+      RigMapper().map(gridOver(settings.volume, kMapCells), settings.pixelSigma, rig);
+  const RigMapSummary summary = summaryOf(map, settings.goodSigma);
+  const Eigen::Vector3d low = settings.volume.min();
+  const Eigen::Vector3d high = settings.volume.max();
+  fmt::print("volume                  {:.2f} {:.2f} {:.2f} to {:.2f} {:.2f} {:.2f} m\n", low.x(),
+             low.y(), low.z(), high.x(), high.y(), high.z());
+  fmt::print("cameras                 {}\n", rig.size());
+  fmt::print("within {:.4g} mm         {:.1f} % of the volume\n", 1e3 * settings.goodSigma,
+             100.0 * summary.within);
+  fmt::print("fewer than two cameras  {:.1f} %\n", 100.0 * summary.tooFew);
+}
+
+int plan(PlanOptions& options) {
+  const auto project = resolveProject(options.project);
+  if (!project) {
+    return report(project.error());
+  }
+  const auto volume = volumeOf(options, *project);
+  if (!volume) {
+    report(volume.error());
+    return kExitUsage;
+  }
+  options.placement.volume = *volume;
+  options.placement.reportedCells = kMapCells;
+  CameraRig rig = rigOf(*project);
+  printRig(rig, options.placement);
+  catchInterruption();
+  const auto found = placeCamera(rig, newCamera(options, rig), options.placement,
+                                 [](CalibrationStage, double) { return !interruptionRequested(); });
+  if (!found) {
+    return found.error().code == ErrorCode::Cancelled ? static_cast<int>(kExitInterrupted)
+                                                      : report(found.error());
+  }
+  const Eigen::Vector3d center = found->camera.center();
+  const Heading heading = headingOf(found->camera);
+  fmt::print("best place for another  {:.2f} {:.2f} {:.2f} m, looking {:.1f} degrees from x to y, "
+             "{:.1f} above the horizon\n",
+             center.x(), center.y(), center.z(), heading.yaw / kDegree, heading.pitch / kDegree);
+  fmt::print("within {:.4g} mm then    {:.1f} % of the volume\n", 1e3 * options.placement.goodSigma,
+             100.0 * found->withinAfter);
+  if (!options.out.empty()) {
+    rig.push_back(found->camera);
+    if (const auto written = saveCalibration(rig, options.out); !written) {
+      return report(written.error());
+    }
+  }
+  return kExitDone;
+}
+
+} // namespace
+
+void addPlanCommand(CLI::App& app, int& exitCode) {
+  auto* command = app.add_subcommand(
+      "plan", "How well the cameras see a volume, and the best place for one more.");
+  auto options = std::make_shared<PlanOptions>();
+  PlacementSettings& placement = options->placement;
+  command->add_option("PROJECT", options->project, "Project file (TOML), or a built-in scene")
+      ->required();
+  command
+      ->add_option("--volume", options->volume,
+                   "X Y Z X Y Z: the least corner of the volume and the largest, metres; the room "
+                   "above the project's floor grid unless given")
+      ->expected(6);
+  command->add_option("--size", options->size, "Width and height of the new camera's images")
+      ->expected(2)
+      ->check(CLI::Range(16, 100000));
+  command->add_option("--fov", options->fieldOfView, "Its horizontal field of view, degrees")
+      ->check(CLI::Range(1.0, 170.0));
+  command
+      ->add_option("--wall", placement.wallDistance,
+                   "Metres by which walls and ceiling, where it may hang, are outside the volume")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  command
+      ->add_option("--pixel-sigma", placement.pixelSigma,
+                   "Standard deviation of a sighting, pixels")
+      ->check(CLI::Range(0.001, 100.0))
+      ->capture_default_str();
+  command
+      ->add_option("--good", placement.goodSigma, "Standard deviation that is good enough, metres")
+      ->check(CLI::Range(1e-6, 10.0))
+      ->capture_default_str();
+  command->add_option("--out", options->out, "Calibration file to write, with the new camera");
+  command->callback([options, &exitCode] { exitCode = plan(*options); });
+}
+
+} // namespace dewpoint::app

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/common/exit_code.h"
+
+#include <fmt/format.h>
+
+namespace dewpoint::app {
+
+int report(const Error& error) {
+  fmt::print(stderr, "dewpoint-cli: {}.\n", sentence(error));
+  switch (error.code) {
+  case ErrorCode::FileUnwritable:
+    return kExitOutput;
+  case ErrorCode::EndedEarly:
+    return kExitEndedEarly;
+  case ErrorCode::Cancelled:
+    return kExitInterrupted;
+  default:
+    return kExitBadInput;
+  }
+}
+
+} // namespace dewpoint::app

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/common/interruption.h"
+#include "app/dewpoint-cli/experiment/experiment_commands.h"
+#include "core/experiment/studies/convergence_study.h"
+#include "core/experiment/studies/wand_study.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+namespace dewpoint::app {
+namespace {
+
+int studyBarrera(int runs) {
+  fmt::print("{:<40} {:>10} {:>11} {:>9} {:>11}\n", "case", "converged", "iterations", "RMSE mm",
+             "depth bias");
+  for (const auto& setup : barreraConvergenceCases(runs)) {
+    const auto result = studyConvergence(setup);
+    if (!result) {
+      return report(result.error());
+    }
+    fmt::print("{:<40} {:>4} / {:<3} {:>11.1f} {:>9.1f} {:>8.1f} mm\n", setup.name,
+               result->converged, setup.runs, result->medianIterations, 1000.0 * result->rmse,
+               1000.0 * result->depthBias);
+    std::fflush(stdout);
+  }
+  const auto drift = measureDrift();
+  if (!drift) {
+    return report(drift.error());
+  }
+  fmt::print("drift away from a single camera: {:.1f} mm per iteration\n", 1000.0 * *drift);
+  return kExitDone;
+}
+
+void printTrial(const WandTrial& trial) {
+  fmt::print("{:>6} {:<33}", trial.seed, wandCaseName(trial.kind));
+  if (!trial.failure.empty()) {
+    fmt::print(" {}\n", trial.failure);
+    return;
+  }
+  fmt::print(" {:>9.2f} {:>8.2f} {:>8.3f} {:>9.2f} {:>7.3f} {:>6} {:>7.2f}  {}\n",
+             1000.0 * trial.cameraRms, 1000.0 * trial.pointRms, 100.0 * trial.scaleError,
+             1000.0 * trial.offsetError, trial.medianPx, trial.views, trial.solveSeconds,
+             trial.passed ? "yes" : "no");
+  std::fflush(stdout);
+}
+
+int studyWands(std::uint64_t first, int seeds, const WandRecording& recording) {
+  catchInterruption();
+  fmt::print("{:>6} {:<33} {:>9} {:>8} {:>8} {:>9} {:>7} {:>6} {:>7}  within the bar\n", "seed",
+             "case", "camera mm", "point mm", "scale %", "offset ms", "px", "views", "solve s");
+  std::map<WandCase, std::vector<WandTrial>> all;
+  for (int k = 0; k < seeds && !interruptionRequested(); ++k) {
+    studyWand(first + static_cast<std::uint64_t>(k), recording, [&](const WandTrial& trial) {
+      printTrial(trial);
+      all[trial.kind].push_back(trial);
+      return !interruptionRequested();
+    });
+  }
+  for (const auto& [kind, trials] : all) {
+    WandTrial worst;
+    for (const WandTrial& trial : trials) {
+      worst.cameraRms = std::max(worst.cameraRms, trial.cameraRms);
+      worst.pointRms = std::max(worst.pointRms, trial.pointRms);
+      worst.offsetError = std::max(worst.offsetError, trial.offsetError);
+      worst.solveSeconds = std::max(worst.solveSeconds, trial.solveSeconds);
+    }
+    fmt::print("{}: {} of {} within {:.1f} mm; worst {:.2f} mm cameras, {:.2f} mm points, "
+               "{:.2f} ms, {:.1f} s\n",
+               wandCaseName(kind), std::ranges::count(trials, true, &WandTrial::passed),
+               trials.size(), 1000.0 * wandBar(kind), 1000.0 * worst.cameraRms,
+               1000.0 * worst.pointRms, 1000.0 * worst.offsetError, worst.solveSeconds);
+  }
+  return interruptionRequested() ? kExitInterrupted : kExitDone;
+}
+
+void addWandStudy(CLI::App& group, int& exitCode) {
+  struct Options {
+    std::uint64_t first = 5001;
+    int seeds = 20;
+    WandRecording recording;
+  };
+  auto* command = group.add_subcommand(
+      "wand", "Calibration from a waved stick, rendered: how exact, from which starts, how fast.");
+  auto options = std::make_shared<Options>();
+  command->add_option("--seed", options->first, "The first seed")->capture_default_str();
+  command->add_option("--seeds", options->seeds, "How many")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command
+      ->add_option("--rate", options->recording.framesPerSecond, "Images per second of each camera")
+      ->check(CLI::Range(5.0, 120.0))
+      ->capture_default_str();
+  command
+      ->add_option("--jpeg", options->recording.jpegQuality,
+                   "Quality of the images, 1 to 100; 0: not compressed")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
+  command->callback([options, &exitCode] {
+    exitCode = studyWands(options->first, options->seeds, options->recording);
+  });
+}
+
+} // namespace
+
+void addExperimentCommand(CLI::App& app, int& exitCode) {
+  auto* command =
+      app.add_subcommand("experiment", "Repeat an experiment of the papers, or one of ours.");
+  command->require_subcommand(1);
+  auto* convergence = command->add_subcommand(
+      "convergence", "Method barrera: which starts converge, how fast, and the drift.");
+  auto runs = std::make_shared<int>(100);
+  convergence->add_option("--runs", *runs, "Seeds per case")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  convergence->callback([runs, &exitCode] { exitCode = studyBarrera(*runs); });
+  addWandStudy(*command, exitCode);
+  addFigureCommands(*command, exitCode);
+  addPeopleExperiments(*command, exitCode);
+  addSugandiExperiment(*command, exitCode);
+}
+
+} // namespace dewpoint::app

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The papers' figures, one command each.
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/common/interruption.h"
+#include "app/dewpoint-cli/common/progress.h"
+#include "app/dewpoint-cli/experiment/experiment_commands.h"
+#include "core/experiment/studies/figure_experiments.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+namespace dewpoint::app {
+namespace {
+
+int makeFigure(const FigureExperiment& experiment, ExperimentOptions options) {
+  catchInterruption();
+  Progress bar(std::string(experiment.name), 100);
+  options.runs = options.runs > 0 ? options.runs : experiment.runs;
+  options.progress = [&](double part) {
+    bar.show(static_cast<std::int64_t>(100.0 * part));
+    return !interruptionRequested();
+  };
+  const auto made = experiment.run(options);
+  bar.finish();
+  if (!made) {
+    return made.error().code == ErrorCode::Cancelled ? static_cast<int>(kExitInterrupted)
+                                                     : report(made.error());
+  }
+  fmt::print("{}\n", (options.folder / "report.html").string());
+  return kExitDone;
+}
+
+} // namespace
+
+void addFigureCommands(CLI::App& group, int& exitCode) {
+  for (const FigureExperiment& experiment : figureExperiments()) {
+    auto* command =
+        group.add_subcommand(std::string(experiment.name), std::string(experiment.sentence));
+    auto options = std::make_shared<ExperimentOptions>();
+    command
+        ->add_option_function<std::string>(
+            "--out", [options](const std::string& folder) { options->folder = folder; },
+            "Folder to write report.html, pictures and numbers into; it is made")
+        ->required();
+    command->add_option("--runs", options->runs, "Seeds per case")->check(CLI::Range(1, 10000));
+    command->callback(
+        [&experiment, options, &exitCode] { exitCode = makeFigure(experiment, *options); });
+  }
+}
+
+} // namespace dewpoint::app

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/common/interruption.h"
+#include "app/dewpoint-cli/common/progress.h"
+#include "app/dewpoint-cli/experiment/experiment_commands.h"
+#include "app/dewpoint-cli/simulate/record_office.h"
+#include "core/experiment/report/report_folder.h"
+#include "core/experiment/studies/study_experiments.h"
+#include "core/tracking/catalog/method_catalog.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace dewpoint::app {
+namespace {
+
+struct StudyOptions {
+  std::string scenario;
+  std::uint64_t first = 1;
+  int seeds = 30;
+  std::string clothes = "both";
+  std::vector<std::string> methods;
+  std::vector<std::string> settings;
+  std::string folder;
+  std::string record;
+};
+
+Error ofSettings(Error error) {
+  error.file = "--set";
+  return error;
+}
+
+Result<PeopleStudySetup> setupOf(const StudyOptions& options) {
+  PeopleStudySetup setup;
+  setup.scenario = options.scenario;
+  setup.methods = options.methods.empty() ? methodNames(TargetsFrom::Images) : options.methods;
+  for (const std::string& setting : options.settings) {
+    const auto equals = setting.find('=');
+    char* end = nullptr;
+    const double value =
+        equals == std::string::npos ? 0.0 : std::strtod(setting.c_str() + equals + 1, &end);
+    if (end == nullptr || *end != '\0') {
+      return failure(ErrorCode::BadValue, "", "--set", setting + " is not key=number");
+    }
+    setup.parameters.emplace_back(setting.substr(0, equals), value);
+  }
+  return checkPeopleParameters(setup).map_error(ofSettings).map([&] { return setup; });
+}
+
+int recordScenario(const StudyOptions& options) {
+  const auto clothes = options.clothes == clothesName(PeopleClothes::Similar)
+                           ? PeopleClothes::Similar
+                           : PeopleClothes::Different;
+  const auto scenario = makePeopleScenario(options.scenario, clothes, options.first);
+  return scenario ? recordOffice(scenario->scene, options.record, "--record")
+                  : report(scenario.error());
+}
+
+int studyScenario(const StudyOptions& options) {
+  auto setup = setupOf(options);
+  if (!setup) {
+    report(setup.error());
+    return kExitUsage;
+  }
+  if (!options.folder.empty()) {
+    if (const auto folder = prepareReportFolder(options.folder); !folder) {
+      return report(folder.error());
+    }
+  }
+  catchInterruption();
+  std::vector<PeopleClothes> clothes;
+  for (const auto kind : {PeopleClothes::Different, PeopleClothes::Similar}) {
+    if (options.clothes == "both" || options.clothes == clothesName(kind)) {
+      clothes.push_back(kind);
+    }
+  }
+  setup->seed = options.first;
+  Progress progress("people-" + options.scenario,
+                    options.seeds * static_cast<std::int64_t>(clothes.size()));
+  const auto trials =
+      studyManyPeople(*setup, clothes, options.seeds, [&](std::int64_t done, std::int64_t) {
+        progress.show(done);
+        return !interruptionRequested();
+      });
+  progress.finish();
+  if (!trials) {
+    return report(trials.error());
+  }
+  fmt::print("{}\n", peopleTableHead());
+  for (const PeopleSummary& summary : summarize(*trials)) {
+    fmt::print("{}\n", peopleTableRow(summary));
+  }
+  if (!options.folder.empty()) {
+    if (const auto written = writePeopleStudy(options.scenario, *trials, options.folder);
+        !written) {
+      return report(written.error());
+    }
+  }
+  return interruptionRequested() ? kExitInterrupted : kExitDone;
+}
+
+} // namespace
+
+void addPeopleExperiments(CLI::App& group, int& exitCode) {
+  for (const std::string& scenario : peopleScenarioNames()) {
+    auto* command = group.add_subcommand("people-" + scenario,
+                                         "Simulated office: " + peopleScenarioSentence(scenario));
+    command->alias(scenario);
+    auto options = std::make_shared<StudyOptions>();
+    options->scenario = scenario;
+    command->add_option("--seed", options->first, "The first seed")->capture_default_str();
+    command->add_option("--seeds", options->seeds, "How many")
+        ->check(CLI::Range(1, 10000))
+        ->capture_default_str();
+    command->add_option("--clothes", options->clothes, "Clothes: different, similar or both")
+        ->check(CLI::IsMember({"different", "similar", "both"}))
+        ->capture_default_str();
+    command->add_option("--method", options->methods, "Method; all unless given")
+        ->delimiter(',')
+        ->check(CLI::IsMember(methodNames(TargetsFrom::Images)));
+    command->add_option("--set", options->settings,
+                        "Set a parameter, of the methods that have it: key=value");
+    command->add_option("--out", options->folder,
+                        "Folder for report.html, its pictures and runs.csv; it is made");
+    command
+        ->add_option("--record", options->record,
+                     "Only write the scene of --seed into this folder, as a project to track")
+        ->excludes("--set", "--method", "--out", "--seeds");
+    command->callback([options, &exitCode] {
+      exitCode = options->record.empty() ? studyScenario(*options) : recordScenario(*options);
+    });
+  }
+}
+
+} // namespace dewpoint::app

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/common/interruption.h"
+#include "app/dewpoint-cli/experiment/experiment_commands.h"
+#include "core/experiment/report/report_folder.h"
+#include "core/experiment/studies/sugandi_report.h"
+#include "core/experiment/studies/sugandi_study.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+
+namespace dewpoint::app {
+namespace {
+
+struct SugandiOptions {
+  std::filesystem::path folder;
+  std::filesystem::path data;
+  std::uint64_t scene = 5001;
+  int seeds = 5;
+  bool sloppy = false;
+};
+
+int studySugandi(const SugandiOptions& options) {
+  if (const auto folder = prepareReportFolder(options.folder, kBoxReport); !folder) {
+    return report(folder.error());
+  }
+  std::vector<BoxClip> clips{simulatedBoxClip(options.scene)};
+  if (!options.data.empty()) {
+    auto recorded = recordedBoxClips(options.data);
+    if (!recorded) {
+      return report(recorded.error());
+    }
+    if (recorded->empty()) {
+      return report({ErrorCode::NotFound, options.data.string(), "--data",
+                     "neither juggle1 nor otb is there"});
+    }
+    std::ranges::move(*recorded, std::back_inserter(clips));
+  }
+  catchInterruption();
+  auto study = studyBoxes(clips, options.seeds, [](const BoxRow& row) {
+    fmt::print(stderr, "{}: {}\n", row.clip, row.method);
+    return !interruptionRequested();
+  });
+  if (!study) {
+    return report(study.error());
+  }
+  if (options.sloppy) {
+    auto rows = studySloppyBoxes(clips, options.seeds, [](const SloppyRow& row) {
+      fmt::print(stderr, "{}: {}, first box of {:.1f} times the size\n", row.clip, row.method,
+                 row.scale);
+      return !interruptionRequested();
+    });
+    if (!rows) {
+      return report(rows.error());
+    }
+    study->sloppy = std::move(*rows);
+  }
+  fmt::print("{}", boxStudyText(*study));
+  const auto written = writeBoxStudy(*study, options.folder);
+  return written ? static_cast<int>(kExitDone) : report(written.error());
+}
+
+} // namespace
+
+void addSugandiExperiment(CLI::App& group, int& exitCode) {
+  auto* command = group.add_subcommand(
+      "sugandi-rmse", "Methods sugandi and histogram against OpenCV's trackers: error, success, "
+                      "precision, time.");
+  auto options = std::make_shared<SugandiOptions>();
+  command->add_option("--out", options->folder, "Folder to write")->required();
+  command
+      ->add_option("--data", options->data,
+                   "Folder with the recordings juggle1 and otb; without, the rendered clip only")
+      ->envname("DEWPOINT_DATA");
+  command->add_option("--scene", options->scene, "Seed of the rendered clip")
+      ->capture_default_str();
+  command->add_option("--seeds", options->seeds, "Runs of each of our methods")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_flag("--sloppy", options->sloppy,
+                    "Also first boxes that are too large, too small and beside the target");
+  command->callback([options, &exitCode] { exitCode = studySugandi(*options); });
+}
+
+} // namespace dewpoint::app

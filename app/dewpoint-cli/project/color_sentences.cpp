@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/project/color_sentences.h"
+
+#include <fmt/format.h>
+
+namespace dewpoint::app {
+namespace {
+
+const char* separation(int score) {
+  return score >= 90   ? "Stands out well"
+         : score >= 70 ? "Stands out"
+         : score >= 40 ? "Hard to tell apart"
+                       : "Hardly stands out";
+}
+
+const char* nameOf(ColorWord word) {
+  static constexpr const char* kNames[] = {"black",     "gray",   "white",  "brown",
+                                           "red",       "orange", "yellow", "green",
+                                           "turquoise", "blue",   "purple", "pink"};
+  return kNames[static_cast<int>(word)];
+}
+
+std::string placeOf(const DistractorRegion& region) {
+  static constexpr const char* kPlaces[3][3] = {
+      {"at the top left", "at the top", "at the top right"},
+      {"at the left", "in the middle", "at the right"},
+      {"at the bottom left", "at the bottom", "at the bottom right"}};
+  return kPlaces[static_cast<int>(region.vertical)][static_cast<int>(region.horizontal)];
+}
+
+const char* advice(Suggestion suggestion) {
+  switch (suggestion) {
+  case Suggestion::AddSamples:
+    return "Much of the target does not match: add its light and its dark side with --more.";
+  case Suggestion::ExcludeDistractor:
+    return "Exclude what matches too with --exclude: it can be told apart.";
+  case Suggestion::RemoveDistractor:
+    return "Cover what has the same color, or take it out of view.";
+  case Suggestion::MoreLight:
+    return "The target is nearly black here: more light would help.";
+  case Suggestion::LessExposure:
+    return "The target is nearly white here: a shorter exposure would help.";
+  case Suggestion::UseStrongerColor:
+    return "The target is nearly gray: a stronger color would help.";
+  case Suggestion::UseAnotherColor:
+    return "Several things have this color: another one would help.";
+  case Suggestion::ClickObjectItself:
+    return "This fills much of the image: point at the thing itself, or give a box on it.";
+  case Suggestion::ClickMore:
+    return "Only a speck was pointed at: give a box on the whole thing.";
+  case Suggestion::None:
+    break;
+  }
+  return "";
+}
+
+} // namespace
+
+std::string rangeSentence(const ColorRange& range) {
+  return fmt::format("Hue {:.0f} to {:.0f} degrees, saturation {:.2f} to {:.2f}, intensity {:.2f} "
+                     "to {:.2f}.",
+                     range.hueMin, range.hueMax, range.saturationMin, range.saturationMax,
+                     range.intensityMin, range.intensityMax);
+}
+
+std::vector<std::string> assessmentSentences(const ColorAssessment& assessment,
+                                             const std::vector<std::string>& cameras) {
+  std::vector<std::string> sentences{
+      fmt::format("{}: {} of 100.", separation(assessment.score()), assessment.score()),
+      fmt::format("{:.0f} % of the target and {:.2f} % of the background match.",
+                  100.0 * assessment.targetShare, 100.0 * assessment.backgroundShare)};
+  if (assessment.backgroundShareOfWhole) {
+    sentences.push_back(
+        fmt::format("A range for all of the target would match {:.2f} % of the background.",
+                    100.0 * *assessment.backgroundShareOfWhole));
+  }
+  if (assessment.sampleLeftOut) {
+    sentences.emplace_back("One sample does not go with the others: no single range holds both.");
+  }
+  for (const DistractorRegion& region : assessment.distractors) {
+    const cv::Point middle = (region.box.tl() + region.box.br()) / 2;
+    sentences.push_back(fmt::format(
+        "Something {} {} of {} matches too, about pixel {},{}.", nameOf(region.color),
+        placeOf(region), cameras.at(static_cast<std::size_t>(region.camera)), middle.x, middle.y));
+  }
+  if (const std::string text = advice(assessment.suggestion); !text.empty()) {
+    sentences.push_back(text);
+  }
+  return sentences;
+}
+
+} // namespace dewpoint::app

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/project/color_sentences.h"
+#include "app/dewpoint-cli/project/sample_argument.h"
+#include "app/wiring/open_project.h"
+#include "core/base/text_file.h"
+#include "core/color/background_suppression.h"
+#include "core/color/match_image.h"
+#include "core/project/project_check.h"
+#include "core/project/project_save.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace dewpoint::app {
+namespace {
+
+struct LearnColorOptions {
+  std::string project;
+  std::string camera = "1";
+  std::int64_t frame = 0;
+  std::string pixel, box;
+  std::vector<std::string> more, excluded;
+  std::optional<std::string> target;
+  std::optional<double> radius;
+  std::string mask, out;
+};
+
+/// The images of all cameras at one frame; empty where a camera has none.
+using FrameImages = std::map<std::int64_t, std::vector<cv::Mat>>;
+
+/// The first place is the click itself. Their colors are not taken yet.
+Result<std::vector<ColorSample>> markedSamplesOf(const LearnColorOptions& options,
+                                                 const Project& project) {
+  auto click =
+      options.box.empty() ? clickFrom(options.pixel, "--pixel") : boxFrom(options.box, "--box");
+  const auto camera = cameraNamed(project, options.camera, "--camera");
+  if (!click || !camera) {
+    return tl::make_unexpected(click ? camera.error() : click.error());
+  }
+  click->camera = *camera;
+  click->frame = options.frame;
+  std::vector<ColorSample> markedSamples{*click};
+  const auto add = [&](const std::vector<std::string>& texts, const char* option, bool excluded) {
+    for (const std::string& text : texts) {
+      auto marked = sampleFrom(project, text, option);
+      if (!marked) {
+        return Status(tl::make_unexpected(marked.error()));
+      }
+      marked->excluded = excluded;
+      markedSamples.push_back(*marked);
+    }
+    return Status();
+  };
+  return add(options.more, "--more", false)
+      .and_then([&] { return add(options.excluded, "--exclude", true); })
+      .map([&] { return markedSamples; });
+}
+
+Status readImages(FrameSetSource& source, std::int64_t frame, FrameImages& images) {
+  if (images.contains(frame)) {
+    return {};
+  }
+  const auto total = source.frameCount();
+  const auto tooLate = [&] {
+    const std::string detail =
+        fmt::format("frame {} is asked for, the last is {}", frame, total.value_or(0) - 1);
+    return failure(ErrorCode::BadValue, "", "--frame", detail);
+  };
+  if (total && frame >= *total) {
+    return tooLate();
+  }
+  if (const auto sought = source.seek(frame); !sought) {
+    return sought;
+  }
+  const auto frames = source.next();
+  if (!frames) {
+    return tl::make_unexpected(frames.error());
+  }
+  if (!*frames) {
+    return tooLate();
+  }
+  for (const FramePtr& one : (*frames)->frames) {
+    images[frame].push_back(one ? one->image : cv::Mat());
+  }
+  return {};
+}
+
+/// Reads the frames of all places and takes the colors there.
+Result<FrameImages> takeSamples(FrameSetSource& source, std::vector<ColorSample>& markedSamples) {
+  FrameImages images;
+  if (source.isLive()) {
+    return failure(ErrorCode::BadValue, "", "PROJECT",
+                   "its cameras are live; a color is learned from a recording here");
+  }
+  for (ColorSample& marked : markedSamples) {
+    if (const auto read = readImages(source, marked.frame, images); !read) {
+      return tl::make_unexpected(read.error());
+    }
+    auto sample =
+        takeSample(images[marked.frame].at(static_cast<std::size_t>(marked.camera)), marked);
+    if (!sample) {
+      return tl::make_unexpected(sample.error());
+    }
+    marked = std::move(*sample);
+  }
+  return images;
+}
+
+/// The target that is taught: the one named, the only one, or a new one.
+Result<Target*> taughtTarget(Project& project, const std::optional<std::string>& name) {
+  auto& targets = project.targets;
+  if (!name && targets.size() > 1) {
+    return failure(ErrorCode::MissingKey, "", "--target",
+                   fmt::format("the project has {} targets", targets.size()));
+  }
+  const auto found = name ? std::ranges::find(targets, *name, &Target::name) : targets.begin();
+  if (found != targets.end()) {
+    return &*found;
+  }
+  Target added;
+  added.name = name.value_or("target 1");
+  targets.push_back(added);
+  return &targets.back();
+}
+
+Status writeMask(const std::string& file, const cv::Mat& image, const ColorRange& range) {
+  std::vector<std::uint8_t> png;
+  cv::imencode(".png", matchImage(image, ColorClassifier(range)), png);
+  return writeTextFile(file, std::string(png.begin(), png.end()));
+}
+
+void printLearned(const Target& target, const LearnedColor& learned, const Project& project) {
+  std::vector<std::string> cameras;
+  for (const ProjectCamera& camera : project.cameras) {
+    cameras.push_back(camera.camera.name);
+  }
+  fmt::print("{}: {} pixels were clicked.\n", target.name, target.samples.front().area);
+  fmt::print("{}\n", rangeSentence(learned.range));
+  for (const std::string& text : assessmentSentences(learned.assessment, cameras)) {
+    fmt::print("{}\n", text);
+  }
+}
+
+/// The learned color into the project's target, its mask and the project into files.
+Status keep(const LearnColorOptions& options, const LearnedColor& learned,
+            std::vector<ColorSample> samples, const cv::Mat& image, Project& project) {
+  const auto target = taughtTarget(project, options.target);
+  if (!target) {
+    return tl::make_unexpected(target.error());
+  }
+  (*target)->color = learned.range;
+  (*target)->samples = std::move(samples);
+  (*target)->radius = options.radius.value_or((*target)->radius);
+  printLearned(**target, learned, project);
+  const auto drawn =
+      options.mask.empty() ? Status() : writeMask(options.mask, image, learned.range);
+  if (!drawn || options.out.empty()) {
+    return drawn;
+  }
+  return checkProject(project).and_then([&] { return saveProject(project, options.out); });
+}
+
+Status checkMask(const std::string& mask) {
+  const std::string ending = std::filesystem::path(mask).extension().string();
+  if (!mask.empty() && ending != ".png") {
+    return failure(ErrorCode::BadValue, "", "--mask",
+                   fmt::format("a PNG is written; the file cannot end in “{}”", ending));
+  }
+  return {};
+}
+
+int learn(const LearnColorOptions& options) {
+  const auto fail = [&](Error error) {
+    if (error.field == "pixel" || error.field == "box") { // what was typed, in no file
+      error.field = options.box.empty() ? "--pixel" : "--box";
+    }
+    if (error.file.empty()) {
+      error.file = options.project;
+    }
+    return report(error);
+  };
+  if (const auto writable = checkMask(options.mask); !writable) {
+    report(writable.error());
+    return kExitUsage;
+  }
+  auto project = resolveProject(options.project);
+  if (!project) {
+    return report(project.error());
+  }
+  auto samples = markedSamplesOf(options, *project);
+  if (!samples) {
+    report(samples.error());
+    return kExitUsage;
+  }
+  auto inputs = openInputs(std::move(*project));
+  if (!inputs) {
+    return report(inputs.error());
+  }
+  auto images = takeSamples(*inputs->source, *samples);
+  if (!images) {
+    return fail(images.error());
+  }
+  const auto& shown = images->at(options.frame);
+  const auto learned = learnColorWithBackground(*samples, shown, inputs->emptyRooms);
+  if (!learned) {
+    return fail(learned.error());
+  }
+  const auto& image = shown.at(static_cast<std::size_t>(samples->front().camera));
+  const auto kept = keep(options, *learned, std::move(*samples), image, inputs->project);
+  return kept ? static_cast<int>(kExitDone) : fail(kept.error());
+}
+
+} // namespace
+
+void addLearnColorCommand(CLI::App& app, int& exitCode) {
+  auto* command = app.add_subcommand("learn-color", "Learn a target's color from a click on it.");
+  auto options = std::make_shared<LearnColorOptions>();
+  command->add_option("PROJECT", options->project, "Project file (TOML), or a built-in scene: demo")
+      ->required();
+  command->add_option("--camera", options->camera, "Name or number (from 1) of the camera clicked")
+      ->capture_default_str();
+  command->add_option("--frame", options->frame, "Frame clicked, from 0")
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40))
+      ->capture_default_str();
+  auto* marked = command->add_option_group("place");
+  marked->add_option("--pixel", options->pixel, "X,Y of the click on the target");
+  marked->add_option("--box", options->box, "X,Y,WIDTH,HEIGHT of a box around the target");
+  marked->require_option(1);
+  command->add_option("--more", options->more, "Another click on it, CAMERA:FRAME:X,Y");
+  command->add_option("--exclude", options->excluded,
+                      "A click on what is not the target, CAMERA:FRAME:X,Y");
+  command->add_option("--target", options->target,
+                      "Name of the target; made when there is none called so");
+  command->add_option("--radius", options->radius, "Radius of the target, metres")
+      ->check(CLI::Range(0.0, 1000.0));
+  command->add_option("--mask", options->mask, "PNG to write: white where the image matches");
+  command->add_option("--out", options->out, "Project file to write, with the learned color");
+  command->callback([options, &exitCode] { exitCode = learn(*options); });
+}
+
+} // namespace dewpoint::app

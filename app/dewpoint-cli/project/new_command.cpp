@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "core/project/project_save.h"
+#include "core/session/run/background_images.h"
+#include "core/setup/footage.h"
+#include "core/setup/new_project.h"
+#include "core/tracking/catalog/method_catalog.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+namespace dewpoint::app {
+namespace {
+
+struct NewOptions {
+  std::string file;
+  std::vector<std::string> cameras;
+  std::string footage;
+  bool connected = false;
+  std::string calibration;
+  std::vector<std::string> emptyRooms;
+  bool force = false;
+  NewProject project;
+};
+
+/// NAME=SOURCE, or a source alone; an address may hold "=" but no name does before "://".
+NewCamera cameraFrom(const std::string& text) {
+  const auto equals = text.find('=');
+  const auto address = text.find("://");
+  const bool named = equals != std::string::npos && equals < address && !text.starts_with("gst:");
+  NewCamera camera;
+  camera.name = named ? text.substr(0, equals) : "";
+  camera.location = named ? text.substr(equals + 1) : text;
+  camera.source = guessedSource(camera.location);
+  return camera;
+}
+
+/// NAME=FILE into the camera of that name; then they are all read, so that what is wrong is said
+/// now.
+Status addEmptyRooms(const std::vector<std::string>& texts, Project& project) {
+  for (const std::string& text : texts) {
+    const auto equals = text.find('=');
+    const auto camera = std::ranges::find_if(project.cameras, [&](const ProjectCamera& one) {
+      return equals != std::string::npos && one.camera.name == text.substr(0, equals);
+    });
+    if (camera == project.cameras.end()) {
+      return failure(ErrorCode::BadValue, "", "--empty-room",
+                     "'" + text + "' does not begin with the name of a camera and '='");
+    }
+    camera->emptyRoom =
+        std::filesystem::absolute(text.substr(equals + 1)).lexically_normal().string();
+  }
+  return loadEmptyRooms(project).map([](const auto&) {});
+}
+
+/// The cameras that were named, then those of a folder, then those that are connected.
+Result<std::vector<NewCamera>> camerasOf(const NewOptions& options) {
+  std::vector<NewCamera> cameras;
+  for (const std::string& text : options.cameras) {
+    cameras.push_back(cameraFrom(text));
+  }
+  std::vector<std::string> found;
+  if (!options.footage.empty()) {
+    found = footageIn(options.footage);
+    if (found.empty()) {
+      return failure(ErrorCode::FileMissing, options.footage, "--footage",
+                     "no video and no folder of images is in it");
+    }
+  }
+  if (options.connected) {
+    const auto devices = connectedCameras();
+    if (devices.empty()) {
+      return failure(ErrorCode::FileMissing, "", "--connected", "no camera is connected");
+    }
+    found.insert(found.end(), devices.begin(), devices.end());
+  }
+  for (const std::string& location : found) {
+    cameras.push_back({"", guessedSource(location), location});
+  }
+  if (cameras.empty()) {
+    return failure(ErrorCode::MissingKey, "", "--camera",
+                   "a camera is needed, or --footage or --connected");
+  }
+  return cameras;
+}
+
+int makeNew(NewOptions& options) {
+  if (std::filesystem::exists(options.file) && !options.force) {
+    return report(
+        {ErrorCode::FileUnwritable, options.file, "", "it exists already; --force replaces it"});
+  }
+  auto cameras = camerasOf(options);
+  if (!cameras) {
+    const bool missing = cameras.error().code == ErrorCode::MissingKey;
+    const int code = report(cameras.error());
+    return missing ? static_cast<int>(kExitUsage) : code;
+  }
+  for (NewCamera& camera : *cameras) {
+    const auto& others = options.project.cameras;
+    if (!camera.name.empty() &&
+        std::ranges::find(others, camera.name, &NewCamera::name) != others.end()) {
+      report({ErrorCode::BadValue, "", "--camera",
+              fmt::format("two cameras are called '{}'", camera.name)});
+      return kExitUsage;
+    }
+    options.project.cameras.push_back(std::move(camera));
+  }
+  if (!options.calibration.empty()) {
+    options.project.calibration = options.calibration;
+  }
+  auto made = makeProject(options.project);
+  if (!made) {
+    return report(made.error());
+  }
+  if (const auto added = addEmptyRooms(options.emptyRooms, made->project); !added) {
+    return report(added.error());
+  }
+  // A folder that is missing is made; if it cannot be, writing says why.
+  std::error_code problem;
+  std::filesystem::create_directories(std::filesystem::absolute(options.file).parent_path(),
+                                      problem);
+  if (const auto saved = saveProject(made->project, options.file); !saved) {
+    return report(saved.error());
+  }
+  if (!made->calibrated && methodFamily(made->project.method).inSpace) {
+    fmt::print(stderr, "dewpoint-cli: note: without --calibration the camera positions are a "
+                       "guess.\n");
+  }
+  if (made->matchedByOrder) {
+    fmt::print(stderr, "dewpoint-cli: note: the calibration names its cameras differently; they "
+                       "were taken in its order.\n");
+  }
+  fmt::print("{}\n", options.file);
+  return kExitDone;
+}
+
+} // namespace
+
+void addNewCommand(CLI::App& app, int& exitCode) {
+  auto* command = app.add_subcommand("new", "Make a project of videos, image folders or cameras.");
+  auto options = std::make_shared<NewOptions>();
+  command->add_option("PROJECT", options->file, "Project file to write (TOML)")->required();
+  command->add_option(
+      "--camera", options->cameras,
+      "NAME=SOURCE, once per camera: a video, a folder of images, a device or a stream");
+  command->add_option("--footage", options->footage,
+                      "A folder: each video and each folder of images in it is a camera, by their "
+                      "names (camera 2 before camera 10)");
+  command->add_flag("--connected", options->connected,
+                    "All cameras that are connected to this computer");
+  command->add_option("--calibration", options->calibration,
+                      "Calibration file; by the cameras' names, or else in its order");
+  command->add_option("--empty-room", options->emptyRooms,
+                      "NAME=FILE: image, video or folder of images in which that camera shows the "
+                      "scene without any target");
+  command->add_option("--name", options->project.name, "Name of the project");
+  command->add_option("--rate", options->project.framesPerSecond, "Images per second of folders")
+      ->check(CLI::Range(0.1, 10000.0));
+  command->add_flag("--force", options->force, "Replace a file that exists");
+  command->callback([options, &exitCode] { exitCode = makeNew(*options); });
+}
+
+} // namespace dewpoint::app

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <filesystem>
+#include <string>
+
+namespace dewpoint::simulation {
+struct OfficeScene;
+} // namespace dewpoint::simulation
+
+namespace dewpoint::app {
+
+/// Writes a simulated office scene with people to disk, ready to track: a video per camera,
+/// pictures of the empty room, project.toml, calibration.toml, truth.csv. `option` is the one that
+/// names the folder. Returns the exit code.
+int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
+                 const std::string& option);
+
+} // namespace dewpoint::app

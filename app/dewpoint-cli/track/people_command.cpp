@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/common/frame_range.h"
+#include "app/dewpoint-cli/common/interruption.h"
+#include "app/dewpoint-cli/common/parameter_settings.h"
+#include "app/dewpoint-cli/common/progress.h"
+#include "app/wiring/open_project.h"
+#include "core/session/people/people_overlay.h"
+#include "core/session/people/people_writer.h"
+#include "core/session/run/frame_loop.h"
+#include "core/session/run/tracking_run.h"
+#include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/people/people_parameters.h"
+#include "core/tracking/tracker_capabilities.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <chrono>
+#include <memory>
+
+namespace dewpoint::app {
+namespace {
+
+struct PeopleOptions {
+  std::string project;
+  std::string folder;
+  std::string method; ///< empty: the project's, if it is for people, else the default
+  std::string frames;
+  std::optional<std::uint64_t> seed;
+  int threads = 1;
+  std::vector<std::string> settings;
+  std::vector<std::string> persons;
+  int overlay = 0;
+  bool list = false;
+};
+
+void listMethods() {
+  for (const std::string& method : methodNames(TargetsFrom::Images)) {
+    fmt::print("{}: {}\n", method, methodSentence(method));
+    for (const ParameterDeclaration& one : methodParameters(method)) {
+      fmt::print("  {:<20} {:>9} {:<5} {} to {}. {}\n", one.key, one.defaultValue, one.unit,
+                 one.minimum, one.maximum, one.sentence);
+    }
+  }
+}
+
+/// Chooses the method and its parameters: the project's, where they are for people.
+Status applyOptions(const PeopleOptions& options, Project& project) {
+  const bool isOfPeople = methodFamily(project.method).findsTargets();
+  const std::string usual = isOfPeople ? project.method : methodNames(TargetsFrom::Images).front();
+  const std::string method = options.method.empty() ? usual : options.method;
+  if (method != project.method) {
+    project.method = method;
+    project.parameters = ParameterValues(methodParameters(method));
+  }
+  project.seed = options.seed.value_or(project.seed);
+  return applySettings(options.settings, project.parameters);
+}
+
+/// Whether somebody's middle can be there: above the floor that is watched.
+Status inArea(const std::string& text, const Eigen::Vector3d& position, const PeopleArea& area) {
+  constexpr double kReach = 3.0; // meters above the floor
+  if (area.contains(position.head<2>()) && position.z() >= area.floor &&
+      position.z() <= area.floor + kReach) {
+    return {};
+  }
+  const Eigen::Vector2d low = area.center - area.half;
+  const Eigen::Vector2d high = area.center + area.half;
+  return failure(ErrorCode::BadValue, "", "--person",
+                 fmt::format("{} lies outside the watched area: x {:g} to {:g}, y {:g} to {:g}, z "
+                             "{:g} to {:g} m; area_x, area_y, area_half_x, area_half_y and floor_z "
+                             "say where it is",
+                             text, low.x(), high.x(), low.y(), high.y(), area.floor,
+                             area.floor + kReach));
+}
+
+Status addPersons(const std::vector<std::string>& texts, const PeopleArea& area, TrackingRun& run) {
+  for (const std::string& text : texts) {
+    Eigen::Vector3d position;
+    int used = 0;
+    if (std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &position[0], &position[1], &position[2],
+                    &used) != 3 ||
+        static_cast<std::size_t>(used) != text.size() || !position.allFinite()) {
+      return failure(ErrorCode::BadValue, "", "--person", text + " is not x,y,z in metres");
+    }
+    if (const auto inside = inArea(text, position, area); !inside) {
+      return inside;
+    }
+    run.apply(PeopleChange{position, std::nullopt});
+  }
+  return {};
+}
+
+/// Writes what becomes of the frames, and draws some of them.
+class PeopleObserver final : public FrameObserver {
+public:
+  /// `overlayEvery`: frames between two rows of the contact sheet; 0: none.
+  PeopleObserver(PeopleWriter& writer, Progress& progress, int overlayEvery)
+      : writer_(writer), progress_(progress), overlayEvery_(overlayEvery) {}
+
+  void taken(const FrameSet& /*frames*/) override { taken_ = Clock::now(); }
+  void iterated(const TrackingRun& /*run*/, double /*microseconds*/) override {
+    seconds_ += std::chrono::duration<double>(Clock::now() - taken_).count();
+  }
+  Status tracked(const TrackingRun& run) override {
+    const auto* const finding = run.capability<PeopleFinding>();
+    assert(finding != nullptr); // as the methods that may be chosen are
+    const FrameSet& set = *run.frames();
+    most_ = std::max(most_, static_cast<int>(finding->people().size()));
+    if (const auto written = writer_.write(*finding, set.index, dewpoint::base::seconds(set.time));
+        !written) {
+      return written;
+    }
+    if (overlayEvery_ > 0 && frames_ % overlayEvery_ == 0) {
+      rows_.push_back(peopleOverlay(*finding, set, run.rig(), 400));
+    }
+    progress_.show(++frames_);
+    return {};
+  }
+
+  std::int64_t frames() const { return frames_; }
+  double seconds() const { return seconds_; } ///< in the tracker
+  int most() const { return most_; }          ///< people at once
+  const std::vector<cv::Mat>& rows() const { return rows_; }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  PeopleWriter& writer_;
+  Progress& progress_;
+  int overlayEvery_;
+  Clock::time_point taken_;
+  std::vector<cv::Mat> rows_;
+  std::int64_t frames_ = 0;
+  double seconds_ = 0.0;
+  int most_ = 0;
+};
+
+int overlayEvery(const PeopleOptions& options, const FrameRange& range, std::int64_t total) {
+  if (options.overlay == 0) {
+    return 0;
+  }
+  const auto span = range.end.value_or(total) - range.first;
+  return static_cast<int>(
+      std::max<std::int64_t>(1, (span + options.overlay - 1) / options.overlay));
+}
+
+int runPeople(const PeopleOptions& options) {
+  if (options.list) {
+    listMethods();
+    return kExitDone;
+  }
+  auto project = resolveProject(options.project);
+  if (!project) {
+    return report(project.error());
+  }
+  const auto frames = parseFrames(options.frames);
+  const auto applied = applyOptions(options, *project);
+  if (!frames || !applied) {
+    report(frames ? applied.error() : frames.error());
+    return kExitUsage;
+  }
+  auto inputs = openInputs(std::move(*project));
+  if (!inputs) {
+    return report(inputs.error());
+  }
+  auto run = TrackingRun::create(inputs->project, options.threads, inputs->emptyRooms);
+  if (!run) {
+    return report(run.error());
+  }
+  const PeopleArea area = peopleSettings(inputs->project.parameters).area;
+  if (const auto added = addPersons(options.persons, area, *run); !added) {
+    report(added.error());
+    return kExitUsage;
+  }
+  auto writer = PeopleWriter::create(options.folder, trajectoryHeader(inputs->project));
+  if (!writer) {
+    return report(writer.error());
+  }
+  catchInterruption();
+  FrameSetSource& source = *inputs->source;
+  Progress progress("people", frames->count(source).value_or(0));
+  PeopleObserver observer(*writer, progress,
+                          overlayEvery(options, *frames, source.frameCount().value_or(0)));
+  const std::array<FrameObserver*, 1> observers{&observer};
+  auto tracked =
+      trackFrames(source, *frames, *run, observers, [] { return !interruptionRequested(); });
+  progress.finish();
+  tracked = tracked ? writer->finish() : tracked;
+  if (!observer.rows().empty()) {
+    const auto sheet = std::filesystem::path(options.folder) / "overlay.png";
+    if (const auto written = writeContactSheet(observer.rows(), sheet); !written) {
+      return report(written.error());
+    }
+  }
+  fmt::print("frames                  {:>10}\n", observer.frames());
+  fmt::print("most people at once     {:>10}\n", observer.most());
+  fmt::print("ms per frame            {:>10.2f}\n",
+             1000.0 * observer.seconds() /
+                 static_cast<double>(std::max<std::int64_t>(1, observer.frames())));
+  if (!tracked) {
+    const int code = report(tracked.error());
+    return code == kExitBadInput && observer.frames() > 0 ? kExitEndedEarly : code;
+  }
+  return interruptionRequested() ? kExitInterrupted : kExitDone;
+}
+
+} // namespace
+
+void addPeopleCommand(CLI::App& app, int& exitCode) {
+  auto* command = app.add_subcommand(
+      "people", "Track people of a project's cameras: places, volumes, ground-plane densities.");
+  auto options = std::make_shared<PeopleOptions>();
+  command->add_flag("--list", options->list, "Only say which methods and parameters there are");
+  command->add_option("PROJECT", options->project, "Project file (TOML)");
+  command->add_option("--out", options->folder, "Folder to write");
+  command
+      ->add_option("--method", options->method,
+                   "Method (the project's, if it is for people, else people)")
+      ->check(CLI::IsMember(methodNames(TargetsFrom::Images)));
+  command->add_option("--seed", options->seed, "Seed of the run (the project's unless given)");
+  command->add_option("--threads", options->threads, "Threads; never changes the result")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command->add_option("--frames", options->frames,
+                      "Only frames A to B-1, as A:B (either may be empty)");
+  command->add_option("--set", options->settings, "Set a parameter of the method: key=value");
+  command->add_option("--person", options->persons,
+                      "Somebody stands here from the first frame on: x,y,z of the body's middle");
+  command
+      ->add_option("--overlay", options->overlay,
+                   "Write overlay.png: about so many instants, all cameras, hulls drawn")
+      ->check(CLI::Range(0, 1000));
+  command->callback([options, command, &exitCode] {
+    if (!options->list && (options->project.empty() || options->folder.empty())) {
+      throw CLI::RequiredError(options->project.empty() ? "PROJECT" : "--out");
+    }
+    exitCode = runPeople(*options);
+  });
+}
+
+} // namespace dewpoint::app

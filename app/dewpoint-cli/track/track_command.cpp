@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/common/frame_range.h"
+#include "app/dewpoint-cli/common/parameter_settings.h"
+#include "app/dewpoint-cli/track/track_job.h"
+#include "app/wiring/open_project.h"
+#include "core/tracking/catalog/method_catalog.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+namespace dewpoint::app {
+namespace {
+
+struct TrackOptions {
+  std::string project;
+  TrackJob job;
+  std::optional<std::string> method;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::int64_t> particles;
+  std::string frames;
+  std::vector<std::string> settings;
+};
+
+/// Of all methods those that follow targets.
+std::vector<std::string> trackableMethods() {
+  std::vector<std::string> names;
+  for (const Method& method : methods()) {
+    if (!method.family.findsTargets()) {
+      names.emplace_back(method.name);
+    }
+  }
+  return names;
+}
+
+Status applyOptions(const TrackOptions& options, Project& project) {
+  if (options.method && *options.method != project.method) {
+    project.method = *options.method;
+    project.parameters = carriedOver(project.parameters, project.method);
+  }
+  project.seed = options.seed.value_or(project.seed);
+  if (options.particles) {
+    if (const auto set =
+            project.parameters.set("particles", static_cast<double>(*options.particles));
+        !set) {
+      return set;
+    }
+  }
+  return applySettings(options.settings, project.parameters);
+}
+
+int track(TrackOptions options) {
+  auto project = resolveProject(options.project);
+  if (!project) {
+    return report(project.error());
+  }
+  const auto frames = parseFrames(options.frames);
+  if (!frames) {
+    report(frames.error());
+    return kExitUsage;
+  }
+  options.job.frames = *frames;
+  if (const auto applied = applyOptions(options, *project); !applied) {
+    report(applied.error());
+    return kExitUsage;
+  }
+  const bool boxes = methodFamily(project->method).targets == TargetsFrom::Box;
+  const auto hasBox = [](const Target& target) { return target.box.has_value(); };
+  if (boxes && std::ranges::none_of(project->targets, hasBox)) {
+    return report(
+        {ErrorCode::MissingKey, options.project, "target",
+         fmt::format("method {} needs at least one [[target]] with a box", project->method)});
+  }
+  if (methodFamily(project->method).findsTargets()) {
+    return report({ErrorCode::BadValue, options.project, "method",
+                   project->method + " is for people, whom dewpoint-cli people tracks"});
+  }
+  if (project->targets.empty()) {
+    return report({ErrorCode::MissingKey, options.project, "target",
+                   "at least one [[target]] is needed; learn-color makes one"});
+  }
+  auto inputs = openInputs(std::move(*project));
+  if (!inputs) {
+    return report(inputs.error());
+  }
+  return options.job.run(std::move(*inputs));
+}
+
+} // namespace
+
+void addTrackCommand(CLI::App& app, int& exitCode) {
+  auto* command = app.add_subcommand(
+      "track", "Track a project's targets and write trajectory.csv and run.json.");
+  auto options = std::make_shared<TrackOptions>();
+  command->add_option("PROJECT", options->project, "Project file (TOML), or a built-in scene: demo")
+      ->required();
+  command->add_option("--out", options->job.folder, "Folder to write")->required();
+  command->add_option("--method", options->method, "Tracking method")
+      ->check(CLI::IsMember(trackableMethods()));
+  command->add_option("--seed", options->seed, "Seed of the run (the project's unless given)");
+  command
+      ->add_option("--threads", options->job.threads,
+                   "Threads of the filter; never changes the result")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command->add_option("--frames", options->frames,
+                      "Only frames A to B-1, as A:B (either may be empty)");
+  command->add_option("--particles", options->particles, "Number of particles");
+  command->add_flag("--reasons", options->job.reasons,
+                    "Write reasons.csv, too: when and why targets were held or not");
+  command->add_option("--set", options->settings, "Set a parameter of the method: key=value");
+  command->callback([options, &exitCode] { exitCode = track(*options); });
+}
+
+} // namespace dewpoint::app

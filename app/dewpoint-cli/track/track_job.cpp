@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/track/track_job.h"
+
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/common/interruption.h"
+#include "app/dewpoint-cli/common/progress.h"
+#include "core/base/text_file.h"
+#include "core/session/run/camera_motion_observer.h"
+#include "core/session/run/camera_motion_watch.h"
+#include "core/session/run/reason_log.h"
+#include "core/session/run/run_report.h"
+#include "core/session/run/tracking_run.h"
+#include "core/trajectory/evaluation.h"
+#include "core/trajectory/trajectory_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+namespace dewpoint::app {
+namespace {
+
+/// Says each new notice of the source once.
+void noteNotices(const FrameSetSource& source, RunFigures& figures) {
+  for (const auto& notice : source.notices()) {
+    const std::string text = sentence(notice);
+    if (std::find(figures.notices.begin(), figures.notices.end(), text) == figures.notices.end()) {
+      fmt::print(stderr, "dewpoint-cli: note: {}.\n", text);
+      figures.notices.push_back(text);
+    }
+  }
+}
+
+/// Says each new bump of a camera once.
+void noteCameraMotions(const CameraMotionWatch& motionWatch, std::size_t& said,
+                       RunFigures& figures) {
+  if (said == motionWatch.reports().size()) {
+    return;
+  }
+  const auto notices = motionWatch.notices();
+  for (; said < notices.size(); ++said) {
+    figures.notices.push_back(sentence(notices[said]));
+    fmt::print(stderr, "dewpoint-cli: note: {}.\n", figures.notices.back());
+  }
+}
+
+/// Where the results of a run go: a file that grows with it, or boxes that are written at its end.
+struct TrackOutput {
+  std::optional<TrajectoryWriter> writer; ///< not with boxes, which are in no space
+  Trajectory kept;
+  BoxTrack boxes;
+  std::optional<ReasonLog> reasons = std::nullopt;
+  std::optional<TrackedFrame> previous = std::nullopt; ///< while there are reasons to write
+
+  void takeReasons(const TrackingRun& run) {
+    TrackedFrame now = run.trackedFrame(0, previous ? &*previous : nullptr);
+    reasons->append(frameRecord(now, *run.frames()), run.targets());
+    previous = std::move(now);
+  }
+  Status take(const TrackingRun& run) {
+    if (reasons) {
+      takeReasons(run);
+    }
+    std::ranges::move(run.boxSamples(), std::back_inserter(boxes.samples));
+    for (const auto& sample : run.samples()) {
+      if (const auto written = writer->write(sample); !written) {
+        return written;
+      }
+      kept.samples.push_back(sample);
+    }
+    return {};
+  }
+  Status finish(const std::filesystem::path& folder) {
+    if (reasons) {
+      if (const auto written = writeTextFile(folder / "reasons.csv", reasons->csv()); !written) {
+        return written;
+      }
+    }
+    return writer ? writer->finish() : writeBoxTrack(boxes, folder);
+  }
+};
+
+/// Writes and says what becomes of the frames of a job.
+class TrackObserver final : public FrameObserver {
+public:
+  TrackObserver(const FrameSetSource& source, const CameraMotionWatch& motionWatch,
+                Progress& progress, TrackOutput& output, RunFigures& figures)
+      : source_(source), motionWatch_(motionWatch), progress_(progress), output_(output),
+        figures_(figures) {}
+
+  void taken(const FrameSet& /*frames*/) override {
+    noteNotices(source_, figures_);
+    taken_ = Clock::now();
+  }
+  void iterated(const TrackingRun& /*run*/, double microseconds) override {
+    figures_.iterations.add(1e-6 * microseconds);
+    iterated_ = Clock::now();
+  }
+  Status tracked(const TrackingRun& run) override {
+    const std::chrono::duration<double> took = std::max(taken_, iterated_) - taken_;
+    figures_.latency.add(took.count());
+    noteCameraMotions(motionWatch_, motionsNoted_, figures_);
+    if (const auto written = output_.take(run); !written) {
+      return written;
+    }
+    progress_.show(++figures_.frames);
+    return {};
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  const FrameSetSource& source_;
+  const CameraMotionWatch& motionWatch_;
+  Progress& progress_;
+  TrackOutput& output_;
+  RunFigures& figures_;
+  Clock::time_point taken_;
+  Clock::time_point iterated_; ///< the last time
+  std::size_t motionsNoted_ = 0;
+};
+
+/// Tracks the frames of a job; what stopped it, if it was not the end.
+Status trackJob(const TrackJob& job, FrameSetSource& source, TrackingRun& run, TrackOutput& output,
+                RunFigures& figures) {
+  CameraMotionWatch motionWatch(run.rig());
+  CameraMotionObserver motionObserver(motionWatch);
+  Progress progress("tracking", job.frames.count(source).value_or(0));
+  TrackObserver observer(source, motionWatch, progress, output, figures);
+  const auto goOn = [&] {
+    noteNotices(source, figures); // also while nothing comes
+    return !interruptionRequested();
+  };
+  const std::array<FrameObserver*, 2> observers{&motionObserver, &observer};
+  const Status tracked = trackFrames(source, job.frames, run, observers, goOn);
+  noteNotices(source, figures);
+  progress.finish();
+  return tracked;
+}
+
+void printSummary(const Trajectory& estimate, const Trajectory& truth, int iterationsPerFrame,
+                  const RunFigures& figures) {
+  fmt::print("frames                  {:>10}\n", figures.frames);
+  fmt::print("frames per second       {:>10.1f}\n",
+             static_cast<double>(figures.frames) / std::max(1e-9, figures.seconds));
+  fmt::print("us per iteration p50    {:>10.1f}\n", 1e6 * figures.iterations.quantile(0.5));
+  fmt::print("us per iteration p99    {:>10.1f}\n", 1e6 * figures.iterations.quantile(0.99));
+  if (truth.samples.empty()) {
+    return;
+  }
+  const auto evaluations = evaluate(estimate, truth);
+  for (std::size_t k = 0; evaluations && k < evaluations->size(); ++k) {
+    const auto& one = (*evaluations)[k];
+    fmt::print("target                  {:>10}\n", one.target);
+    if (one.framesToConverge) {
+      fmt::print("iterations to converge  {:>10}\n",
+                 (*one.framesToConverge + 1) * iterationsPerFrame);
+      fmt::print("error RMSE              {:>7.1f} mm\n", 1000.0 * one.rmse);
+      fmt::print("error p95               {:>7.1f} mm\n", 1000.0 * one.p95);
+      fmt::print("frames lost             {:>10}\n", one.lostFrames);
+    } else {
+      fmt::print("iterations to converge  {:>10}\n", "never");
+      fmt::print("error RMSE, all frames  {:>7.1f} mm\n", 1000.0 * one.rmseAll);
+    }
+  }
+}
+
+} // namespace
+
+int TrackJob::run(SessionInputs inputs) const {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) {
+    return report({ErrorCode::FileUnwritable, folder.string(), "--out", problem.message()});
+  }
+  auto run = TrackingRun::create(inputs.project, threads, inputs.emptyRooms);
+  if (!run) {
+    return report(run.error());
+  }
+  const TrajectoryHeader header = trajectoryHeader(inputs.project);
+  TrackOutput output{std::nullopt, {header, {}}, {boxTrackHeader(inputs.project), {}}};
+  if (run->family().inSpace) {
+    auto writer = TrajectoryWriter::create(folder / "trajectory.csv", header);
+    if (!writer) {
+      return report(writer.error());
+    }
+    output.writer.emplace(std::move(*writer));
+  }
+  if (reasons) {
+    output.reasons.emplace(rigOf(inputs.project));
+  }
+  catchInterruption();
+
+  // Before the run, so that one that is killed can be compared too.
+  if (!inputs.project.scene.empty()) {
+    if (const auto written = writeTrajectory(inputs.truth, folder / "truth.csv"); !written) {
+      return report(written.error());
+    }
+  }
+  RunFigures figures;
+  // Written now too: after a kill it says that the run did not finish.
+  figures.threads = threads;
+  const auto began = writeTextFile(folder / "run.json", runReport(inputs.project, figures));
+  if (!began) {
+    return report(began.error());
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  auto tracked = trackJob(*this, *inputs.source, *run, output, figures);
+  if (const auto finished = output.finish(folder); !finished && tracked) {
+    tracked = finished;
+  }
+  figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  figures.finished = tracked.has_value() && !interruptionRequested();
+  if (!tracked) {
+    figures.notices.push_back(sentence(tracked.error()));
+  }
+  figures.droppedFrames = inputs.source->droppedFrames();
+  const auto ended = writeTextFile(folder / "run.json", runReport(inputs.project, figures));
+  printSummary(output.kept, inputs.truth, run->iterationsPerFrame(), figures);
+  if (!tracked) {
+    // Frames were tracked before the input broke: that is "ended early", whatever broke it.
+    const int code = report(tracked.error());
+    return code == kExitBadInput && figures.frames > 0 ? kExitEndedEarly : code;
+  }
+  if (!ended) {
+    return report(ended.error());
+  }
+  return interruptionRequested() ? kExitInterrupted : kExitDone;
+}
+
+} // namespace dewpoint::app

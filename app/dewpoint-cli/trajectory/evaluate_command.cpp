@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "core/experiment/metrics/identity_evaluation.h"
+#include "core/trajectory/evaluation_text.h"
+#include "core/trajectory/trajectory_export.h"
+#include "core/trajectory/trajectory_reader.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace dewpoint::app {
+namespace {
+
+struct EvaluateOptions {
+  std::string trajectory;
+  std::string truth;
+  double gate = kDefaultGate;
+  bool json = false;
+  bool identities = false;
+  bool ground = false;
+};
+
+int evaluateIdentity(const EvaluateOptions& options, const Trajectory& estimate,
+                     const Trajectory& truth) {
+  const auto evaluation = evaluateIdentities(estimate, truth, {options.gate, options.ground});
+  if (!evaluation) {
+    return report(evaluation.error());
+  }
+  if (options.json) {
+    fmt::print("{}\n", identityJson(*evaluation).dump(2));
+  } else {
+    fmt::print("{}", identityText(*evaluation));
+  }
+  return kExitDone;
+}
+
+int evaluateFiles(const EvaluateOptions& options) {
+  const auto estimate = readExportSource(options.trajectory);
+  if (!estimate) {
+    return report(estimate.error());
+  }
+  const auto truth = readTrajectory(options.truth);
+  if (!truth) {
+    return report(truth.error());
+  }
+  if (options.identities) {
+    return evaluateIdentity(options, *estimate, *truth);
+  }
+  const auto evaluations = evaluate(*estimate, *truth, options.gate);
+  if (!evaluations) {
+    return report(evaluations.error());
+  }
+  if (options.json) {
+    fmt::print("{}\n", evaluationJson(*evaluations).dump(2));
+  } else {
+    fmt::print("{}", evaluationText(*evaluations));
+  }
+  return kExitDone;
+}
+
+} // namespace
+
+void addEvaluateCommand(CLI::App& app, int& exitCode) {
+  auto* command = app.add_subcommand("evaluate", "Compare a trajectory with the truth.");
+  auto options = std::make_shared<EvaluateOptions>();
+  command
+      ->add_option("TRAJECTORY", options->trajectory,
+                   "Trajectory (CSV) to judge, or the folder of a run")
+      ->required();
+  command->add_option("TRUTH", options->truth, "True positions (CSV)")->required();
+  command->add_option("--gate", options->gate, "Error in metres above which a frame counts as lost")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "Print JSON (metres) instead of a table (mm)");
+  command->add_flag("--identities", options->identities,
+                    "Several targets whose names differ from the truth's: CLEAR MOT, HOTA, GOSPA");
+  command->add_flag("--ground", options->ground, "With --identities: heights do not count");
+  command->callback([options, &exitCode] { exitCode = evaluateFiles(*options); });
+}
+
+} // namespace dewpoint::app

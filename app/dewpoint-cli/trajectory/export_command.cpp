@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/commands.h"
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/common/progress.h"
+#include "core/trajectory/trajectory_export.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+namespace dewpoint::app {
+namespace {
+
+struct ExportCommand {
+  std::string source;
+  std::string file;
+  std::string from;
+  std::string to;
+  std::string gaps = "leave";
+  std::string axes;
+  std::string unit;
+  std::string format;
+  bool noHeader = false;
+  bool preview = false;
+  ExportOptions options;
+};
+
+/// "2.5" or "2.5s" are seconds, "75f" is a frame.
+Result<std::optional<SpanEnd>> parseSpanEnd(const std::string& text, const char* option) {
+  if (text.empty()) {
+    return std::optional<SpanEnd>();
+  }
+  SpanEnd end;
+  std::string_view number = text;
+  end.isFrame = number.ends_with('f');
+  if (end.isFrame || number.ends_with('s')) {
+    number.remove_suffix(1);
+  }
+  const auto [stop, problem] =
+      std::from_chars(number.data(), number.data() + number.size(), end.value);
+  if (problem != std::errc() || stop != number.data() + number.size()) {
+    return failure(ErrorCode::BadValue, "", option,
+                   fmt::format("expected seconds, as 2.5, or a frame, as 75f; found {}", text));
+  }
+  return std::optional(end);
+}
+
+/// The format that is asked for, or the one that the file's ending means. BadValue when the ending
+/// is that of another one, or of none.
+Result<std::string> formatFor(const std::string& wanted, const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  const auto ofEnding = std::ranges::find(exportFormats(), ending, &ExportFormat::suffix);
+  const bool isKnown = ofEnding != exportFormats().end();
+  if (wanted.empty()) {
+    if (!isKnown && !ending.empty()) {
+      return failure(ErrorCode::BadValue, "", "--out",
+                     fmt::format("no format's files end in {}; give --format", ending));
+    }
+    return std::string(isKnown ? ofEnding->id : exportFormats().front().id);
+  }
+  const auto format = exportFormat(wanted);
+  if (format && isKnown && (*format)->suffix != ending) {
+    return failure(ErrorCode::BadValue, "", "--out",
+                   fmt::format("{} is the ending of format {}, but --format is {}", ending,
+                               ofEnding->id, wanted));
+  }
+  return wanted;
+}
+
+Status completeOptions(ExportCommand& command) {
+  auto format = formatFor(command.format, command.file);
+  if (!format) {
+    return tl::make_unexpected(format.error());
+  }
+  command.options.format = std::move(*format);
+  const auto from = parseSpanEnd(command.from, "--from");
+  if (!from) {
+    return tl::make_unexpected(from.error());
+  }
+  const auto to = parseSpanEnd(command.to, "--to");
+  if (!to) {
+    return tl::make_unexpected(to.error());
+  }
+  ExportOptions& options = command.options;
+  options.from = *from;
+  options.to = *to;
+  options.gaps = command.gaps == "fill" ? GapRule::Fill : GapRule::Leave;
+  if (!command.axes.empty()) {
+    options.axes = command.axes == "y-up" ? WorldAxes::YUp : WorldAxes::ZUp;
+  }
+  if (!command.unit.empty()) {
+    options.unit = command.unit == "mm" ? LengthUnit::Millimeter : LengthUnit::Meter;
+  }
+  options.header = !command.noHeader;
+  const auto now = std::chrono::system_clock::now();
+  options.date = fmt::format("{:%FT%TZ}", std::chrono::floor<std::chrono::seconds>(now));
+  return {};
+}
+
+/// The sentence of an error names the file that was read where nothing else was.
+int reportAbout(Error error, const std::string& file) {
+  if (error.file.empty()) {
+    error.file = file;
+  }
+  return report(error);
+}
+
+int showPreview(const ExportCommand& command, const Trajectory& trajectory) {
+  const auto preview =
+      previewExport(trajectory, command.options, command.file.empty() ? "preview" : command.file);
+  if (!preview) {
+    return reportAbout(preview.error(), command.source);
+  }
+  fmt::print("{}\n{}\n{}\n", preview->units, preview->size, preview->text);
+  return kExitDone;
+}
+
+int exportCommand(ExportCommand& command) {
+  if (const auto complete = completeOptions(command); !complete) {
+    report(complete.error());
+    return kExitUsage;
+  }
+  std::error_code ignored;
+  const std::filesystem::path source = command.source;
+  for (const auto& read : {source, source / "trajectory.csv"}) {
+    if (!command.file.empty() && std::filesystem::equivalent(read, command.file, ignored)) {
+      report({ErrorCode::BadValue, command.file, "--out", "this is the trajectory that is read"});
+      return kExitUsage;
+    }
+  }
+  const auto trajectory = readExportSource(command.source);
+  if (!trajectory) {
+    return report(trajectory.error());
+  }
+  if (command.preview) {
+    return showPreview(command, *trajectory);
+  }
+  Progress bar("export", 100);
+  const auto summary =
+      exportTrajectory(*trajectory, command.options, command.file, [&](double done) {
+        bar.show(static_cast<std::int64_t>(100.0 * done));
+        return true;
+      });
+  bar.finish();
+  if (!summary) {
+    return reportAbout(summary.error(), command.source);
+  }
+  fmt::print("{} rows of {} target{}{} in {}.\n", summary->rows, summary->targets,
+             summary->targets == 1 ? "" : "s",
+             summary->gaps > 0 ? fmt::format(", {} places unknown,", summary->gaps) : "",
+             summary->files.size() == 1
+                 ? summary->files.back().string()
+                 : fmt::format("{} files, the last is {}", summary->files.size(),
+                               summary->files.back().string()));
+  return kExitDone;
+}
+
+std::string formatHelp() {
+  std::string text = "Format; by the ending of --out unless given:";
+  for (const ExportFormat& format : exportFormats()) {
+    text += fmt::format(" {}", format.id);
+  }
+  return text;
+}
+
+std::vector<std::string> formatIds() {
+  std::vector<std::string> ids;
+  for (const ExportFormat& format : exportFormats()) {
+    ids.emplace_back(format.id);
+  }
+  return ids;
+}
+
+} // namespace
+
+void addExportCommand(CLI::App& app, int& exitCode) {
+  auto* command =
+      app.add_subcommand("export", "Write a trajectory in the format of another program.");
+  auto wishes = std::make_shared<ExportCommand>();
+  ExportOptions& options = wishes->options;
+  command->add_option("TRAJECTORY", wishes->source, "Trajectory (CSV), or the folder of a run")
+      ->required();
+  command->add_option("--format", wishes->format, formatHelp())->check(CLI::IsMember(formatIds()));
+  command->add_option("--out", wishes->file, "File to write");
+  command->add_option("--targets", options.targets, "Targets; all unless given")->delimiter(',');
+  command->add_option("--from", wishes->from, "First time in seconds, or frame as 75f");
+  command->add_option("--to", wishes->to, "Last time in seconds, or frame as 150f");
+  command->add_option("--rate", options.rate, "Rows per second; as recorded unless given")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--gaps", wishes->gaps, "Gaps: leave or fill")
+      ->check(CLI::IsMember({"leave", "fill"}))
+      ->capture_default_str();
+  command->add_option("--longest-gap", options.longestGap, "Seconds that are filled at most")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--axes", wishes->axes, "World axes: z-up or y-up; as usual in the format")
+      ->check(CLI::IsMember({"z-up", "y-up"}));
+  command->add_option("--unit", wishes->unit, "Lengths: m or mm; as usual in the format")
+      ->check(CLI::IsMember({"m", "mm"}));
+  command->add_flag("--smooth", options.smooth, "What is known after the run, not during it");
+  command->add_flag("--no-header", wishes->noHeader, "Without comments about the run");
+  command->add_flag("--preview", wishes->preview, "Only show the first lines, units and axes");
+  command->callback([wishes, command, &exitCode] {
+    if (wishes->file.empty() && !wishes->preview) {
+      throw CLI::RequiredError(command->get_option("--out")->get_name());
+    }
+    exitCode = exportCommand(*wishes);
+  });
+}
+
+} // namespace dewpoint::app

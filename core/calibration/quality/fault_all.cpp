@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/quality/fault_all.h"
+
+#include <vector>
+
+namespace dewpoint::calibration {
+namespace {
+
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// What a fault of all cameras must gain in log-likelihood.
+constexpr double kLeastGainOfAll = 25.0;
+
+} // namespace
+
+std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImagePoints& imagePoints,
+                                     const PointFit& fit) {
+  const std::vector<bool> everyone(imagePoints.perCamera.size(), true);
+  CameraRig rough;
+  for (const BundleCamera& camera : question.problem.cameras) {
+    rough.push_back(camera.camera);
+  }
+  const auto free = question.unsynchronized
+                        ? std::nullopt
+                        : fitPoints(rough, imagePoints, everyone, question.rough, true);
+  if (!free) {
+    return std::nullopt;
+  }
+  const auto total = [&](const PointFit& one) {
+    return static_cast<double>(fit.squares.size()) * meanCost(one.squares, free->sigmaPx);
+  };
+  std::optional<NamedFault> best;
+  for (const double shift : {-0.5, 0.5}) {
+    ImagePoints shifted = imagePoints;
+    for (auto& camera : shifted.perCamera) {
+      for (ImagePoint& imagePoint : camera) {
+        imagePoint.pixel.array() += shift;
+      }
+    }
+    const auto now = fitPoints(rough, shifted, everyone, question.rough);
+    if (!now) {
+      continue;
+    }
+    // As good as any other principal points, which have two numbers per camera to choose.
+    const double worseThanFree = total(*now) - total(*free);
+    const double gain = total(fit) - total(*now);
+    if (gain > kLeastGainOfAll && worseThanFree < 2.0 * static_cast<double>(rough.size()) + 8.0 &&
+        (!best || gain > best->gain)) {
+      best = NamedFault{CalibrationFault::HalfPixel, {}, shift, gain};
+    }
+  }
+  return best;
+}
+
+} // namespace dewpoint::calibration

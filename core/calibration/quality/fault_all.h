@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/bundle/fault.h"
+#include "core/calibration/quality/fault_question.h"
+
+#include <optional>
+
+namespace dewpoint::calibration {
+
+/// Faults of all cameras together, from the fit of all: half a pixel, resolution.
+std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImagePoints& imagePoints,
+                                     const PointFit& fit);
+
+} // namespace dewpoint::calibration

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/bundle/fault.h"
+#include "core/calibration/quality/fault_question.h"
+
+#include <vector>
+
+namespace dewpoint::calibration {
+
+/// Faults of typed lengths, boards and floors, from points as all cameras see them.
+std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question,
+                                       const PointPositions& positions, const CameraRig& rig);
+
+/// A relative standard deviation of the rough rig's size.
+double sizeSigma(const CameraRig& rig, const RoughSigma& sigma);
+
+} // namespace dewpoint::calibration

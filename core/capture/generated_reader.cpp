@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/generated_reader.h"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <memory>
+#include <utility>
+
+namespace dewpoint::capture {
+namespace {
+
+class GeneratedReader final : public PictureReader {
+public:
+  GeneratedReader(const RecordedCamera& camera, std::string field)
+      : camera_(camera), field_(std::move(field)) {}
+
+  std::int64_t frameCount() const override { return camera_.generatedFrames; }
+  std::string fileOf(std::int64_t) const override { return camera_.path; }
+  Result<cv::Mat> read(std::int64_t frame) override {
+    try {
+      cv::Mat picture = camera_.generate(frame);
+      if (picture.empty()) {
+        return failure(ErrorCode::FileUnreadable, camera_.path, field_,
+                       fmt::format("picture {} was not made", frame));
+      }
+      return picture;
+    } catch (const std::exception& problem) {
+      return failure(ErrorCode::FileUnreadable, camera_.path, field_, problem.what());
+    }
+  }
+
+private:
+  RecordedCamera camera_;
+  std::string field_;
+};
+
+} // namespace
+
+Result<PictureReaderPtr> openGeneratedReader(const RecordedCamera& camera,
+                                             const std::string& field) {
+  if (!camera.generate || camera.generatedFrames < 1) {
+    return failure(ErrorCode::BadValue, camera.path, field, "there is nothing that makes pictures");
+  }
+  return std::make_unique<GeneratedReader>(camera, field);
+}
+
+} // namespace dewpoint::capture

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <string>
+
+namespace dewpoint::capture {
+
+/// Whether `left` comes before `right` when numbers inside names count as numbers ("2" < "10").
+bool naturallyBefore(const std::string& left, const std::string& right);
+
+} // namespace dewpoint::capture

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/color/color_assessment.h"
+
+#include "core/color/color_region.h"
+#include "core/color/hsi.h"
+#include "core/color/match_image.h"
+#include "core/color/range_fit.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace dewpoint::color {
+namespace {
+
+/// An object that matters as a distractor: this share of the target's size, and no speckle.
+constexpr double kDistractorShare = 0.1;
+constexpr double kSmallestDistractor = 9.0; ///< pixels
+constexpr int kGood = 90;                   ///< score() from which on nothing needs to be done
+constexpr double kDark = 0.08;              ///< intensity
+constexpr double kBright = 0.94;            ///< intensity, with kPale
+constexpr double kPale = 0.12;              ///< saturation
+constexpr double kMostOfImage = 0.25;       ///< that a target fills
+/// Share of an image: a shadow in an object, rather than an object.
+constexpr double kSpeck = 1.0 / 5000.0;
+constexpr double kLow = 0.4;             ///< F1 score, or share of the target
+constexpr double kDistinguishable = 3.0; ///< colorDistance()
+constexpr double kOneObject = 0.5;       ///< of all that matches beside the target
+
+template <class Third> Third third(double at, double size) {
+  return static_cast<Third>(std::clamp(static_cast<int>(3.0 * at / size), 0, 2));
+}
+
+BgrColor meanColor(const cv::Mat& image, const cv::Mat& mask) {
+  const cv::Scalar mean = cv::mean(image, mask);
+  BgrColor color{};
+  for (int i = 0; i < 3; ++i) {
+    color[std::size_t(i)] = cv::saturate_cast<std::uint8_t>(mean[i]);
+  }
+  return color;
+}
+
+struct FoundRegion {
+  DistractorRegion region;
+  double area = 0.0;
+  BgrColor color{};
+};
+
+FoundRegion described(int camera, const cv::Mat& image, const cv::Mat& labels, int label,
+                      const cv::Mat& statistics, const cv::Mat& centers) {
+  FoundRegion found;
+  found.area = statistics.at<int>(label, cv::CC_STAT_AREA);
+  DistractorRegion& region = found.region;
+  region.camera = camera;
+  region.box = {
+      statistics.at<int>(label, cv::CC_STAT_LEFT), statistics.at<int>(label, cv::CC_STAT_TOP),
+      statistics.at<int>(label, cv::CC_STAT_WIDTH), statistics.at<int>(label, cv::CC_STAT_HEIGHT)};
+  region.share = found.area / double(image.total());
+  region.horizontal = third<HorizontalThird>(centers.at<double>(label, 0), image.cols);
+  region.vertical = third<VerticalThird>(centers.at<double>(label, 1), image.rows);
+  const cv::Mat mask = labels(region.box) == label;
+  std::vector<std::vector<cv::Point>> outlines;
+  cv::findContours(mask, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE, region.box.tl());
+  region.outline =
+      *std::ranges::max_element(outlines, {}, [](const auto& outline) { return outline.size(); });
+  found.color = meanColor(image(region.box), mask);
+  region.color = colorWord(found.color);
+  return found;
+}
+
+void addRegions(int camera, const cv::Mat& image, const cv::Mat& targetMask,
+                const ColorClassifier& classifier, double smallest,
+                std::vector<FoundRegion>& found) {
+  cv::Mat match = matchImage(image, classifier);
+  match.setTo(0, targetMask);
+  // Parts of one object that touch but for a pixel are one object to a person.
+  cv::morphologyEx(match, match, cv::MORPH_CLOSE, cv::Mat::ones(3, 3, CV_8UC1));
+  cv::Mat labels;
+  cv::Mat statistics;
+  cv::Mat centers;
+  const int count = cv::connectedComponentsWithStats(match, labels, statistics, centers);
+  for (int i = 1; i < count; ++i) {
+    if (statistics.at<int>(i, cv::CC_STAT_AREA) >= smallest) {
+      found.push_back(described(camera, image, labels, i, statistics, centers));
+    }
+  }
+}
+
+Suggestion suggestionFor(const ColorAssessment& assessment, const ColorEvidence& evidence,
+                         const std::vector<FoundRegion>& found) {
+  const BgrColor& color = evidence.typicalColor;
+  const Hsi typical = hsiFromBgr(color[0], color[1], color[2]);
+  if (typical.intensity < kDark) {
+    return Suggestion::MoreLight;
+  }
+  if (typical.intensity > kBright && typical.saturation < kPale) {
+    return Suggestion::LessExposure;
+  }
+  if (evidence.imageShare > kMostOfImage) {
+    return Suggestion::ClickObjectItself;
+  }
+  if (typical.saturation < kPale && assessment.score() >= kGood) {
+    return Suggestion::UseStrongerColor; // the next change of light makes it like the walls
+  }
+  if (assessment.score() >= kGood) {
+    return Suggestion::None;
+  }
+  if (assessment.separability < kLow && assessment.targetShare < kLow &&
+      evidence.imageShare < kSpeck) {
+    return Suggestion::ClickMore;
+  }
+  if (assessment.missesTarget() && found.empty()) {
+    return Suggestion::AddSamples;
+  }
+  if (typical.saturation < kPale) {
+    return Suggestion::UseStrongerColor;
+  }
+  double all = 0.0;
+  for (const FoundRegion& region : found) {
+    all += region.area;
+  }
+  if (!found.empty() && found.front().area > kOneObject * all) {
+    return colorDistance(found.front().color, color) > kDistinguishable
+               ? Suggestion::ExcludeDistractor
+               : Suggestion::RemoveDistractor;
+  }
+  return found.empty() ? Suggestion::None : Suggestion::UseAnotherColor;
+}
+
+} // namespace
+
+ColorWord colorWord(const BgrColor& bgr) {
+  const Hsi color = hsiFromBgr(bgr[0], bgr[1], bgr[2]);
+  if (color.intensity < 0.12) {
+    return ColorWord::Black;
+  }
+  if (std::isnan(color.hueDegrees) || color.saturation < 0.12) {
+    return color.intensity > 0.8 ? ColorWord::White : ColorWord::Gray;
+  }
+  struct Until {
+    double hue;
+    ColorWord word;
+  };
+  static constexpr std::array<Until, 9> kWords{{{14.0, ColorWord::Red},
+                                                {42.0, ColorWord::Orange},
+                                                {68.0, ColorWord::Yellow},
+                                                {160.0, ColorWord::Green},
+                                                {195.0, ColorWord::Turquoise},
+                                                {258.0, ColorWord::Blue},
+                                                {292.0, ColorWord::Purple},
+                                                {346.0, ColorWord::Pink},
+                                                {360.0, ColorWord::Red}}};
+  const auto word = std::ranges::find_if(
+      kWords, [&](const Until& until) { return color.hueDegrees <= until.hue; });
+  const bool warm = color.hueDegrees < 50.0;
+  return warm && color.hueDegrees > 8.0 && color.intensity < 0.4 ? ColorWord::Brown : word->word;
+}
+
+ColorAssessment assessRange(const ColorRange& range, const ColorEvidence& evidence,
+                            const std::vector<cv::Mat>& images) {
+  const RangeScore score = scoreRange(range, evidence.target, evidence.rest);
+  ColorAssessment assessment;
+  assessment.separability = score.f1;
+  assessment.targetShare = evidence.targetWeight > 0.0 ? score.target / evidence.targetWeight : 0.0;
+  assessment.backgroundShare = evidence.restWeight > 0.0 ? score.rest / evidence.restWeight : 0.0;
+  assessment.targetKnown = evidence.targetWeight > 0.0;
+  if (!assessment.targetKnown) {
+    return assessment;
+  }
+  if (assessment.missesTarget()) {
+    const RangeScore whole = scoreRange(fitRange(evidence.target, {}), {}, evidence.rest);
+    assessment.backgroundShareOfWhole =
+        evidence.restWeight > 0.0 ? whole.rest / evidence.restWeight : 0.0;
+  }
+  std::vector<FoundRegion> found;
+  const ColorClassifier classifier(range);
+  const double smallest = std::max(kSmallestDistractor, kDistractorShare * evidence.targetArea);
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    if (!evidence.targetMasks[i].empty()) {
+      addRegions(int(i), images[i], evidence.targetMasks[i], classifier, smallest, found);
+    }
+  }
+  std::ranges::stable_sort(found, std::greater(), &FoundRegion::area);
+  assessment.suggestion = suggestionFor(assessment, evidence, found);
+  found.resize(std::min(found.size(), ColorAssessment::kMostDistractors));
+  for (FoundRegion& region : found) {
+    assessment.distractors.push_back(std::move(region.region));
+  }
+  return assessment;
+}
+
+} // namespace dewpoint::color

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/experiment/report/experiment_options.h"
+
+namespace dewpoint::experiment {
+
+// Barrera et al. 2005, section III, on the simulated demo, as FigureExperiment::run.
+Status barreraFigure3(const ExperimentOptions& options);
+Status barreraFigure4(const ExperimentOptions& options);
+Status barreraDrift(const ExperimentOptions& options);
+Status barreraStarts(const ExperimentOptions& options);
+
+} // namespace dewpoint::experiment

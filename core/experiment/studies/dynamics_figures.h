@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/experiment/report/experiment_options.h"
+
+namespace dewpoint::experiment {
+
+// Barrera et al. 2005, section III-C, as FigureExperiment::run.
+Status dynamicsFigure6(const ExperimentOptions& options);
+Status dynamicsFigure7(const ExperimentOptions& options);
+Status dynamicsFigure8(const ExperimentOptions& options);
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/project/project.h"
+
+#include <filesystem>
+
+namespace dewpoint::project {
+
+/// Reads and checks a project file (TOML). The error names the file and the key.
+Result<Project> loadProject(const std::filesystem::path& file);
+
+} // namespace dewpoint::project
