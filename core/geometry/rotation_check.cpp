@@ -30,6 +30,10 @@ tl::expected<Eigen::Matrix3d, std::string> checkedRotation(const Eigen::Matrix3d
   return Eigen::Matrix3d(svd.matrixU() * svd.matrixV().transpose());
 }
 
+Eigen::Matrix3d rotationBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+}
+
 Eigen::Matrix3d rotationOfVector(const Eigen::Vector3d& vector) {
   const double angle = vector.norm();
   return angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()

@@ -15,6 +15,9 @@ namespace dewpoint::geometry {
 /// orthonormal, or a mirror.
 tl::expected<Eigen::Matrix3d, std::string> checkedRotation(const Eigen::Matrix3d& matrix);
 
+/// The smallest rotation that takes the direction of `from` to that of `to`.
+Eigen::Matrix3d rotationBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
 /// The rotation of a Rodrigues vector, radians, and back (angle within 0 to pi).
 Eigen::Matrix3d rotationOfVector(const Eigen::Vector3d& vector);
 Eigen::Vector3d vectorOfRotation(const Eigen::Matrix3d& rotation);

@@ -11,23 +11,6 @@
 namespace dewpoint::setup {
 namespace {
 
-/// What a guidance is begun with.
-struct Beginning {
-  Project project;
-  BoardGuideRequest wish;
-};
-
-/// What is to be done.
-struct Orders {
-  std::optional<Beginning> beginning; ///< another guidance takes over
-  FrameSetPtr frames;                 ///< not looked at yet
-  bool capture = false;
-  bool floor = false;
-  bool goOn = false;
-
-  bool any() const { return beginning || frames || capture || floor || goOn; }
-};
-
 int threadsFor(const Project& project) {
   const std::size_t most = std::max(1U, std::thread::hardware_concurrency());
   return static_cast<int>(std::clamp<std::size_t>(project.cameras.size(), 1, most));
@@ -37,6 +20,23 @@ int threadsFor(const Project& project) {
 
 class BoardWatch::Impl {
 public:
+  /// What a guidance is begun with.
+  struct Beginning {
+    Project project;
+    BoardGuideRequest wish;
+  };
+
+  /// What is to be done.
+  struct Orders {
+    std::optional<Beginning> beginning; ///< another guidance takes over
+    FrameSetPtr frames;                 ///< not looked at yet
+    bool capture = false;
+    bool floor = false;
+    bool goOn = false;
+
+    bool any() const { return beginning || frames || capture || floor || goOn; }
+  };
+
   explicit Impl(std::function<void()> wake)
       : wake_(std::move(wake)), newest_(std::make_shared<const BoardGuideState>()),
         thread_([this](const std::stop_token& stop) { work(stop); }) {}

@@ -19,7 +19,7 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr int kWidth = 520;
+constexpr int kPaletteWidth = 520;
 constexpr int kRows = 12;
 constexpr int kRowHeight = 28;
 
@@ -149,7 +149,7 @@ void CommandPalette::open() {
   filter({});
   list_->setFixedHeight(kRows * kRowHeight + 4);
   const QWidget& window = *parentWidget();
-  const int width = std::min(kWidth, window.width() - 32);
+  const int width = std::min(kPaletteWidth, window.width() - 32);
   resize(width, sizeHint().height());
   move(window.mapToGlobal(QPoint((window.width() - width) / 2, 64)));
   show();

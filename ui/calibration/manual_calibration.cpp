@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/manual_calibration.h"
 
+#include "core/base/angle.h"
 #include "core/setup/calibrated_project.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
@@ -10,14 +11,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 namespace dewpoint::ui {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kMoveStep = 0.01;          ///< metres
-constexpr double kTurnStep = 0.2 * kDegree; ///< radians
+constexpr double kMoveStep = 0.01;                ///< metres
+constexpr double kTurnStep = 0.2 * base::kDegree; ///< radians
 
 /// Where an axis of the person's (right, forward, up) lies in the camera's (right, down, forward).
 Eigen::Vector3d cameraAxis(int axis) {
@@ -276,7 +275,7 @@ void ManualCalibration::nudge(int axis, double factor, bool repeated) {
   const QString name = own ? (moves ? movedNames[axis] : turnedNames[axis]) : worldNames[axis];
   const QString step =
       moves ? tr("%1 %2 cm %3").arg(nameOf(camera()), withSign(100.0 * sum, 1), name)
-            : tr("%1 %2° %3").arg(nameOf(camera()), withSign(sum / kDegree, 2), name);
+            : tr("%1 %2° %3").arg(nameOf(camera()), withSign(sum / base::kDegree, 2), name);
   const Camera now = cameraAt(camera());
   change(camera(), step,
          moves ? moved(now, amount * way, frame_) : rotated(now, amount * way, frame_), key);

@@ -5,6 +5,7 @@
 #include "ui/export/export_text.h"
 #include "ui/export/trajectory_figure.h"
 #include "ui/text/retranslation.h"
+#include "ui/widgets/named.h"
 
 #include <QDialogButtonBox>
 #include <QDir>
@@ -37,11 +38,6 @@ QString titleOf(const Trajectory& trajectory) {
     }
   }
   return parts.join(QStringLiteral(" · "));
-}
-
-template <class Widget> Widget* named(Widget* widget, const char* name) {
-  widget->setObjectName(QLatin1String(name));
-  return widget;
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "ui/export/export_text.h"
 #include "ui/widgets/decimal_field.h"
+#include "ui/widgets/named.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -23,11 +24,6 @@ namespace {
 constexpr double kMostSeconds = 1e6;
 constexpr double kMostRate = 10000.0;
 constexpr double kMostGap = 60.0;
-
-template <class Widget> Widget* named(Widget* widget, const char* name) {
-  widget->setObjectName(QLatin1String(name));
-  return widget;
-}
 
 QDoubleSpinBox* makeSpin(QWidget* parent, const char* name, double low, double high, int decimals) {
   auto* spin = named(new DecimalField(parent), name);

@@ -20,9 +20,9 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr double kWidth = 1000.0; ///< of the page in the units drawn with; A4 is 1.414 : 1
+constexpr double kFigureWidth = 1000.0; ///< of the page in the units drawn with; A4 is 1.414 : 1
 constexpr double kHeight = 707.0;
-constexpr double kMargin = 24.0;
+constexpr double kFigureMargin = 24.0;
 constexpr double kAxisSpace = 58.0; ///< for the numbers beside an axis
 const QColor kInk(40, 40, 40);
 const QColor kGrid(222, 222, 222);
@@ -142,15 +142,16 @@ void drawTrajectoryFigure(QPainter& painter, const QRectF& page, const ExportTab
                           const FigureWords& words) {
   painter.save();
   painter.translate(page.topLeft());
-  const double scale = std::min(page.width() / kWidth, page.height() / kHeight);
+  const double scale = std::min(page.width() / kFigureWidth, page.height() / kHeight);
   painter.scale(scale, scale);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(QRectF(0, 0, kWidth, kHeight), Qt::white);
+  painter.fillRect(QRectF(0, 0, kFigureWidth, kHeight), Qt::white);
   QFont font(QStringLiteral("sans-serif"));
   font.setPixelSize(13);
   painter.setFont(font);
   painter.setPen(kInk);
-  painter.drawText(QRectF(kMargin, 12, kWidth - 2 * kMargin, 20), Qt::AlignLeft, words.title);
+  painter.drawText(QRectF(kFigureMargin, 12, kFigureWidth - 2 * kFigureMargin, 20), Qt::AlignLeft,
+                   words.title);
 
   const TrajectoryFigure figure = trajectoryFigure(table);
   const double top = 44.0;
@@ -158,13 +159,14 @@ void drawTrajectoryFigure(QPainter& painter, const QRectF& page, const ExportTab
   for (std::size_t axis = 0; axis < figure.overTime.size(); ++axis) {
     const FigurePanel& shown = figure.overTime[axis];
     Panel panel(painter,
-                QRectF(kMargin + kAxisSpace, top + static_cast<double>(axis) * height, 470.0,
+                QRectF(kFigureMargin + kAxisSpace, top + static_cast<double>(axis) * height, 470.0,
                        height - 10.0),
                 shown);
     panel.drawAxes(words.time, axisName(table, shown.verticalAxis), axis == 2);
     drawCurves(panel, shown, table);
   }
-  const QRectF square(660.0, top, kWidth - 660.0 - kMargin, kWidth - 660.0 - kMargin);
+  const QRectF square(660.0, top, kFigureWidth - 660.0 - kFigureMargin,
+                      kFigureWidth - 660.0 - kFigureMargin);
   Panel above(painter, square, figure.fromAbove);
   above.drawAxes(
       axisName(table, figure.fromAbove.horizontalAxis),
@@ -178,7 +180,7 @@ Status writeTrajectoryFigure(const ExportTable& table, const FigureWords& words,
                              const std::filesystem::path& file) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
-  const QRectF page(0, 0, kWidth, kHeight);
+  const QRectF page(0, 0, kFigureWidth, kHeight);
   if (file.extension() == ".pdf") {
     QPdfWriter device(&buffer);
     device.setPageLayout(QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Landscape, {}));

@@ -28,7 +28,7 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr int kWidth = 820;
+constexpr int kFormWidth = 820;
 constexpr double kUsualRate = 30.0; ///< frames per second of image folders
 
 enum Column { kName, kSource };
@@ -104,7 +104,7 @@ void NewProjectPage::makeRows() {
     return layout;
   };
   auto* middle = new QWidget(this);
-  middle->setMaximumWidth(kWidth);
+  middle->setMaximumWidth(kFormWidth);
   auto* column = new QVBoxLayout(middle);
   column->setSpacing(8);
   column->addWidget(title_);

@@ -17,7 +17,7 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr int kWidth = 760;
+constexpr int kPageWidth = 760;
 constexpr QSize kChoice(168, 128);
 constexpr int kIcon = 40;
 
@@ -55,7 +55,7 @@ StartPage::StartPage(QWidget* parent)
   connect(recent_, &QListWidget::itemClicked, recent_, &QListWidget::itemActivated);
 
   auto* middle = new QWidget(this);
-  middle->setMaximumWidth(kWidth);
+  middle->setMaximumWidth(kPageWidth);
   auto* column = new QVBoxLayout(middle);
   column->setSpacing(16);
   column->addWidget(title_);

@@ -16,8 +16,8 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr double kThickness = 18.0;
-constexpr double kHandle = 7.0;
-constexpr double kMargin = 10.0;
+constexpr double kRingHandle = 7.0;
+constexpr double kRingMargin = 10.0;
 constexpr double kFull = 360.0;
 
 double radians(double degrees) {
@@ -59,7 +59,7 @@ void HueRing::setHistogram(std::vector<double> counts) {
 }
 
 double HueRing::radius() const {
-  return std::min(width(), height()) / 2.0 - kMargin;
+  return std::min(width(), height()) / 2.0 - kRingMargin;
 }
 
 QPointF HueRing::pointAt(double hue, double distance) const {
@@ -85,7 +85,7 @@ HueRing::Part HueRing::partAt(QPointF position) const {
   }
   const QPointF d = position - QPointF(width() / 2.0, height() / 2.0);
   const double r = std::hypot(d.x(), d.y());
-  const bool onRing = r > radius() - 1.6 * kThickness && r < radius() + kMargin;
+  const bool onRing = r > radius() - 1.6 * kThickness && r < radius() + kRingMargin;
   const bool inRange = wrapped(hueAt(position) - from_) <= dewpoint::ui::width(from_, to_);
   return onRing && inRange ? Part::Arc : Part::None;
 }
@@ -231,7 +231,7 @@ void HueRing::paintRange(QPainter& painter) const {
   for (const auto& [hue, part] : {std::pair(from_, Part::From), std::pair(to_, Part::To)}) {
     painter.setPen(QPen(focus && chosen_ == part ? accent : palette().color(QPalette::Text), 2.0));
     painter.setBrush(palette().color(QPalette::Base));
-    painter.drawEllipse(pointAt(hue, middle), kHandle, kHandle);
+    painter.drawEllipse(pointAt(hue, middle), kRingHandle, kRingHandle);
   }
 }
 

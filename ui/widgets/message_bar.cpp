@@ -21,7 +21,7 @@ namespace {
 /// How long a notice stays: to be found, and to be read.
 constexpr int kShortestMs = 4000;
 constexpr int kMsPerLetter = 70;
-constexpr int kMargin = 16;
+constexpr int kBarMargin = 16;
 constexpr int kBesideText = 110;  ///< mark, button and margins
 constexpr int kAnswerWidth = 170; ///< about that of a button
 } // namespace
@@ -143,14 +143,14 @@ void MessageBar::keepBelow(QWidget* above) {
 }
 
 void MessageBar::place() {
-  const int most = parentWidget()->width() - 2 * kMargin;
+  const int most = parentWidget()->width() - 2 * kBarMargin;
   const int wanted = text_->fontMetrics().horizontalAdvance(text_->text()) + kBesideText +
                      static_cast<int>(answers_.size()) * kAnswerWidth;
   const int width = std::min(most, wanted);
   const int top = above_ != nullptr ? above_->geometry().bottom() + 1 : 0;
   resize(width,
          layout()->hasHeightForWidth() ? layout()->heightForWidth(width) : sizeHint().height());
-  move((parentWidget()->width() - width) / 2, top + kMargin / 2);
+  move((parentWidget()->width() - width) / 2, top + kBarMargin / 2);
 }
 
 void MessageBar::enterEvent(QEnterEvent* event) {

@@ -14,10 +14,10 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr double kMargin = 9.0;
+constexpr double kRangeMargin = 9.0;
 constexpr double kStrip = 10.0; ///< height of the colored strip
 constexpr double kLeast = 0.01; ///< of a range: an empty one matches nothing
-constexpr double kHandle = 7.0;
+constexpr double kRangeHandle = 7.0;
 
 } // namespace
 
@@ -43,7 +43,7 @@ void RangeBar::setColors(const QColor& low, const QColor& high) {
 }
 
 QRectF RangeBar::bar() const {
-  return {kMargin, 2.0, width() - 2.0 * kMargin, height() - kStrip / 2.0 - 6.0};
+  return {kRangeMargin, 2.0, width() - 2.0 * kRangeMargin, height() - kStrip / 2.0 - 6.0};
 }
 
 double RangeBar::xOf(double value) const {
@@ -57,7 +57,7 @@ double RangeBar::valueAt(double x) const {
 RangeBar::Part RangeBar::partAt(QPointF position) const {
   const double toFrom = std::abs(position.x() - xOf(from_));
   const double toTo = std::abs(position.x() - xOf(to_));
-  if (std::min(toFrom, toTo) <= 1.5 * kHandle) {
+  if (std::min(toFrom, toTo) <= 1.5 * kRangeHandle) {
     // Two handles on one spot: the side of the press decides.
     return toFrom < toTo || (toFrom == toTo && position.x() < xOf(from_)) ? Part::From : Part::To;
   }
@@ -188,7 +188,7 @@ void RangeBar::paintEvent(QPaintEvent*) {
   for (const auto& [value, part] : {std::pair(from_, Part::From), std::pair(to_, Part::To)}) {
     painter.setPen(QPen(hasFocus() && chosen_ == part ? accent : text, 2.0));
     painter.setBrush(palette().color(QPalette::Base));
-    painter.drawEllipse(QPointF(xOf(value), base + kStrip / 2.0), kHandle, kHandle);
+    painter.drawEllipse(QPointF(xOf(value), base + kStrip / 2.0), kRangeHandle, kRangeHandle);
   }
 }
 

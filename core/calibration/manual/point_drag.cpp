@@ -4,6 +4,7 @@
 #include "core/geometry/linear_algebra.h"
 #include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
+#include "core/geometry/rotation_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ Drag dragFree(const Camera& camera, const ImageAnchor& dragged, DragMode mode) {
   const Eigen::Vector3d ray = camera.cameraFromWorld.linear() * *wanted;
   Camera result = camera;
   if (mode == DragMode::Turn) {
-    const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(point, ray).toRotationMatrix();
+    const Eigen::Matrix3d turn = geometry::rotationBetween(point, ray);
     result.cameraFromWorld.linear() = turn * camera.cameraFromWorld.linear();
     result.cameraFromWorld.translation() = turn * camera.cameraFromWorld.translation();
   } else if (ray.z() > 0.0) {

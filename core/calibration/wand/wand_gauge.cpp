@@ -2,6 +2,7 @@
 #include "core/calibration/wand/wand_gauge.h"
 
 #include "core/geometry/linear_algebra.h"
+#include "core/geometry/rotation_check.h"
 #include "core/geometry/sphere_image.h"
 
 #include <Eigen/Eigenvalues>
@@ -88,8 +89,7 @@ Result<ScaleFound> scaleOfDiameter(const WandProblem& problem, const BundleProbl
 /// Rotates `up` to Z and leaves the rest as it was.
 Similarity toUpright(const Eigen::Vector3d& up) {
   Similarity change;
-  change.rotation =
-      Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  change.rotation = geometry::rotationBetween(up, Eigen::Vector3d::UnitZ());
   return change;
 }
 

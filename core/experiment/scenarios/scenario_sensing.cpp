@@ -75,7 +75,7 @@ bool withRamp(ScenarioDraft& draft) {
 bool withTemperature(ScenarioDraft& draft) {
   constexpr double kMiddle = 5500.0;
   constexpr double kSwing = 1000.0;
-  constexpr double kPeriod = 6.0; // seconds: the whole run
+  constexpr double kSwingPeriod = 6.0; // seconds: the whole run
   if (!addDeskBall(draft, kFrames)) {
     return false;
   }
@@ -83,8 +83,8 @@ bool withTemperature(ScenarioDraft& draft) {
   const double phase = draft.draws.uniform(0.0, turn);
   draft.stage.light = [turn, phase](std::size_t, double time) {
     simulation::Light light;
-    light.gain =
-        simulation::temperatureGain(kMiddle + kSwing * std::sin(turn * time / kPeriod + phase));
+    light.gain = simulation::temperatureGain(kMiddle +
+                                             kSwing * std::sin(turn * time / kSwingPeriod + phase));
     return light;
   };
   return true;

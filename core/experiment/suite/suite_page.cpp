@@ -113,7 +113,7 @@ std::string familyOf(const SuiteReport& report, const std::string& scenario) {
   return known != nullptr ? known->family : scenario.substr(0, scenario.find('-'));
 }
 
-std::string scenarios(const SuiteReport& report) {
+std::string scenarioRows(const SuiteReport& report) {
   std::string text;
   std::string family;
   std::string scenario;
@@ -175,7 +175,7 @@ std::string reportHtml(const SuiteReport& report) {
          "content='width=device-width, initial-scale=1'><title>Dewpoint accuracy "
          "suite</title><style>" +
          reportStyle() + "</style></head>\n<body><main>\n" + head(report) + links(report) +
-         requirements(report) + overview(report) + scenarios(report) + explanation() +
+         requirements(report) + overview(report) + scenarioRows(report) + explanation() +
          "\n</main></body></html>\n";
 }
 

@@ -14,7 +14,7 @@ namespace {
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr int kWidth = 160; ///< pixels
 /// Quality of JPEG, 1 to 100.
-constexpr int kQuality = 75;
+constexpr int kPreviewQuality = 75;
 /// A picture stands for frames up to this many behind it.
 constexpr std::int64_t kFarthest = 16;
 
@@ -36,7 +36,7 @@ void FramePreviews::add(const FrameSet& frames) {
         const int height = std::max(1, small.height * kWidth / std::max(1, small.width));
         cv::Mat picture;
         cv::resize(frame->image, picture, {kWidth, height}, 0.0, 0.0, cv::INTER_AREA);
-        cv::imencode(".jpg", picture, small.jpeg, {cv::IMWRITE_JPEG_QUALITY, kQuality});
+        cv::imencode(".jpg", picture, small.jpeg, {cv::IMWRITE_JPEG_QUALITY, kPreviewQuality});
         entry.bytes += small.jpeg.size();
       }
     }

@@ -17,7 +17,7 @@ namespace dewpoint::session {
 namespace {
 
 /// Of JPEG; below it the edges of small targets begin to blur.
-constexpr int kQuality = 92;
+constexpr int kKeptQuality = 92;
 /// This share of the memory holds frames as they came; what is older is compressed.
 constexpr std::size_t kRawShare = 4; // one quarter
 
@@ -43,7 +43,7 @@ std::vector<PackedFrame> pack(const FrameSet& frames) {
     if (frame && !frame->image.empty()) {
       one.index = frame->index;
       one.captureTime = frame->captureTime;
-      cv::imencode(".jpg", frame->image, one.bytes, {cv::IMWRITE_JPEG_QUALITY, kQuality});
+      cv::imencode(".jpg", frame->image, one.bytes, {cv::IMWRITE_JPEG_QUALITY, kKeptQuality});
     }
   }
   return packed;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/color/color_classifier.h"
-#include "core/geometry/camera.h"
+#include "core/geometry/projector.h"
 #include "core/tracking/camera_report.h"
 #include "core/tracking/track_estimate.h"
 #include "core/tracking/tracker_diagnostics.h"

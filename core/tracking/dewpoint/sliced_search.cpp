@@ -59,4 +59,15 @@ bool SlicedSearch::advance(const CandidateSearch& search, TimeBudget& budget, st
       [&] { candidates_ = search.triangulate(spots_, observation_, radius_ > 0.0, limit); }, must);
 }
 
+std::vector<Candidate> advanceSearch(std::unique_ptr<SlicedSearch>& search,
+                                     const CandidateSearch& candidates, TimeBudget& budget,
+                                     std::size_t limit, bool urgent) {
+  if (!search->advance(candidates, budget, std::min(limit, kMaxCandidatesOnBudget), urgent)) {
+    return {};
+  }
+  auto found = search->candidates();
+  search.reset();
+  return found;
+}
+
 } // namespace dewpoint::tracking

@@ -9,10 +9,10 @@
 namespace dewpoint::ui {
 namespace {
 
-constexpr int kLitMs = 350;
+constexpr int kCellLitMs = 350;
 constexpr double kTiltHeight = 22.0;
 constexpr double kEnoughCorners = 60.0; ///< in a region: it is filled fully
-const QColor kSeen("#009e73");          // Okabe-Ito bluish green
+const QColor kSeenCell("#009e73");      // Okabe-Ito bluish green
 const QColor kWanted("#e69f00");        // orange
 
 QPolygonF placed(const BoardGuideState::Outline& outline, const QRectF& image, int width,
@@ -48,7 +48,7 @@ QPolygonF tiltShape(BoardTilt tilt, const QPointF& middle) {
 BoardMap::BoardMap(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   dim_.setSingleShot(true);
-  dim_.setInterval(kLitMs);
+  dim_.setInterval(kCellLitMs);
   connect(&dim_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
 }
 
@@ -116,9 +116,9 @@ void BoardMap::paintOutlines(QPainter& painter, const QRectF& image) const {
   if (camera_.outline.empty()) {
     return;
   }
-  const bool lit = sinceTaken_.isValid() && sinceTaken_.elapsed() < kLitMs;
-  painter.setPen(QPen(kSeen, lit ? 3.0 : 2.0));
-  painter.setBrush(lit ? QBrush(QColor(kSeen.red(), kSeen.green(), kSeen.blue(), 150))
+  const bool lit = sinceTaken_.isValid() && sinceTaken_.elapsed() < kCellLitMs;
+  painter.setPen(QPen(kSeenCell, lit ? 3.0 : 2.0));
+  painter.setBrush(lit ? QBrush(QColor(kSeenCell.red(), kSeenCell.green(), kSeenCell.blue(), 150))
                        : QBrush(Qt::NoBrush));
   painter.drawPolygon(placed(camera_.outline, image, camera_.width, camera_.height));
 }

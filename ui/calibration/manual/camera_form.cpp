@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/manual/camera_form.h"
 
+#include "core/base/angle.h"
 #include "ui/calibration/manual_calibration.h"
 #include "ui/document/camera_list_model.h"
+#include "ui/text/axis_names.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/number_field.h"
 
@@ -13,13 +15,8 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
-#include <numbers>
-
 namespace dewpoint::ui {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-const char* const kAxes[] = {"X", "Y", "Z"};
 
 QComboBox* makeChoice(const char* name, QWidget* parent) {
   auto* box = new QComboBox(parent);
@@ -236,14 +233,15 @@ void CameraForm::refresh() {
   const Camera camera = hand_.cameraAt(hand_.camera());
   const Heading heading = headingOf(camera);
   const Eigen::Vector3d target = lookedAt(camera, hand_.grid().origin.z());
-  const double angles[] = {heading.yaw / kDegree, heading.pitch / kDegree, 0.0};
+  const double angles[] = {heading.yaw / base::kDegree, heading.pitch / base::kDegree, 0.0};
   for (int k = 0; k < 3; ++k) {
     const auto index = static_cast<std::size_t>(k);
     showValue(*position_[index], camera.center()[k] / metresPerUnit());
     showValue(*aim_[index], looksAtPoint() ? target[k] / metresPerUnit() : angles[k]);
   }
-  showValue(*aim_[3], heading.roll / kDegree);
-  showValue(*lens_, showsFieldOfView() ? fieldOfView(camera) / kDegree : camera.intrinsics.focalX);
+  showValue(*aim_[3], heading.roll / base::kDegree);
+  showValue(*lens_,
+            showsFieldOfView() ? fieldOfView(camera) / base::kDegree : camera.intrinsics.focalX);
 }
 
 void CameraForm::change(const QString& what, const QString& value, const Camera& camera,
@@ -273,7 +271,7 @@ void CameraForm::editAim(int index, double value) {
     return;
   }
   Heading heading = headingOf(camera);
-  (index == 0 ? heading.yaw : index == 1 ? heading.pitch : heading.roll) = value * kDegree;
+  (index == 0 ? heading.yaw : index == 1 ? heading.pitch : heading.roll) = value * base::kDegree;
   change(index == 0   ? tr("yaw")
          : index == 1 ? tr("pitch")
                       : QString(),
@@ -282,7 +280,7 @@ void CameraForm::editAim(int index, double value) {
 
 void CameraForm::editLens(double value) {
   const Camera camera = hand_.cameraAt(hand_.camera());
-  const double focal = showsFieldOfView() ? focalLengthOf(camera, value * kDegree) : value;
+  const double focal = showsFieldOfView() ? focalLengthOf(camera, value * base::kDegree) : value;
   change(showsFieldOfView() ? tr("field of view") : tr("focal length"), lens_->text(),
          withFocalLength(camera, focal), "lens");
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/manual/grid_form.h"
 
+#include "core/base/angle.h"
 #include "ui/calibration/manual_calibration.h"
+#include "ui/text/axis_names.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/number_field.h"
 
@@ -14,15 +16,8 @@
 #include <QSignalBlocker>
 #include <QSlider>
 
-#include <numbers>
-
 namespace dewpoint::ui {
-namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-const char* const kAxes[] = {"X", "Y", "Z"};
-
-} // namespace
+namespace {} // namespace
 
 GridForm::GridForm(ManualCalibration& hand, QWidget* parent) : QWidget(parent), hand_(hand) {
   setObjectName(QStringLiteral("gridFields"));
@@ -103,7 +98,7 @@ void GridForm::connectFields() {
     edit([value](ReferenceGrid& grid) { grid.step = value; }, "grid step");
   });
   connect(turn_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([value](ReferenceGrid& grid) { grid.turn = value * kDegree; }, "grid turn");
+    edit([value](ReferenceGrid& grid) { grid.turn = value * base::kDegree; }, "grid turn");
   });
   for (QDoubleSpinBox* field : findChildren<QDoubleSpinBox*>()) {
     connect(field, &QDoubleSpinBox::editingFinished, &hand_, &ManualCalibration::endMerging);
@@ -170,7 +165,7 @@ void GridForm::refresh() {
   size_[1]->setEnabled(grid.kind != GridKind::Wall);
   size_[2]->setEnabled(grid.kind != GridKind::Floor);
   showValue(*step_, grid.step);
-  showValue(*turn_, grid.turn / kDegree);
+  showValue(*turn_, grid.turn / base::kDegree);
 }
 
 } // namespace dewpoint::ui

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/planner/planner_form.h"
 
+#include "core/base/angle.h"
 #include "core/calibration/manual/interactive_pose.h"
 #include "ui/calibration/planner/rig_planner.h"
+#include "ui/text/axis_names.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/number_field.h"
 
@@ -15,15 +17,9 @@
 #include <QSignalBlocker>
 
 #include <cmath>
-#include <numbers>
 
 namespace dewpoint::ui {
-namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-const char* const kAxes[] = {"X", "Y", "Z"};
-
-} // namespace
+namespace {} // namespace
 
 PlannerForm::PlannerForm(RigPlanner& plan, QWidget* parent) : QWidget(parent), plan_(plan) {
   setObjectName(QStringLiteral("planFields"));
@@ -205,7 +201,7 @@ void PlannerForm::refresh() {
     showValue(*place_[index], any ? camera.center()[k] : 0.0);
     showValue(*target_[index], any ? target[k] : 0.0);
   }
-  showValue(*fieldOfView_, (any ? fieldOfView(camera) : plan_.lens().fieldOfView) / kDegree);
+  showValue(*fieldOfView_, (any ? fieldOfView(camera) : plan_.lens().fieldOfView) / base::kDegree);
   showValue(*imageWidth_, any ? camera.intrinsics.width : plan_.lens().width);
   showValue(*imageHeight_, any ? camera.intrinsics.height : plan_.lens().height);
   showValue(*wall_, plan_.wallDistance());
@@ -237,7 +233,7 @@ void PlannerForm::editTarget(int axis, double value) {
 
 void PlannerForm::editLens() {
   plan_.setLens({static_cast<int>(imageWidth_->value()), static_cast<int>(imageHeight_->value()),
-                 fieldOfView_->value() * kDegree});
+                 fieldOfView_->value() * base::kDegree});
 }
 
 } // namespace dewpoint::ui

@@ -2,6 +2,7 @@
 #include "ui/calibration/planner/uncertainty_map_form.h"
 
 #include "ui/calibration/planner/rig_planner.h"
+#include "ui/text/axis_names.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/number_field.h"
@@ -20,7 +21,6 @@
 namespace dewpoint::ui {
 namespace {
 
-const char* const kAxes[] = {"X", "Y", "Z"};
 constexpr int kSliderSteps = 200;
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/wand/wand_form.h"
 
+#include "core/base/angle.h"
 #include "core/project/project.h"
 #include "ui/calibration/wand/wand_calibrator.h"
 #include "ui/document/target_list_model.h"
@@ -16,12 +17,9 @@
 #include <QSignalBlocker>
 
 #include <algorithm>
-#include <numbers>
 
 namespace dewpoint::ui {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 QCheckBox* makeCheck(const char* name, QWidget* parent) {
   auto* check = new QCheckBox(parent);
@@ -130,7 +128,7 @@ void WandForm::connectFields() {
     edit([=](WandSettings& wish) { wish.roughPosition = value / 100.0; });
   });
   connect(roughTurn_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([=](WandSettings& wish) { wish.roughTurn = value * kDegree; });
+    edit([=](WandSettings& wish) { wish.roughTurn = value * base::kDegree; });
   });
   const auto check = [this](QCheckBox* box, bool WandSettings::*field) {
     connect(box, &QCheckBox::clicked, this, [this, field](bool checked) {
@@ -181,7 +179,7 @@ void WandForm::refresh() {
   showValue(*length_, 100.0 * wish.length);
   showValue(*distance_, 100.0 * wish.distance);
   showValue(*roughPlace_, 100.0 * wish.roughPosition);
-  showValue(*roughTurn_, wish.roughTurn / kDegree);
+  showValue(*roughTurn_, wish.roughTurn / base::kDegree);
   offsets_->setChecked(wish.findOffsets);
   focal_->setChecked(wish.findFocal);
   distortion_->setChecked(wish.findDistortion);
