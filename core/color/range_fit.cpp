@@ -86,8 +86,8 @@ double f1Score(double target, double rest, double all) {
   return 2.0 * target / (all + target + rest);
 }
 
-/// Every interval is tried; of equal ones the shortest. Around the circle the same colors lie in
-/// two intervals at least: across the widest gap between them, too.
+/// Every interval is tried. Around the circle the same colors lie in two intervals at least, one of
+/// them across the widest gap between them: of equal ones the shortest.
 Interval bestInterval(const Profile& profile, bool circular, double all) {
   const int bins = static_cast<int>(profile.target.size());
   Interval best;
@@ -103,7 +103,7 @@ Interval bestInterval(const Profile& profile, bool circular, double all) {
       target += profile.target[bin];
       rest += profile.rest[bin];
       const double f1 = f1Score(target, rest, all);
-      const bool isShorter = f1 > best.f1 - kRounding && length < best.length;
+      const bool isShorter = circular && f1 > best.f1 - kRounding && length < best.length;
       if (f1 > best.f1 + kRounding || isShorter) {
         best = {first, length, f1};
       }

@@ -11,8 +11,8 @@
 
 namespace dewpoint::filter {
 
-/// Cumulative weights, in the stretches of prefix_sums.h. They never fall. With up to kStretch
-/// particles they are the plain sums.
+/// Running sums of the weights, never falling, and the same for any number of threads: summed in
+/// the stretches of prefix_sums.h. With up to kStretch particles they are the plain sums.
 class CumulativeWeights {
 public:
   /// The weights must stay where they are.

@@ -12,8 +12,8 @@
 
 namespace dewpoint::session {
 
-/// Which of `all` is the one with this place and name among as many as `count`: with the same
-/// number of them that of the same place, as one may have got another name. -1: none.
+/// Index in `all` of the target that was number `index` of `count`: the same while there are as
+/// many (a target may have been renamed), else that of the same name; -1 if there is none.
 template <class Targets, class NameOf>
 int counterpart(const Targets& all, const NameOf& nameOf, std::size_t count, std::size_t index,
                 const std::string& name) {

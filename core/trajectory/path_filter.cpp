@@ -135,8 +135,8 @@ Innovation update(State& state, const PositionMeasurement& seen, double noiseFac
 
 constexpr double kNoGate = std::numeric_limits<double>::infinity();
 
-/// Calls `visit(index, innovation, begins)` for each seen position until it returns false; those that
-/// only begin the path are told as such.
+/// Calls `visit(index, innovation, begins)` for each seen position until it returns false; those
+/// that only begin the path are told as such.
 template <class Visit>
 void forward(std::span<const PathPoint> path, const PathModel& model, double gate, Visit visit) {
   const auto found =
@@ -217,6 +217,9 @@ std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const Path
       update(state, *path[k].seen, model.noiseFactor, kNoGate);
     }
     filtered[k] = state;
+  }
+  if (filtered.back().mean.size() == 0) {
+    return std::vector<PathEstimate>(count); // stopped on the way
   }
   // Särkkä (2013), theorem 8.2.
   for (std::size_t k = count - 1; k-- > 0 && wanted(k, goesOn);) {

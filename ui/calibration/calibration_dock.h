@@ -12,7 +12,7 @@ class QTabWidget;
 
 namespace dewpoint::ui {
 
-/// Property of parts of pages that are scrolled to when they appear.
+/// A widget with this property is scrolled into view when it appears.
 inline constexpr auto kRevealed = "revealed";
 
 /// Where cameras are calibrated: a panel beside the views, which stay live, with one page for each

@@ -33,6 +33,7 @@
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/selection/selection.h"
+#include "ui/style/system_colors.h"
 #include "ui/style/theme.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/language.h"
@@ -43,7 +44,6 @@
 #include "ui/view3d/birds_eye_dock.h"
 #include "ui/view3d/birds_eye_view.h"
 #include "ui/widgets/message_bar.h"
-#include "ui/widgets/system_colors.h"
 #include "ui/workbench/dock_manager.h"
 #include "ui/workbench/workbench.h"
 

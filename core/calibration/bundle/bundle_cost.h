@@ -13,8 +13,10 @@
 
 namespace dewpoint::calibration {
 
-/// The blocks of numbers that describe a camera in an adjustment.
-/// Turn (rotation vector against a fixed rotation), then position.
+// The blocks of numbers that describe a camera in an adjustment.
+
+/// Size of a pose block: a rotation vector (radians) relative to a fixed rotation, then the
+/// position (meters).
 inline constexpr int kPoseSize = 6;
 inline constexpr int kLensSize = 12; ///< focalX, focalY / focalX, principal point, distortion
 

@@ -9,8 +9,8 @@
 
 namespace dewpoint::observation {
 
-/// How much more probable than not it is that a pixel belongs to the target, for each bin of color;
-/// in kWhole-ths: 0 where the color speaks for nothing or for the surroundings.
+/// For each color bin, max(0, 2 P - 1) in units of 1 / kWhole, P being the probability that a pixel
+/// of that color belongs to the target: 0 where the color is as likely in the surroundings.
 using BinShares = std::vector<std::uint16_t>;
 
 /// What colors the parts of a boxed target have, and what colors are around it. The histograms

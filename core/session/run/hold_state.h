@@ -5,7 +5,7 @@
 
 namespace dewpoint::session {
 
-/// How it stands with a target, a camera or all of a moment: what a view shows in one word.
+/// The state of a target, of a camera or of a frame that a view shows in one word.
 enum class HoldState {
   NoImages,
   NoTarget,

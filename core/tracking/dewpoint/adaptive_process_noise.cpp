@@ -21,8 +21,8 @@ constexpr double kMaxInnovation = 9.0;
 constexpr double kVelocityAverageTime = 0.25;
 constexpr double kMinLastingAcceleration = 0.3;   ///< m/s²
 constexpr double kPriorLastingAcceleration = 2.0; ///< m/s², before anything is known
-constexpr double kPriorUpdates = 3.0;             ///< updates that the prior is worth
-constexpr double kMemoryUpdates = 30.0;           ///< updates that are remembered
+constexpr double kPriorUpdates = 3.0;             ///< frames that the prior is worth
+constexpr double kMemoryUpdates = 30.0;           ///< frames that are remembered
 /// Factor of the allowed acceleration for gating: the target's velocity is no more certain than
 /// after one step with it.
 constexpr double kGateInflation = 1.4;

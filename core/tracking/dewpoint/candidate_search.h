@@ -31,8 +31,8 @@ public:
   explicit CandidateSearch(const CameraRig& rig);
 
   /// The best candidates, best first, at most `limit`, no two closer than a radius. If the radius
-  /// is not known, it is estimated from the images, and that of the observation does not matter.
-  /// Makes the labels of the whole images.
+  /// is not known, it is estimated from the images, and that of the observation does not matter;
+  /// the observation is left with an arbitrary one. Makes the labels of the whole images.
   std::vector<Candidate> find(SphereObservation& observation, bool radiusKnown,
                               std::size_t limit) const;
   /// The first step of find(): the spots in one camera's image, all of whose labels are made.

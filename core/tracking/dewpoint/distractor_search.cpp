@@ -15,7 +15,7 @@ constexpr std::int64_t kDistractorSearchPhase = 1;
 constexpr std::size_t kMaxDistractors = 8;
 /// Share of the fully visible log likelihood ratio that makes an object a distractor.
 constexpr double kDistractorShare = 0.6;
-/// Measurement updates after which a distractor must be partly visible: it was two objects whose
+/// Frames after which a distractor must be partly visible: it was two objects whose
 /// rays were crossed wrongly, or it went behind another one.
 constexpr int kGraceUpdates = 3;
 

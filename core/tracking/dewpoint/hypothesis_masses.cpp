@@ -16,7 +16,7 @@ constexpr double kMinProbability = 1e-8;  ///< of a hypothesis that is kept
 constexpr double kMinAbsence = 1e-9;
 /// Probability of the likeliest hypothesis from which on no births are searched.
 constexpr double kNoSearchProbability = 0.98;
-/// Updates after which one of several objects that look just like the target is taken for it.
+/// Frames after which one of several objects that look just like the target is taken for it.
 constexpr int kUpdatesToResolve = 5;
 
 } // namespace

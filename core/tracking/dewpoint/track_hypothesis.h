@@ -31,7 +31,7 @@ struct TrackHypothesis {
   /// The log likelihood ratio if every camera in whose image the target lies saw it fully.
   double fullyVisibleLogLikelihoodRatio = 0.0;
   double sizeMisfit = 0.0;   ///< OutlineFit's at the birth, if the radius is known; else 0
-  int updateCount = 0;       ///< measurement updates since the birth
+  int updateCount = 0;       ///< frames with a measurement update since the birth
   bool outlineFound = false; ///< at the last measurement update
   /// If so, the position (m, m²) by that measurement alone, without the prediction.
   Gaussian3 measurement;

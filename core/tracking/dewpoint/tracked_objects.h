@@ -25,8 +25,8 @@ public:
   std::size_t size() const { return objects_.size(); }
   std::size_t targetCount() const { return targetCount_; }
   std::size_t distractorCount() const { return objects_.size() - targetCount_; }
-  TrackedObject& operator[](std::size_t index) { return objects_[index]; }
-  const TrackedObject& operator[](std::size_t index) const { return objects_[index]; }
+  TrackedObject& operator[](std::size_t index) { return objects_.at(index); }
+  const TrackedObject& operator[](std::size_t index) const { return objects_.at(index); }
   auto begin() { return objects_.begin(); }
   auto begin() const { return objects_.begin(); }
   auto end() { return objects_.end(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/widgets/system_colors.h"
+#include "ui/style/system_colors.h"
 
 #include "ui/style/theme.h"
 
