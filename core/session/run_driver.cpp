@@ -182,7 +182,9 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
   from = method != nullptr ? beginOf(*method, *nearest) : *nearest;
   std::int64_t goal = head();
   if (const auto underWay = playback_.rerunning()) {
-    from = std::min(from, playback_.nextFrame()); // what lies ahead of it is tracked again anyway
+    // What lies ahead of it is tracked again anyway, and so is a head that was only taken.
+    const bool isUntracked = playback_.head() == Playback::Head::Taken;
+    from = std::min(from, isUntracked ? head() : playback_.nextFrame());
     goal = std::max(goal, underWay->to);
   }
   const RerunState range{from, goal};

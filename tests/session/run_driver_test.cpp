@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run_driver.h"
+#include "tests/session/drawn_recording.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace dewpoint::tests {
+namespace {
+
+using test::drawnInputs;
+using test::sameBits;
+
+constexpr std::int64_t kFrames = 12;
+
+/// Two frames to track again from, the second one asked for before anything was tracked.
+class ADriverThatGoesBackTwice : public testing::TestWithParam<std::pair<int, int>> {};
+
+TEST_P(ADriverThatGoesBackTwice, LosesNoFrame) {
+  FrameTapSlot tap;
+  RunLog log;
+  const TruthTable truth{Trajectory()};
+  RunDriver driver(drawnInputs("dewpoint", 2 * kFrames), tap, log, truth);
+  driver.start();
+  for (std::int64_t frame = 0; frame < kFrames; ++frame) {
+    driver.stepFrame();
+  }
+  const Trajectory first = log.trajectory();
+  ASSERT_EQ(first.samples.size(), std::size_t{kFrames});
+  driver.rerun(GetParam().first);
+  driver.rerun(GetParam().second);
+  for (std::int64_t frame = 0; frame < kFrames && driver.playback().rerunning(); ++frame) {
+    driver.advance();
+  }
+  EXPECT_FALSE(driver.playback().rerunning());
+  EXPECT_TRUE(sameBits(log.trajectory(), first));
+}
+
+INSTANTIATE_TEST_SUITE_P(Orders, ADriverThatGoesBackTwice,
+                         testing::Values(std::pair(8, 4), std::pair(4, 8), std::pair(4, 4)));
+
+} // namespace
+} // namespace dewpoint::tests
