@@ -2565,6 +2565,10 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <translation>Dort liegen schon die Rahmen eines anderen Exports. Ersetzen?</translation>
     </message>
     <message>
+        <source>%1 exists already; nothing was written.</source>
+        <translation>%1 gibt es schon; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
     </message>
@@ -3881,6 +3885,10 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>%1 exists already. Replace it?</source>
         <translation>%1 gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>%1 exists already; nothing was written.</source>
+        <translation>%1 gibt es schon; nichts wurde geschrieben.</translation>
     </message>
     <message>
         <source>Replace</source>

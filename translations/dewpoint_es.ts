@@ -2565,6 +2565,10 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>Ya están ahí los recuadros de otra exportación. ¿Reemplazarlos?</translation>
     </message>
     <message>
+        <source>%1 exists already; nothing was written.</source>
+        <translation>%1 ya existe; no se escribió nada.</translation>
+    </message>
+    <message>
         <source>Replace</source>
         <translation>Reemplazar</translation>
     </message>
@@ -3881,6 +3885,10 @@ en %4, %5, %6 m</translation>
     <message>
         <source>%1 exists already. Replace it?</source>
         <translation>%1 ya existe. ¿Reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>%1 exists already; nothing was written.</source>
+        <translation>%1 ya existe; no se escribió nada.</translation>
     </message>
     <message>
         <source>Replace</source>

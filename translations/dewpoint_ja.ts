@@ -2565,6 +2565,10 @@ From %2 to %3%4; default %5%4.</source>
         <translation>別の書き出しの枠がすでにあります。置き換えますか？</translation>
     </message>
     <message>
+        <source>%1 exists already; nothing was written.</source>
+        <translation>%1 はすでに存在するため、何も書き込みませんでした。</translation>
+    </message>
+    <message>
         <source>Replace</source>
         <translation>置き換える</translation>
     </message>
@@ -3880,6 +3884,10 @@ at %4, %5, %6 m</source>
     <message>
         <source>%1 exists already. Replace it?</source>
         <translation>%1 はすでに存在します。置き換えますか？</translation>
+    </message>
+    <message>
+        <source>%1 exists already; nothing was written.</source>
+        <translation>%1 はすでに存在するため、何も書き込みませんでした。</translation>
     </message>
     <message>
         <source>Replace</source>

@@ -5,6 +5,7 @@
 #include "tests/ui/box_window.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
+#include "ui/export/box_export_dialog.h"
 #include "ui/selection/selection.h"
 #include "ui/style/theme.h"
 #include "ui/trajectory/box_model.h"
@@ -17,6 +18,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTableView>
 #include <QUndoStack>
 
@@ -139,6 +141,21 @@ void BoxTest::boxesAreExported() {
   start->click();
   QVERIFY(waitFor([&] { return !question->isVisible() && start->isEnabled(); }));
   QVERIFY(readTextFile((out + "/boxes.csv").toStdString())->find("target 1") != std::string::npos);
+  // Nobody would see the question of a dialog that was closed: it is reported that they are there.
+  auto* dialog = find<BoxExportDialog>("boxExportDialog");
+  const QSignalSpy failed(dialog, &BoxExportDialog::failed);
+  start->click();
+  dialog->close();
+  QVERIFY(waitFor([&] { return failed.count() == 1 && start->isEnabled(); }));
+  QVERIFY(failed[0][0].toString().contains(QStringLiteral("boxes.csv")));
+  dialog->show();
+  QVERIFY(!question->isVisible());
+  QCOMPARE(start->text(), QStringLiteral("Export"));
+  // The same when the question would be about another folder by now.
+  start->click();
+  folder->setText(folder_.filePath("elsewhere"));
+  QVERIFY(waitFor([&] { return failed.count() == 2 && start->isEnabled(); }));
+  QVERIFY(!question->isVisible());
 }
 
 void BoxTest::theMethodIsChosenInTheParameters() {

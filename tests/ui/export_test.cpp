@@ -22,6 +22,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSvgRenderer>
 
 namespace dewpoint::tests {
@@ -37,6 +38,7 @@ private Q_SLOTS:
   void writesInTheBackground();
   void saysWhatFailed();
   void asksBeforeAFileIsReplaced();
+  void whoCancelsIsNotAsked();
   void asksBeforeOneOfSeveralFilesIsReplaced();
   void theSpanIsTheSelectedOne();
   void itsKeyWorksWhileAFieldHasTheFocus();
@@ -180,14 +182,42 @@ void ExportTest::asksBeforeAFileIsReplaced() {
   QTest::mouseClick(start, Qt::LeftButton);
   QVERIFY(isAsked());
   field<QCheckBox>("exportHeader")->toggle();
-  // What changes before the answer is there is not what was asked about.
+  // What changes before the answer is there is not what was asked about: it is reported.
+  const QSignalSpy failed(dialog_, &ExportDialog::failed);
   QTest::mouseClick(start, Qt::LeftButton);
   QVERIFY(!start->isEnabled());
   field<QLineEdit>("exportFile")->setText(folder_.filePath(QStringLiteral("other.csv")));
   QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
   QVERIFY(!question->isVisible());
+  QCOMPARE(failed.count(), 1);
+  QVERIFY(failed[0][0].toString().contains(QStringLiteral("precious.csv")));
   QCOMPARE(*readTextFile(file.toStdString()), std::string("precious"));
   QVERIFY(!QFileInfo::exists(folder_.filePath(QStringLiteral("other.csv"))));
+  // In a dialog that was closed nobody would see the question.
+  field<QLineEdit>("exportFile")->setText(file);
+  QTest::mouseClick(start, Qt::LeftButton);
+  dialog_->close();
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
+  QCOMPARE(failed.count(), 2);
+  dialog_->show();
+  QVERIFY(!question->isVisible());
+  QCOMPARE(start->text(), QStringLiteral("Export"));
+}
+
+void ExportTest::whoCancelsIsNotAsked() {
+  const QString file = folder_.filePath(QStringLiteral("kept.csv"));
+  QVERIFY(writeTextFile(file.toStdString(), "precious"));
+  field<QLineEdit>("exportFile")->setText(file);
+  auto* start = field<QPushButton>("exportStart");
+  const QSignalSpy done(dialog_, &ExportDialog::done);
+  start->click();
+  QVERIFY(!start->isEnabled());
+  field<QPushButton>("exportCancel")->click();
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
+  QVERIFY(!field<QLabel>("exportQuestion")->isVisible());
+  QCOMPARE(done.count(), 1);
+  QVERIFY(done[0][0].toString().contains(QStringLiteral("cancelled")));
+  QCOMPARE(*readTextFile(file.toStdString()), std::string("precious"));
 }
 
 void ExportTest::asksBeforeOneOfSeveralFilesIsReplaced() {

@@ -113,38 +113,44 @@ void BoxExportDialog::chooseFolder() {
   }
 }
 
+std::filesystem::path BoxExportDialog::chosenFolder() const {
+  return folder_->text().trimmed().toStdString();
+}
+
 void BoxExportDialog::start() {
-  const std::filesystem::path folder(folder_->text().trimmed().toStdString());
   const bool replaces = mayReplace_;
   askToReplace(false);
   auto track = std::make_shared<const BoxTrack>(boxes_());
-  const bool begun = job_->start([this, folder, track, replaces](const BackgroundJob::Progress&) {
-    std::error_code problem;
-    const auto isThere = [&](const char* name) {
-      return std::filesystem::exists(folder / name, problem);
-    };
-    if (!replaces && (isThere("boxes.csv") || isThere("boxes_mot.txt"))) {
-      return std::function<void()>([this, folder] { askAbout(folder); });
-    }
-    std::filesystem::create_directories(folder, problem);
-    const Status written =
-        problem ? failure(ErrorCode::FileUnwritable, folder.string(), "", problem.message())
-                : writeBoxTrack(*track, folder);
-    return std::function<void()>([this, folder, written] {
-      const QString place = QString::fromStdString(folder.string());
-      if (written) {
-        Q_EMIT done(tr("boxes.csv and boxes_mot.txt are in %1.").arg(place));
-      } else {
-        Q_EMIT failed(errorSentence(written.error()));
-      }
-    });
-  });
+  const bool begun =
+      job_->start([this, folder = chosenFolder(), track, replaces](const BackgroundJob::Progress&) {
+        std::error_code problem;
+        for (const char* name : {"boxes.csv", "boxes_mot.txt"}) {
+          if (!replaces && std::filesystem::exists(folder / name, problem)) {
+            return std::function<void()>([this, folder, name] { askAbout(folder, name); });
+          }
+        }
+        std::filesystem::create_directories(folder, problem);
+        const Status written =
+            problem ? failure(ErrorCode::FileUnwritable, folder.string(), "", problem.message())
+                    : writeBoxTrack(*track, folder);
+        return std::function<void()>([this, folder, written] {
+          const QString place = QString::fromStdString(folder.string());
+          if (written) {
+            Q_EMIT done(tr("boxes.csv and boxes_mot.txt are in %1.").arg(place));
+          } else {
+            Q_EMIT failed(errorSentence(written.error()));
+          }
+        });
+      });
   export_->setEnabled(!begun && export_->isEnabled());
 }
 
-void BoxExportDialog::askAbout(const std::filesystem::path& folder) {
-  if (std::filesystem::path(folder_->text().trimmed().toStdString()) == folder) {
-    askToReplace(true); // else another folder was chosen meanwhile
+void BoxExportDialog::askAbout(const std::filesystem::path& folder, const char* name) {
+  if (isVisible() && chosenFolder() == folder) {
+    askToReplace(true);
+  } else { // it was closed, or another folder was chosen
+    const QString file = QString::fromStdString((folder / name).string());
+    Q_EMIT failed(tr("%1 exists already; nothing was written.").arg(file));
   }
 }
 

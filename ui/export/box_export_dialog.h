@@ -40,8 +40,10 @@ private:
   void chooseFolder();
   void start();
   void askToReplace(bool ask);
-  /// Boxes are there already.
-  void askAbout(const std::filesystem::path& folder);
+  /// The folder has a file of this name already: asks whether to replace it. When nobody sees the
+  /// question, or another folder was chosen meanwhile, reports that nothing was written.
+  void askAbout(const std::filesystem::path& folder, const char* name);
+  std::filesystem::path chosenFolder() const;
 
   std::function<BoxTrack()> boxes_;
   BackgroundJob* job_;

@@ -355,8 +355,11 @@ void ExportDialog::showPreview(const ExportPreview& preview) {
 void ExportDialog::showFinished(const ExportSummary& summary) {
   setRunning(false);
   if (!summary.occupied.empty()) {
-    if (startedAt_ == questions_) { // else something changed meanwhile, and the answer with it
-      askToReplace(QString::fromStdString(summary.occupied.string()));
+    const QString name = QString::fromStdString(summary.occupied.string());
+    if (startedAt_ == questions_) {
+      askToReplace(name);
+    } else { // something changed, or the dialog was closed: nobody sees the question, or it is moot
+      Q_EMIT failed(tr("%1 exists already; nothing was written.").arg(name));
     }
     if (isVisible()) {
       soon_->start(); // the preview was stopped for it

@@ -58,7 +58,8 @@ private:
   void askFile();
   void start();
   /// Asks before files are replaced; any change takes the question back. Whether they are there is
-  /// found out by the export itself, beside the window.
+  /// found out by the export itself, beside the window; what changed before that is known leaves
+  /// nothing to ask, and it is reported that nothing was written.
   void askToReplace(const QString& file);
   void forgetQuestion();
   /// The run goes on: so does the preview.

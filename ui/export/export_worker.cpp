@@ -59,11 +59,15 @@ void ExportWorker::run(TrajectoryPtr trajectory, const ExportOptions& options,
     const auto summary = !options.replaces && std::filesystem::exists(file, ignored)
                              ? Result<ExportSummary>(occupied)
                              : exportTrajectory(*trajectory, options, file, goesOn);
-    return std::function<void()>([this, summary] {
-      if (summary) {
-        Q_EMIT finished(*summary);
-      } else {
+    return std::function<void()>([this, summary, cancelled] {
+      if (!summary) {
         Q_EMIT failed(errorSentence(summary.error()));
+      } else if (!summary->occupied.empty() && *cancelled) { // who canceled is not asked
+        ExportSummary stopped;
+        stopped.cancelled = true;
+        Q_EMIT finished(stopped);
+      } else {
+        Q_EMIT finished(*summary);
       }
     });
   });
