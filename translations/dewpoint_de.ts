@@ -4387,6 +4387,10 @@ bei %4, %5, %6 m</translation>
         <translation>Ersetzen</translation>
     </message>
     <message>
+        <source>That run is over; the tables of its people were not written.</source>
+        <translation>Dieser Lauf ist vorbei; die Tabellen seiner Personen wurden nicht geschrieben.</translation>
+    </message>
+    <message>
         <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
         <translation>Orte, Volumen, Hüllen und Dichten der Personen liegen in %1 (Bilder: %2).</translation>
     </message>

@@ -4387,6 +4387,10 @@ en %4, %5, %6 m</translation>
         <translation>Reemplazar</translation>
     </message>
     <message>
+        <source>That run is over; the tables of its people were not written.</source>
+        <translation>Esa ejecución terminó; las tablas de sus personas no se escribieron.</translation>
+    </message>
+    <message>
         <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
         <translation>Los lugares, volúmenes, envolventes y densidades de las personas están en %1 (fotogramas: %2).</translation>
     </message>

@@ -4385,6 +4385,10 @@ at %4, %5, %6 m</source>
         <translation>置き換える</translation>
     </message>
     <message>
+        <source>That run is over; the tables of its people were not written.</source>
+        <translation>その実行は終わっているため、人物の表は書き込みませんでした。</translation>
+    </message>
+    <message>
         <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
         <translation>人物の位置、体積、凸包、密度を %1 に保存しました（フレーム数：%2）。</translation>
     </message>

@@ -10,10 +10,14 @@
 #include "ui/view3d/birds_eye_view.h"
 
 #include <QComboBox>
+#include <QDir>
 #include <QDockWidget>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QProgressBar>
 #include <QTableWidget>
+#include <QTimer>
 #include <QUndoStack>
 
 #include <filesystem>
@@ -57,6 +61,8 @@ private Q_SLOTS:
   void peopleAreSeenInAllViews();
   void theSameBitsAgainAndThePeopleOfThen();
   void peopleAreTakenAwayAndPlacedByKeys();
+  void tablesAreWrittenOneAfterTheOther();
+  void tablesOfARunThatIsOverAreNotWritten();
 
 private:
   std::int64_t frame() const { return window_->shown() ? window_->shown()->frame : -1; }
@@ -68,6 +74,8 @@ private:
     return count;
   }
   void playTo(std::int64_t frame);
+  /// Exports the tables into a folder, as far as choosing it.
+  void exportTo(const QString& folder);
   std::string trajectory() {
     const QTemporaryDir folder;
     return window_->saveRun(folder.path().toStdString())
@@ -89,6 +97,19 @@ void PeopleTest::playTo(std::int64_t wanted) {
   QVERIFY(waitFor([&] { return frame() >= wanted; }));
   action("actionPlay")->trigger();
   QVERIFY(waitFor([&] { return window_->shown()->state == PlayState::Paused; }));
+}
+
+void PeopleTest::exportTo(const QString& folder) {
+  QVERIFY(QDir().mkpath(folder));
+  QTimer answer;
+  connect(&answer, &QTimer::timeout, this, [&folder] {
+    if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+      dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(folder);
+      static_cast<QDialog*>(dialog)->accept();
+    }
+  });
+  answer.start(20);
+  action("actionExportPeople")->trigger();
 }
 
 void PeopleTest::theMethodIsChosenAndUndone() {
@@ -227,6 +248,30 @@ void PeopleTest::peopleAreTakenAwayAndPlacedByKeys() {
   action("actionPlacePerson")->setChecked(true); // and away again by Esc
   QTest::keyClick(layer, Qt::Key_Escape);
   QVERIFY(!action("actionPlacePerson")->isChecked());
+}
+
+void PeopleTest::tablesAreWrittenOneAfterTheOther() {
+  playTo(20);
+  const QString one = folder_.filePath(QStringLiteral("one"));
+  const QString other = folder_.filePath(QStringLiteral("other"));
+  exportTo(one);
+  QVERIFY(waitFor([&] {
+    return messageText().startsWith(QStringLiteral("Writing")) || messageText().contains(one);
+  }));
+  exportTo(other); // perhaps while the first ones are still written
+  QVERIFY(waitFor([&] { return messageText().contains(other); }));
+  for (const QString& folder : {one, other}) {
+    QVERIFY(QDir(folder).exists(QStringLiteral("volumes.csv")));
+    QVERIFY(QDir(folder).exists(QStringLiteral("trajectory.csv")));
+  }
+}
+
+void PeopleTest::tablesOfARunThatIsOverAreNotWritten() {
+  const QString folder = folder_.filePath(QStringLiteral("late"));
+  exportTo(folder);
+  action("actionCloseProject")->trigger(); // before it is known whether there are tables already
+  QVERIFY(waitFor([&] { return messageText().contains(QStringLiteral("were not written")); }));
+  QVERIFY(QDir(folder).isEmpty());
 }
 
 } // namespace dewpoint::tests

@@ -9,7 +9,7 @@
 #include "ui/cameraview/camera_docks.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
-#include "ui/jobs/background_job.h"
+#include "ui/jobs/latest_job.h"
 #include "ui/people/add_person_tool.h"
 #include "ui/people/people_panel.h"
 #include "ui/selection/selection.h"
@@ -54,8 +54,9 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
     : QObject(&bench.window), bench_(bench),
       panel_(new PeoplePanel(bench.selection, bench.action("actionPlacePerson"),
                              bench.action("actionRemovePerson"), &bench.window)),
-      placer_(new AddPersonTool(&birdsEye, this)), job_(new BackgroundJob(this)),
-      others_(std::move(others)) {
+      placer_(new AddPersonTool(&birdsEye, this)),
+      check_(new LatestJob(LatestJob::Overtaken::Dropped, this)),
+      writing_(new LatestJob(LatestJob::Overtaken::Kept, this)), others_(std::move(others)) {
   dock_ = bench_.docks.make({.name = QStringLiteral("peopleDock"),
                              .title = [] { return tr("People"); },
                              .content = panel_,
@@ -70,6 +71,7 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
     bench_.session.session()->setShapesWanted(bench_.action("actionShowVolumes")->isChecked());
     suitMethod();
   });
+  connect(&bench_.session, &SessionController::runEnded, this, [this] { ++run_; });
   connect(&bench_.document, &Document::replaced, this, &PeopleDock::suitMethod);
   connect(&bench_.document, &Document::methodChanged, this, &PeopleDock::suitMethod);
 }
@@ -165,33 +167,36 @@ void PeopleDock::askExport() {
   if (!bench_.session.isRunning()) {
     return;
   }
+  const int run = run_; // another one may be open by the time it is answered
   const QString folder = QFileDialog::getExistingDirectory(
       &bench_.window, tr("Folder for the tables of people"),
       QString::fromStdString(bench_.document.project().file.parent_path().string()));
   if (folder.isEmpty()) {
     return;
   }
-  job_->start([this, folder](const auto&) {
+  check_->start([this, folder, run](const auto&) {
     const bool occupied = QDir(folder).exists(QStringLiteral("volumes.csv")) ||
                           QDir(folder).exists(QStringLiteral("trajectory.csv"));
-    return [this, folder, occupied] {
-      if (occupied) {
+    return [this, folder, run, occupied] {
+      if (occupied && run == run_) {
         bench_.messages.ask(tr("There are tables of another run in %1. Replace them?").arg(folder),
-                            {{tr("Replace"), [this, folder] { write(folder); }}});
+                            {{tr("Replace"), [this, folder, run] { write(folder, run); }}});
       } else {
-        write(folder);
+        write(folder, run);
       }
     };
   });
 }
 
-void PeopleDock::write(const QString& folder) {
+void PeopleDock::write(const QString& folder, int run) {
   const Session* session = bench_.session.session();
-  if (session == nullptr) { // closed meanwhile
+  if (session == nullptr || run != run_) {
+    bench_.messages.showError(tr("That run is over; the tables of its people were not written."));
     return;
   }
   const auto record = std::make_shared<const PeopleRecord>(session->peopleRecord());
-  const bool begun = job_->start([this, folder, record](const auto& progress) {
+  bench_.messages.showNotice(tr("Writing the tables of people…"));
+  writing_->start([this, folder, record](const auto& progress) {
     auto saved = savePeople(*record, folder.toStdString(), progress);
     return std::function<void()>([this, folder, saved = std::move(saved)] {
       saved ? bench_.messages.showNotice(
@@ -201,9 +206,6 @@ void PeopleDock::write(const QString& folder) {
             : bench_.messages.showError(errorSentence(saved.error()));
     });
   });
-  if (begun) {
-    bench_.messages.showNotice(tr("Writing the tables of people…"));
-  }
 }
 
 } // namespace dewpoint::ui

@@ -17,7 +17,7 @@ namespace dewpoint::ui {
 
 class BirdsEyeView;
 class CameraDocks;
-class BackgroundJob;
+class LatestJob;
 class PeoplePanel;
 class AddPersonTool;
 class ViewDock;
@@ -41,7 +41,8 @@ private:
   void suitMethod();
   void placePeople(bool placing);
   void askExport();
-  void write(const QString& folder);
+  /// Writes the tables of this run, of those counted by run_; an error if it is over.
+  void write(const QString& folder, int run);
   bool isOfPeople() const;
   /// An undoable step of the document, about the frame that is shown.
   void correct(const QString& step, PersonCorrection correction);
@@ -49,7 +50,9 @@ private:
   Workbench bench_;
   PeoplePanel* panel_;
   AddPersonTool* placer_;
-  BackgroundJob* job_; ///< writes tables
+  LatestJob* check_;   ///< whether there are tables already
+  LatestJob* writing_; ///< writes tables; while it does, the next ones wait
+  int run_ = 0;        ///< grows with every end of a run
   ViewDock* dock_;
   std::vector<ViewDock*> others_;
 };
