@@ -105,14 +105,41 @@ QSize CameraView::fittedSize(const QSize& image) const {
           std::max(1, static_cast<int>(std::lround(room.height() * ratio)))};
 }
 
+bool CameraView::isSeen() const {
+  return isVisible() && !window()->isMinimized();
+}
+
 bool CameraView::isDrawn() const {
-  return !isVisible() || (picture_.source == source() && shown_ == snapshot_);
+  return !isSeen() || (picture_.source == source() && shown_ == snapshot_);
 }
 
 void CameraView::refresh() {
-  if (!isVisible() || follow()) {
+  if (!isSeen()) {
+    rest(); // paintEvent() catches up
+  } else if (follow()) {
     update();
   }
+}
+
+void CameraView::rest() {
+  job_.cancel();
+  ordered_ = {};
+  // What is still of the newest frame is shown at once when the view is raised.
+  const FramePtr newest = frameOf(snapshot_, camera_);
+  if (newest == nullptr || picture_.source.frame != newest) {
+    picture_ = {};
+    shown_.reset();
+  }
+}
+
+void CameraView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  update(); // a window that was minimized comes back with its old pixels
+}
+
+void CameraView::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  rest();
 }
 
 bool CameraView::follow() {

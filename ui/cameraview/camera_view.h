@@ -31,7 +31,7 @@ public:
   /// Where the image was drawn last, and its size in pixels; an empty size before there was one.
   const ImagePlacement& placement() const { return placement_; }
   const QSize& imageSize() const { return imageSize_; }
-  /// Whether what it shows is all that it was given last; true while hidden.
+  /// Whether what it shows is all that it was given last; true while nobody sees it.
   bool isDrawn() const;
 
   QSize sizeHint() const override { return {400, 300}; }
@@ -43,6 +43,8 @@ Q_SIGNALS:
 
 protected:
   void paintEvent(QPaintEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
 private:
   HoldState stateNow() const;
@@ -50,7 +52,11 @@ private:
   PictureSource source() const;
   /// Device pixels of an image in this view: whole ones, so that it is drawn one to one.
   QSize fittedSize(const QSize& image) const;
+  /// Not hidden, nor in a minimized window.
+  bool isSeen() const;
   void refresh();
+  /// Makes no pictures while nobody sees them, and forgets that of an earlier frame.
+  void rest();
   /// Shows the newest snapshot if its picture is there (true), or else begins to make it.
   bool follow();
   void paintBelief(QPainter& painter, const QRectF& picture) const;

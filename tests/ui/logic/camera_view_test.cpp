@@ -86,6 +86,41 @@ TEST_F(ShownCameraView, WithoutImagesItIsDrawnAtOnce) {
   EXPECT_EQ(view_.state(), HoldState::NoImages);
 }
 
+TEST_F(ShownCameraView, AnEarlierFrameIsNotShownAfterItWasHidden) {
+  view_.hide();
+  view_.setSnapshot(showing({200, 0, 0}));
+  EXPECT_TRUE(view_.isDrawn()); // nothing is made while nobody sees it
+  view_.show();
+  EXPECT_FALSE(view_.isDrawn());
+  EXPECT_NE(middleOf(view_), QColor(200, 0, 0));
+  ASSERT_TRUE(isDrawn(view_));
+  EXPECT_EQ(middleOf(view_), QColor(0, 0, 200));
+  view_.setSnapshot(showing({0, 200, 0})); // is being made
+  view_.hide();
+  view_.setSnapshot(nullptr);
+  view_.show();
+  EXPECT_TRUE(view_.isDrawn());
+  EXPECT_EQ(view_.state(), HoldState::NoImages);
+}
+
+TEST_F(ShownCameraView, WhatIsStillOfTheNewestFrameIsThereAtOnce) {
+  view_.hide();
+  view_.show();
+  EXPECT_TRUE(view_.isDrawn());
+  EXPECT_EQ(middleOf(view_), QColor(200, 0, 0));
+}
+
+TEST_F(ShownCameraView, InAMinimizedWindowNothingIsMade) {
+  view_.setWindowState(Qt::WindowMinimized);
+  view_.setSnapshot(showing({200, 0, 0}));
+  EXPECT_TRUE(view_.isDrawn());
+  view_.setWindowState(Qt::WindowNoState);
+  EXPECT_FALSE(view_.isDrawn());
+  // The platform's own word of both states comes later.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !view_.isMinimized() && view_.isDrawn(); }, 60'000));
+  EXPECT_EQ(middleOf(view_), QColor(0, 0, 200));
+}
+
 // The target's mask is 255 - 0; what has no mask steps back to 35 % of 200.
 TEST_F(ShownCameraView, AMaskTintsTheImage) {
   auto masked = std::make_shared<TrackSnapshot>(*showing({200, 200, 200}));

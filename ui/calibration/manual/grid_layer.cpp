@@ -160,6 +160,14 @@ void GridLayer::focusOutEvent(QFocusEvent* event) {
   QWidget::focusOutEvent(event);
 }
 
+void GridLayer::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  edgeJob_.cancel(); // other images are shown when it comes back
+  edgesOrdered_ = {};
+  edgesOf_ = {};
+  edges_ = {};
+}
+
 void GridLayer::leaveEvent(QEvent*) {
   pointer_.reset();
   update();
