@@ -10,7 +10,6 @@
 #include "core/calibration/planning/rig_map.h"
 #include "core/geometry/camera_name.h"
 #include "core/project/project_rig.h"
-#include "core/setup/new_project.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -33,11 +32,13 @@ struct PlanOptions {
 
 /// Like the project's first camera where it is not said.
 Camera newCamera(const PlanOptions& options, const CameraRig& rig) {
+  constexpr int kUsualWidth = 640; // pixels
+  constexpr int kUsualHeight = 480;
   constexpr double kUsual = 1.0; // radians
   const bool known = !rig.empty() && rig.front().intrinsics.width > 0;
   const std::vector<int> like =
       known ? std::vector{rig.front().intrinsics.width, rig.front().intrinsics.height}
-            : std::vector{kGuessedWidth, kGuessedHeight};
+            : std::vector{kUsualWidth, kUsualHeight};
   const std::vector<int>& size = options.size.empty() ? like : options.size;
   const double angle = options.fieldOfView ? *options.fieldOfView * kDegree
                        : known             ? fieldOfView(rig.front())

@@ -5,7 +5,6 @@
 #include "core/session/run/frame_loop.h"
 #include "core/simulation/scene_renderer.h"
 #include "core/tracking/barrera/barrera_parameters.h"
-#include "core/trajectory/evaluation.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +18,7 @@ namespace dewpoint::experiment {
 namespace {
 
 /// Meters: "position error < 3 cm once converged".
-constexpr double kConvergedError = kDefaultGate;
+constexpr double kConvergedError = 0.03;
 constexpr int kDistinctFrames = 16; // frames of a still ball differ by their noise only
 
 Scene stillScene(const Eigen::Vector3d& ball) {
