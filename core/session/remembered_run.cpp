@@ -60,6 +60,9 @@ void RememberedRun::catchUp() {
 void RememberedRun::setThreads(int threads) {
   threads_ = threads;
   run_->setThreadCount(threads);
+  if (travel_) {
+    travel_->setThreadCount(threads);
+  }
 }
 
 void RememberedRun::restart(std::optional<std::uint64_t> seed) {

@@ -82,6 +82,21 @@ TEST_F(ARememberedRun, CatchesUpWithWhatChangedSinceTheFrameItGoesBackTo) {
   EXPECT_EQ(kept_.run().definition(), kept_.definition());
 }
 
+TEST_F(ARememberedRun, LooksBackWithAsManyThreadsAsItTracksWith) {
+  for (std::int64_t k = 0; k < kFrames; ++k) {
+    const auto frames = inputs_.source->next();
+    ASSERT_TRUE(frames);
+    track(*frames);
+  }
+  const auto threadsAt = [this](std::int64_t frame) {
+    const TrackingRun* then = kept_.travel().runAt(frame, kept_.run(), [] { return true; });
+    return then != nullptr ? then->threadCount() : 0;
+  };
+  EXPECT_EQ(threadsAt(8), 1);
+  kept_.setThreads(3);
+  EXPECT_EQ(threadsAt(9), 3); // the run that stands at frame 8 goes on
+}
+
 TEST_F(ARememberedRun, StaysAsItWasWhenAnotherCannotBeMade) {
   RunDefinition unknown = *kept_.definition();
   unknown.method = "no such method";

@@ -159,4 +159,10 @@ const TrackingRun* TimeTravel::runAt(std::int64_t frame, const TrackingRun& run,
   return &*probe_;
 }
 
+void TimeTravel::setThreadCount(int threadCount) {
+  if (probe_) {
+    probe_->setThreadCount(threadCount);
+  }
+}
+
 } // namespace dewpoint::session
