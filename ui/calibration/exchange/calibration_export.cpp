@@ -108,7 +108,7 @@ CalibrationTarget CalibrationExportDialog::target() const {
 }
 
 QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion,
-                                        bool replaces) const {
+                                        const QString& replaced) const {
   QStringList lines;
   for (const std::string& decision : conversion.decisions) {
     lines << QString::fromStdString(decision);
@@ -125,8 +125,8 @@ QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion,
                    .arg(camera.lostDirections);
     }
   }
-  if (replaces) {
-    lines << tr("%1 exists and will be replaced.").arg(file());
+  if (!replaced.isEmpty()) {
+    lines << tr("%1 exists and will be replaced.").arg(replaced);
   }
   return lines.join(QLatin1Char('\n'));
 }
@@ -136,14 +136,15 @@ ExchangeDialog::Preview CalibrationExportDialog::preview() {
           file = isFolder() ? QString() : file()] {
     const auto outcome =
         std::make_shared<Result<CalibrationConversion>>(previewExport(project, target));
-    const bool replaces = !file.isEmpty() && QFileInfo::exists(file);
-    return [this, outcome, replaces] { adopt(*outcome, replaces); };
+    const QString replaced = !file.isEmpty() && QFileInfo::exists(file) ? file : QString();
+    return [this, outcome, replaced] { adopt(*outcome, replaced); };
   };
 }
 
-void CalibrationExportDialog::adopt(const Result<CalibrationConversion>& outcome, bool replaces) {
+void CalibrationExportDialog::adopt(const Result<CalibrationConversion>& outcome,
+                                    const QString& replaced) {
   if (outcome) {
-    showPreview(textOf(*outcome, replaces), true);
+    showPreview(textOf(*outcome, replaced), true);
   } else {
     const QString sentence = errorSentence(askedQuestion(outcome.error()).error);
     showPreview(QStringLiteral("⚠ ") + sentence, false);

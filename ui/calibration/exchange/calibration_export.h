@@ -26,10 +26,10 @@ private:
   CalibrationTarget target() const;
   bool isFolder() const;
   void formatChanged();
-  /// `replaces`: there is such a file already.
-  void adopt(const Result<CalibrationConversion>& outcome, bool replaces);
+  /// `replaced`: the file that is there already; empty if none is.
+  void adopt(const Result<CalibrationConversion>& outcome, const QString& replaced);
   void finish(const Result<CalibrationConversion>& written);
-  QString textOf(const CalibrationConversion& conversion, bool replaces) const;
+  QString textOf(const CalibrationConversion& conversion, const QString& replaced) const;
 
   Document& document_;
   QComboBox* format_;
