@@ -2,6 +2,7 @@
 #include "app/dewpoint/screenshot.h"
 
 #include "core/session/run/snapshot.h"
+#include "ui/cameraview/camera_view.h"
 #include "ui/mainwindow/main_window.h"
 
 #include <QAction>
@@ -10,6 +11,7 @@
 #include <QPixmap>
 #include <QTimer>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -19,6 +21,8 @@ namespace {
 
 /// The bird's-eye view draws at a lower rate of its own: let it catch up with the last frame.
 constexpr int kSettleMs = 1500;
+/// Between two looks at whether the camera views have drawn theirs.
+constexpr int kLookMs = 20;
 
 void fail(const QString& sentence) {
   std::fprintf(stderr, "dewpoint: %s\n", qPrintable(sentence));
@@ -33,6 +37,15 @@ void grabTo(MainWindow& window, const QString& file) {
   }
   std::printf("%s\n", qPrintable(path));
   QApplication::exit(0);
+}
+
+void grabWhenDrawn(MainWindow& window, const QString& file) {
+  const auto views = window.findChildren<CameraView*>();
+  if (std::ranges::all_of(views, [](const CameraView* view) { return view->isDrawn(); })) {
+    grabTo(window, file);
+  } else { // pictures are made beside the window
+    QTimer::singleShot(kLookMs, &window, [&window, file] { grabWhenDrawn(window, file); });
+  }
 }
 
 } // namespace
@@ -51,7 +64,7 @@ void takeScreenshot(MainWindow& window, const QString& file, int frames) {
         if (snapshot->state == PlayState::Playing) {
           window.findChild<QAction*>(QStringLiteral("actionPlay"))->trigger(); // pause
         }
-        QTimer::singleShot(kSettleMs, &window, [&window, file] { grabTo(window, file); });
+        QTimer::singleShot(kSettleMs, &window, [&window, file] { grabWhenDrawn(window, file); });
       });
 }
 
