@@ -56,6 +56,7 @@ void CalibrationTest::opensAsAModeOfTheWindow() {
   QVERIFY(crossings(0).size() >= 4);
   // Something is drawn: the layer is not the same with another opacity.
   find<QSlider>("gridOpacity")->setValue(100);
+  QVERIFY(draws(*layer(0)->parentWidget())); // else it differs by the image that comes
   const QImage strong = layer(0)->parentWidget()->grab().toImage();
   find<QSlider>("gridOpacity")->setValue(0);
   QVERIFY(layer(0)->parentWidget()->grab().toImage() != strong);
