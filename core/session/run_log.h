@@ -45,7 +45,7 @@ public:
   void setThreads(int threads);
   /// Forgets what was recorded of this frame and of later ones; readers get all records again.
   void goBack(std::int64_t frame);
-  /// Targets have other numbers: places[k] is that of what was k, -1 where it is gone, of `count`.
+  /// Targets have other numbers: numbers[k] is that of what was k, -1 where it is gone, of `count`.
   /// Readers get all records again.
   void renumber(const std::vector<int>& numbers, std::size_t count);
   /// Records from `position` on; both arguments move along. Beyond kMostRecords the older ones are

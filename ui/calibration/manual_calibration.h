@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/manual/point_drag.h"
 #include "core/calibration/manual/interactive_pose.h"
+#include "core/calibration/manual/point_drag.h"
 #include "core/geometry/reference_grid.h"
 #include "core/project/project.h"
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 #include "core/session/frames/live_frames.h"
 
 #include <opencv2/imgcodecs.hpp>

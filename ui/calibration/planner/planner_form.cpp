@@ -19,7 +19,6 @@
 #include <cmath>
 
 namespace dewpoint::ui {
-namespace {} // namespace
 
 PlannerForm::PlannerForm(RigPlanner& plan, QWidget* parent) : QWidget(parent), plan_(plan) {
   setObjectName(QStringLiteral("planFields"));
