@@ -31,6 +31,7 @@ private Q_SLOTS:
   void aBrokenFileIsOneSentence();
   void whatIsExportedComesBack_data();
   void whatIsExportedComesBack();
+  void theFileThatWasFoundIsTheOneNamed();
 
 private:
   QString preview(const char* name) { return find<QPlainTextEdit>(name)->toPlainText(); }
@@ -257,6 +258,21 @@ void CalibrationImportTest::whatIsExportedComesBack() {
     const auto is = Projector(after).project(point);
     QVERIFY(was && is && (*was - *is).norm() < 1e-4);
   }
+}
+
+void CalibrationImportTest::theFileThatWasFoundIsTheOneNamed() {
+  find<QAction>("actionExportCalibration")->trigger();
+  auto* out = window_->findChild<CalibrationExportDialog*>();
+  QVERIFY(out != nullptr);
+  choose("calibrationExportFormat", "dewpoint");
+  const QString there = folder_.filePath(QStringLiteral("there.toml"));
+  QFile file(there);
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.close();
+  out->setFile(there);
+  // Typed while the preview is made, and not yet entered.
+  find<QLineEdit>("calibrationExportFile")->setText(folder_.filePath(QStringLiteral("other.toml")));
+  QVERIFY(waitText("calibrationExportPreview", QStringLiteral("there.toml exists")));
 }
 
 } // namespace dewpoint::tests
