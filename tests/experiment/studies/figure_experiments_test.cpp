@@ -3,6 +3,7 @@
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/figure_parts.h"
 #include "core/experiment/report/report_folder.h"
+#include "core/experiment/studies/dynamics_figures.h"
 #include "core/experiment/studies/figure_experiments.h"
 
 #include <gtest/gtest.h>
