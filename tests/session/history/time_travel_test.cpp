@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/session/drawn_recording.h"
+#include "tests/session/fading_recording.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -13,6 +14,7 @@ namespace {
 using test::drawnInputs;
 using test::DrawnRecording;
 using test::eventually;
+using test::FadingRecording;
 using test::reaches;
 using test::sameBits;
 
@@ -174,40 +176,10 @@ TEST_P(TimeTravelTest, PlayingFromAMomentShowsWhatWasRecorded) {
   EXPECT_EQ(session.newest()->state, PlayState::Paused);
 }
 
-/// A recording in light that fades to half.
-class FadingRecording final : public FrameSetSource {
-public:
-  std::optional<std::int64_t> frameCount() const override { return kFrames; }
-  double framesPerSecond() const override { return 1e6; }
-  Result<FrameSetPtr> next() override {
-    if (next_ >= kFrames) {
-      return FrameSetPtr();
-    }
-    const auto bright = DrawnRecording::frame(next_);
-    auto set = std::make_shared<FrameSet>(*bright);
-    for (FramePtr& frame : set->frames) {
-      if (frame) {
-        auto dark = std::make_shared<Frame>(*frame);
-        dark->image = frame->image * (1.0 - 0.5 * double(next_) / kFrames);
-        frame = dark;
-      }
-    }
-    ++next_;
-    return set;
-  }
-  Status seek(std::int64_t frame) override {
-    next_ = frame;
-    return {};
-  }
-
-private:
-  std::int64_t next_ = 0;
-};
-
 TEST(TimeTravelOfColors, RangesThatFollowTheLightAreHeldByTheCopies) {
   const auto inputs = [] {
     SessionInputs result = drawnInputs("dewpoint", kFrames);
-    result.source = std::make_unique<FadingRecording>();
+    result.source = std::make_unique<FadingRecording>(kFrames);
     result.historyBytes = std::size_t{100} << 20;
     EXPECT_TRUE(result.project.parameters.set("color_adaptation", 0.5));
     return result;
