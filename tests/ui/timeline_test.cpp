@@ -41,8 +41,10 @@ private:
     return waitFor(
         [&] { return shown().frame == frame && window_->selection().moment() == frame; });
   }
+  /// What a view shows once it has drawn the newest snapshot; empty if it does not in time.
   QImage picture(const char* view) {
-    return window_->findChild<QWidget*>(QLatin1String(view))->grab().toImage();
+    auto* widget = window_->findChild<QWidget*>(QLatin1String(view));
+    return draws(*widget) ? widget->grab().toImage() : QImage();
   }
   void trigger(const char* action) {
     window_->findChild<QAction*>(QLatin1String(action))->trigger();
@@ -76,6 +78,7 @@ void TimelineTest::scrubbingShowsThatMomentInAllViews() {
   QCOMPARE(shown().frames->index, 12);
   QVERIFY(shown().targets.front().particles.rows() > 0);
   const QImage then = picture("cameraView0");
+  QVERIFY(!now.isNull() && !then.isNull());
   QVERIFY(then != now);
   QVERIFY(window_->findChild<QLabel*>(QStringLiteral("statusFrame"))
               ->text()
