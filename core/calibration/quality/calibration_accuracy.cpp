@@ -30,7 +30,7 @@ constexpr double kClearlyLarger = 1.5;    ///< five solutions scatter by chance 
 constexpr double kNinetyFive = 1.96;      ///< standard deviations, one axis
 constexpr double kNinetyFivePlane = 2.45; ///< two axes: sqrt(-2 log 0.05)
 /// m/s², of a fall.
-constexpr double kGravity = 9.81;
+constexpr double kGravity = 9.81;    ///< m/s²
 constexpr double kTouchSigma = 1e-3; ///< meters: how well a ball is held on the floor
 
 /// The instants whose stretch is (or is not) of a fold, with their observations.
