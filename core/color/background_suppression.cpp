@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/color/background_suppression.h"
 
-#include "core/color/color_evidence.h"
+#include "core/color/color_classifier.h"
 #include "core/color/match_image.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 
 namespace dewpoint::color {
@@ -18,10 +20,6 @@ bool isFamiliar(const cv::Vec3b& pixel, const cv::Vec3b& usual) {
     }
   }
   return true;
-}
-
-bool anyRoom(const std::vector<cv::Mat>& rooms) {
-  return std::ranges::any_of(rooms, [](const cv::Mat& room) { return !room.empty(); });
 }
 
 } // namespace
@@ -50,24 +48,6 @@ std::vector<cv::Mat> withoutBackgroundColors(const ColorRange& range,
     }
   }
   return result;
-}
-
-ColorAssessment assessColorWithBackground(const ColorRange& range,
-                                          const std::vector<ColorSample>& samples,
-                                          const std::vector<cv::Mat>& images,
-                                          const std::vector<cv::Mat>& rooms) {
-  return assessColor(range, samples,
-                     anyRoom(rooms) ? withoutBackgroundColors(range, images, rooms) : images);
-}
-
-Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
-                                              const std::vector<cv::Mat>& images,
-                                              const std::vector<cv::Mat>& rooms) {
-  const ColorEvidence evidence = colorEvidence(samples, images);
-  return learnRange(evidence).map([&](const ColorRange& range) {
-    const auto shown = anyRoom(rooms) ? withoutBackgroundColors(range, images, rooms) : images;
-    return LearnedColor{range, assessColor(range, samples, shown, evidence)};
-  });
 }
 
 } // namespace dewpoint::color

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/color/color_learning.h"
+#include "core/color/color_range.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -21,16 +21,5 @@ inline constexpr int kFamiliarShift = 3;
 std::vector<cv::Mat> withoutBackgroundColors(const ColorRange& range,
                                              const std::vector<cv::Mat>& images,
                                              const std::vector<cv::Mat>& rooms);
-
-/// assessColor() for trackers that know the empty rooms.
-ColorAssessment assessColorWithBackground(const ColorRange& range,
-                                          const std::vector<ColorSample>& samples,
-                                          const std::vector<cv::Mat>& images,
-                                          const std::vector<cv::Mat>& rooms);
-
-/// learnColor() with such an assessment.
-Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
-                                              const std::vector<cv::Mat>& images,
-                                              const std::vector<cv::Mat>& rooms);
 
 } // namespace dewpoint::color

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/color/color_learning.h"
 
+#include "core/color/background_suppression.h"
 #include "core/color/color_assessment.h"
 #include "core/color/color_classifier.h"
 #include "core/color/color_evidence.h"
@@ -34,6 +35,10 @@ ColorAssessment assessmentFrom(const ColorEvidence& evidence, const ColorRange& 
   return assessment;
 }
 
+bool anyRoom(const std::vector<cv::Mat>& rooms) {
+  return std::ranges::any_of(rooms, [](const cv::Mat& room) { return !room.empty(); });
+}
+
 } // namespace
 
 Result<ColorRange> learnRange(const ColorEvidence& evidence) {
@@ -43,7 +48,8 @@ Result<ColorRange> learnRange(const ColorEvidence& evidence) {
     return failure(ErrorCode::BadValue, {}, "samples",
                    "none of them shows a target that is not black");
   }
-  return fitRange(inOtherLight(evidence.target), evidence.rest);
+  const auto target = inOtherLight(evidence.target);
+  return withShortestHue(fitRange(target, evidence.rest), target, evidence.rest);
 }
 
 Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
@@ -62,6 +68,24 @@ ColorAssessment assessColor(const ColorRange& range, const std::vector<ColorSamp
 ColorAssessment assessColor(const ColorRange& range, const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images, const ColorEvidence& evidence) {
   return assessmentFrom(colorEvidence(samples, images, range, evidence), range, samples, images);
+}
+
+ColorAssessment assessColorWithBackground(const ColorRange& range,
+                                          const std::vector<ColorSample>& samples,
+                                          const std::vector<cv::Mat>& images,
+                                          const std::vector<cv::Mat>& rooms) {
+  return assessColor(range, samples,
+                     anyRoom(rooms) ? withoutBackgroundColors(range, images, rooms) : images);
+}
+
+Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
+                                              const std::vector<cv::Mat>& images,
+                                              const std::vector<cv::Mat>& rooms) {
+  const ColorEvidence evidence = colorEvidence(samples, images);
+  return learnRange(evidence).map([&](const ColorRange& range) {
+    const auto shown = anyRoom(rooms) ? withoutBackgroundColors(range, images, rooms) : images;
+    return LearnedColor{range, assessColor(range, samples, shown, evidence)};
+  });
 }
 
 } // namespace dewpoint::color

@@ -106,6 +106,18 @@ Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
 ColorAssessment assessColor(const ColorRange& range, const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images);
 
+/// learnColor() for trackers that know the empty rooms, which are in the order of the images
+/// (withoutBackgroundColors()).
+Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
+                                              const std::vector<cv::Mat>& images,
+                                              const std::vector<cv::Mat>& rooms);
+
+/// assessColor() for them.
+ColorAssessment assessColorWithBackground(const ColorRange& range,
+                                          const std::vector<ColorSample>& samples,
+                                          const std::vector<cv::Mat>& images,
+                                          const std::vector<cv::Mat>& rooms);
+
 /// The two steps of learnColor(), for callers that look at the evidence, which is most of the work,
 /// in other ways as well: the range, from the evidence of the samples without a range...
 Result<ColorRange> learnRange(const ColorEvidence& evidence);

@@ -86,11 +86,11 @@ double f1Score(double target, double rest, double all) {
   return 2.0 * target / (all + target + rest);
 }
 
-/// Every interval is tried. Around the circle the same colors lie in two intervals at least, one of
-/// them across the widest gap between them: of equal ones the shortest.
-Interval bestInterval(const Profile& profile, bool circular, double all) {
+/// Calls `visit` with each interval that begins where the target has a color; of equal beginnings
+/// the shorter first.
+template <class Visit>
+void forEachInterval(const Profile& profile, bool circular, double all, Visit visit) {
   const int bins = static_cast<int>(profile.target.size());
-  Interval best;
   for (int first = 0; first < bins; ++first) {
     if (profile.target[std::size_t(first)] <= 0.0) {
       continue; // a bin without the target is no end of the best interval
@@ -102,13 +102,19 @@ Interval bestInterval(const Profile& profile, bool circular, double all) {
       const auto bin = std::size_t((first + length - 1) % bins);
       target += profile.target[bin];
       rest += profile.rest[bin];
-      const double f1 = f1Score(target, rest, all);
-      const bool isShorter = circular && f1 > best.f1 - kRounding && length < best.length;
-      if (f1 > best.f1 + kRounding || isShorter) {
-        best = {first, length, f1};
-      }
+      visit(Interval{first, length, f1Score(target, rest, all)});
     }
   }
+}
+
+/// Every interval is tried; of equal ones the first found, that is the shortest from its start.
+Interval bestInterval(const Profile& profile, bool circular, double all) {
+  Interval best;
+  forEachInterval(profile, circular, all, [&](const Interval& interval) {
+    if (interval.f1 > best.f1) {
+      best = interval;
+    }
+  });
   return best;
 }
 
@@ -250,6 +256,34 @@ ColorRange fitRange(const std::vector<HsiColors>& target, const std::vector<HsiC
     }
   }
   return best;
+}
+
+ColorRange withShortestHue(const ColorRange& range, const std::vector<HsiColors>& target,
+                           const std::vector<HsiColors>& rest) {
+  ColorRange open = range;
+  openAxis(Axis::Hue, open);
+  if (range == open) {
+    return range; // every hue on purpose: see kWorthEveryHue
+  }
+  Profile profile;
+  count(Axis::Hue, open, target, profile.target, profile.targetGray);
+  count(Axis::Hue, open, rest, profile.rest, profile.restGray);
+  double all = 0.0;
+  for (const HsiColors& cell : target) {
+    all += cell.weight;
+  }
+  const double f1 = scoreRange(range, target, rest).f1;
+  Interval shortest{0, kHues, f1};
+  forEachInterval(profile, true, all, [&](const Interval& interval) {
+    if (std::abs(interval.f1 - f1) < kRounding && interval.length < shortest.length) {
+      shortest = interval;
+    }
+  });
+  ColorRange result = range;
+  if (shortest.length < kHues) {
+    setAxis(Axis::Hue, shortest, result);
+  }
+  return result;
 }
 
 } // namespace dewpoint::color

@@ -23,4 +23,10 @@ RangeScore scoreRange(const ColorRange& range, const std::vector<HsiColors>& tar
 /// colors. Weights are pixels on both sides. At least one color of the target that is not black.
 ColorRange fitRange(const std::vector<HsiColors>& target, const std::vector<HsiColors>& rest);
 
+/// The range with the fewest hues of the same score. Around the circle the same colors lie in two
+/// intervals at least, one of them across the widest gap between them: fitRange() may take that one
+/// where neither the target nor the rest has such a hue.
+ColorRange withShortestHue(const ColorRange& range, const std::vector<HsiColors>& target,
+                           const std::vector<HsiColors>& rest);
+
 } // namespace dewpoint::color

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/run_driver.h"
 
+#include "core/base/thread_count.h"
 #include "core/session/box_counterparts.h"
 #include "core/session/people/person_correction.h"
 #include "core/tracking/catalog/method_catalog.h"

@@ -28,13 +28,9 @@ struct SessionInputs {
   /// 0: 1 GB for live cameras, half of it for recordings.
   std::size_t historyBytes = 0;
   /// Threads that share the work of the filter at first; they never change its result. 0: as
-  /// filterThreads() says.
+  /// base::filterThreads() says.
   int threads = 0;
 };
-
-/// Threads of the filter when `wanted` are asked for; 0: as many as this machine runs at once, but
-/// one for cameras and window.
-int filterThreads(int wanted);
 
 /// What a person wants to work on: the project in a file (empty: the demo), or one that is in no
 /// file as it is.

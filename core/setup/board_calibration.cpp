@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/board_calibration.h"
 
+#include "core/base/thread_count.h"
 #include "core/base/thread_team.h"
 #include "core/calibration/board/view_choice.h"
 #include "core/calibration/quality/board_accuracy.h"
@@ -9,7 +10,6 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
-#include <thread>
 
 namespace dewpoint::setup {
 namespace {
@@ -147,9 +147,7 @@ Result<SeenBoards> findBoards(const Project& project, FrameSetSource& source,
   }
   const BoardDetector detector(wish.board);
   const auto effort = *total <= kFewFrames ? DetectionEffort::Exact : DetectionEffort::Live;
-  const auto threads =
-      std::min<std::size_t>(seen.cameras.size(), std::thread::hardware_concurrency());
-  ThreadTeam team(static_cast<int>(std::max<std::size_t>(1, threads)));
+  ThreadTeam team(threadsForTasks(seen.cameras.size()));
   const auto frames = framesToSearch(*total, wish);
   std::int64_t next = -1;
   for (std::size_t k = 0; k < frames.size(); ++k) {

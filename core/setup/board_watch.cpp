@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/board_watch.h"
 
-#include <algorithm>
+#include "core/base/thread_count.h"
+
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -9,14 +10,6 @@
 #include <utility>
 
 namespace dewpoint::setup {
-namespace {
-
-int threadsFor(const Project& project) {
-  const std::size_t most = std::max(1U, std::thread::hardware_concurrency());
-  return static_cast<int>(std::clamp<std::size_t>(project.cameras.size(), 1, most));
-}
-
-} // namespace
 
 class BoardWatch::Impl {
 public:
@@ -78,7 +71,8 @@ private:
       }
       if (orders.beginning) {
         const auto& [project, wish] = *orders.beginning;
-        guide = std::make_unique<BoardGuide>(project, wish, threadsFor(project));
+        guide =
+            std::make_unique<BoardGuide>(project, wish, threadsForTasks(project.cameras.size()));
       }
       if (guide) {
         obey(*guide, orders);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/scene_renderer.h"
 
+#include "core/base/thread_count.h"
 #include "core/base/thread_team.h"
 #include "core/simulation/body_painter.h"
 #include "core/simulation/room.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -39,9 +39,7 @@ SceneRenderer::Parts::Parts(Scene theScene) : scene(std::move(theScene)) {
                                             : simulation::Furnishing::Desk);
   const auto count = static_cast<std::int64_t>(scene.cameras.size());
   std::vector<std::optional<CameraView>> built(scene.cameras.size());
-  const auto processors = static_cast<std::int64_t>(std::thread::hardware_concurrency());
-  ThreadTeam team(
-      static_cast<int>(std::clamp<std::int64_t>(processors, 1, std::max<std::int64_t>(1, count))));
+  ThreadTeam team(threadsForTasks(scene.cameras.size()));
   team.forEachRange(count, [&](std::int64_t begin, std::int64_t end) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
       built[i].emplace(scene.cameras[i], room);

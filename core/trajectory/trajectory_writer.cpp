@@ -6,8 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
+#include <string>
 #include <string_view>
 
 namespace dewpoint::trajectory {
@@ -55,46 +54,22 @@ std::string rowText(const TrajectorySample& sample, bool hasSeen) {
 
 Result<TrajectoryWriter> TrajectoryWriter::create(const std::filesystem::path& path,
                                                   const TrajectoryHeader& header) {
-  std::FILE* file = std::fopen(path.c_str(), "wbe");
-  if (file == nullptr)
-    return failure(ErrorCode::FileUnwritable, path.string(), "", std::strerror(errno));
-  TrajectoryWriter writer(path.string(), file, header.hasSeen);
-  if (Status status = writer.put(headerText(header)); !status)
-    return tl::make_unexpected(status.error());
-  return writer;
+  auto file = GrowingFile::create(path);
+  if (!file) {
+    return tl::make_unexpected(file.error());
+  }
+  if (const Status written = file->append(headerText(header)); !written) {
+    return tl::make_unexpected(written.error());
+  }
+  return TrajectoryWriter(std::move(*file), header.hasSeen);
 }
 
 Status TrajectoryWriter::write(const TrajectorySample& sample) {
-  return put(rowText(sample, hasSeen_));
-}
-
-Status TrajectoryWriter::flush() {
-  if (!file_)
-    return failure(ErrorCode::FileUnwritable, name_, "", "it is closed already");
-  if (std::fflush(file_.get()) != 0)
-    return unwritable(errno);
-  return {};
+  return file_.append(rowText(sample, hasSeen_));
 }
 
 Status TrajectoryWriter::finish() {
-  if (Status status = flush(); !status)
-    return status;
-  // Some file systems report a full disk only here.
-  if (std::fclose(file_.release()) != 0)
-    return unwritable(errno);
-  return {};
-}
-
-Status TrajectoryWriter::put(const std::string& text) {
-  if (!file_)
-    return failure(ErrorCode::FileUnwritable, name_, "", "it is closed already");
-  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size())
-    return unwritable(errno);
-  return flush();
-}
-
-tl::unexpected<Error> TrajectoryWriter::unwritable(int reason) const {
-  return failure(ErrorCode::FileUnwritable, name_, "", std::strerror(reason));
+  return file_.close();
 }
 
 Status writeTrajectory(const Trajectory& trajectory, const std::filesystem::path& path) {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/error.h"
+#include "core/base/growing_file.h"
 #include "core/trajectory/trajectory.h"
 
-#include <cstdio>
 #include <filesystem>
-#include <memory>
-#include <string>
+#include <utility>
 
 namespace dewpoint::trajectory {
 
@@ -21,23 +19,13 @@ public:
                                          const TrajectoryHeader& header);
 
   Status write(const TrajectorySample& sample);
-  /// Hands everything written so far to the operating system.
-  Status flush();
-  /// Flushes and closes; nothing may be written after it.
+  /// Closes the file; nothing may be written after it.
   Status finish();
 
 private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
+  TrajectoryWriter(GrowingFile file, bool hasSeen) : file_(std::move(file)), hasSeen_(hasSeen) {}
 
-  TrajectoryWriter(std::string name, std::FILE* file, bool hasSeen)
-      : name_(std::move(name)), file_(file), hasSeen_(hasSeen) {}
-  Status put(const std::string& text);
-  tl::unexpected<Error> unwritable(int reason) const;
-
-  std::string name_;
-  std::unique_ptr<std::FILE, Close> file_;
+  GrowingFile file_;
   bool hasSeen_;
 };
 

@@ -71,14 +71,14 @@ FrameSet frameSet(const cv::Mat& image, double time) {
 }
 
 /// Seconds from the bump until it is reported; nothing when it never is. Ten seconds before it.
-std::optional<double> delayOf(CameraMotionDetector& sentinel, const Eigen::Vector3d& turn) {
+std::optional<double> delayOf(CameraMotionDetector& detector, const Eigen::Vector3d& turn) {
   const cv::Mat picture = wall();
   for (int i = 0; i < 150; ++i) {
     const double time = i / 10.0;
     const bool bumped = time >= 10.0;
-    sentinel.watch(frameSet(
+    detector.watch(frameSet(
         view(picture, bumped ? turn : Eigen::Vector3d::Zero().eval(), std::uint32_t(i)), time));
-    if (!sentinel.events().empty()) {
+    if (!detector.events().empty()) {
       return time - 10.0;
     }
   }
@@ -88,40 +88,40 @@ std::optional<double> delayOf(CameraMotionDetector& sentinel, const Eigen::Vecto
 TEST(CameraMotionDetector, ReportsATenthOfADegreeWithinTwoSeconds) {
   const Eigen::Vector3d turns[] = {{0.1, 0, 0}, {0, -0.1, 0}, {0, 0, 0.1}, {0.06, 0.06, 0.05}};
   for (const Eigen::Vector3d& degrees : turns) {
-    CameraMotionDetector sentinel({lens()});
-    const auto delay = delayOf(sentinel, degrees * kDegree);
+    CameraMotionDetector detector({lens()});
+    const auto delay = delayOf(detector, degrees * kDegree);
     ASSERT_TRUE(delay) << degrees.transpose();
     EXPECT_GE(*delay, 0.0) << "before the bump";
     EXPECT_LT(*delay, 2.0);
-    EXPECT_TRUE(sentinel.camera(0).moved);
+    EXPECT_TRUE(detector.camera(0).moved);
     // Half of the median's values may be from before: what is said then is between.
-    EXPECT_GT(sentinel.events()[0].turn.turn.norm(), 0.05 * kDegree);
+    EXPECT_GT(detector.events()[0].turn.turn.norm(), 0.05 * kDegree);
   }
 }
 
 TEST(CameraMotionDetector, MeasuresTheTurnWellAfterwards) {
   const cv::Mat picture = wall();
   const Eigen::Vector3d turn = Eigen::Vector3d(0.3, -0.2, 0.25) * kDegree;
-  CameraMotionDetector sentinel({lens()});
+  CameraMotionDetector detector({lens()});
   for (int i = 0; i < 60; ++i) {
-    sentinel.watch(frameSet(
+    detector.watch(frameSet(
         view(picture, i < 20 ? Eigen::Vector3d::Zero().eval() : turn, std::uint32_t(i)), i / 10.0));
   }
-  EXPECT_LT((sentinel.camera(0).turn.turn - turn).norm(), 0.01 * kDegree);
-  EXPECT_EQ(sentinel.events().size(), 1U);
+  EXPECT_LT((detector.camera(0).turn.turn - turn).norm(), 0.01 * kDegree);
+  EXPECT_EQ(detector.events().size(), 1U);
 }
 
 TEST(CameraMotionDetector, FindsLargeBumpsToo) {
-  CameraMotionDetector sentinel({lens()}); // 4 degrees are 38 px
-  const auto delay = delayOf(sentinel, Eigen::Vector3d(0.0, 4.0, 0.0) * kDegree);
+  CameraMotionDetector detector({lens()}); // 4 degrees are 38 px
+  const auto delay = delayOf(detector, Eigen::Vector3d(0.0, 4.0, 0.0) * kDegree);
   ASSERT_TRUE(delay);
   EXPECT_LT(*delay, 2.0);
-  EXPECT_NEAR(sentinel.events()[0].turn.turn.y() / kDegree, 4.0, 0.05);
+  EXPECT_NEAR(detector.events()[0].turn.turn.y() / kDegree, 4.0, 0.05);
 }
 
 TEST(CameraMotionDetector, LightAndMovingThingsAreNoBump) {
   const cv::Mat picture = wall();
-  CameraMotionDetector sentinel({lens()});
+  CameraMotionDetector detector({lens()});
   for (int i = 0; i < 300; ++i) {
     cv::Mat image = view(picture, Eigen::Vector3d::Zero(), std::uint32_t(i));
     // The lamp is dimmed to half, and a textured thing as large as a third of the image walks by.
@@ -129,48 +129,48 @@ TEST(CameraMotionDetector, LightAndMovingThingsAreNoBump) {
     const int left = (7 * i) % 640;
     const cv::Rect place(left, 0, std::min(210, 640 - left), 480);
     picture(cv::Rect(600, 300, place.width, 480)).copyTo(image(place));
-    sentinel.watch(frameSet(image, i / 10.0));
+    detector.watch(frameSet(image, i / 10.0));
   }
-  for (const CameraMotionEvent& event : sentinel.events()) {
+  for (const CameraMotionEvent& event : detector.events()) {
     ADD_FAILURE() << "frame " << event.frame << ", " << event.turn.turn.transpose() / kDegree
                   << " degrees, sigma " << event.turn.sigma / kDegree << ", " << event.turn.used
                   << " pieces";
   }
-  EXPECT_TRUE(sentinel.camera(0).judged);
-  EXPECT_LT(sentinel.camera(0).turn.turn.norm(), 0.01 * kDegree);
+  EXPECT_TRUE(detector.camera(0).judged);
+  EXPECT_LT(detector.camera(0).turn.turn.norm(), 0.01 * kDegree);
 }
 
 TEST(CameraMotionDetector, ACameraThatSeesNothingIsNotJudged) {
-  CameraMotionDetector sentinel({lens()});
+  CameraMotionDetector detector({lens()});
   const cv::Mat gray(480, 640, CV_8UC3, cv::Scalar::all(90));
   for (int i = 0; i < 30; ++i) {
-    sentinel.watch(frameSet(gray, i / 10.0));
+    detector.watch(frameSet(gray, i / 10.0));
   }
-  EXPECT_FALSE(sentinel.camera(0).judged);
-  EXPECT_TRUE(sentinel.events().empty());
+  EXPECT_FALSE(detector.camera(0).judged);
+  EXPECT_TRUE(detector.events().empty());
 }
 
 TEST(CameraMotionDetector, ComesBackAndStartsAnewWhenAccepted) {
   const cv::Mat picture = wall();
   const Eigen::Vector3d turn = Eigen::Vector3d(0.0, 0.2, 0.0) * kDegree;
-  CameraMotionDetector sentinel({lens()});
+  CameraMotionDetector detector({lens()});
   std::uint32_t frame = 0;
   const auto stand = [&](const Eigen::Vector3d& as) {
     for (int i = 0; i < 30; ++i, ++frame) {
-      sentinel.watch(frameSet(view(picture, as, frame), frame / 10.0));
+      detector.watch(frameSet(view(picture, as, frame), frame / 10.0));
     }
   };
   stand(Eigen::Vector3d::Zero());
   stand(turn);
-  EXPECT_TRUE(sentinel.camera(0).moved);
+  EXPECT_TRUE(detector.camera(0).moved);
   stand(Eigen::Vector3d::Zero());
-  EXPECT_FALSE(sentinel.camera(0).moved);
+  EXPECT_FALSE(detector.camera(0).moved);
   stand(turn);
-  EXPECT_EQ(sentinel.events().size(), 2U);
-  sentinel.accept(0, lens());
+  EXPECT_EQ(detector.events().size(), 2U);
+  detector.accept(0, lens());
   stand(turn);
-  EXPECT_FALSE(sentinel.camera(0).moved);
-  EXPECT_LT(sentinel.camera(0).turn.turn.norm(), 0.01 * kDegree);
+  EXPECT_FALSE(detector.camera(0).moved);
+  EXPECT_LT(detector.camera(0).turn.turn.norm(), 0.01 * kDegree);
 }
 
 } // namespace

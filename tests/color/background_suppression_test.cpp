@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/color/background_suppression.h"
+#include "core/color/color_classifier.h"
+#include "core/color/color_learning.h"
 #include "core/color/match_image.h"
 
 #include <gtest/gtest.h>

@@ -59,12 +59,21 @@ TEST(RangeFit, HuesGoRoundThroughZero) {
 
 // Nothing lies on the other side of the circle, which is no reason to let it through.
 TEST(RangeFit, HuesAroundZeroAreHeldTightlyToo) {
-  const ColorRange even = fitRange({cell(355, 50), cell(5, 50)}, {});
+  const std::vector<HsiColors> target{cell(355, 50), cell(5, 50)};
+  const ColorRange even = withShortestHue(fitRange(target, {}), target, {});
   expectRange(even, 354.5, 5.5, 0.495, 0.505, 0.495, 0.505);
   // Tenths have no exact sum: in another order it is another one.
-  const ColorRange uneven =
-      fitRange({cell(0, 0.1), cell(10, 0.2), cell(345, 0.3), cell(350, 0.7)}, {});
+  const std::vector<HsiColors> tenths{cell(0, 0.1), cell(10, 0.2), cell(345, 0.3), cell(350, 0.7)};
+  const ColorRange uneven = withShortestHue(fitRange(tenths, {}), tenths, {});
   expectRange(uneven, 344.5, 10.5, 0.495, 0.505, 0.495, 0.505);
+}
+
+TEST(ShortestHue, LeavesARangeOfEveryHueAndTheOnlyBestOne) {
+  const std::vector<HsiColors> target{cell(10, 50), cell(40, 50)};
+  const ColorRange every{0.0, 360.0};
+  EXPECT_EQ(withShortestHue(every, target, {}), every);
+  const ColorRange found = fitRange(target, {cell(200, 50)});
+  EXPECT_EQ(withShortestHue(found, target, {cell(200, 50)}), found);
 }
 
 // Nine tenths of the target at hue 10, one tenth at 40, something else at 25, and much at 200, so

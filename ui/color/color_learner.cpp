@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/color/color_learner.h"
 
+#include "core/color/color_learning.h"
 #include "core/project/project.h"
 #include "ui/color/fresh_target.h"
 #include "ui/document/document.h"

@@ -53,7 +53,7 @@ public:
   void setLastFolderOf(const QString& chosen);
 
   /// How many threads the filter uses from the next run on; 0: as core/session chooses
-  /// (session::filterThreads). Results are the same with any number.
+  /// (base::filterThreads). Results are the same with any number.
   int filterThreads() const;
   void setFilterThreads(int threads);
 

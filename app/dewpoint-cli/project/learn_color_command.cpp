@@ -5,7 +5,7 @@
 #include "app/dewpoint-cli/project/sample_argument.h"
 #include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
-#include "core/color/background_suppression.h"
+#include "core/color/color_learning.h"
 #include "core/color/match_image.h"
 #include "core/project/project_check.h"
 #include "core/project/project_save.h"

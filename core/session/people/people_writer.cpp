@@ -6,9 +6,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cerrno>
-#include <cstring>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
 
 namespace dewpoint::session {
 namespace {
@@ -53,6 +54,16 @@ std::string groundRows(const PersonEstimate& person, const GroundGrid& density,
   return text;
 }
 
+Result<GrowingFile> table(const std::filesystem::path& path, std::string_view header) {
+  auto file = GrowingFile::create(path);
+  if (file) {
+    if (const Status written = file->append(header); !written) {
+      return tl::make_unexpected(written.error());
+    }
+  }
+  return file;
+}
+
 } // namespace
 
 TrajectorySample sampleOf(const PersonEstimate& person, std::int64_t frame, double time) {
@@ -68,25 +79,10 @@ TrajectorySample sampleOf(const PersonEstimate& person, std::int64_t frame, doub
   return sample;
 }
 
-Status PeopleWriter::Table::put(const std::string& text) const {
-  if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
-      std::fflush(file.get()) != 0) {
-    return failure(ErrorCode::FileUnwritable, name, "", std::strerror(errno));
-  }
-  return {};
-}
-
-Result<PeopleWriter::Table> PeopleWriter::open(const std::filesystem::path& file,
-                                               const std::string& columns) {
-  Table table{file.string(), std::unique_ptr<std::FILE, Close>(std::fopen(file.c_str(), "w"))};
-  if (!table.file) {
-    return failure(ErrorCode::FileUnwritable, table.name, "", std::strerror(errno));
-  }
-  if (const auto written = table.put(columns + "\n"); !written) {
-    return tl::make_unexpected(written.error());
-  }
-  return table;
-}
+PeopleWriter::PeopleWriter(TrajectoryWriter trajectory, GrowingFile volumes, GrowingFile hulls,
+                           GrowingFile ground)
+    : trajectory_(std::move(trajectory)), volumes_(std::move(volumes)), hulls_(std::move(hulls)),
+      ground_(std::move(ground)) {}
 
 Result<PeopleWriter> PeopleWriter::create(const std::filesystem::path& folder,
                                           const TrajectoryHeader& header) {
@@ -99,21 +95,22 @@ Result<PeopleWriter> PeopleWriter::create(const std::filesystem::path& folder,
   if (!trajectory) {
     return tl::make_unexpected(trajectory.error());
   }
-  PeopleWriter writer(std::move(*trajectory));
-  const std::array<std::pair<Table*, std::pair<const char*, const char*>>, 3> tables{
-      {{&writer.volumes_,
-        {"volumes.csv", "frame,time_s,person,volume_m3,vertices,interacting,hue,saturation,"
-                        "height_m"}},
-       {&writer.hulls_, {"hulls.csv", "frame,person,vertex,x_m,y_m,z_m"}},
-       {&writer.ground_, {"ground.csv", "frame,person,probability,curve,point,x_m,y_m"}}}};
-  for (const auto& [table, what] : tables) {
-    auto opened = open(folder / what.first, what.second);
-    if (!opened) {
-      return tl::make_unexpected(opened.error());
-    }
-    *table = std::move(*opened);
+  auto volumes =
+      table(folder / "volumes.csv",
+            "frame,time_s,person,volume_m3,vertices,interacting,hue,saturation,height_m\n");
+  if (!volumes) {
+    return tl::make_unexpected(volumes.error());
   }
-  return writer;
+  auto hulls = table(folder / "hulls.csv", "frame,person,vertex,x_m,y_m,z_m\n");
+  if (!hulls) {
+    return tl::make_unexpected(hulls.error());
+  }
+  auto ground = table(folder / "ground.csv", "frame,person,probability,curve,point,x_m,y_m\n");
+  if (!ground) {
+    return tl::make_unexpected(ground.error());
+  }
+  return PeopleWriter(std::move(*trajectory), std::move(*volumes), std::move(*hulls),
+                      std::move(*ground));
 }
 
 Status PeopleWriter::writePerson(const PersonEstimate& person, const BodyCloud& body,
@@ -122,13 +119,13 @@ Status PeopleWriter::writePerson(const PersonEstimate& person, const BodyCloud& 
   if (const auto written = trajectory_.write(sampleOf(person, frame, time)); !written) {
     return written;
   }
-  if (const auto written = volumes_.put(volumeRow(person, hull, frame, time)); !written) {
+  if (const auto written = volumes_.append(volumeRow(person, hull, frame, time)); !written) {
     return written;
   }
-  if (const auto written = hulls_.put(hullRows(person, hull, frame)); !written) {
+  if (const auto written = hulls_.append(hullRows(person, hull, frame)); !written) {
     return written;
   }
-  return ground_.put(groundRows(person, groundDensity(body), frame));
+  return ground_.append(groundRows(person, groundDensity(body), frame));
 }
 
 Status PeopleWriter::write(const PeopleFinding& people, std::int64_t frame, double time) {
@@ -142,7 +139,14 @@ Status PeopleWriter::write(const PeopleFinding& people, std::int64_t frame, doub
 }
 
 Status PeopleWriter::finish() {
-  return trajectory_.finish();
+  // All are closed, whatever is said of one of them.
+  Status finished = trajectory_.finish();
+  for (GrowingFile* file : {&volumes_, &hulls_, &ground_}) {
+    if (const Status closed = file->close(); finished && !closed) {
+      finished = closed;
+    }
+  }
+  return finished;
 }
 
 } // namespace dewpoint::session

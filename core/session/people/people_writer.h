@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/error.h"
+#include "core/base/growing_file.h"
 #include "core/tracking/tracker_capabilities.h"
 #include "core/trajectory/trajectory_writer.h"
 
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
-#include <string>
 
 namespace dewpoint::session {
 
@@ -38,22 +35,13 @@ public:
   Status finish();
 
 private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  struct Table {
-    std::string name;
-    std::unique_ptr<std::FILE, Close> file;
-    Status put(const std::string& text) const;
-  };
-
-  explicit PeopleWriter(TrajectoryWriter trajectory) : trajectory_(std::move(trajectory)) {}
-  static Result<Table> open(const std::filesystem::path& file, const std::string& columns);
+  PeopleWriter(TrajectoryWriter trajectory, GrowingFile volumes, GrowingFile hulls,
+               GrowingFile ground);
 
   TrajectoryWriter trajectory_;
-  Table volumes_;
-  Table hulls_;
-  Table ground_;
+  GrowingFile volumes_;
+  GrowingFile hulls_;
+  GrowingFile ground_;
 };
 
 } // namespace dewpoint::session

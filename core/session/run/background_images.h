@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/color/background_suppression.h"
+#include "core/base/error.h"
 #include "core/project/project.h"
 
 #include <opencv2/core/mat.hpp>

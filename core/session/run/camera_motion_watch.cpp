@@ -40,7 +40,7 @@ Result<ResolvedCamera> resolveCameraMotion(const Camera& camera, const CameraRot
 }
 
 CameraMotionWatch::CameraMotionWatch(const CameraRig& rig)
-    : rig_(rig), sentinel_(rig), sightings_(rig), solvedAt_(rig.size()) {}
+    : rig_(rig), detector_(rig), sightings_(rig), solvedAt_(rig.size()) {}
 
 bool CameraMotionWatch::isSolved(const CameraMotionEvent& event) const {
   const auto& at = solvedAt_[event.camera];
@@ -48,7 +48,7 @@ bool CameraMotionWatch::isSolved(const CameraMotionEvent& event) const {
 }
 
 void CameraMotionWatch::restart() {
-  sentinel_.restart();
+  detector_.restart();
   sightings_.restart();
   reports_.clear();
   eventsSeen_ = 0;
@@ -63,7 +63,7 @@ void CameraMotionWatch::setCameras(const CameraRig& rig) {
       const auto bumped = std::ranges::find_if(
           reports_, [&](const CameraMotionReport& one) { return one.event.camera == k; });
       solvedAt_[k] = bumped != reports_.end() ? std::optional(bumped->event.frame) : std::nullopt;
-      sentinel_.accept(k, rig[k]);
+      detector_.accept(k, rig[k]);
       std::erase_if(reports_,
                     [&](const CameraMotionReport& report) { return report.event.camera == k; });
     }
@@ -77,7 +77,7 @@ void CameraMotionWatch::setResting(bool resting) {
     for (std::size_t k = 0; k < rig_.size(); ++k) {
       if (std::ranges::none_of(
               reports_, [&](const CameraMotionReport& one) { return one.event.camera == k; })) {
-        sentinel_.accept(k, rig_[k]);
+        detector_.accept(k, rig_[k]);
       }
     }
   }
@@ -99,12 +99,12 @@ void CameraMotionWatch::watch(const FrameSet& frames, const std::vector<Target>&
     return;
   }
   lastTime_ = time;
-  sentinel_.watch(frames);
+  detector_.watch(frames);
   sightings_.add(frames, targets, estimates);
-  for (; eventsSeen_ < sentinel_.events().size(); ++eventsSeen_) {
-    const auto event = sentinel_.events()[eventsSeen_];
+  for (; eventsSeen_ < detector_.events().size(); ++eventsSeen_) {
+    const auto event = detector_.events()[eventsSeen_];
     if (isSolved(event)) {
-      sentinel_.accept(event.camera, rig_[event.camera]);
+      detector_.accept(event.camera, rig_[event.camera]);
     } else {
       reports_.emplace_back().event = event;
     }
@@ -121,11 +121,11 @@ void CameraMotionWatch::watch(const FrameSet& frames, const std::vector<Target>&
 void CameraMotionWatch::update(CameraMotionReport& report, double time) {
   const std::size_t camera = report.event.camera;
   const double since = seconds(report.event.time) + kSettled;
-  report.back = !sentinel_.camera(camera).moved;
+  report.back = !detector_.camera(camera).moved;
   if (const auto now = sightings_.summary(camera, time - kWindow, kFewest)) {
     report.targetPixels = now->residual.norm();
   }
-  const CameraRotation& turn = sentinel_.camera(camera).turn;
+  const CameraRotation& turn = detector_.camera(camera).turn;
   // With two cameras the estimate leans on the bumped one too: the background alone is better.
   const auto& sightings =
       rig_.size() < 3 ? std::deque<ReprojectionResidual>() : sightings_.of(camera);

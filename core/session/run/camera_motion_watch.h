@@ -55,7 +55,7 @@ private:
   bool isSolved(const CameraMotionEvent& event) const;
 
   CameraRig rig_;
-  CameraMotionDetector sentinel_;
+  CameraMotionDetector detector_;
   ReprojectionResiduals sightings_;
   std::vector<std::optional<std::int64_t>> solvedAt_; ///< per camera, frame of a bump taken in
   std::size_t eventsSeen_ = 0;

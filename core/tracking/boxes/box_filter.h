@@ -41,7 +41,7 @@ concept BoxFilter = std::copy_constructible<F> && std::constructible_from<F, Par
 /// with its center: BadValue names "image" or "box".
 Status checkBox(const cv::Mat& bgr, const ImageBox& box);
 
-/// The box around the thing that was clicked (see growRegion()): BadValue names "pixel" or "image".
+/// The box around the thing that was clicked (see clickBox()): BadValue names "pixel" or "image".
 Result<ImageBox> boxFromClick(const cv::Mat& bgr, double x, double y);
 
 } // namespace dewpoint::tracking

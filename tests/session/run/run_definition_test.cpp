@@ -211,12 +211,6 @@ TEST_P(FilterThreads, AnotherNumberTakesOverInTheMiddleOfARun) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, FilterThreads, testing::Values("dewpoint", "barrera"));
 
-TEST(FilterThreadCount, IsAsWantedOrWhatTheMachineHas) {
-  EXPECT_EQ(filterThreads(1), 1);
-  EXPECT_EQ(filterThreads(7), 7);
-  EXPECT_GE(filterThreads(0), 1);
-}
-
 /// Notes what it is told.
 class Notes final : public FrameObserver {
 public:
