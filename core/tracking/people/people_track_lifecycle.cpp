@@ -235,7 +235,7 @@ PeopleTrackLifecycle::Sight PeopleTrackLifecycle::sightOf(std::size_t person,
   return sight;
 }
 
-void PeopleTrackLifecycle::judgeSight() {
+void PeopleTrackLifecycle::updateVisibility() {
   const double interval = cameras_.interval();
   for (std::size_t person = 0; person < people_.size(); ++person) {
     PersonEstimate& estimate = people_[person];
@@ -266,7 +266,7 @@ void PeopleTrackLifecycle::judgeSight() {
   }
 }
 
-void PeopleTrackLifecycle::dismiss() {
+void PeopleTrackLifecycle::terminateTracks() {
   for (std::size_t k = people_.size(); k-- > 0;) {
     if (!settings_.area.contains(placeOf(people_[k])) || people_[k].existence <= 0.0) {
       leave(people_[k].identity);
@@ -274,7 +274,7 @@ void PeopleTrackLifecycle::dismiss() {
   }
 }
 
-void PeopleTrackLifecycle::giveBirth() {
+void PeopleTrackLifecycle::initiateTracks() {
   std::vector<Eigen::Vector2d> taken;
   for (const PersonEstimate& person : people_) {
     taken.push_back(placeOf(person));
@@ -296,10 +296,10 @@ void PeopleTrackLifecycle::step(const FrameSet& frames, ThreadTeam& team) {
     return; // learning, or no images: what is believed stays as it is
   }
   update(team);
-  judgeSight();
-  dismiss();
+  updateVisibility();
+  terminateTracks();
   if (settings_.births) {
-    giveBirth();
+    initiateTracks();
   }
 }
 

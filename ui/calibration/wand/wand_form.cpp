@@ -72,9 +72,10 @@ void WandForm::build() {
   size_ = makeChoice("wandSize", this);
   distanceLabel_ = new QLabel(this);
   distance_ = makeNumberField(QStringLiteral("wandDistance"), {0.1, 1e5, 1.0, 2}, this);
-  roughLabel_ = new QLabel(this);
-  roughPlace_ = makeNumberField(QStringLiteral("wandRoughPlace"), {0.1, 1e4, 1.0, 1}, this);
-  roughTurn_ = makeNumberField(QStringLiteral("wandRoughTurn"), {0.1, 90.0, 1.0, 1}, this);
+  initialErrorLabel_ = new QLabel(this);
+  initialPositionError_ =
+      makeNumberField(QStringLiteral("wandRoughPlace"), {0.1, 1e4, 1.0, 1}, this);
+  initialTurnError_ = makeNumberField(QStringLiteral("wandRoughTurn"), {0.1, 90.0, 1.0, 1}, this);
   offsets_ = makeCheck("wandOffsets", this);
   focal_ = makeCheck("wandFocal", this);
   distortion_ = makeCheck("wandDistortion", this);
@@ -96,10 +97,10 @@ void WandForm::build() {
   row(3, lengthLabel_, length_);
   row(4, sizeLabel_, size_);
   row(5, distanceLabel_, distance_);
-  grid->addWidget(roughLabel_, 6, 0);
-  grid->addWidget(roughPlace_, 6, 1);
-  grid->addWidget(roughTurn_, 6, 2);
-  roughLabel_->setBuddy(roughPlace_);
+  grid->addWidget(initialErrorLabel_, 6, 0);
+  grid->addWidget(initialPositionError_, 6, 1);
+  grid->addWidget(initialTurnError_, 6, 2);
+  initialErrorLabel_->setBuddy(initialPositionError_);
   int at = 7; // one below the other: some languages need the width
   for (QWidget* check : std::initializer_list<QWidget*>{offsets_, focal_, distortion_, span_}) {
     grid->addWidget(check, at++, 0, 1, 3);
@@ -124,11 +125,11 @@ void WandForm::connectFields() {
   connect(distance_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     edit([=](WandSettings& wish) { wish.distance = value / 100.0; });
   });
-  connect(roughPlace_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([=](WandSettings& wish) { wish.roughPosition = value / 100.0; });
+  connect(initialPositionError_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    edit([=](WandSettings& wish) { wish.initialPositionError = value / 100.0; });
   });
-  connect(roughTurn_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([=](WandSettings& wish) { wish.roughTurn = value * base::kDegree; });
+  connect(initialTurnError_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    edit([=](WandSettings& wish) { wish.initialTurnError = value * base::kDegree; });
   });
   const auto check = [this](QCheckBox* box, bool WandSettings::*field) {
     connect(box, &QCheckBox::clicked, this, [this, field](bool checked) {
@@ -178,8 +179,8 @@ void WandForm::refresh() {
   ::dewpoint::ui::show(*size_, static_cast<int>(wish.size));
   showValue(*length_, 100.0 * wish.length);
   showValue(*distance_, 100.0 * wish.distance);
-  showValue(*roughPlace_, 100.0 * wish.roughPosition);
-  showValue(*roughTurn_, wish.roughTurn / base::kDegree);
+  showValue(*initialPositionError_, 100.0 * wish.initialPositionError);
+  showValue(*initialTurnError_, wish.initialTurnError / base::kDegree);
   offsets_->setChecked(wish.findOffsets);
   focal_->setChecked(wish.findFocal);
   distortion_->setChecked(wish.findDistortion);
@@ -226,13 +227,13 @@ void WandForm::retranslateUi() {
   name(distance_, tr("Distance touched"),
        tr("Between the two places that the middle of the ball was held at"));
   distance_->setSuffix(tr(" cm"));
-  roughLabel_->setText(tr("Off by up to"));
-  name(roughPlace_, tr("How far cameras may be off"),
+  initialErrorLabel_->setText(tr("Off by up to"));
+  name(initialPositionError_, tr("How far cameras may be off"),
        tr("How well the cameras are nudged: about how far each may be from its true place"));
-  roughPlace_->setSuffix(tr(" cm"));
-  name(roughTurn_, tr("How much cameras may be turned"),
+  initialPositionError_->setSuffix(tr(" cm"));
+  name(initialTurnError_, tr("How much cameras may be turned"),
        tr("About how far each may be turned from where it truly looks"));
-  roughTurn_->setSuffix(QStringLiteral("°"));
+  initialTurnError_->setSuffix(QStringLiteral("°"));
   check(offsets_, tr("Find time offsets"),
         tr("For cameras that do not take their images at the same instants"));
   check(focal_, tr("Find focal lengths"), tr("For lenses that were never calibrated, or zoomed"));

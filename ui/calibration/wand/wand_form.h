@@ -48,9 +48,9 @@ private:
   QComboBox* size_;
   QLabel* distanceLabel_;
   QDoubleSpinBox* distance_;
-  QLabel* roughLabel_;
-  QDoubleSpinBox* roughPlace_;
-  QDoubleSpinBox* roughTurn_;
+  QLabel* initialErrorLabel_;
+  QDoubleSpinBox* initialPositionError_;
+  QDoubleSpinBox* initialTurnError_;
   QCheckBox* offsets_;
   QCheckBox* focal_;
   QCheckBox* distortion_;

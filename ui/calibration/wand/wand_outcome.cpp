@@ -173,9 +173,10 @@ void WandOutcome::showOutcome() {
       notes << QStringLiteral("⚠ ") + faultWords(fault, cameraNames(found->before));
     }
     if (saysTooLittle(*found)) {
-      notes << QStringLiteral("⚠ ") + tr("That is less sure than the cameras were (off by up to %1 "
-                                         "cm): wave through more of the volume.")
-                                          .arg(numberText(100.0 * found->options.roughPosition, 1));
+      notes << QStringLiteral("⚠ ") +
+                   tr("That is less sure than the cameras were (off by up to %1 "
+                      "cm): wave through more of the volume.")
+                       .arg(numberText(100.0 * found->options.initialPositionError, 1));
     }
     if (!desk_.isApplied()) {
       notes << tr("The cameras are as they were.");
