@@ -329,7 +329,7 @@ void PlotsTest::trajectoryCsvIsWhatIsSelected() {
   QCOMPARE(lines.size(), 2);
   const QStringList cells = lines.last().split(QLatin1Char(','));
   QCOMPARE(cells[1], QStringLiteral("7"));
-  // The table shows the same place, to a tenth of a millimetre.
+  // The table shows the same place, to a tenth of a millimeter.
   const QString shown = table().model()->index(7, 3).data().toString();
   QCOMPARE(QLocale::c().toString(cells[3].toDouble(), 'f', 4).replace('-', QChar(0x2212)), shown);
   window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();

@@ -175,8 +175,8 @@ Eigen::Vector3d Scene3d::placeInWorld(const Eigen::Vector2d& place,
   return parts_->scale.world(place, depth);
 }
 
-double Scene3d::metresPerPixel() const {
-  return parts_->scale.metresPerPixel;
+double Scene3d::metersPerPixel() const {
+  return parts_->scale.metersPerPixel;
 }
 
 } // namespace dewpoint::ui

@@ -78,7 +78,7 @@ public:
   /// The point that is there, as far from the eye as `depth` is: the inverse of placeInPicture().
   Eigen::Vector3d placeInWorld(const Eigen::Vector2d& place, const Eigen::Vector3d& depth) const;
   /// Meters per device pixel at the focus, as of the last `prepareFrame`.
-  double metresPerPixel() const;
+  double metersPerPixel() const;
 
 private:
   std::unique_ptr<SceneParts> parts_;

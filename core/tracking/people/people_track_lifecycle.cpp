@@ -257,7 +257,7 @@ void PeopleTrackLifecycle::updateVisibility() {
       unseen += seeing > 0 && seeing + unable >= needed ? interval / kHiddenPatience : interval;
     }
     estimate.camerasSeeing = seeing;
-    estimate.existence = std::clamp(1.0 - unseen / settings_.survivalTime, 0.0, 1.0);
+    estimate.existenceProbability = std::clamp(1.0 - unseen / settings_.survivalTime, 0.0, 1.0);
     estimate.age += interval;
     estimate.interacting = std::ranges::any_of(people_, [&](const PersonEstimate& other) {
       return other.identity != estimate.identity &&
@@ -268,7 +268,7 @@ void PeopleTrackLifecycle::updateVisibility() {
 
 void PeopleTrackLifecycle::terminateTracks() {
   for (std::size_t k = people_.size(); k-- > 0;) {
-    if (!settings_.area.contains(placeOf(people_[k])) || people_[k].existence <= 0.0) {
+    if (!settings_.area.contains(placeOf(people_[k])) || people_[k].existenceProbability <= 0.0) {
       leave(people_[k].identity);
     }
   }

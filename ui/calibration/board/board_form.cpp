@@ -120,7 +120,7 @@ void BoardForm::build() {
   dictionaryLabel_->setBuddy(dictionary_);
 }
 
-double BoardForm::metresPerUnit() const {
+double BoardForm::metersPerUnit() const {
   return kUnits.at(static_cast<std::size_t>(std::max(0, unit_->currentIndex()))).meters;
 }
 
@@ -137,12 +137,12 @@ void BoardForm::connectFields() {
     edit([value](Board& board) { board = withSquares(board, board.squareColumns(), value); });
   });
   connect(size_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([meters = value * metresPerUnit()](Board& board) {
+    edit([meters = value * metersPerUnit()](Board& board) {
       board = withSquareSize(board, meters);
     });
   });
   connect(marker_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([meters = value * metresPerUnit()](Board& board) {
+    edit([meters = value * metersPerUnit()](Board& board) {
       board = withMarkerSize(board, meters);
     });
   });

@@ -33,7 +33,7 @@ private:
   void retranslateUi();
   void refresh();
   void edit(const std::function<void(BoardDescription&)>& change);
-  double metresPerUnit() const;
+  double metersPerUnit() const;
 
   BoardCalibrator& desk_;
   QLabel* kindLabel_;

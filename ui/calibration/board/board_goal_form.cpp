@@ -22,7 +22,7 @@ namespace {
 
 /// In the order of the choice.
 constexpr std::array<BoardGoal, 3> kGoals{{{true, true}, {true, false}, {false, true}}};
-constexpr double kMillimetre = 1e-3;
+constexpr double kMillimeter = 1e-3;
 
 } // namespace
 
@@ -112,7 +112,7 @@ void BoardGoalForm::connectFields() {
     edit([pixels](BoardGuideRequest& wish) { wish.lenses.requestedProjectionPx = pixels; });
   });
   connect(placeAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double millimeters) {
-    edit([=](BoardGuideRequest& wish) { wish.requestedPosition = kMillimetre * millimeters; });
+    edit([=](BoardGuideRequest& wish) { wish.requestedPosition = kMillimeter * millimeters; });
   });
 }
 
@@ -177,7 +177,7 @@ void BoardGoalForm::refresh() {
   lensAccuracy_->setVisible(live && wish.goal.lenses);
   placeAccuracy_->setVisible(live && wish.goal.poses);
   showValue(*lensAccuracy_, wish.lenses.requestedProjectionPx);
-  showValue(*placeAccuracy_, wish.requestedPosition / kMillimetre);
+  showValue(*placeAccuracy_, wish.requestedPosition / kMillimeter);
 }
 
 } // namespace dewpoint::ui
