@@ -34,7 +34,7 @@ void CameraMotionAlerts::setSnapshot(const TrackSnapshotPtr& shown) {
 
 void CameraMotionAlerts::withdraw() {
   if (!text_.isEmpty() && bar_.text() == text_) {
-    bar_.close();
+    bar_.dismiss();
   }
   text_.clear();
 }

@@ -41,7 +41,7 @@ public:
   void setPixelRatio(double ratio);
   /// Shows one moment. Values that are not finite are left out. The first snapshot with something
   /// to see (and each new rig) also frames the current view, unless the user moved the camera.
-  void show(const TrackSnapshot& snapshot);
+  void setSnapshot(const TrackSnapshot& snapshot);
   /// The selected target; a person stands out. -1: none.
   void choose(int target);
   /// Marks these positions: one stroke for each, meters. Stays until it is called again.

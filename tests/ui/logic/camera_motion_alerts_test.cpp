@@ -70,7 +70,7 @@ TEST_F(CameraMotionAlertsTest, WithoutAPoseCalibrationIsOffered) {
 
 TEST_F(CameraMotionAlertsTest, WhoClosesTheBarIsLeftAlone) {
   messages_.setSnapshot(at(11.0, true));
-  bar_.close();
+  bar_.dismiss();
   messages_.setSnapshot(at(12.0, true));
   EXPECT_FALSE(bar_.isVisibleTo(&window_));
   messages_.setSnapshot(nullptr); // another run

@@ -43,7 +43,8 @@ QSpinBox* makeCount(const char* name, QWidget* parent) {
 
 } // namespace
 
-BoardForm::BoardForm(BoardCalibrator& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+BoardForm::BoardForm(BoardCalibrator& calibrator, QWidget* parent)
+    : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("boardFields"));
   build();
   connectFields();
@@ -126,7 +127,7 @@ double BoardForm::metersPerUnit() const {
 
 void BoardForm::connectFields() {
   using Board = BoardDescription;
-  connect(&desk_, &BoardCalibrator::wishChanged, this, &BoardForm::refresh);
+  connect(&calibrator_, &BoardCalibrator::wishChanged, this, &BoardForm::refresh);
   connect(kind_, &QComboBox::activated, this, [this](int index) {
     edit([index](Board& board) { board = withKind(board, static_cast<Board::Kind>(index)); });
   });
@@ -158,13 +159,13 @@ void BoardForm::connectFields() {
 }
 
 void BoardForm::edit(const std::function<void(BoardDescription&)>& change) {
-  BoardGuideRequest wish = desk_.wish();
+  BoardGuideRequest wish = calibrator_.wish();
   BoardDescription board = wish.board.board;
   change(board);
   const Status checked = checkBoard(board);
   if (checked) {
     wish.board.board = board;
-    desk_.setWish(wish);
+    calibrator_.setWish(wish);
   }
   refresh(); // also when it was refused
   if (!checked) {
@@ -176,7 +177,7 @@ void BoardForm::print() {
   const QString chosen = QFileDialog::getSaveFileName(
       this, tr("Print the board"), QStringLiteral("board.pdf"), tr("PDF (*.pdf)"));
   if (!chosen.isEmpty()) {
-    desk_.printBoard(paper_->currentText(), chosen);
+    calibrator_.printBoard(paper_->currentText(), chosen);
   }
 }
 
@@ -218,7 +219,7 @@ void BoardForm::retranslateUi() {
 }
 
 void BoardForm::refresh() {
-  const BoardDescription& board = desk_.wish().board.board;
+  const BoardDescription& board = calibrator_.wish().board.board;
   const bool markers = board.kind == BoardDescription::Kind::Charuco;
   const auto count = [](QSpinBox* box, int value) {
     const QSignalBlocker quiet(box);

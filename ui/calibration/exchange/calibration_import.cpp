@@ -173,7 +173,7 @@ ExchangeDialog::Preview CalibrationImportDialog::preview() {
   made_.reset();
   return [this, project = document_.project(), wish = wish()] {
     const auto made = std::make_shared<Result<CalibrationImport>>(importCalibration(project, wish));
-    return [this, made] { adopt(*made); };
+    return [this, made] { applyResult(*made); };
   };
 }
 
@@ -199,7 +199,7 @@ void CalibrationImportDialog::adoptError(const Error& error) {
   Q_EMIT failed(sentence);
 }
 
-void CalibrationImportDialog::adopt(const Result<CalibrationImport>& made) {
+void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made) {
   if (!made) {
     adoptError(made.error());
     return;

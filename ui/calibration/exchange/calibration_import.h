@@ -28,7 +28,7 @@ protected:
 
 private:
   ImportRequest wish() const;
-  void adopt(const Result<CalibrationImport>& made);
+  void applyResult(const Result<CalibrationImport>& made);
   void adoptError(const Error& error);
   void mark(ImportQuestion question);
   void fillCameras();

@@ -151,7 +151,7 @@ void PointCalibrator::solve(bool alsoFocal) {
     auto solution = std::make_shared<const PointSolution>(solveFromPoints(rig, all, settings));
     return [this, solution, all] {
       if (all == points() && solution->rig.size() == document_.project().cameras.size()) {
-        adopt(*solution);
+        applyResult(*solution);
       }
       Q_EMIT changed();
       Q_EMIT solved();
@@ -162,7 +162,7 @@ void PointCalibrator::solve(bool alsoFocal) {
   }
 }
 
-void PointCalibrator::adopt(const PointSolution& solution) {
+void PointCalibrator::applyResult(const PointSolution& solution) {
   forgetSolution();
   adopting_ = true;
   if (solution.anySolved()) {

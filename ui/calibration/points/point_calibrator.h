@@ -67,7 +67,7 @@ Q_SIGNALS:
 private:
   bool edit(const QString& step, const std::function<void(Project&)>& change,
             const std::string& mergeKey = {});
-  void adopt(const PointSolution& solution);
+  void applyResult(const PointSolution& solution);
   QString cameraSentence(const CameraFromPoints& camera) const;
   QString worstPointSentence(const PointSolution& solution) const;
   void forgetSolution();

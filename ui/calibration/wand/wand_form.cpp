@@ -50,7 +50,8 @@ void show(QComboBox& box, int index) {
 
 } // namespace
 
-WandForm::WandForm(WandCalibrator& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+WandForm::WandForm(WandCalibrator& calibrator, QWidget* parent)
+    : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("wandFields"));
   build();
   connectFields();
@@ -64,8 +65,8 @@ void WandForm::build() {
   ball_ = makeChoice("wandBall", this);
   otherLabel_ = new QLabel(this);
   other_ = makeChoice("wandOther", this);
-  ball_->setModel(&desk_.targets());
-  other_->setModel(&desk_.targets());
+  ball_->setModel(&calibrator_.targets());
+  other_->setModel(&calibrator_.targets());
   lengthLabel_ = new QLabel(this);
   length_ = makeNumberField(QStringLiteral("wandLength"), {0.1, 1e4, 1.0, 2}, this);
   sizeLabel_ = new QLabel(this);
@@ -108,7 +109,7 @@ void WandForm::build() {
 }
 
 void WandForm::connectFields() {
-  connect(&desk_, &WandCalibrator::changed, this, &WandForm::refresh);
+  connect(&calibrator_, &WandCalibrator::changed, this, &WandForm::refresh);
   connect(kind_, &QComboBox::activated, this,
           [this](int index) { edit([=](WandSettings& wish) { wish.stick = index == 1; }); });
   connect(ball_, &QComboBox::activated, this, [this] {
@@ -143,15 +144,15 @@ void WandForm::connectFields() {
 }
 
 void WandForm::edit(const std::function<void(WandSettings&)>& change) {
-  WandSettings wish = desk_.wish();
+  WandSettings wish = calibrator_.wish();
   change(wish);
-  desk_.setWish(wish);
+  calibrator_.setWish(wish);
 }
 
 void WandForm::chooseBalls() {
-  WandSettings both = desk_.wish();
+  WandSettings both = calibrator_.wish();
   both.stick = true;
-  const auto balls = selectedTargets(both, desk_.project());
+  const auto balls = selectedTargets(both, calibrator_.project());
   for (QComboBox* box : {ball_, other_}) {
     const std::size_t end = box == ball_ ? 0 : 1;
     box->setCurrentIndex(end < balls.size() ? box->findText(QString::fromStdString(balls[end]))
@@ -160,8 +161,8 @@ void WandForm::chooseBalls() {
 }
 
 void WandForm::fillSizes() {
-  const auto& targets = desk_.project().targets;
-  const auto balls = selectedTargets(desk_.wish(), desk_.project());
+  const auto& targets = calibrator_.project().targets;
+  const auto balls = selectedTargets(calibrator_.wish(), calibrator_.project());
   const auto ball =
       balls.empty() ? targets.end() : std::ranges::find(targets, balls.front(), &Target::name);
   const QString diameter =
@@ -172,7 +173,7 @@ void WandForm::fillSizes() {
 }
 
 void WandForm::refresh() {
-  const WandSettings& wish = desk_.wish();
+  const WandSettings& wish = calibrator_.wish();
   chooseBalls();
   fillSizes();
   ::dewpoint::ui::show(*kind_, wish.stick ? 1 : 0);
@@ -184,8 +185,8 @@ void WandForm::refresh() {
   offsets_->setChecked(wish.findOffsets);
   focal_->setChecked(wish.findFocal);
   distortion_->setChecked(wish.findDistortion);
-  span_->setChecked(wish.onlySpan && desk_.hasSpan());
-  span_->setEnabled(desk_.hasSpan());
+  span_->setChecked(wish.onlySpan && calibrator_.hasSpan());
+  span_->setEnabled(calibrator_.hasSpan());
   for (QWidget* field :
        std::initializer_list<QWidget*>{otherLabel_, other_, lengthLabel_, length_}) {
     field->setVisible(wish.stick);
@@ -195,8 +196,8 @@ void WandForm::refresh() {
   const bool distance = !wish.stick && wish.size == WandSize::Distance;
   distanceLabel_->setVisible(distance);
   distance_->setVisible(distance);
-  span_->setVisible(!desk_.isLive());
-  setEnabled(!desk_.isRefining());
+  span_->setVisible(!calibrator_.isLive());
+  setEnabled(!calibrator_.isRefining());
 }
 
 void WandForm::retranslateUi() {

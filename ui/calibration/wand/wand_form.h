@@ -24,7 +24,7 @@ class WandCalibrator;
 class WandForm : public QWidget {
   Q_OBJECT
 public:
-  explicit WandForm(WandCalibrator& desk, QWidget* parent = nullptr);
+  explicit WandForm(WandCalibrator& calibrator, QWidget* parent = nullptr);
 
 private:
   void build();
@@ -35,7 +35,7 @@ private:
   void chooseBalls();
   void fillSizes();
 
-  WandCalibrator& desk_;
+  WandCalibrator& calibrator_;
   QLabel* kindLabel_;
   QComboBox* kind_;
   QLabel* ballLabel_;
