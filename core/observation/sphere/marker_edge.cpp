@@ -183,7 +183,7 @@ std::optional<MarkerImage> fitBallEdge(const cv::Mat& bgr, const SphereImage& in
     }
     const auto found = fitPolar(edges);
     if (!found || found->agreeing < enough || found->spread > kLargestSpread ||
-        std::abs(found->shape[0] - initial.radius) > 0.4 * rough.radius) {
+        std::abs(found->shape[0] - initial.radius) > 0.4 * initial.radius) {
       return std::nullopt;
     }
     fit = *found;
@@ -191,7 +191,7 @@ std::optional<MarkerImage> fitBallEdge(const cv::Mat& bgr, const SphereImage& in
     shape = fit.shape;
     shape.segment<2>(1).setZero();
   }
-  if ((center - initial.center).norm() > std::max(1.5, 0.25 * rough.radius)) {
+  if ((center - initial.center).norm() > std::max(1.5, 0.25 * initial.radius)) {
     return std::nullopt;
   }
   MarkerImage ball;

@@ -185,7 +185,7 @@ void CalibrationImportDialog::mark(ImportQuestion question) {
   }
 }
 
-void CalibrationImportDialog::adoptError(const Error& error) {
+void CalibrationImportDialog::applyError(const Error& error) {
   const AskedQuestion asked = askedQuestion(error);
   const QString sentence = errorSentence(asked.error);
   mark(asked.question);
@@ -201,7 +201,7 @@ void CalibrationImportDialog::adoptError(const Error& error) {
 
 void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made) {
   if (!made) {
-    adoptError(made.error());
+    applyError(made.error());
     return;
   }
   mark(ImportQuestion::None);

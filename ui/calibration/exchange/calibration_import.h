@@ -29,7 +29,7 @@ protected:
 private:
   ImportRequest wish() const;
   void applyResult(const Result<CalibrationImport>& made);
-  void adoptError(const Error& error);
+  void applyError(const Error& error);
   void mark(ImportQuestion question);
   void fillCameras();
 

@@ -76,7 +76,7 @@ private:
   ManualCalibration& hand_;
   int chosen_ = -1;
   bool clicking_ = false;
-  bool adopting_ = false; ///< the change that comes is the solution itself
+  bool applying_ = false; ///< the change that comes is the solution itself
   QString verdict_;
   std::optional<int> worst_;
   struct Proposal {
