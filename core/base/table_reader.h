@@ -91,8 +91,8 @@ public:
 
   bool failed() const { return error_.has_value(); }
 
-  /// Takes over what is wrong with a part.
-  void adopt(std::optional<Error> error) {
+  /// Takes over the error of a part, unless there is one already.
+  void recordError(std::optional<Error> error) {
     if (!error_) {
       error_ = std::move(error);
     }

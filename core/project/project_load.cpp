@@ -135,7 +135,7 @@ std::optional<TargetBox> readBox(TableReader& target, const std::string& file,
     reader.require(key);
     reader.number(key, *value, 1.0, kLargestSide);
   }
-  target.adopt(reader.finish());
+  target.recordError(reader.finish());
   return box;
 }
 
@@ -160,7 +160,7 @@ Target readTarget(const toml::table& table, const std::string& file, std::size_t
   for (const toml::table* sample : reader.tables("sample")) {
     target.samples.push_back(readSample(
         *sample, file, fmt::format("{}sample {}.", prefix, target.samples.size() + 1), error));
-    reader.adopt(error);
+    reader.recordError(error);
   }
   error = reader.finish();
   return target;
@@ -221,7 +221,7 @@ ProjectCamera readCamera(const toml::table& table, const std::string& file, cons
     if (read) {
       camera.camera = std::move(*read);
     } else {
-      reader.adopt(read.error());
+      reader.recordError(read.error());
     }
   } else {
     const auto found = std::ranges::find(calibrated, name, &Camera::name);
@@ -291,7 +291,7 @@ CameraRig readCalibrationFile(TableReader& reader, const path& folder) {
   }
   auto rig = loadCalibration(file);
   if (!rig) {
-    reader.adopt(rig.error());
+    reader.recordError(rig.error());
     return {};
   }
   return std::move(*rig);
@@ -305,17 +305,17 @@ void readParts(TableReader& reader, const std::string& file, Project& project) {
   if (const toml::table* parameters = reader.table("parameters");
       parameters != nullptr && !reader.failed()) {
     readParameters(*parameters, file, project, error);
-    reader.adopt(error);
+    reader.recordError(error);
   }
   for (const toml::table* table : reader.tables("target")) {
     project.targets.push_back(readTarget(*table, file, project.targets.size(), error));
-    reader.adopt(error);
+    reader.recordError(error);
   }
   for (const toml::table* table : reader.tables("camera")) {
     project.cameras.push_back(readCamera(*table, file, folder, project.cameras.size(),
                                          !project.scene.empty() && !hasSource(*table), calibrated,
                                          !methodFamily(project.method).inSpace, error));
-    reader.adopt(error);
+    reader.recordError(error);
   }
 }
 
@@ -326,7 +326,7 @@ void readMarks(TableReader& reader, const std::string& file, Project& project) {
     one.require("frame");
     one.integer("frame", mark.frame, 0, std::numeric_limits<std::int64_t>::max());
     one.text("name", mark.name);
-    reader.adopt(one.finish());
+    reader.recordError(one.finish());
   }
   std::ranges::stable_sort(project.marks, {}, &ProjectMark::frame);
 }
@@ -335,7 +335,7 @@ void readWindow(TableReader& reader, const std::string& file, Project& project) 
   if (const toml::table* table = reader.table("window")) {
     TableReader window(*table, file, "window.");
     window.text("layout", project.layout);
-    reader.adopt(window.finish());
+    reader.recordError(window.finish());
   }
 }
 

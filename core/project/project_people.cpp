@@ -72,7 +72,7 @@ void readPeople(TableReader& reader, const std::string& file, Project& project) 
   std::optional<Error> error;
   for (const toml::table* table : reader.tables("person")) {
     project.people.push_back(readPerson(*table, file, project.people.size(), error));
-    reader.adopt(error);
+    reader.recordError(error);
   }
   std::ranges::stable_sort(project.people, {}, &PersonCorrection::frame);
 }

@@ -50,7 +50,7 @@ MeasuredPoint readPoint(const toml::table& table, const std::string& file, std::
     read.camera = camera - 1;
     click.require("pixel");
     click.numbers("pixel", read.pixel.data(), 2);
-    reader.adopt(click.finish());
+    reader.recordError(click.finish());
   }
   error = reader.finish();
   return point;
@@ -89,11 +89,11 @@ void readRoom(TableReader& reader, const std::string& file, Project& project) {
   std::optional<Error> error;
   if (const toml::table* table = reader.table("grid")) {
     project.grid = readGrid(*table, file, error);
-    reader.adopt(error);
+    reader.recordError(error);
   }
   for (const toml::table* table : reader.tables("point")) {
     project.points.push_back(readPoint(*table, file, project.points.size(), error));
-    reader.adopt(error);
+    reader.recordError(error);
   }
 }
 

@@ -70,7 +70,7 @@ std::vector<IterationRecord> RunRecorder::records(const TrackingRun& run) const 
     record.time = seconds(run.frames()->time);
     record.microseconds = iterationTimes_.back();
     record.particleCount = particleCountOf(estimate);
-    record.existence = existenceOf(estimate);
+    record.existenceProbability = existenceProbabilityOf(estimate);
     record.held = isHeld(estimate);
     record.cameras = cameraEvidenceOf(estimate);
     if (const auto position = positionOf(estimate)) {

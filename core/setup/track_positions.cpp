@@ -127,7 +127,7 @@ Result<Trajectory> trackPositions(const Trajectory& measured, const ParameterVal
     result.effectiveSampleSize = estimate.effectiveSampleSize;
     result.cameras = 0;
     result.valid = usable;
-    result.existence = estimate.existence;
+    result.existenceProbability = estimate.existenceProbability;
     tracked.samples.push_back(std::move(result));
   }
   return tracked;

@@ -20,7 +20,8 @@ Result<WandRefinement> judged(const Project& project, const WandOptions& options
 } // namespace
 
 bool saysTooLittle(const WandRefinement& refinement) {
-  return refinement.accuracy && refinement.accuracy->cameras95 > refinement.options.roughPosition;
+  return refinement.accuracy &&
+         refinement.accuracy->cameras95 > refinement.options.initialPositionError;
 }
 
 bool isDoubtful(const WandRefinement& refinement) {

@@ -85,8 +85,8 @@ WandOptions toOptions(const WandSettings& wish, const std::vector<TouchedInstant
   options.findOffsets = wish.findOffsets;
   options.findFocal = wish.findFocal;
   options.findDistortion = wish.findDistortion;
-  options.roughPosition = wish.roughPosition;
-  options.roughTurn = wish.roughTurn;
+  options.initialPositionError = wish.initialPositionError;
+  options.initialTurnError = wish.initialTurnError;
   if (wish.onlySpan && selected) {
     options.firstFrame = selected->first;
     options.endFrame = selected->last + 1;

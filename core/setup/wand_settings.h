@@ -26,8 +26,8 @@ struct WandSettings {
   bool findFocal = false;
   bool findDistortion = false;
   bool onlySpan = false; ///< look only through the frames that are selected
-  double roughPosition = WandOptions().roughPosition; ///< meters
-  double roughTurn = WandOptions().roughTurn;         ///< radians
+  double initialPositionError = WandOptions().initialPositionError; ///< meters
+  double initialTurnError = WandOptions().initialTurnError;         ///< radians
 
   bool operator==(const WandSettings&) const = default;
 };

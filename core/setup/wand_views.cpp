@@ -101,7 +101,7 @@ Result<WandProblem> wandProblem(const Project& project, const WandOptions& optio
   }
   WandProblem problem;
   for (const ProjectCamera& camera : project.cameras) {
-    problem.rough.push_back(camera.camera);
+    problem.initialRig.push_back(camera.camera);
   }
   for (std::size_t ball = 0; ball < balls->size(); ++ball) {
     problem.ballRadius.at(ball) = (*balls)[ball]->radius;
@@ -110,15 +110,15 @@ Result<WandProblem> wandProblem(const Project& project, const WandOptions& optio
   problem.scale = options.stickLength > 0.0 ? WandScale::Stick
                   : options.distance        ? WandScale::Distance
                   : options.fromDiameter    ? WandScale::Diameter
-                                            : WandScale::Rough;
+                                            : WandScale::InitialRig;
   problem.distance = options.distance.value_or(TouchedDistance{});
   problem.floorTimes = options.floorTimes;
   problem.drop = options.drop;
   problem.findOffsets = options.findOffsets;
   problem.findFocal = options.findFocal;
   problem.findDistortion = options.findDistortion;
-  problem.roughPosition = options.roughPosition;
-  problem.roughTurn = options.roughTurn;
+  problem.initialPositionError = options.initialPositionError;
+  problem.initialTurnError = options.initialTurnError;
   return problem;
 }
 

@@ -49,11 +49,11 @@ struct WandOptions {
   std::optional<TouchedDistance> distance;
   std::vector<double> floorTimes; ///< seconds
   std::optional<std::array<double, 2>> drop;
-  double roughPosition = 0.12; ///< meters by which the project's cameras may be off
-  double roughTurn = 0.06;     ///< radians
+  double initialPositionError = 0.12; ///< meters by which the project's cameras may be off
+  double initialTurnError = 0.06;     ///< radians
 };
 
-/// The problem that the options make of a project: its cameras as the rough rig, radii and size;
+/// The problem that the options make of a project: its cameras as the initial rig, radii and size;
 /// views still empty. Errors: no such target, a stick without its length.
 Result<WandProblem> wandProblem(const Project& project, const WandOptions& options);
 /// The colors of the options' balls.

@@ -12,14 +12,16 @@ struct Held {
   bool operator()(const SphereEstimate& sphere) const { return sphere.valid; }
   /// A method that knows no hiding may follow its box out of the image, where nothing is alike.
   bool operator()(const BoxEstimate& box) const { return box.visible && box.similarity > 0.0; }
-  bool operator()(const PersonEstimate& person) const { return person.existence >= kHeldExistence; }
+  bool operator()(const PersonEstimate& person) const {
+    return person.existenceProbability >= kHeldExistence;
+  }
   bool operator()(const AbsentEstimate& /*absent*/) const { return false; }
 };
 
 struct Existence {
-  double operator()(const SphereEstimate& sphere) const { return sphere.existence; }
+  double operator()(const SphereEstimate& sphere) const { return sphere.existenceProbability; }
   double operator()(const BoxEstimate& box) const { return box.similarity; }
-  double operator()(const PersonEstimate& person) const { return person.existence; }
+  double operator()(const PersonEstimate& person) const { return person.existenceProbability; }
   double operator()(const AbsentEstimate& /*absent*/) const { return 0.0; }
 };
 
@@ -63,7 +65,7 @@ bool isHeld(const TrackEstimate& estimate) {
   return std::visit(Held{}, estimate);
 }
 
-double existenceOf(const TrackEstimate& estimate) {
+double existenceProbabilityOf(const TrackEstimate& estimate) {
   return std::visit(Existence{}, estimate);
 }
 

@@ -21,10 +21,10 @@ struct SphereEstimate {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< m²
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
-  int camerasSeeing = 0;  ///< cameras with target color at the projected mean
-  bool valid = false;     ///< seen by two cameras (by the only one, if there is one)
-  double existence = 0.0; ///< probability that the target is where the estimate says
-  double radius = 0.0;    ///< meters, of the target as known or as estimated; 0 when neither
+  int camerasSeeing = 0;             ///< cameras with target color at the projected mean
+  bool valid = false;                ///< seen by two cameras (by the only one, if there is one)
+  double existenceProbability = 0.0; ///< probability that the target is where the estimate says
+  double radius = 0.0; ///< meters, of the target as known or as estimated; 0 when neither
   /// Position (m, m²) measured in the images of this frame alone, without the prediction; nothing
   /// if the target was not found in them, or the method does not measure it.
   std::optional<Gaussian3> measurement;
@@ -59,9 +59,9 @@ struct PersonEstimate {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();   ///< m/s
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
-  int camerasSeeing = 0;    ///< cameras with foreground of this person
-  double existence = 1.0;   ///< falls from 1 to 0 while no camera sees the person
-  double age = 0.0;         ///< seconds since the track was created
+  int camerasSeeing = 0;             ///< cameras with foreground of this person
+  double existenceProbability = 1.0; ///< falls from 1 to 0 while no camera sees the person
+  double age = 0.0;                  ///< seconds since the track was created
   bool interacting = false; ///< near another person: what cannot be told apart is not learned
   double height = 0.0;      ///< meters; 0: the method does not estimate it
   /// Hue and saturation of the person, in [0, 1], if the method has them.
@@ -80,7 +80,7 @@ bool isAbsent(const TrackEstimate& estimate);
 /// existence is at least one half.
 bool isHeld(const TrackEstimate& estimate);
 /// Existence of a sphere or a person; of a box the similarity, which stands for it. 0 when absent.
-double existenceOf(const TrackEstimate& estimate);
+double existenceProbabilityOf(const TrackEstimate& estimate);
 double effectiveSampleSizeOf(const TrackEstimate& estimate);
 int particleCountOf(const TrackEstimate& estimate);
 /// Mean and covariance in the world (m, m²); nothing for what is known in an image only.

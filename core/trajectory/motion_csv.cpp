@@ -18,7 +18,10 @@ std::string motionCsv(std::span<const MotionLog::Row> rows) {
     for (int axis = 0; axis < 3; ++axis) {
       line.put(sigmaOf(sample, axis));
     }
-    line.put(row.speed).put(sample.cameras).put(sample.existence).put(sample.valid ? 1 : 0);
+    line.put(row.speed)
+        .put(sample.cameras)
+        .put(sample.existenceProbability)
+        .put(sample.valid ? 1 : 0);
   }
   return text;
 }

@@ -31,7 +31,7 @@ struct TrajectorySample {
   int cameras = 0;
   bool valid = true;
   std::optional<PositionMeasurement> seen; ///< nothing: not seen in this frame, or not known
-  double existence = 0.0;                  ///< probability that the target is there; not in files
+  double existenceProbability = 0.0;       ///< probability that the target is there; not in files
 };
 
 /// Where a camera stood, so that an error can be split along and across its optical axis.

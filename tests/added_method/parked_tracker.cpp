@@ -23,7 +23,7 @@ void ParkedTracker::iterate(ThreadTeam& /*team*/) {
     estimate.particleCount = 1;
     estimate.effectiveSampleSize = 1.0;
     estimate.valid = frames_ != nullptr;
-    estimate.existence = 1.0;
+    estimate.existenceProbability = 1.0;
   }
 }
 

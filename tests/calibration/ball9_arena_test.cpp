@@ -98,7 +98,7 @@ CameraRig moved(CameraRig rig, double place, double turn, std::uint32_t seed) {
 double medianReprojection(const CameraRig& rig,
                           const std::vector<std::vector<MarkerObservation>>& views) {
   WandProblem problem;
-  problem.rough = rig;
+  problem.initialRig = rig;
   problem.views = views;
   for (auto& list : problem.views) {
     std::erase_if(list,
@@ -122,14 +122,14 @@ TEST(Ball9Arena, WavingTheBallIsNoWorseThanTheAuthorsCalibration) {
   WandProblem problem;
   const CameraRig truth = authorsRig();
   problem.views = detections();
-  problem.rough = moved(truth, 0.1, 3.0 / 180.0 * std::numbers::pi, 1);
+  problem.initialRig = moved(truth, 0.1, 3.0 / 180.0 * std::numbers::pi, 1);
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   const double authors = medianReprojection(truth, problem.views);
   const double ours = medianReprojection(result->cameras, problem.views);
   EXPECT_GT(ours, 0.0);
   EXPECT_LE(ours, authors);
-  const Similarity back = rigAlignment(result->cameras, truth, true);
+  const Similarity back = fitRigSimilarity(result->cameras, truth, true);
   double sum = 0.0;
   double worst = 0.0;
   for (std::size_t c = 0; c < truth.size(); ++c) {

@@ -7,7 +7,7 @@ expectText out.txt wand
 expectExit 0 calibrate wand --help
 expectText out.txt --target --stick --length --offsets --focal --floor --drop --out --apply --report
 
-# The demo's cameras are where its images were made from: they stay there, to a few centimetres (two
+# The demo's cameras are where its images were made from: they stay there, to a few centimeters (two
 # cameras and a path of 0.2 m say little more).
 expectExit 0 calibrate wand demo --frames 60:200 --out found.toml
 expectText out.txt 'camera 1' 'camera 2' 'Median reprojection error' 'Size:' 'World:'

@@ -21,8 +21,8 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// downwards.
 QPointF flatProjection(const Scene3d& scene, const QImage& picture, double right, double up,
                        double focusRight, double focusUp) {
-  return {picture.width() / 2.0 + (right - focusRight) / scene.metresPerPixel(),
-          picture.height() / 2.0 - (up - focusUp) / scene.metresPerPixel()};
+  return {picture.width() / 2.0 + (right - focusRight) / scene.metersPerPixel(),
+          picture.height() / 2.0 - (up - focusUp) / scene.metersPerPixel()};
 }
 
 void keep(const QImage& picture, const char* name) {
@@ -75,15 +75,15 @@ private Q_SLOTS:
         flatProjection(scene, picture, kBall.x(), kBall.y(), scene.focus().x(), scene.focus().y());
     // Near enough that neither tail nor far particles count: the sphere alone, symmetric. The
     // truth's cross, 0.02 m aside, hides a few pixels.
-    const Blob found = blob(picture, expected, 0.03 / scene.metresPerPixel());
+    const Blob found = blob(picture, expected, 0.03 / scene.metersPerPixel());
     QVERIFY(found.count > 20);
     QVERIFY(std::abs(found.center.x() - expected.x()) < 2.5 * view_->devicePixelRatioF());
     QVERIFY(std::abs(found.center.y() - expected.y()) < 2.5 * view_->devicePixelRatioF());
     // The cloud reaches two sigma (0.16 m), far less than the mirrored place.
     const QPointF mirrored = flatProjection(scene, picture, kBall.x(), -kBall.y() + 0.4,
                                             scene.focus().x(), scene.focus().y());
-    QVERIFY(blob(picture, expected, 0.16 / scene.metresPerPixel()).count > 3 * found.count / 2);
-    QCOMPARE(blob(picture, mirrored, 0.05 / scene.metresPerPixel()).count, 0);
+    QVERIFY(blob(picture, expected, 0.16 / scene.metersPerPixel()).count > 3 * found.count / 2);
+    QCOMPARE(blob(picture, mirrored, 0.05 / scene.metersPerPixel()).count, 0);
   }
 
   void fromTheFrontTheBallIsWhereXAndZSay() {
@@ -98,7 +98,7 @@ private Q_SLOTS:
     const Scene3d& scene = view_->scene();
     const QPointF expected =
         flatProjection(scene, front, kBall.x(), kBall.z(), scene.focus().x(), scene.focus().z());
-    const Blob found = blob(front, expected, 0.03 / scene.metresPerPixel());
+    const Blob found = blob(front, expected, 0.03 / scene.metersPerPixel());
     QVERIFY(found.count > 20);
     QVERIFY(std::abs(found.center.x() - expected.x()) < 2.5 * view_->devicePixelRatioF());
     QVERIFY(std::abs(found.center.y() - expected.y()) < 2.5 * view_->devicePixelRatioF());
@@ -134,9 +134,9 @@ private Q_SLOTS:
     const Scene3d& scene = view_->scene();
     const QPointF expected =
         flatProjection(scene, picture, -0.6, 0.5, scene.focus().x(), scene.focus().y());
-    QVERIFY(blob(picture, expected, 0.03 / scene.metresPerPixel()).count > 20);
+    QVERIFY(blob(picture, expected, 0.03 / scene.metersPerPixel()).count > 20);
     view_->setSnapshot(TrackSnapshotPtr{});
-    QCOMPARE(blob(view_->currentPicture(), expected, 0.2 / scene.metresPerPixel()).count, 0);
+    QCOMPARE(blob(view_->currentPicture(), expected, 0.2 / scene.metersPerPixel()).count, 0);
   }
 
   void aTailHasGapsWhereTheTargetWasNotHeld() {
@@ -193,10 +193,10 @@ private Q_SLOTS:
     view_->setSnapshot(snapshot);
     const QImage picture = view_->currentPicture();
     const Scene3d& scene = view_->scene();
-    QVERIFY(std::isfinite(scene.metresPerPixel()) && scene.focus().allFinite());
+    QVERIFY(std::isfinite(scene.metersPerPixel()) && scene.focus().allFinite());
     const QPointF expected =
         flatProjection(scene, picture, kBall.x(), kBall.y(), scene.focus().x(), scene.focus().y());
-    QVERIFY(blob(picture, expected, 0.03 / scene.metresPerPixel()).count > 20);
+    QVERIFY(blob(picture, expected, 0.03 / scene.metersPerPixel()).count > 20);
   }
 
   void aRigThatWasCalibratedAnewIsSeenAsIfItWereNew() {
@@ -210,7 +210,7 @@ private Q_SLOTS:
     small->targets.clear();
     view_->setSnapshot(small);
     view_->currentPicture();
-    const double expected = view_->scene().metresPerPixel();
+    const double expected = view_->scene().metersPerPixel();
 
     view_ = std::make_unique<BirdsEyeView>();
     view_->resize(640, 480);
@@ -220,24 +220,24 @@ private Q_SLOTS:
     guessed->targets.clear();
     view_->setSnapshot(guessed);
     view_->currentPicture();
-    QVERIFY(view_->scene().metresPerPixel() > 5.0 * expected);
+    QVERIFY(view_->scene().metersPerPixel() > 5.0 * expected);
     view_->setSnapshot(small);
     view_->currentPicture();
-    QCOMPARE(view_->scene().metresPerPixel(), expected);
+    QCOMPARE(view_->scene().metersPerPixel(), expected);
   }
 
   void oneCameraThatIsMovedLeavesThePictureStill() {
     const auto snapshot = ballSnapshot();
     view_->setSnapshot(snapshot);
     view_->currentPicture();
-    const double before = view_->scene().metresPerPixel();
+    const double before = view_->scene().metersPerPixel();
     const auto moved = std::make_shared<TrackSnapshot>(*snapshot);
     CameraRig rig = *snapshot->rig;
     rig.front().cameraFromWorld.translation() *= 0.9; // nearer to the others
     moved->rig = std::make_shared<CameraRig>(rig);
     view_->setSnapshot(moved);
     view_->currentPicture();
-    QCOMPARE(view_->scene().metresPerPixel(), before);
+    QCOMPARE(view_->scene().metersPerPixel(), before);
   }
 
   void draggingMovesAndDoubleClickRestores() {
@@ -249,7 +249,7 @@ private Q_SLOTS:
     QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, {360, 220});
     view_->currentPicture();
     // 60 px to the right drag the room along: the focus goes left by as many meters.
-    const double meters = view_->scene().metresPerPixel() * view_->devicePixelRatioF();
+    const double meters = view_->scene().metersPerPixel() * view_->devicePixelRatioF();
     QVERIFY(std::abs(view_->scene().focus().x() - (focus.x() - 60.0 * meters)) < 2.0 * meters);
     QVERIFY(std::abs(view_->scene().focus().y() - (focus.y() + 20.0 * meters)) < 2.0 * meters);
     QTest::mouseDClick(view_.get(), Qt::LeftButton, {}, {300, 200});

@@ -39,7 +39,7 @@ TEST(Session, TheLogIsReadInPiecesAndKnowsRestarts) {
     EXPECT_TRUE(camera.inView);
     EXPECT_DOUBLE_EQ(camera.visible, 1.0);
     EXPECT_DOUBLE_EQ(camera.logLikelihood, 0.0);
-    EXPECT_NEAR(camera.existence, 25.0 / 26.0, 1e-12);
+    EXPECT_NEAR(camera.existenceProbability, 25.0 / 26.0, 1e-12);
   }
   EXPECT_TRUE(session.logSince(generation, position).records.empty());
   session.restart(5);
@@ -74,8 +74,8 @@ TEST(Session, SamplesAreReadInPiecesAndTheLastFrameComesAgain) {
   ASSERT_EQ(piece.samples.size(), 1U);
   EXPECT_NE(piece.samples[0].position, before);
   // Existence is the one of the estimate.
-  EXPECT_EQ(piece.samples[0].existence,
-            std::get<SphereEstimate>(session.newest()->targets[0].estimate).existence);
+  EXPECT_EQ(piece.samples[0].existenceProbability,
+            std::get<SphereEstimate>(session.newest()->targets[0].estimate).existenceProbability);
   session.restart();
   session.stepFrame();
   ASSERT_TRUE(eventually([&] { return session.trajectory().samples.size() == 1; }));

@@ -71,7 +71,7 @@ TEST(WandSettings, OptionsSayWhatWasDecided) {
   wish.size = WandSize::Distance;
   wish.distance = 1.5;
   wish.findOffsets = true;
-  wish.roughPosition = 0.3;
+  wish.initialPositionError = 0.3;
   wish.onlySpan = true;
   const std::vector<TouchedInstant> instants{
       at(1.0, TouchRole::Floor), at(2.0, TouchRole::DistanceFrom), at(3.0, TouchRole::DistanceTo),
@@ -85,7 +85,7 @@ TEST(WandSettings, OptionsSayWhatWasDecided) {
   EXPECT_EQ((*options.drop)[1], 5.5);
   EXPECT_TRUE(options.findOffsets);
   EXPECT_FALSE(options.findFocal);
-  EXPECT_EQ(options.roughPosition, 0.3);
+  EXPECT_EQ(options.initialPositionError, 0.3);
   EXPECT_EQ(options.firstFrame, 10);
   EXPECT_EQ(options.endFrame, 100); // one past the last
 }

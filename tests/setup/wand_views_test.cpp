@@ -49,7 +49,7 @@ TEST(WandViews, TheOptionsMakeTheProblem) {
   ASSERT_TRUE(problem);
   EXPECT_EQ(problem->scale, WandScale::Stick);
   EXPECT_EQ(problem->ballRadius[1], 0.05);
-  EXPECT_EQ(problem->rough.size(), 2U);
+  EXPECT_EQ(problem->initialRig.size(), 2U);
 
   options.targets = {"red"}; // a stick has two balls
   EXPECT_EQ(wandProblem(project, options).error().field, "target");

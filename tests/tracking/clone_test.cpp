@@ -50,7 +50,7 @@ protected:
   static void expectSameBits(const Tracker& a, const Tracker& b, int frame) {
     ASSERT_EQ(sphereOf(a).mean, sphereOf(b).mean) << frame;
     ASSERT_EQ(sphereOf(a).covariance, sphereOf(b).covariance) << frame;
-    ASSERT_EQ(sphereOf(a).existence, sphereOf(b).existence) << frame;
+    ASSERT_EQ(sphereOf(a).existenceProbability, sphereOf(b).existenceProbability) << frame;
     Eigen::ArrayXXd positions[2];
     Eigen::ArrayXd weights[2];
     capability<ParticleCloud>(a)->particles(0, 1000, positions[0], weights[0]);

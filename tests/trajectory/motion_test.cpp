@@ -158,7 +158,7 @@ TEST(Motion, aTableIsReadAnywhere) {
   row.sample.time = 0.1;
   row.sample.covariance = Eigen::Vector3d(4e-6, 1e-6, -1e-20).asDiagonal();
   row.sample.cameras = 2;
-  row.sample.existence = 0.5;
+  row.sample.existenceProbability = 0.5;
   MotionLog::Row unknown = row;
   unknown.sample.target = "ball";
   unknown.speed = std::numeric_limits<double>::quiet_NaN();

@@ -43,7 +43,7 @@ private Q_SLOTS:
 private:
   const Project& project() { return window_->document().project(); }
   QUndoStack& history() { return *window_->document().undoStack(); }
-  BoardCalibrator& desk() { return *window_->findChild<BoardCalibrator*>(); }
+  BoardCalibrator& calibrator() { return *window_->findChild<BoardCalibrator*>(); }
   QString result() { return find<QLabel>(QStringLiteral("boardResult"))->text(); }
 
   void openWindow(const ProjectOpener& opener, const std::filesystem::path& project);
@@ -82,10 +82,10 @@ void BoardPageTest::openWindow(const ProjectOpener& opener, const std::filesyste
 }
 
 void BoardPageTest::setBoard(const BoardGoal& goal) {
-  BoardGuideRequest wish = desk().wish();
+  BoardGuideRequest wish = calibrator().wish();
   wish.board.board = shown_.board;
   wish.goal = goal;
-  desk().setWish(wish);
+  calibrator().setWish(wish);
 }
 
 void BoardPageTest::openRecording() {
@@ -103,12 +103,12 @@ void BoardPageTest::openLive(const BoardGoal& goal) {
         return inputs;
       },
       {});
-  QVERIFY(waitFor([&] { return desk().isLive(); }));
+  QVERIFY(waitFor([&] { return calibrator().isLive(); }));
   setBoard(goal);
 }
 
 bool BoardPageTest::calibrate() {
-  QSignalSpy over(&desk(), &BoardCalibrator::calibrated);
+  QSignalSpy over(&calibrator(), &BoardCalibrator::calibrated);
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCalibrate")), Qt::LeftButton);
   return over.wait(kPatienceMs);
 }
@@ -129,7 +129,7 @@ void BoardPageTest::aRecordingCalibratesInOneStep() {
   openRecording();
   const auto before = project().cameras;
   QVERIFY(calibrate());
-  QVERIFY2(desk().isApplied(), qPrintable(result()));
+  QVERIFY2(calibrator().isApplied(), qPrintable(result()));
   QCOMPARE(history().count(), 1);
   QVERIFY(!history().undoText().isEmpty());
   for (std::size_t k = 0; k < 2; ++k) {
@@ -158,7 +158,7 @@ void BoardPageTest::theCommandLineGivesTheSameBits() {
   QVERIFY(calibrate());
   auto inputs = dewpoint::app::openProject(std::filesystem::path(file("board.toml").toStdString()));
   QVERIFY(inputs.has_value());
-  const auto& wish = desk().wish();
+  const auto& wish = calibrator().wish();
   const auto seen = findBoards(inputs->project, *inputs->source, wish.board);
   QVERIFY(seen.has_value());
   const auto outcome = calibrateFromBoards(inputs->project, *seen, wish.board, wish.goal);
@@ -169,7 +169,7 @@ void BoardPageTest::theCommandLineGivesTheSameBits() {
 void BoardPageTest::cancelKeepsWhatWas() {
   openRecording();
   const auto before = project().cameras;
-  QSignalSpy over(&desk(), &BoardCalibrator::calibrated);
+  QSignalSpy over(&calibrator(), &BoardCalibrator::calibrated);
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCalibrate")), Qt::LeftButton);
   QVERIFY(find<QPushButton>(QStringLiteral("boardCancel"))->isVisible());
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCancel")), Qt::LeftButton);
@@ -178,7 +178,7 @@ void BoardPageTest::cancelKeepsWhatWas() {
   QCOMPARE(history().count(), 0);
   QVERIFY2(result().contains(QStringLiteral("kept")), qPrintable(result()));
   QVERIFY(calibrate()); // and again
-  QVERIFY(desk().isApplied());
+  QVERIFY(calibrator().isApplied());
 }
 
 void BoardPageTest::aWrongBoardIsSaid() {
@@ -186,9 +186,9 @@ void BoardPageTest::aWrongBoardIsSaid() {
   find<QComboBox>(QStringLiteral("boardKind"))->setCurrentIndex(0);
   Q_EMIT find<QComboBox>(QStringLiteral("boardKind"))->activated(0);
   find<QSpinBox>(QStringLiteral("boardColumns"))->setValue(12);
-  QCOMPARE(desk().wish().board.board.columns, 11); // inner corners
+  QCOMPARE(calibrator().wish().board.board.columns, 11); // inner corners
   QVERIFY(calibrate());
-  QVERIFY(!desk().isApplied());
+  QVERIFY(!calibrator().isApplied());
   QCOMPARE(history().count(), 0);
   QVERIFY2(result().contains(QStringLiteral("left")), qPrintable(result()));
   QVERIFY2(result().contains(QStringLiteral("board")), qPrintable(result()));
@@ -196,22 +196,22 @@ void BoardPageTest::aWrongBoardIsSaid() {
 
 void BoardPageTest::printsAndReports() {
   openRecording();
-  QSignalSpy saved(&desk(), &BoardCalibrator::saved);
-  desk().printBoard(QStringLiteral("A4"), file("board.pdf"));
+  QSignalSpy saved(&calibrator(), &BoardCalibrator::saved);
+  calibrator().printBoard(QStringLiteral("A4"), file("board.pdf"));
   QVERIFY(saved.wait(kPatienceMs));
   QFile pdf(file("board.pdf"));
   QVERIFY(pdf.open(QIODevice::ReadOnly));
   QVERIFY(pdf.read(5) == "%PDF-");
   QVERIFY(calibrate());
-  desk().saveReport(file("report.html"));
+  calibrator().saveReport(file("report.html"));
   QVERIFY(saved.wait(kPatienceMs));
   QFile html(file("report.html"));
   QVERIFY(html.open(QIODevice::ReadOnly));
   const QByteArray text = html.readAll();
   QVERIFY(text.contains("<svg"));
   QVERIFY(text.contains("In this volume"));
-  QSignalSpy failed(&desk(), &BoardCalibrator::failed);
-  desk().printBoard(QStringLiteral("A4"), file("nowhere/board.pdf"));
+  QSignalSpy failed(&calibrator(), &BoardCalibrator::failed);
+  calibrator().printBoard(QStringLiteral("A4"), file("nowhere/board.pdf"));
   QVERIFY(failed.wait(kPatienceMs));
 }
 
@@ -219,24 +219,24 @@ void BoardPageTest::theBoardIsRemembered() {
   openRecording();
   window_.reset();
   openWindow(&openProject, file("board.toml").toStdString());
-  QVERIFY(desk().wish().board.board == shown_.board);
+  QVERIFY(calibrator().wish().board.board == shown_.board);
 }
 
 void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
   openLive({true, true});
-  BoardGuideRequest wish = desk().wish();
+  BoardGuideRequest wish = calibrator().wish();
   wish.lenses.requestedProjectionPx = 20.0; // coarse: it ends after the fewest views
   wish.requestedPosition = 0.05;
   wish.rig.instantsPerPair = 4;
-  desk().setWish(wish);
+  calibrator().setWish(wish);
   const auto before = project().cameras;
-  QSignalSpy over(&desk(), &BoardCalibrator::calibrated);
+  QSignalSpy over(&calibrator(), &BoardCalibrator::calibrated);
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton);
   // The board is moved on when a view was taken, or when this one gives nothing new.
   std::size_t taken = 0;
   int images = 0;
-  connect(&desk(), &BoardCalibrator::guideChanged, this, [&] {
-    const auto state = desk().guide();
+  connect(&calibrator(), &BoardCalibrator::guideChanged, this, [&] {
+    const auto state = calibrator().guide();
     std::size_t now = 0;
     for (const auto& camera : state->cameras) {
       now += camera.taken.size();
@@ -248,9 +248,9 @@ void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
     }
   });
   QVERIFY(waitFor([&] { return over.count() > 0; }));
-  disconnect(&desk(), &BoardCalibrator::guideChanged, this, nullptr);
-  QVERIFY2(desk().outcome() != nullptr, qPrintable(result()));
-  QVERIFY(!desk().isWatching());
+  disconnect(&calibrator(), &BoardCalibrator::guideChanged, this, nullptr);
+  QVERIFY2(calibrator().outcome() != nullptr, qPrintable(result()));
+  QVERIFY(!calibrator().isWatching());
   QVERIFY(project().cameras == before); // until it is wanted
   QVERIFY(find<QLabel>(QStringLiteral("boardAdvice0"))->isVisible());
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardApply")), Qt::LeftButton);
@@ -268,9 +268,9 @@ void BoardPageTest::liveViewsCanBeTakenByHand() {
   auto* capture = find<QPushButton>(QStringLiteral("boardCapture"));
   for (int k = 0; k < 9; ++k) {
     *place_ = k;
-    const auto views = [&] { return desk().guide()->seen->cameras[0].views.size(); };
+    const auto views = [&] { return calibrator().guide()->seen->cameras[0].views.size(); };
     const std::size_t before = views();
-    QVERIFY(waitFor([&] { return desk().guide()->cameras[0].seen.has_value(); }));
+    QVERIFY(waitFor([&] { return calibrator().guide()->cameras[0].seen.has_value(); }));
     QTest::mouseClick(capture, Qt::LeftButton);
     QVERIFY(waitFor([&] { return views() > before; }));
   }
@@ -280,9 +280,9 @@ void BoardPageTest::liveViewsCanBeTakenByHand() {
   // Something is drawn in the coverage: not what an empty one shows.
   auto* map = find<BoardMap>(QStringLiteral("boardMap0"));
   const QImage full = map->grab().toImage();
-  QSignalSpy guide(&desk(), &BoardCalibrator::guideChanged);
+  QSignalSpy guide(&calibrator(), &BoardCalibrator::guideChanged);
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton); // over
-  QVERIFY(desk().guide()->cameras[0].taken.empty());
+  QVERIFY(calibrator().guide()->cameras[0].taken.empty());
   QVERIFY(map->grab().toImage() != full);
   QTest::mouseClick(capture, Qt::LeftButton);
 }

@@ -67,7 +67,7 @@ void BoxTargetTest::anAddedTargetThatIsUndoneLeavesNothing() {
   openVideo();
   clickAt(MovingPatch{}.box(0).center());
   QVERIFY(isTrackedTo(kFrames - 1));
-  window_->selection().wantMoment(12);
+  window_->selection().requestFrame(12);
   QVERIFY(waitFor([this] { return window_->shown()->frame == 12; }));
   action("actionAddTarget")->trigger();
   clickAt(MovingPatch{}.box(12).center());
@@ -75,7 +75,7 @@ void BoxTargetTest::anAddedTargetThatIsUndoneLeavesNothing() {
   QVERIFY(waitFor([this] {
     return !window_->shown()->rerun && window_->shown()->history.head == kFrames - 1;
   }));
-  window_->selection().wantMoment(5);
+  window_->selection().requestFrame(5);
   QVERIFY(waitFor([this] { return window_->shown()->frame == 5; }));
   QCOMPARE(window_->shown()->targets.size(), std::size_t{2});
   QCOMPARE(window_->shown()->targets[1].status, TargetStatus::Gone); // not lost: not there yet

@@ -177,7 +177,7 @@ void CalibrationImportTest::asksWhatTheFileLeavesOpen() {
   QVERIFY2(!said.contains(QStringLiteral("--")), qPrintable(said));
   type("calibrationImportSize", QStringLiteral("640x480")); // another question than the one asked
   QVERIFY(!dialog->isReady());
-  // The metres of one unit, as typed.
+  // The meters of one unit, as typed.
   auto* unit = find<QComboBox>("calibrationImportUnit");
   unit->setFocus();
   unit->lineEdit()->selectAll();

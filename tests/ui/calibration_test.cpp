@@ -215,10 +215,10 @@ void CalibrationTest::measuredPointsGiveTheCameraBack() {
         Eigen::Vector3d(-0.05, 0.03, 0.05), Eigen::Vector3d(0.03, -0.05, -0.04),
         Eigen::Vector3d(0.04, 0.05, -0.03)}) {
     const Eigen::Vector3d ball = window_->shown()->targets.at(0).truth.value();
-    // Millimetres, as the table shows them.
+    // Millimeters, as the table shows them.
     world.push_back((1000.0 * (ball + offset)).array().round().matrix() / 1000.0);
   }
-  // Off by a decimetre each way.
+  // Off by a decimeter each way.
   layer(0)->setFocus();
   QTest::keyClick(layer(0), Qt::Key_D, Qt::ShiftModifier);
   QTest::keyClick(layer(0), Qt::Key_W, Qt::ShiftModifier);
@@ -267,7 +267,7 @@ void CalibrationTest::theBirdsEyeViewMovesCameras() {
   };
   const QPoint from = placeIn(before.center());
   QVERIFY(view->rect().contains(from));
-  const double scale = view->scene().metresPerPixel() * view->devicePixelRatioF();
+  const double scale = view->scene().metersPerPixel() * view->devicePixelRatioF();
   QTest::mousePress(view, Qt::LeftButton, {}, from);
   QTest::mouseMove(view, from + QPoint(10, 0));
   QTest::mouseMove(view, from + QPoint(20, -10));

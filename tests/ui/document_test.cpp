@@ -279,7 +279,7 @@ void DocumentTest::killedAtAnyMomentOnlyWhatCameAfterTheLastCopyIsLost() {
     QVERIFY(child.waitForFinished());
 
     const RecoveryFolder recovery(folder.path().toStdString(), &writeTextFile);
-    const auto left = recovery.leftBehind();
+    const auto left = recovery.orphanedBackups();
     QCOMPARE(left.size(), std::size_t{1});
     const auto project = RecoveryFolder::read(left.front());
     QVERIFY2(project, project ? "" : sentence(project.error()).c_str()); // never a broken one
@@ -320,7 +320,7 @@ void DocumentTest::whatIsSavedOrGivenUpLeavesNothingBehind() {
   QVERIFY(QTest::qWaitFor([&] { return copies() == 0; }, 60000));
   QVERIFY(edit("b"));
   QVERIFY(QTest::qWaitFor([&] { return copies() == 1; }, 60000));
-  recovery.forget();
+  recovery.removeBackup();
   QVERIFY(QTest::qWaitFor([&] { return copies() == 0; }, 60000));
 }
 

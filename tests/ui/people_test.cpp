@@ -195,11 +195,11 @@ void PeopleTest::theSameBitsAgainAndThePeopleOfThen() {
   const std::int64_t head = frame();
   const std::string before = trajectory();
   QVERIFY(before.size() > 1000);
-  window_->selection().wantMoment(3);
+  window_->selection().requestFrame(3);
   QVERIFY(waitFor([&] { return frame() == 3; }));
   QCOMPARE(there(), 0);
   QCOMPARE(find<QTableWidget>("peopleTable")->rowCount(), 0);
-  window_->selection().wantMoment(head - 10);
+  window_->selection().requestFrame(head - 10);
   QVERIFY(waitFor([&] { return frame() == head - 10; }));
   QCOMPARE(there(), 2);
   action("actionRerun")->trigger();

@@ -191,7 +191,7 @@ void PlannerPageTest::aPlannedCameraIsDragged() {
   (void)view().currentPicture(); // the view is framed anew
   const Camera before = plan().planned()[0];
   const QPointF from = placeInView(before.center());
-  const double scale = view().scene().metresPerPixel() * view().devicePixelRatioF();
+  const double scale = view().scene().metersPerPixel() * view().devicePixelRatioF();
   QVERIFY(waitForMap([&] { dragInView(from, {-20.0, 12.0}, 4); }));
   const Eigen::Vector3d moved = plan().planned()[0].center() - before.center();
   QVERIFY(std::abs(moved.x() + 20.0 * scale) < 1.5 * scale);

@@ -264,7 +264,7 @@ void PlotsTest::placeOfTheTailIsAMoment() {
     const QPointF offset(place.x(), -place.y());
     return (QPointF(view->width(), view->height()) / 2.0 + offset / view->devicePixelRatioF());
   };
-  QSignalSpy wanted(&window_->selection(), &Selection::momentWanted);
+  QSignalSpy wanted(&window_->selection(), &Selection::frameRequested);
   QTest::mouseClick(view, Qt::LeftButton, {}, pixel(80).toPoint());
   QCOMPARE(wanted.size(), 1);
   // Neighbors in the tail may be nearer to the whole pixel that was clicked.
@@ -274,7 +274,7 @@ void PlotsTest::placeOfTheTailIsAMoment() {
   QVERIFY(window_->selection().span());
   const FrameSpan span = *window_->selection().span();
   QVERIFY(span.first == static_cast<qint64>(chosen) || span.last == static_cast<qint64>(chosen));
-  window_->selection().wantNow();
+  window_->selection().requestLiveFrame();
   QVERIFY(waitFor([this] { return window_->shown()->frame == kFrames - 1; }));
   window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
 }
@@ -329,7 +329,7 @@ void PlotsTest::trajectoryCsvIsWhatIsSelected() {
   QCOMPARE(lines.size(), 2);
   const QStringList cells = lines.last().split(QLatin1Char(','));
   QCOMPARE(cells[1], QStringLiteral("7"));
-  // The table shows the same place, to a tenth of a millimetre.
+  // The table shows the same place, to a tenth of a millimeter.
   const QString shown = table().model()->index(7, 3).data().toString();
   QCOMPARE(QLocale::c().toString(cells[3].toDouble(), 'f', 4).replace('-', QChar(0x2212)), shown);
   window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();

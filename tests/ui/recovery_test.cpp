@@ -138,9 +138,9 @@ void RecoveryTest::theQuestionComesBackAfterOtherMessages() {
   find<QAction>("actionSave")->trigger(); // says so
   QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("other.toml")); }));
   QVERIFY(!messageText().contains(QStringLiteral("half done")));
-  window_->findChild<MessageBar*>()->close();
+  window_->findChild<MessageBar*>()->dismiss();
   QVERIFY(messageText().contains(QStringLiteral("half done")));
-  window_->findChild<MessageBar*>()->close(); // that is an answer: not now
+  window_->findChild<MessageBar*>()->dismiss(); // that is an answer: not now
   QVERIFY(messageText().isEmpty());
   QVERIFY(std::filesystem::exists(place("left") / "0123.toml"));
 }

@@ -161,7 +161,7 @@ void ScreenshotsTest::keepWaving() {
   QVERIFY(QDir::setCurrent(here));
   keep(import->grab().toImage(), QStringLiteral("calibration-import"));
   import->close();
-  window_->findChild<MessageBar*>()->close();
+  window_->findChild<MessageBar*>()->dismiss();
   window_->document().undoStack()->undo();
   window_->document().undoStack()->undo();
 }
@@ -191,7 +191,7 @@ void ScreenshotsTest::keepPeople() {
   static constexpr qint64 kMeeting = 118; // two have met in the middle
   QVERIFY(waitFor([this] { return shown().frame >= kMeeting; }));
   action("actionPlay")->trigger();
-  window_->selection().wantMoment(kMeeting);
+  window_->selection().requestFrame(kMeeting);
   action("actionLookFree")->trigger();
   QVERIFY(waitFor([this] { return rests() && shown().frame == kMeeting; }));
   keepWindow(QStringLiteral("people"));
@@ -211,7 +211,7 @@ void ScreenshotsTest::keepBoxes() {
   static constexpr qint64 kMiddle = 45; // before the bar hides the ball
   QVERIFY(waitFor([this] { return shown().frame >= kMiddle; }));
   action("actionPlay")->trigger();
-  window_->selection().wantMoment(kMiddle);
+  window_->selection().requestFrame(kMiddle);
   find<QDockWidget>("targetDock")->raise();
   QVERIFY(waitFor([this] { return rests() && shown().frame == kMiddle; }));
   keepWindow(QStringLiteral("boxes"));

@@ -242,7 +242,7 @@ void SlowWorldTest::aBoardThatIsLookedForHoldsNobodyUp() {
   const auto opener = [](const SessionRequest&) -> Result<SessionInputs> {
     return failure(ErrorCode::FileMissing, "", "", "");
   };
-  auto desk = std::make_unique<BoardCalibrator>(document, opener);
+  auto calibrator = std::make_unique<BoardCalibrator>(document, opener);
   cv::Mat noise(3000, 4000, CV_8UC3);
   cv::theRNG().state = 16;
   cv::randu(noise, 0, 256);
@@ -251,10 +251,10 @@ void SlowWorldTest::aBoardThatIsLookedForHoldsNobodyUp() {
   TrackSnapshot snapshot; // of live cameras: their frames are not counted
   snapshot.frame = 0;
   snapshot.frames = std::make_shared<const FrameSet>(std::move(set));
-  desk->start();
-  desk->setSnapshot(std::make_shared<const TrackSnapshot>(std::move(snapshot)));
-  QVERIFY(desk->isWatching());
-  desk.reset();
+  calibrator->start();
+  calibrator->setSnapshot(std::make_shared<const TrackSnapshot>(std::move(snapshot)));
+  QVERIFY(calibrator->isWatching());
+  calibrator.reset();
   // What was shown is looked at to the end, by a thread that nobody waits for, and wakes nobody.
   QVERIFY(!waitForDetached(std::chrono::milliseconds(0)));
   QVERIFY(waitFor([] { return waitForDetached(std::chrono::milliseconds(0)); }));

@@ -97,10 +97,10 @@ void WandPageTest::refinesInOneStepAsTheCommandLineDoes() {
     project.cameras[0].camera.cameraFromWorld.translation() += Eigen::Vector3d(0.03, 0.0, 0.0);
   }));
   const CameraRig before = cameras();
-  const Project rough = project();
+  const Project nudged = project();
   refine(kWave);
   QVERIFY(waitFor([&] { return isIdle(); }));
-  auto inputs = openProject(SessionRequest(rough));
+  auto inputs = openProject(SessionRequest(nudged));
   QVERIFY(inputs);
   WandOptions options; // as "dewpoint-cli calibrate wand demo --frames 60:200"
   options.firstFrame = 60;

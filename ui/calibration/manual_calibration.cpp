@@ -15,7 +15,7 @@
 namespace dewpoint::ui {
 namespace {
 
-constexpr double kMoveStep = 0.01;                ///< metres
+constexpr double kMoveStep = 0.01;                ///< meters
 constexpr double kTurnStep = 0.2 * base::kDegree; ///< radians
 
 /// Where an axis of the person's (right, forward, up) lies in the camera's (right, down, forward).

@@ -92,7 +92,7 @@ void ImagePickOverlay::mousePressEvent(QMouseEvent* event) {
     pressed_ = event->position();
     now_ = event->position();
   } else {
-    Q_EMIT pointed(*pixelAt(event->position()));
+    Q_EMIT imageClicked(*pixelAt(event->position()));
   }
 }
 

@@ -40,7 +40,7 @@ Q_SIGNALS:
   /// A plain click while nothing is being picked: the view was chosen.
   void chosen();
   /// Where that was, pixels of the image.
-  void pointed(const QPointF& pixel);
+  void imageClicked(const QPointF& pixel);
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -17,8 +17,8 @@ void ImagePickTool::attach(int camera, CameraView* view) {
     std::erase_if(layers_, [layer](const auto& one) { return one.second == layer; });
   });
   connect(layer, &ImagePickOverlay::chosen, this, [this, camera] { Q_EMIT cameraChosen(camera); });
-  connect(layer, &ImagePickOverlay::pointed, this,
-          [this, camera](const QPointF& pixel) { Q_EMIT pointed(camera, pixel); });
+  connect(layer, &ImagePickOverlay::imageClicked, this,
+          [this, camera](const QPointF& pixel) { Q_EMIT imageClicked(camera, pixel); });
   connect(layer, &ImagePickOverlay::cancelled, this, &ImagePickTool::cancelled);
   connect(layer, &ImagePickOverlay::picked, this,
           [this, camera](const QRectF& region, Qt::KeyboardModifiers modifiers) {

@@ -35,7 +35,7 @@ Q_SIGNALS:
   void cancelled();
   /// A plain click while nothing is being picked: the camera, and where that was, pixels.
   void cameraChosen(int camera);
-  void pointed(int camera, const QPointF& pixel);
+  void imageClicked(int camera, const QPointF& pixel);
 
 private:
   std::vector<std::pair<int, ImagePickOverlay*>> layers_;

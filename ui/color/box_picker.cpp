@@ -31,7 +31,7 @@ void BoxPicker::point(const TrackSnapshotPtr& snapshot, int camera, const QRectF
                              : boxFromClick(shown->image, drawn.x, drawn.y);
     return [this, found, camera, frame, target] {
       if (found) {
-        adopt(target, {camera, frame, *found});
+        applyResult(target, {camera, frame, *found});
       } else {
         Q_EMIT failed(errorSentence(found.error()));
       }
@@ -39,7 +39,7 @@ void BoxPicker::point(const TrackSnapshotPtr& snapshot, int camera, const QRectF
   });
 }
 
-void BoxPicker::adopt(int target, const TargetBox& box) {
+void BoxPicker::applyResult(int target, const TargetBox& box) {
   const Project& now = document_.project();
   const bool isNew = target < 0 || target >= static_cast<int>(now.targets.size());
   const auto index = isNew ? now.targets.size() : static_cast<std::size_t>(target);

@@ -31,7 +31,7 @@ Q_SIGNALS:
   void failed(const QString& sentence);
 
 private:
-  void adopt(int target, const TargetBox& box);
+  void applyResult(int target, const TargetBox& box);
 
   Document& document_;
   int target_ = 0;

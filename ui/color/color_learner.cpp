@@ -77,7 +77,9 @@ void ColorLearner::point(int camera, const QRectF& region, SampleAction lesson) 
     if (!color) {
       return [this, error = color.error()] { Q_EMIT failed(errorSentence(error)); };
     }
-    return [this, target, samples, color = *color, step] { adopt(target, samples, color, step); };
+    return [this, target, samples, color = *color, step] {
+      applyResult(target, samples, color, step);
+    };
   });
 }
 
@@ -98,7 +100,7 @@ void ColorLearner::removeSample(int index) {
   if (!anyLeft) {
     LearnedColor same{project.targets[static_cast<std::size_t>(target)].color, {}};
     same.assessment.targetKnown = false;
-    adopt(target, samples, same, step);
+    applyResult(target, samples, same, step);
     return;
   }
   start([this, samples, target, step, shown = images(),
@@ -107,12 +109,14 @@ void ColorLearner::removeSample(int index) {
     if (!color) {
       return [this, error = color.error()] { Q_EMIT failed(errorSentence(error)); };
     }
-    return [this, target, samples, color = *color, step] { adopt(target, samples, color, step); };
+    return [this, target, samples, color = *color, step] {
+      applyResult(target, samples, color, step);
+    };
   });
 }
 
-void ColorLearner::adopt(int target, const std::vector<ColorSample>& samples,
-                         const LearnedColor& color, const QString& step) {
+void ColorLearner::applyResult(int target, const std::vector<ColorSample>& samples,
+                               const LearnedColor& color, const QString& step) {
   int taught = target;
   const auto edited = document_.edit(step, [&](Project& project) {
     if (target < 0 || target >= static_cast<int>(project.targets.size())) {

@@ -50,8 +50,8 @@ private:
   std::vector<cv::Mat> emptyRooms() const;
   /// Does `work` in the thread, then what it returns here; of several only the last counts.
   void start(Work work);
-  void adopt(int target, const std::vector<ColorSample>& samples, const LearnedColor& color,
-             const QString& step);
+  void applyResult(int target, const std::vector<ColorSample>& samples, const LearnedColor& color,
+                   const QString& step);
 
   Document& document_;
   TrackSnapshotPtr snapshot_;

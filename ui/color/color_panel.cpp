@@ -38,7 +38,7 @@ constexpr std::int64_t kOutlinedFrames = 10; ///< an outline stays so long over 
 } // namespace
 
 ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
-    : QWidget(parent), document_(document), pick_(pick), teacher_(new ColorLearner(document, this)),
+    : QWidget(parent), document_(document), pick_(pick), learner_(new ColorLearner(document, this)),
       boxes_(new BoxPicker(document, this)), name_(new QLabel(this)), learn_(new QToolButton(this)),
       picker_(new ColorPicker(this)), verdict_(new QLabel(this)),
       samples_(new ColorSampleList(this)), judgeSoon_(new QTimer(this)) {
@@ -69,7 +69,7 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
   connect(picker_, &ColorPicker::rangeEdited, this, &ColorPanel::editRange);
   connect(picker_, &ColorPicker::editingFinished, this, [this] {
     document_.endMerging();
-    teacher_->judge();
+    learner_->judge();
   });
   connect(samples_, &ColorSampleList::removeRequested, this, &ColorPanel::removeSample);
   connect(&pick_, &ImagePickTool::attached, this, [this] { setPicking(picking_); });
@@ -81,26 +81,26 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
   });
   connect(&document_, &Document::targetsChanged, this, &ColorPanel::refresh);
   connect(&document_, &Document::methodChanged, this, &ColorPanel::retranslateUi);
-  connectTeacher();
+  connectLearner();
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void ColorPanel::connectTeacher() {
-  const auto adopt = [this](int target, bool isNew) {
+void ColorPanel::connectLearner() {
+  const auto showLearned = [this](int target, bool isNew) {
     target_ = target;
     setPicking(false);
     refresh();
     Q_EMIT learned(target, isNew);
   };
-  connect(teacher_, &ColorLearner::learned, this, adopt);
-  connect(boxes_, &BoxPicker::learned, this, adopt);
+  connect(learner_, &ColorLearner::learned, this, showLearned);
+  connect(boxes_, &BoxPicker::learned, this, showLearned);
   connect(boxes_, &BoxPicker::failed, this, &ColorPanel::failed);
-  connect(teacher_, &ColorLearner::judged, this, &ColorPanel::showVerdict);
+  connect(learner_, &ColorLearner::judged, this, &ColorPanel::showVerdict);
   judgeSoon_->setSingleShot(true);
   judgeSoon_->setInterval(kJudgeMs);
   connect(judgeSoon_, &QTimer::timeout, this, &ColorPanel::judgeNow);
-  connect(teacher_, &ColorLearner::failed, this, &ColorPanel::failed);
-  connect(teacher_, &ColorLearner::busyChanged, this, [this](bool busy) {
+  connect(learner_, &ColorLearner::failed, this, &ColorPanel::failed);
+  connect(learner_, &ColorLearner::busyChanged, this, [this](bool busy) {
     if (busy && !judged_) {
       verdict_->setText(tr("Looking at the images…"));
     }
@@ -126,8 +126,8 @@ void ColorPanel::pickedIn(int camera, const QRectF& region, Qt::KeyboardModifier
     boxes_->point(snapshot_, camera, region);
     return;
   }
-  teacher_->setSnapshot(snapshot_);
-  teacher_->setTarget(target_);
+  learner_->setSnapshot(snapshot_);
+  learner_->setTarget(target_);
   // Many desktops keep Alt with the mouse for themselves: Ctrl+Shift does the same.
   const bool shift = modifiers.testFlag(Qt::ShiftModifier);
   const bool excludes =
@@ -138,7 +138,7 @@ void ColorPanel::pickedIn(int camera, const QRectF& region, Qt::KeyboardModifier
       isBox ? QRectF(QPointF(std::max(0.0, region.left()), std::max(0.0, region.top())),
                      region.bottomRight())
             : region;
-  teacher_->point(camera, place,
+  learner_->point(camera, place,
                   excludes ? ColorLearner::SampleAction::Exclude
                   : shift  ? ColorLearner::SampleAction::Add
                            : ColorLearner::SampleAction::Replace);
@@ -208,16 +208,16 @@ void ColorPanel::clearRegions() {
 }
 
 void ColorPanel::judgeNow() {
-  if (inFront_ && snapshot_ && snapshot_->frames && !teacher_->isBusy() && !takesBoxes()) {
-    teacher_->setTarget(target_);
-    teacher_->judge();
+  if (inFront_ && snapshot_ && snapshot_->frames && !learner_->isBusy() && !takesBoxes()) {
+    learner_->setTarget(target_);
+    learner_->judge();
   }
 }
 
 /// A verdict is about one moment: its outlines go when another one is shown, and it is made anew
 /// where a person stays.
 void ColorPanel::keepVerdictCurrent() {
-  if (!snapshot_->frames || teacher_->isBusy() || takesBoxes()) {
+  if (!snapshot_->frames || learner_->isBusy() || takesBoxes()) {
     return;
   }
   const bool moved = std::abs(snapshot_->frame - judgedFrame_) > kOutlinedFrames;
@@ -232,9 +232,9 @@ void ColorPanel::keepVerdictCurrent() {
 }
 
 void ColorPanel::removeSample(int sample) {
-  teacher_->setSnapshot(snapshot_);
-  teacher_->setTarget(target_);
-  teacher_->removeSample(sample);
+  learner_->setSnapshot(snapshot_);
+  learner_->setTarget(target_);
+  learner_->removeSample(sample);
 }
 
 void ColorPanel::editRange(const ColorRange& range) {
@@ -287,7 +287,7 @@ void ColorPanel::showVerdict(const ColorAssessment& verdict) {
 
 void ColorPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   snapshot_ = snapshot;
-  teacher_->setSnapshot(snapshot);
+  learner_->setSnapshot(snapshot);
   if (inFront_ && snapshot_) {
     keepVerdictCurrent();
   }

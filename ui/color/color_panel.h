@@ -53,7 +53,7 @@ Q_SIGNALS:
 private:
   void retranslateUi();
   void refresh();
-  void connectTeacher();
+  void connectLearner();
   /// Whether the method follows boxes: then a box is pointed at in place of a color.
   bool takesBoxes() const;
   /// Whether a plain click is expected although nobody asked for it: there is nothing to follow.
@@ -71,7 +71,7 @@ private:
 
   Document& document_;
   ImagePickTool& pick_;
-  ColorLearner* teacher_;
+  ColorLearner* learner_;
   BoxPicker* boxes_;
   QLabel* name_;
   QToolButton* learn_;

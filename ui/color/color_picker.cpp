@@ -129,10 +129,10 @@ void ColorPicker::retranslateUi() {
 
 void ColorPicker::setRange(const ColorRange& range) {
   range_ = range;
-  show();
+  showRange();
 }
 
-void ColorPicker::show() {
+void ColorPicker::showRange() {
   ring_->setRange(range_.hueMin, range_.hueMax);
   saturation_->setRange(range_.saturationMin, range_.saturationMax);
   intensity_->setRange(range_.intensityMin, range_.intensityMax);
@@ -149,11 +149,11 @@ void ColorPicker::show() {
 
 void ColorPicker::take(const ColorRange& range) {
   if (!checkColorRange(range)) {
-    show(); // it would match nothing: what holds stays
+    showRange(); // it would match nothing: what holds stays
     return;
   }
   range_ = range;
-  show();
+  showRange();
   Q_EMIT rangeEdited(range);
 }
 

@@ -39,7 +39,7 @@ private:
   QDoubleSpinBox* addBox(const char* name, double maximum, double step, int decimals,
                          const QString& suffix);
   void retranslateUi();
-  void show();
+  void showRange();
   void take(const ColorRange& range);
 
   ColorRange range_;

@@ -42,7 +42,7 @@ Recovery::Recovery(Document& document, std::filesystem::path folder, QObject* pa
     }
   });
   connect(&document_, &Document::fileChanged, this, [this] {
-    forget();
+    removeBackup();
     if (document_.isUnsaved()) { // it was changed while it was saved
       schedule();
     }
@@ -103,7 +103,7 @@ void Recovery::removeTaken() {
   }
 }
 
-void Recovery::forget() {
+void Recovery::removeBackup() {
   removeOwn();
   removeTaken();
 }
@@ -115,7 +115,7 @@ void Recovery::removeOwn() {
 
 void Recovery::look(std::function<void(const std::vector<RecoverableWork>&)> then) {
   queue_.add([own = folder_, then = std::move(then)] {
-    return std::function<void()>([then, left = (*own)->leftBehind()] { then(left); });
+    return std::function<void()>([then, left = (*own)->orphanedBackups()] { then(left); });
   });
 }
 
@@ -126,12 +126,12 @@ void Recovery::recover(const RecoverableWork& work,
   });
 }
 
-void Recovery::putAside(const RecoverableWork& work) {
-  inFolder([work](RecoveryFolder&) { RecoveryFolder::putAside(work); });
+void Recovery::discard(const RecoverableWork& work) {
+  inFolder([work](RecoveryFolder&) { RecoveryFolder::discard(work); });
 }
 
-void Recovery::takeBack(const RecoverableWork& work) {
-  inFolder([work](RecoveryFolder&) { RecoveryFolder::takeBack(work); });
+void Recovery::restore(const RecoverableWork& work) {
+  inFolder([work](RecoveryFolder&) { RecoveryFolder::restore(work); });
 }
 
 } // namespace dewpoint::ui

@@ -40,10 +40,10 @@ public:
   void take(const RecoverableWork& work) { taken_.push_back(work); }
   /// Puts the copy where it is not offered any more; a slip can be taken back. What lies there is
   /// gone after a week.
-  void putAside(const RecoverableWork& work);
-  void takeBack(const RecoverableWork& work);
-  /// Forgets the copy of this window, and what it took over: the work is saved or given up.
-  void forget();
+  void discard(const RecoverableWork& work);
+  void restore(const RecoverableWork& work);
+  /// Removes the copy of this window, and what it took over: the work is saved or given up.
+  void removeBackup();
 
   static std::filesystem::path standardFolder();
 

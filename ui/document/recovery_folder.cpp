@@ -102,7 +102,7 @@ void RecoveryFolder::removeOwn() const {
   removeFile(originOf(own()));
 }
 
-std::vector<RecoverableWork> RecoveryFolder::leftBehind() const {
+std::vector<RecoverableWork> RecoveryFolder::orphanedBackups() const {
   std::vector<RecoverableWork> all;
   const QDir folder(QString::fromStdString(folder_.string()));
   for (const QFileInfo& file :
@@ -130,11 +130,11 @@ Result<Project> RecoveryFolder::read(const RecoverableWork& work) {
   return project;
 }
 
-void RecoveryFolder::putAside(const RecoverableWork& work) {
+void RecoveryFolder::discard(const RecoverableWork& work) {
   moveFile(work.file, asideOf(work.file));
 }
 
-void RecoveryFolder::takeBack(const RecoverableWork& work) {
+void RecoveryFolder::restore(const RecoverableWork& work) {
   moveFile(asideOf(work.file), work.file);
 }
 

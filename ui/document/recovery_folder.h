@@ -38,12 +38,12 @@ public:
   ~RecoveryFolder(); ///< takes the lock away
 
   /// What windows that were closed left in the folder, the newest first.
-  std::vector<RecoverableWork> leftBehind() const;
+  std::vector<RecoverableWork> orphanedBackups() const;
   /// The project of such a copy, with the file it was loaded from.
   static Result<Project> read(const RecoverableWork& work);
   /// Puts the copy where it is not offered any more; what lies there is gone after a week.
-  static void putAside(const RecoverableWork& work);
-  static void takeBack(const RecoverableWork& work);
+  static void discard(const RecoverableWork& work);
+  static void restore(const RecoverableWork& work);
   static void remove(const RecoverableWork& work);
 
   /// Writes this window's copy: `project`, which was loaded from `project.file`.

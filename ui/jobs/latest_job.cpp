@@ -6,14 +6,14 @@
 namespace dewpoint::ui {
 
 namespace {
-constexpr int kPatienceMs = 3000; ///< with work that was cancelled, and keeps a newer one waiting
+constexpr int kCancelTimeoutMs = 3000; ///< for canceled work to end while a newer one waits
 } // namespace
 
 LatestJob::LatestJob(Overtaken overtaken, QObject* parent)
     : QObject(parent), overtaken_(overtaken) {
-  patience_.setSingleShot(true);
-  patience_.setInterval(kPatienceMs);
-  connect(&patience_, &QTimer::timeout, &job_, &BackgroundJob::abandon);
+  cancelTimeout_.setSingleShot(true);
+  cancelTimeout_.setInterval(kCancelTimeoutMs);
+  connect(&cancelTimeout_, &QTimer::timeout, &job_, &BackgroundJob::abandon);
   connect(&job_, &BackgroundJob::progressChanged, this, &LatestJob::progressChanged);
   connect(&job_, &BackgroundJob::ended, this, &LatestJob::goOn);
 }
@@ -24,15 +24,15 @@ void LatestJob::start(BackgroundJob::Work work) {
     goOn();
   } else if (overtaken_ == Overtaken::Dropped) {
     job_.cancel();
-    if (!patience_.isActive()) {
-      patience_.start();
+    if (!cancelTimeout_.isActive()) {
+      cancelTimeout_.start();
     }
   }
 }
 
 void LatestJob::cancel() {
   waiting_.reset();
-  patience_.stop();
+  cancelTimeout_.stop();
   job_.cancel();
 }
 
@@ -40,7 +40,7 @@ void LatestJob::goOn() {
   if (job_.isRunning()) { // what the last one found has begun another one
     return;
   }
-  patience_.stop();
+  cancelTimeout_.stop();
   if (waiting_) {
     job_.start(*std::exchange(waiting_, std::nullopt));
   } else {

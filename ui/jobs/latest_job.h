@@ -38,7 +38,7 @@ private:
   Overtaken overtaken_;
   BackgroundJob job_;
   std::optional<BackgroundJob::Work> waiting_;
-  QTimer patience_;
+  QTimer cancelTimeout_;
 };
 
 } // namespace dewpoint::ui

@@ -34,7 +34,7 @@ void CameraMotionAlerts::setSnapshot(const TrackSnapshotPtr& shown) {
 
 void CameraMotionAlerts::withdraw() {
   if (!text_.isEmpty() && bar_.text() == text_) {
-    bar_.close();
+    bar_.dismiss();
   }
   text_.clear();
 }
@@ -51,7 +51,7 @@ void CameraMotionAlerts::showAlert(const CameraMotionReport& report, CameraMotio
     break;
   case CameraMotionStage::Solved:
     bar_.ask(what + QLatin1Char(' ') + tr("Its pose can be solved again from what it sees."),
-             {{tr("Re-solve %1").arg(name), [this, camera] { Q_EMIT resolveWanted(camera); }}});
+             {{tr("Re-solve %1").arg(name), [this, camera] { Q_EMIT newPoseWanted(camera); }}});
     break;
   case CameraMotionStage::Unsolvable:
     bar_.ask(what + QLatin1Char(' ') +

@@ -23,7 +23,7 @@ public:
   void setSnapshot(const TrackSnapshotPtr& snapshot);
 
 Q_SIGNALS:
-  void resolveWanted(int camera);
+  void newPoseWanted(int camera);
   void calibrateWanted(int camera);
 
 private:

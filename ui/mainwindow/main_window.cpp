@@ -122,7 +122,7 @@ void MainWindow::installFeatures() {
   installCameras(bench);
   auto* color = new ColorDock(bench, *cameras, targets);
   auto* people = new PeopleDock(bench, *cameras, *birdsEye, {targets.dock, color->dock()});
-  connect(&cameras->pick(), &ImagePickTool::pointed, people, &PeopleDock::selectSeenAt);
+  connect(&cameras->pick(), &ImagePickTool::imageClicked, people, &PeopleDock::selectSeenAt);
   auto* calibration = new CalibrationMode(bench);
   installManualCalibration(bench, *calibration, *cameras);
   installBoardCalibration(bench, *calibration, *cameras);

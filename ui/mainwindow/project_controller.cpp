@@ -236,7 +236,7 @@ bool ProjectController::mayClose() {
     return false;
   }
   if (recovery_ != nullptr) {
-    recovery_->forget(); // saved, or given up on purpose
+    recovery_->removeBackup(); // saved, or given up on purpose
   }
   return true;
 }

@@ -50,12 +50,12 @@ void RecoveryOffer::ask(const std::vector<RecoverableWork>& left) {
 }
 
 void RecoveryOffer::throwAway(const RecoverableWork& work) {
-  recovery_->putAside(work);
+  recovery_->discard(work);
   recovery_->look([this, work](const std::vector<RecoverableWork>& left) {
     ask(left); // of other work, once this is read
     bench_.messages.ask(tr("Unsaved work on “%1” was thrown away.").arg(work.name),
                         {{tr("Take it back"), [this, work] {
-                            recovery_->takeBack(work);
+                            recovery_->restore(work);
                             offer();
                           }}});
   });

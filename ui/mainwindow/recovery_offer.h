@@ -21,7 +21,7 @@ public:
   /// The document is this work now.
   void take(const RecoverableWork& work) { recovery_->take(work); }
   /// The work of this window is saved or given up on purpose.
-  void forget() { recovery_->forget(); }
+  void removeBackup() { recovery_->removeBackup(); }
   /// Reads the work: recovered() follows, or an error in the window.
   void recover(const RecoverableWork& work);
 

@@ -22,12 +22,12 @@ RunAlerts::RunAlerts(const Workbench& bench, ManualCalibration& hand)
   auto* bumps = new CameraMotionAlerts(bench_.messages, this);
   connect(&bench_.session, &SessionController::snapshotChanged, this, &RunAlerts::showNotices);
   bench_.connectView(bumps);
-  connect(bumps, &CameraMotionAlerts::resolveWanted, this, &RunAlerts::resolve);
+  connect(bumps, &CameraMotionAlerts::newPoseWanted, this, &RunAlerts::applyNewPose);
   connect(bumps, &CameraMotionAlerts::calibrateWanted, this, [this](int camera) {
     bench_.action("actionCalibrateByHand")->setChecked(true);
     hand_.selectCamera(camera);
   });
-  bench_.onTriggered("actionResolveCamera", this, [this] { resolveFirst(); });
+  bench_.onTriggered("actionResolveCamera", this, [this] { applyFirstNewPose(); });
   bench_.needRun({"actionResolveCamera"});
   connect(&bench_.session, &SessionController::failed, &bench_.messages, &MessageBar::showError);
 }
@@ -46,26 +46,26 @@ void RunAlerts::showNotices(const TrackSnapshotPtr& snapshot) {
   noticesShown_ = count;
 }
 
-void RunAlerts::resolveFirst() {
+void RunAlerts::applyFirstNewPose() {
   const TrackSnapshotPtr& shown = bench_.session.shown();
   for (int k = 0; k < hand_.cameraCount(); ++k) {
     if (shown && bumpOf(*shown, k) != nullptr) {
-      resolve(k);
+      applyNewPose(k);
       return;
     }
   }
   bench_.messages.showNotice(tr("No camera was bumped."));
 }
 
-void RunAlerts::resolve(int camera) {
+void RunAlerts::applyNewPose(int camera) {
   const TrackSnapshotPtr& shown = bench_.session.shown();
   const CameraMotionReport* report = shown ? bumpOf(*shown, camera) : nullptr;
   const QString name = hand_.nameOf(camera);
-  if (report == nullptr || !report->resolved) {
+  if (report == nullptr || !report->newPose) {
     bench_.messages.showNotice(tr("%1 cannot be solved again now.").arg(name));
     return;
   }
-  const ResolvedCamera solved = *report->resolved; // the report goes with the next snapshot
+  const MovedCameraPose solved = *report->newPose; // the report goes with the next snapshot
   Camera now = hand_.cameraAt(camera);
   now.cameraFromWorld = solved.camera.cameraFromWorld;
   hand_.change(camera, tr("Re-solve %1").arg(name), now);

@@ -18,9 +18,9 @@ public:
 
 private:
   void showNotices(const TrackSnapshotPtr& snapshot);
-  void resolveFirst();
+  void applyFirstNewPose();
   /// Takes the pose that the run found for a camera that was moved into the project.
-  void resolve(int camera);
+  void applyNewPose(int camera);
 
   Workbench bench_;
   ManualCalibration& hand_;

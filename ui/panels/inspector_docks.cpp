@@ -23,7 +23,7 @@ namespace dewpoint::ui {
 
 namespace {
 
-void sayWhatMethodNeeds(const Workbench& bench) {
+void showMethodRequirements(const Workbench& bench) {
   const Project& project = bench.document.project();
   const auto hasBox = [](const Target& target) { return target.box.has_value(); };
   if (methodFamily(project.method).targets == TargetsFrom::Box) {
@@ -82,7 +82,7 @@ void installParameters(const Workbench& bench) {
   // The dock itself too: with a title bar of our own its minimum does not follow its content's.
   dock->setMinimumWidth(scroll->minimumWidth());
   QObject::connect(&bench.document, &Document::methodChanged, dock,
-                   [bench] { sayWhatMethodNeeds(bench); });
+                   [bench] { showMethodRequirements(bench); });
 }
 
 TargetDock installTargets(const Workbench& bench) {

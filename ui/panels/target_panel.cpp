@@ -27,7 +27,7 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr double kMillimeters = 1000.0; ///< in a metre
+constexpr double kMillimeters = 1000.0; ///< in a meter
 constexpr double kLargestRadius = 2000.0;
 
 } // namespace

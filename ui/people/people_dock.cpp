@@ -69,11 +69,11 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
   connect(&birdsEye, &BirdsEyeView::personClicked, &bench_.selection, &Selection::selectTarget);
   connect(&bench_.session, &SessionController::runStarted, this, [this] {
     bench_.session.session()->setShapesWanted(bench_.action("actionShowVolumes")->isChecked());
-    suitMethod();
+    updateForMethod();
   });
   connect(&bench_.session, &SessionController::runEnded, this, [this] { ++run_; });
-  connect(&bench_.document, &Document::replaced, this, &PeopleDock::suitMethod);
-  connect(&bench_.document, &Document::methodChanged, this, &PeopleDock::suitMethod);
+  connect(&bench_.document, &Document::replaced, this, &PeopleDock::updateForMethod);
+  connect(&bench_.document, &Document::methodChanged, this, &PeopleDock::updateForMethod);
 }
 
 bool PeopleDock::isOfPeople() const {
@@ -134,7 +134,7 @@ void PeopleDock::selectSeenAt(int camera, const QPointF& pixel) {
   }
 }
 
-void PeopleDock::suitMethod() {
+void PeopleDock::updateForMethod() {
   const bool people = isOfPeople();
   if (!people) {
     bench_.action("actionPlacePerson")->setChecked(false);
@@ -159,7 +159,7 @@ void PeopleDock::placePeople(bool placing) {
   if (can) {
     bench_.messages.showNotice(hint);
   } else if (bench_.messages.text() == hint) {
-    bench_.messages.close();
+    bench_.messages.dismiss();
   }
 }
 

@@ -38,7 +38,7 @@ private:
   void connectActions();
   void connectPlacer(const CameraDocks& cameras);
   /// The docks and actions that the method has a use for.
-  void suitMethod();
+  void updateForMethod();
   void placePeople(bool placing);
   void askExport();
   /// Writes the tables of this run, of those counted by run_; an error if it is over.

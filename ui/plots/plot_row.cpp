@@ -253,7 +253,7 @@ void PlotRow::fit(double least, double most) {
   }
   case PlotQuantity::Position:
   case PlotQuantity::LogLikelihood: {
-    // Finer than a millimetre, or a difference in probability that says nothing, is not enlarged.
+    // Finer than a millimeter, or a difference in probability that says nothing, is not enlarged.
     const double finest = declaration_->quantity == PlotQuantity::Position ? 1e-3 : 1.0;
     const double step = roundedUp(std::max(most - least, finest)) / 5.0;
     yAxis()->setRange((std::floor(least / step) - 0.2) * step,

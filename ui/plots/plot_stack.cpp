@@ -190,7 +190,7 @@ void PlotStack::setAxis(PlotAxis axis) {
 }
 
 void PlotStack::link(Selection& selection) {
-  connect(this, &PlotStack::momentChosen, &selection, &Selection::wantMoment);
+  connect(this, &PlotStack::momentChosen, &selection, &Selection::requestFrame);
   connect(this, &PlotStack::spanChosen, &selection, [&selection](qint64 first, qint64 last) {
     selection.selectSpan(FrameSpan{first, last});
   });

@@ -125,13 +125,13 @@ void appendTo(PlotSeries& series, const IterationRecord& record) {
     put(kError, record.error);
   }
   put(kDuration, record.microseconds);
-  put(kExistence, record.similarity.value_or(record.existence));
+  put(kExistence, record.similarity.value_or(record.existenceProbability));
   for (std::size_t camera = 0; camera < record.cameras.size(); ++camera) {
     const CameraEvidence& evidence = record.cameras[camera];
     const std::size_t column = kFirstCamera + kPerCamera * camera;
     if (evidence.inView && column + 1 < values.size()) {
       put(column, evidence.logLikelihood);
-      put(column + 1, evidence.existence);
+      put(column + 1, evidence.existenceProbability);
     }
   }
   series.append({record.iteration, record.frame, record.time}, values);

@@ -13,7 +13,7 @@ bool usable(const Camera& camera) {
          camera.cameraFromWorld.matrix().allFinite();
 }
 
-/// The world point seen at a pixel, `depth` metres before the camera. Distortion is left out: it
+/// The world point seen at a pixel, `depth` meters before the camera. Distortion is left out: it
 /// would not be visible at this size.
 Eigen::Vector3d unproject(const Camera& camera, double column, double row, double depth) {
   const Intrinsics& k = camera.intrinsics;

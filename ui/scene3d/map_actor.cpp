@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kSliceOpacity = 0.72;
 constexpr double kSurfaceOpacity = 0.30;
-constexpr double kWorst = 1e3; ///< of what counts as seen by nobody: metres of a sigma
+constexpr double kWorst = 1e3; ///< of what counts as seen by nobody: meters of a sigma
 
 /// What surfaces are drawn through: even steps between values, falling from good to bad.
 double level(const MapLook& look, double value) {

@@ -7,7 +7,7 @@
 namespace dewpoint::ui {
 namespace {
 
-constexpr double kAboveFloor = 0.004; ///< metres, so that curves are not drawn into the floor
+constexpr double kAboveFloor = 0.004; ///< meters, so that curves are not drawn into the floor
 
 void fillHull(const ConvexHull& hull, vtkPolyData* faces, vtkPolyData* edges) {
   Strokes filled;

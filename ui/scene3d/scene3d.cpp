@@ -33,7 +33,7 @@ void Scene3d::setPixelRatio(double ratio) {
   parts_->scale.pixelRatio = std::isfinite(ratio) && ratio > 0.0 ? ratio : 1.0;
 }
 
-void Scene3d::show(const TrackSnapshot& snapshot) {
+void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
   SceneParts& parts = *parts_;
   if (snapshot.rig != parts.rig) {
     parts.showRig(snapshot.rig);
@@ -107,7 +107,7 @@ void Scene3d::showPlanned(const CameraRig& cameras) {
 }
 
 void Scene3d::clear() {
-  show(TrackSnapshot{});
+  setSnapshot(TrackSnapshot{});
 }
 
 void Scene3d::look(View view) {
@@ -175,8 +175,8 @@ Eigen::Vector3d Scene3d::placeInWorld(const Eigen::Vector2d& place,
   return parts_->scale.world(place, depth);
 }
 
-double Scene3d::metresPerPixel() const {
-  return parts_->scale.metresPerPixel;
+double Scene3d::metersPerPixel() const {
+  return parts_->scale.metersPerPixel;
 }
 
 } // namespace dewpoint::ui

@@ -41,7 +41,7 @@ public:
   void setPixelRatio(double ratio);
   /// Shows one moment. Values that are not finite are left out. The first snapshot with something
   /// to see (and each new rig) also frames the current view, unless the user moved the camera.
-  void show(const TrackSnapshot& snapshot);
+  void setSnapshot(const TrackSnapshot& snapshot);
   /// The selected target; a person stands out. -1: none.
   void choose(int target);
   /// Marks these positions: one stroke for each, meters. Stays until it is called again.
@@ -78,7 +78,7 @@ public:
   /// The point that is there, as far from the eye as `depth` is: the inverse of placeInPicture().
   Eigen::Vector3d placeInWorld(const Eigen::Vector2d& place, const Eigen::Vector3d& depth) const;
   /// Meters per device pixel at the focus, as of the last `prepareFrame`.
-  double metresPerPixel() const;
+  double metersPerPixel() const;
 
 private:
   std::unique_ptr<SceneParts> parts_;

@@ -34,18 +34,18 @@ bool allFinite(const std::vector<Eigen::Vector3d>& points) {
 } // namespace
 
 double ScreenScale::meters(const Eigen::Vector3d& point, double pixels) const {
-  const double perPixel = parallel ? metresPerPixel : slope * std::max(depth(point), 1e-3);
+  const double perPixel = parallel ? metersPerPixel : slope * std::max(depth(point), 1e-3);
   return pixels * pixelRatio * perPixel;
 }
 
 Eigen::Vector2d ScreenScale::place(const Eigen::Vector3d& point) const {
-  const double perPixel = parallel ? metresPerPixel : slope * std::max(depth(point), 1e-3);
+  const double perPixel = parallel ? metersPerPixel : slope * std::max(depth(point), 1e-3);
   return Eigen::Vector2d((point - eye).dot(right), (point - eye).dot(up)) / perPixel;
 }
 
 Eigen::Vector3d ScreenScale::world(const Eigen::Vector2d& place,
                                    const Eigen::Vector3d& like) const {
-  const double perPixel = parallel ? metresPerPixel : slope * std::max(depth(like), 1e-3);
+  const double perPixel = parallel ? metersPerPixel : slope * std::max(depth(like), 1e-3);
   return eye + depth(like) * direction + perPixel * (place.x() * right + place.y() * up);
 }
 

@@ -25,7 +25,7 @@ struct ScreenScale {
   Eigen::Vector3d right = Eigen::Vector3d::UnitX();
   Eigen::Vector3d up = Eigen::Vector3d::UnitY();
   bool parallel = true;
-  double metresPerPixel = 0.01; ///< at the focus
+  double metersPerPixel = 0.01; ///< at the focus
   double slope = 0.0;           ///< meters per pixel and meter of depth, perspective only
   double pixelRatio = 1.0;
 

@@ -34,7 +34,7 @@ bool usablePose(const Camera& camera) {
 }
 
 /// The point nearest to all optical axes: where a rig looks. For a single camera (or parallel axes)
-/// two metres before the cameras.
+/// two meters before the cameras.
 Eigen::Vector3d lookedAt(const CameraRig& rig) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -269,7 +269,7 @@ void SceneParts::measure() {
   scale.up = scale.right.cross(scale.direction);
   scale.parallel = camera->GetParallelProjection() != 0;
   scale.slope = 2.0 * std::tan(kViewAngle / 2.0) / std::max(1, height);
-  scale.metresPerPixel = scale.parallel ? 2.0 * camera->GetParallelScale() / std::max(1, height)
+  scale.metersPerPixel = scale.parallel ? 2.0 * camera->GetParallelScale() / std::max(1, height)
                                         : scale.slope * (focal - scale.eye).norm();
 }
 

@@ -17,9 +17,9 @@ struct FrameSpan {
 };
 
 /// What is selected, in all views at once: moment, span, target and camera. A view shows what the
-/// `...Changed` signals say and tells with `want...` and `select...` what the user points at; views
-/// never talk to each other. The window passes the wish for a moment on to the session and reports
-/// the moment once its images are there.
+/// `...Changed` signals say and tells with `request...` and `select...` what the user points at;
+/// views never talk to each other. The window passes the request for a frame on to the session and
+/// reports the moment once its images are there.
 class Selection : public QObject {
   Q_OBJECT
 public:
@@ -40,9 +40,9 @@ public:
   int plannedCamera() const { return plannedCamera_; }
 
   /// The user points at a frame (timeline, plot, table).
-  void wantMoment(qint64 frame) { Q_EMIT momentWanted(frame); }
+  void requestFrame(qint64 frame) { Q_EMIT frameRequested(frame); }
   /// The user wants to see again where the run stands.
-  void wantNow() { Q_EMIT nowWanted(); }
+  void requestLiveFrame() { Q_EMIT liveFrameRequested(); }
   /// The frame that is shown from now on: for the window.
   void setMoment(qint64 frame, double seconds, bool past);
 
@@ -54,8 +54,8 @@ public:
   void clear();
 
 Q_SIGNALS:
-  void momentWanted(qint64 frame);
-  void nowWanted();
+  void frameRequested(qint64 frame);
+  void liveFrameRequested();
   void momentChanged(qint64 frame, double seconds);
   void spanChanged();
   void targetSelected(int target);

@@ -42,7 +42,7 @@ void ProjectLoader::finish(const std::shared_ptr<Result<SessionInputs>>& result)
   Q_EMIT openingChanged(opening_);
 }
 
-void ProjectLoader::retire(std::unique_ptr<Session> session) {
+void ProjectLoader::destroyInBackground(std::unique_ptr<Session> session) {
   if (session) {
     DetachedDelete()(session.release());
   }

@@ -39,7 +39,7 @@ public:
   /// Whether what will be opened in the end is the document's own project with other inputs.
   bool isReopening() const;
   /// Lets a session end in a thread of its own, however long its cameras take.
-  static void retire(std::unique_ptr<Session> session);
+  static void destroyInBackground(std::unique_ptr<Session> session);
 
 Q_SIGNALS:
   void openingChanged(bool opening);

@@ -14,13 +14,13 @@ SessionBridge::SessionBridge(SessionInputs inputs, QObject* parent)
       session_(std::make_unique<Session>(std::move(inputs))) {
   session_->onSnapshot([this] {
     if (!pending_.exchange(true)) {
-      QMetaObject::invokeMethod(this, &SessionBridge::drain, Qt::QueuedConnection);
+      QMetaObject::invokeMethod(this, &SessionBridge::deliverNewest, Qt::QueuedConnection);
     }
   });
 }
 
 SessionBridge::~SessionBridge() {
-  ProjectLoader::retire(release()); // its threads may hang in a dead camera
+  ProjectLoader::destroyInBackground(release()); // its threads may hang in a dead camera
 }
 
 TrackSnapshotPtr SessionBridge::asSeen(const TrackSnapshotPtr& snapshot) {
@@ -35,7 +35,7 @@ std::unique_ptr<Session> SessionBridge::release() {
   return std::move(session_);
 }
 
-void SessionBridge::drain() {
+void SessionBridge::deliverNewest() {
   // Cleared before reading: what is published from here on earns a wake-up of its own.
   pending_ = false;
   if (session_) {

@@ -37,7 +37,7 @@ Q_SIGNALS:
   void snapshotChanged(TrackSnapshotPtr snapshot);
 
 private:
-  void drain();
+  void deliverNewest();
 
   std::atomic<bool> pending_ = false;
   std::unique_ptr<LiveFrameFiller> lateImages_;

@@ -25,7 +25,7 @@ SessionController::SessionController(ProjectOpener opener, Document& document, S
                                      QObject* parent)
     : QObject(parent), loader_(new ProjectLoader(std::move(opener), this)),
       backgrounds_(new BackgroundLoader(this)), document_(document), selection_(selection) {
-  connect(loader_, &ProjectLoader::opened, this, &SessionController::adopt);
+  connect(loader_, &ProjectLoader::opened, this, &SessionController::applyOpened);
   connect(loader_, &ProjectLoader::failed, this, &SessionController::openFailed);
   connect(loader_, &ProjectLoader::openingChanged, this, &SessionController::openingChanged);
   connect(backgrounds_, &BackgroundLoader::failed, this, &SessionController::failed);
@@ -35,12 +35,12 @@ SessionController::SessionController(ProjectOpener opener, Document& document, S
               bridge_->session().setEmptyRooms(files, rooms);
             }
           });
-  connect(&selection_, &Selection::momentWanted, this, [this](qint64 frame) {
+  connect(&selection_, &Selection::frameRequested, this, [this](qint64 frame) {
     if (bridge_ != nullptr) {
       bridge_->session().showFrame(frame);
     }
   });
-  connect(&selection_, &Selection::nowWanted, this, [this] {
+  connect(&selection_, &Selection::liveFrameRequested, this, [this] {
     if (bridge_ != nullptr) {
       bridge_->session().backToHead();
     }
@@ -98,8 +98,8 @@ void SessionController::reopen() {
   }
 }
 
-void SessionController::adopt(const OpenRequest& request,
-                              const std::shared_ptr<SessionInputs>& inputs) {
+void SessionController::applyOpened(const OpenRequest& request,
+                                    const std::shared_ptr<SessionInputs>& inputs) {
   endRun();
   Q_EMIT replacing(request);
   if (!request.keepHistory) {
@@ -153,7 +153,7 @@ void SessionController::endRun() {
   Q_EMIT snapshotChanged(nullptr);
   selection_.clear();
   if (over != nullptr) {
-    ProjectLoader::retire(over->release());
+    ProjectLoader::destroyInBackground(over->release());
     delete over;
   }
 }

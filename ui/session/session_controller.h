@@ -101,7 +101,7 @@ private:
     std::size_t position = 0;
   };
   void connectDocument();
-  void adopt(const OpenRequest& request, const std::shared_ptr<SessionInputs>& inputs);
+  void applyOpened(const OpenRequest& request, const std::shared_ptr<SessionInputs>& inputs);
   void start(const OpenRequest& request, SessionInputs inputs);
   void endRun();
   void publish(const TrackSnapshotPtr& snapshot);

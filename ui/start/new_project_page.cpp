@@ -60,7 +60,7 @@ NewProjectPage::NewProjectPage(QWidget* parent)
   makeTable();
   makeRows();
   onRetranslate(this, [this] { retranslateUi(); });
-  update();
+  refresh();
 }
 
 void NewProjectPage::makeTable() {
@@ -70,7 +70,7 @@ void NewProjectPage::makeTable() {
   cameras_->horizontalHeader()->setStretchLastSection(true);
   cameras_->setSelectionBehavior(QAbstractItemView::SelectRows);
   cameras_->setTabKeyNavigation(false);
-  connect(cameras_, &QTableWidget::itemSelectionChanged, this, &NewProjectPage::update);
+  connect(cameras_, &QTableWidget::itemSelectionChanged, this, &NewProjectPage::refresh);
 }
 
 QPushButton* NewProjectPage::addButton(const char* name, const std::function<void()>& act) {
@@ -88,7 +88,7 @@ void NewProjectPage::makeRows() {
   remove_ = addButton("newRemove", [this] { removeRow(); });
   chooseCalibration_ = addButton("newChooseCalibration", [this] { chooseCalibration(); });
   dropCalibration_ = addButton("newDropCalibration", [this] { setCalibration({}); });
-  create_ = addButton("newCreate", [this] { create(); });
+  create_ = addButton("newCreate", [this] { createProject(); });
   create_->setDefault(true);
   cancel_ = addButton("newCancel", [this] { Q_EMIT cancelled(); });
   const auto row = [](std::initializer_list<QWidget*> widgets, int stretched) {
@@ -202,14 +202,14 @@ void NewProjectPage::add(const QString& location) {
   cameras_->setItem(row, kName, new QTableWidgetItem(name));
   cameras_->setItem(row, kSource, new QTableWidgetItem(location));
   cameras_->resizeColumnToContents(kName);
-  update();
+  refresh();
 }
 
 void NewProjectPage::removeRow() {
   while (!cameras_->selectedItems().isEmpty()) {
     cameras_->removeRow(cameras_->selectedItems().front()->row());
   }
-  update();
+  refresh();
 }
 
 void NewProjectPage::chooseVideos() {
@@ -260,7 +260,7 @@ void NewProjectPage::setCalibration(const QString& file) {
   dropCalibration_->setVisible(!file.isEmpty());
 }
 
-void NewProjectPage::update() {
+void NewProjectPage::refresh() {
   bool images = false;
   for (int row = 0; row < cameras_->rowCount(); ++row) {
     const QTableWidgetItem* source = cameras_->item(row, kSource);
@@ -290,7 +290,7 @@ NewProject NewProjectPage::wanted() const {
   return wanted;
 }
 
-void NewProjectPage::create() {
+void NewProjectPage::createProject() {
   create_->setEnabled(false);
   making_.start([this, wanted = wanted()](const BackgroundJob::Progress&) {
     auto result = std::make_shared<Result<MadeProject>>(makeProject(wanted));
@@ -299,7 +299,7 @@ void NewProjectPage::create() {
 }
 
 void NewProjectPage::finish(const Result<MadeProject>& result) {
-  update();
+  refresh();
   if (!result) {
     Q_EMIT failed(errorSentence(result.error()));
     return;

@@ -49,9 +49,9 @@ private:
   void addAddress();
   void chooseCalibration();
   void setCalibration(const QString& file);
-  void update();
+  void refresh();
   NewProject wanted() const;
-  void create();
+  void createProject();
   void finish(const Result<MadeProject>& result);
 
   QLabel* title_;

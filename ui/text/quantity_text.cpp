@@ -18,7 +18,7 @@ QString millimeters(const QString& number) {
   return Quantity::tr("%1 mm").arg(number);
 }
 
-QString metresText(const QString& number) {
+QString metersText(const QString& number) {
   return Quantity::tr("%1 m").arg(number);
 }
 
@@ -26,7 +26,7 @@ QString readout(double meters) {
   const double size = std::abs(meters);
   return size < 1.0
              ? millimeters(numberText(1000.0 * meters, size < 0.01 ? 1 : 0, NumberForm::Table))
-             : metresText(numberText(meters, 2, NumberForm::Table));
+             : metersText(numberText(meters, 2, NumberForm::Table));
 }
 
 QString withoutTrailingZeros(QString text) {
@@ -45,7 +45,7 @@ QString withoutTrailingZeros(QString text) {
 QString shortLength(double meters) {
   const double size = 1000.0 * meters;
   if (size >= 999.5) {
-    return metresText(numberText(meters, 2));
+    return metersText(numberText(meters, 2));
   }
   const int decimals = size >= 9.95 ? 0 : size >= 0.995 ? 1 : 2;
   return millimeters(withoutTrailingZeros(numberText(size, decimals)));
@@ -88,7 +88,7 @@ QString lengthText(double meters, LengthForm form) {
     return shortLength(meters);
   case LengthForm::TwoDigits:
     return meters < 1.0 ? millimeters(digitsText(1000.0 * meters, 2))
-                        : metresText(digitsText(meters, 2));
+                        : metersText(digitsText(meters, 2));
   }
   return readout(meters);
 }

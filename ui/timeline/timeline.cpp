@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kZoomStep = 1.25;
 constexpr double kWidestGutter = 160.0;
-constexpr qint64 kPatienceMs = 1500; ///< for a moment that was asked for
+constexpr qint64 kRequestTimeoutMs = 1500; ///< for a frame that was requested
 
 } // namespace
 
@@ -139,7 +139,8 @@ void Timeline::step(qint64 frames) {
 
 qint64 Timeline::reached() const {
   // What was asked for a moment ago may not be shown yet; what never comes is forgotten.
-  const bool recent = wanted_ && sinceWanted_.isValid() && sinceWanted_.elapsed() < kPatienceMs;
+  const bool recent =
+      wanted_ && sinceWanted_.isValid() && sinceWanted_.elapsed() < kRequestTimeoutMs;
   return recent ? *wanted_ : std::max<qint64>(0, selection_.moment());
 }
 
@@ -156,7 +157,7 @@ void Timeline::want(qint64 frame, bool extendSpan) {
   if (frame != before) {
     wanted_ = frame;
     sinceWanted_.start();
-    selection_.wantMoment(frame);
+    selection_.requestFrame(frame);
   }
 }
 
@@ -311,7 +312,8 @@ void Timeline::keyPressEvent(QKeyEvent* event) {
   case Qt::Key_Home:
     return want(scale_.first(), extend);
   case Qt::Key_End:
-    return extend ? want(std::max<qint64>(0, model_.history.head), true) : selection_.wantNow();
+    return extend ? want(std::max<qint64>(0, model_.history.head), true)
+                  : selection_.requestLiveFrame();
   case Qt::Key_Plus:
   case Qt::Key_Equal:
     scale_.zoom(kZoomStep, middle);

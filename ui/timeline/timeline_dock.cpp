@@ -34,7 +34,7 @@ void showMenu(const Workbench& bench, const QPoint& place) {
 
 void connectActions(const Workbench& bench, Timeline* timeline) {
   bench.onTriggered("actionPreviousFrame", timeline, [timeline] { timeline->step(-1); });
-  bench.onTriggered("actionNow", timeline, [bench] { bench.selection.wantNow(); });
+  bench.onTriggered("actionNow", timeline, [bench] { bench.selection.requestLiveFrame(); });
   bench.onTriggered("actionRerun", timeline, [bench] { bench.session.rerun(); });
   bench.onTriggered("actionAddMark", timeline, [timeline] { timeline->addMark(); });
   bench.onTriggered("actionRemoveMark", timeline, [timeline] { timeline->removeMark(); });

@@ -82,7 +82,7 @@ QString TimelineModel::describe(qint64 frame) const {
     }
     text += QStringLiteral("\n%1 %2 (%3)")
                 .arg(targets.value(static_cast<int>(k)), holdText(holdState(entry.status)),
-                     numberText(static_cast<double>(entry.existence), 2));
+                     numberText(static_cast<double>(entry.existenceProbability), 2));
     if (const QString reason = reasonText(entry.reasons, cameras); !reason.isEmpty()) {
       text += QStringLiteral(" – ") + reason;
     }

@@ -34,7 +34,7 @@ struct Stretch {
   double begin = 0.0;
   double end = 0.0;
   TargetStatus status = TargetStatus::Held;
-  double existence = 1.0;
+  double existenceProbability = 1.0;
 };
 
 int badness(TargetStatus status) {
@@ -58,17 +58,17 @@ std::vector<Stretch> stretchesOf(const TimelineModel& model, const TimelineScale
     const FrameRecord::Entry& entry = records[k].targets[target];
     const Stretch now{scale.x(static_cast<double>(records[k].frame)),
                       scale.x(static_cast<double>(next)), entry.status,
-                      static_cast<double>(entry.existence)};
+                      static_cast<double>(entry.existenceProbability)};
     Stretch* last = stretches.empty() ? nullptr : &stretches.back();
     const bool same = last != nullptr && last->status == now.status &&
-                      std::abs(last->existence - now.existence) < 0.02 &&
+                      std::abs(last->existenceProbability - now.existenceProbability) < 0.02 &&
                       now.begin - last->end < 0.5;
     const bool narrow = last != nullptr && last->end - last->begin < 1.0;
     if (same) {
       last->end = now.end;
     } else if (narrow) {
       last->end = now.end;
-      last->existence = std::min(last->existence, now.existence);
+      last->existenceProbability = std::min(last->existenceProbability, now.existenceProbability);
       last->status = badness(now.status) > badness(last->status) ? now.status : last->status;
     } else {
       stretches.push_back(now);
@@ -86,7 +86,7 @@ void paintRibbon(QPainter& painter, const TimelineModel& model, const TimelineSc
     }
     const QColor color = holdColor(holdState(stretch.status), palette);
     const bool held = stretch.status == TargetStatus::Held;
-    const double share = held ? std::max(kLeastShare, stretch.existence) : 1.0;
+    const double share = held ? std::max(kLeastShare, stretch.existenceProbability) : 1.0;
     const double begin = std::max(row.left(), stretch.begin);
     const double end = std::min(row.right(), stretch.end);
     const QRectF bar(begin, row.bottom() - share * row.height(), std::max(1.0, end - begin),

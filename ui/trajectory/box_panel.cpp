@@ -51,7 +51,7 @@ BoxPanel::BoxPanel(Selection& selection, QWidget* parent)
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &BoxPanel::fetch);
   connect(table_, &QTableView::activated, this, [this, &selection](const QModelIndex& index) {
-    selection.wantMoment(model_->samples()[static_cast<std::size_t>(index.row())].frame);
+    selection.requestFrame(model_->samples()[static_cast<std::size_t>(index.row())].frame);
   });
   connect(table_, &QWidget::customContextMenuRequested, this, [this](const QPoint& place) {
     Q_EMIT contextMenuWanted(table_->viewport()->mapToGlobal(place));

@@ -92,7 +92,7 @@ QVariant TrajectoryModel::data(const QModelIndex& index, int role) const {
   case Cameras:
     return QString::number(sample.cameras);
   case Existence:
-    return number(sample.existence, 2);
+    return number(sample.existenceProbability, 2);
   case Held:
     return sample.valid ? tr("● held") : tr("○ not held");
   default:

@@ -152,7 +152,8 @@ void TrajectoryPanel::connectViews() {
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &TrajectoryPanel::chooseRows);
   connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
-    selection_.wantMoment(model_->log().rows()[static_cast<std::size_t>(index.row())].sample.frame);
+    selection_.requestFrame(
+        model_->log().rows()[static_cast<std::size_t>(index.row())].sample.frame);
   });
   QAction* copy = actions_.action("actionTrajectoryCopy");
   connect(copy, &QAction::triggered, this, &TrajectoryPanel::copyCsv);
@@ -361,7 +362,7 @@ void TrajectoryPanel::choosePlace(int target, const Eigen::Vector3d& place, bool
   if (extend && selection_.moment() >= 0) {
     selection_.selectSpan(FrameSpan{selection_.moment(), found->sample.frame});
   } else {
-    selection_.wantMoment(found->sample.frame);
+    selection_.requestFrame(found->sample.frame);
   }
 }
 

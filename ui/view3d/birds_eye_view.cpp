@@ -166,7 +166,7 @@ void BirdsEyeView::renderPicture() {
     QElapsedTimer clock;
     clock.start();
     if (sceneStale_) {
-      snapshot_ ? scene_.show(*snapshot_) : scene_.clear();
+      snapshot_ ? scene_.setSnapshot(*snapshot_) : scene_.clear();
       sceneStale_ = false;
     }
     map_.updateScene();

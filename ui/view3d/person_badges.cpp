@@ -11,7 +11,7 @@
 namespace dewpoint::ui {
 
 namespace {
-constexpr double kUsualHalf = 0.86; ///< metres, half of a person whose height is not estimated
+constexpr double kUsualHalf = 0.86; ///< meters, half of a person whose height is not estimated
 constexpr double kBesidePx = 9.0;   ///< between the top of a body and its badge
 } // namespace
 

@@ -43,9 +43,9 @@ MessageBar::MessageBar(QWidget* parent)
   layout->addWidget(mark_);
   layout->addWidget(text_, 1);
   layout->addWidget(close_);
-  connect(close_, &QToolButton::clicked, this, &MessageBar::close);
+  connect(close_, &QToolButton::clicked, this, &MessageBar::dismiss);
   leave_->setSingleShot(true);
-  connect(leave_, &QTimer::timeout, this, &MessageBar::close);
+  connect(leave_, &QTimer::timeout, this, &MessageBar::dismiss);
   setFrameShape(QFrame::StyledPanel);
   hide();
   setAutoFillBackground(true);
@@ -63,7 +63,7 @@ QString MessageBar::text() const {
   return text_->text();
 }
 
-void MessageBar::close() {
+void MessageBar::dismiss() {
   leave_->stop();
   text_->clear();
   clearAnswers();
@@ -77,7 +77,7 @@ void MessageBar::close() {
 
 void MessageBar::forget(bool notices) {
   if (isVisible() && answers_.empty() && (isError_ || notices)) {
-    close();
+    dismiss();
   }
 }
 
@@ -103,7 +103,7 @@ void MessageBar::ask(const QString& question, const std::vector<Answer>& answers
     button->setObjectName(QStringLiteral("messageAnswer%1").arg(answers_.size()));
     row->insertWidget(row->count() - 1, button);
     connect(button, &QPushButton::clicked, this, [this, act = answer.second] {
-      close();
+      dismiss();
       act();
     });
     answers_.push_back(button);

@@ -36,7 +36,7 @@ public:
   void askUntilAnswered(const QString& question, const std::vector<Answer>& answers);
   QString text() const;
   /// Takes away what it says.
-  void close();
+  void dismiss();
   /// Other work has begun: an error is over, and with `notices` so is what was worth knowing.
   /// Questions stay.
   void forget(bool notices);

@@ -147,10 +147,10 @@ void DockManager::arrangeCameras(ViewDock* scene) {
 
 void DockManager::shareSpaceSoon() {
   // The sizes can be given only once the layout has settled.
-  QMetaObject::invokeMethod(this, &DockManager::shareSpace, Qt::QueuedConnection);
+  QMetaObject::invokeMethod(this, &DockManager::distributeDockSizes, Qt::QueuedConnection);
 }
 
-void DockManager::shareSpace() {
+void DockManager::distributeDockSizes() {
   ViewDock* inspector = first(DockPlace::Inspector);
   ViewDock* scene = first(DockPlace::Scene);
   const std::vector<ViewDock*> cameras = at(DockPlace::Cameras);

@@ -68,7 +68,7 @@ private:
   ViewDock* first(DockPlace place) const;
   void arrange();
   void arrangeCameras(ViewDock* scene);
-  void shareSpace();
+  void distributeDockSizes();
   void maximize(ViewDock* dock);
 
   QMainWindow& window_;

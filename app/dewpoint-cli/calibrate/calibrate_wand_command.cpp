@@ -25,7 +25,7 @@ struct WandCommandOptions {
   std::string project;
   std::string target;
   std::vector<std::string> stick;
-  std::vector<double> distance, drop, rough;
+  std::vector<double> distance, drop, offBy;
   std::string frames, out, report;
   bool apply = false;
   WandOptions wand;
@@ -49,9 +49,9 @@ Status settle(WandCommandOptions& options) {
   if (!options.drop.empty()) {
     wand.drop = std::array<double, 2>{options.drop[0], options.drop[1]};
   }
-  if (!options.rough.empty()) {
-    wand.roughPosition = options.rough[0];
-    wand.roughTurn = options.rough[1] * kDegree;
+  if (!options.offBy.empty()) {
+    wand.initialPositionError = options.offBy[0];
+    wand.initialTurnError = options.offBy[1] * kDegree;
   }
   const auto frames = parseFrames(options.frames);
   if (!frames) {
@@ -177,7 +177,7 @@ int calibrate(WandCommandOptions options) {
     report({ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
             fmt::format("less sure than they were, off by up to {:.2f} m: wave through more of the "
                         "volume{}",
-                        options.wand.roughPosition,
+                        options.wand.initialPositionError,
                         options.apply ? "; the project stays as it was" : "")});
   }
   auto written = options.out.empty() ? Status() : saveCalibration(cameras, options.out);
@@ -229,7 +229,7 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
   command->add_option("--drop", options->drop, "FROM UNTIL, seconds: the ball fell freely")
       ->expected(2);
   command
-      ->add_option("--off-by", options->rough,
+      ->add_option("--off-by", options->offBy,
                    "METRES DEGREES by which the cameras may be off (0.12 3.5)")
       ->expected(2);
   command->add_option("--out", options->out, "Calibration file to write");

@@ -21,7 +21,7 @@ struct SugandiOptions {
   std::filesystem::path data;
   std::uint64_t scene = 5001;
   int seeds = 5;
-  bool sloppy = false;
+  bool perturbed = false;
 };
 
 int studySugandi(const SugandiOptions& options) {
@@ -48,8 +48,8 @@ int studySugandi(const SugandiOptions& options) {
   if (!study) {
     return report(study.error());
   }
-  if (options.sloppy) {
-    auto rows = studySloppyBoxes(clips, options.seeds, [](const SloppyRow& row) {
+  if (options.perturbed) {
+    auto rows = studyPerturbedBoxes(clips, options.seeds, [](const BoxPerturbationRow& row) {
       fmt::print(stderr, "{}: {}, first box of {:.1f} times the size\n", row.clip, row.method,
                  row.scale);
       return !interruptionRequested();
@@ -57,7 +57,7 @@ int studySugandi(const SugandiOptions& options) {
     if (!rows) {
       return report(rows.error());
     }
-    study->sloppy = std::move(*rows);
+    study->perturbed = std::move(*rows);
   }
   fmt::print("{}", boxStudyText(*study));
   const auto written = writeBoxStudy(*study, options.folder);
@@ -81,7 +81,7 @@ void addSugandiExperiment(CLI::App& group, int& exitCode) {
   command->add_option("--seeds", options->seeds, "Runs of each of our methods")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_flag("--sloppy", options->sloppy,
+  command->add_flag("--sloppy", options->perturbed,
                     "Also first boxes that are too large, too small and beside the target");
   command->callback([options, &exitCode] { exitCode = studySugandi(*options); });
 }

@@ -178,29 +178,29 @@ Camera rotatedCamera(const Camera& camera, const Eigen::Vector3d& turn) {
   return rotated;
 }
 
-Result<ResolvedCamera> resolveCamera(const Camera& camera, const CameraMotionPrior& prior,
-                                     std::span<const PointSighting> sightings) {
+Result<MovedCameraPose> estimateMovedPose(const Camera& camera, const CameraMotionPrior& prior,
+                                          std::span<const PointSighting> sightings) {
   Solver solver(camera, prior, sightings);
   const Vector6 change = solver.solve();
-  ResolvedCamera resolved;
-  resolved.camera = movedCamera(camera, change);
-  resolved.pixelsBefore = medianPixels(camera, sightings);
-  resolved.pixelsAfter = medianPixels(resolved.camera, sightings);
+  MovedCameraPose moved;
+  moved.camera = movedCamera(camera, change);
+  moved.pixelsBefore = medianPixels(camera, sightings);
+  moved.pixelsAfter = medianPixels(moved.camera, sightings);
   const Matrix6 covariance = solver.covarianceAt(change);
-  resolved.angleSigma = covariance.diagonal().head<3>().cwiseSqrt();
-  resolved.shiftSigma = covariance.diagonal().tail<3>().cwiseSqrt();
-  const Projector projector(resolved.camera);
+  moved.angleSigma = covariance.diagonal().head<3>().cwiseSqrt();
+  moved.shiftSigma = covariance.diagonal().tail<3>().cwiseSqrt();
+  const Projector projector(moved.camera);
   for (const PointSighting& sighting : sightings) {
     const auto off = residual(projector, sighting.world, sighting);
-    resolved.used += off && off->norm() < kAgrees ? 1 : 0;
+    moved.used += off && off->norm() < kAgrees ? 1 : 0;
   }
-  if (2 * std::size_t(resolved.used) < sightings.size()) {
+  if (2 * std::size_t(moved.used) < sightings.size()) {
     return failure(ErrorCode::Mismatch, "", camera.name,
                    fmt::format("only {} of {} sightings agree with any pose near the old one; "
                                "calibrate this camera again",
-                               resolved.used, sightings.size()));
+                               moved.used, sightings.size()));
   }
-  return resolved;
+  return moved;
 }
 
 } // namespace dewpoint::calibration

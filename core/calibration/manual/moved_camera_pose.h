@@ -25,7 +25,7 @@ struct CameraMotionPrior {
 };
 
 /// A moved camera, solved again.
-struct ResolvedCamera {
+struct MovedCameraPose {
   Camera camera;
   int used = 0;              ///< sightings that agree, within three sigma
   double pixelsBefore = 0.0; ///< median distance of all sightings, with the old pose; 0 without any
@@ -44,7 +44,7 @@ Camera rotatedCamera(const Camera& camera, const Eigen::Vector3d& turn);
 /// therefore believed to within turnSigma and shiftSigma at 3 m together. Without sightings it is
 /// the old camera, turned. Mismatch when the sightings contradict the result (less than half
 /// agree).
-Result<ResolvedCamera> resolveCamera(const Camera& camera, const CameraMotionPrior& prior,
-                                     std::span<const PointSighting> sightings);
+Result<MovedCameraPose> estimateMovedPose(const Camera& camera, const CameraMotionPrior& prior,
+                                          std::span<const PointSighting> sightings);
 
 } // namespace dewpoint::calibration

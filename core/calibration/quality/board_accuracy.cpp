@@ -162,9 +162,9 @@ FaultReport findBoardFaults(const ExtrinsicsRequest& request, double framesPerSe
   for (const BoardCamera& camera : request.cameras) {
     former.push_back(camera.camera);
   }
-  const auto ask = [&](const CameraRig& rough) {
+  const auto ask = [&](const CameraRig& initialRig) {
     question.problem.cameras.clear();
-    for (const Camera& camera : rough) {
+    for (const Camera& camera : initialRig) {
       question.problem.cameras.push_back({.camera = camera});
     }
     auto report = findFaults(question);

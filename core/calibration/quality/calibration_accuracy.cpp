@@ -223,7 +223,7 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
 Result<CalibrationAccuracy> assessWand(const WandResult& result,
                                        const std::vector<double>& floorTimes) {
   AccuracyKnowledge known;
-  known.scaleKnown = result.scale != WandScale::Rough;
+  known.scaleKnown = result.scale != WandScale::InitialRig;
   known.scaleSigma = result.scaleSigma;
   if (result.floorFound) {
     known.upSigma = upFromFloor(result, floorTimes);

@@ -15,13 +15,14 @@ constexpr double kLeastGainOfAll = 25.0;
 std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImagePoints& imagePoints,
                                      const PointFit& fit) {
   const std::vector<bool> everyone(imagePoints.perCamera.size(), true);
-  CameraRig rough;
+  CameraRig initialRig;
   for (const BundleCamera& camera : question.problem.cameras) {
-    rough.push_back(camera.camera);
+    initialRig.push_back(camera.camera);
   }
   const auto free = question.unsynchronized
                         ? std::nullopt
-                        : fitPoints(rough, imagePoints, everyone, question.rough, true);
+                        : estimateStructureAndPoses(initialRig, imagePoints, everyone,
+                                                    question.initialSigma, true);
   if (!free) {
     return std::nullopt;
   }
@@ -36,14 +37,16 @@ std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImageP
         imagePoint.pixel.array() += shift;
       }
     }
-    const auto now = fitPoints(rough, shifted, everyone, question.rough);
+    const auto now =
+        estimateStructureAndPoses(initialRig, shifted, everyone, question.initialSigma);
     if (!now) {
       continue;
     }
     // As good as any other principal points, which have two numbers per camera to choose.
     const double worseThanFree = total(*now) - total(*free);
     const double gain = total(fit) - total(*now);
-    if (gain > kLeastGainOfAll && worseThanFree < 2.0 * static_cast<double>(rough.size()) + 8.0 &&
+    if (gain > kLeastGainOfAll &&
+        worseThanFree < 2.0 * static_cast<double>(initialRig.size()) + 8.0 &&
         (!best || gain > best->gain)) {
       best = NamedFault{CalibrationFault::HalfPixel, {}, shift, gain};
     }

@@ -77,7 +77,7 @@ std::optional<Laid> laid(const SeenBoard& board, const std::vector<Eigen::Vector
   if (axes[1] < 1e-3 * axes[2]) {
     return std::nullopt; // one row says nothing
   }
-  Laid found{alignment(from, board.positions, true), 0.0};
+  Laid found{fitSimilarity(from, board.positions, true), 0.0};
   for (std::size_t i = 0; i < from.size(); ++i) {
     found.rms += (found.worldFromBody * from[i] - board.positions[i]).squaredNorm();
   }
@@ -202,7 +202,7 @@ std::optional<NamedFault> lengths(const FaultQuestion& question, const PointPosi
 
 } // namespace
 
-double sizeSigma(const CameraRig& rig, const RoughSigma& sigma) {
+double sizeSigma(const CameraRig& rig, const InitialRigSigma& sigma) {
   const double spread = 0.5 * cameraSpread(rig);
   const double cameras = std::sqrt(static_cast<double>(std::max<std::size_t>(rig.size(), 1)));
   return std::max(kLeastSizeSigma, sigma.position / std::max(spread, 1e-6) / cameras);
@@ -220,7 +220,7 @@ std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question,
   if (auto side = mirrored(question, boards, rig)) {
     faults.push_back(*side);
   }
-  if (auto length = lengths(question, positions, boards, sizeSigma(rig, question.rough))) {
+  if (auto length = lengths(question, positions, boards, sizeSigma(rig, question.initialSigma))) {
     faults.push_back(*length);
   }
   return faults;

@@ -12,7 +12,7 @@ namespace dewpoint::calibration {
 std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question,
                                        const PointPositions& positions, const CameraRig& rig);
 
-/// A relative standard deviation of the rough rig's size.
-double sizeSigma(const CameraRig& rig, const RoughSigma& sigma);
+/// A relative standard deviation of the initial rig's size.
+double sizeSigma(const CameraRig& rig, const InitialRigSigma& sigma);
 
 } // namespace dewpoint::calibration

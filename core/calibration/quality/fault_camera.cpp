@@ -50,14 +50,14 @@ class CameraSuspicion {
 public:
   CameraSuspicion(const FaultQuestion& question, const Suspect& suspect)
       : question_(question), suspect_(suspect),
-        rough_(question.problem.cameras[suspect.camera].camera),
+        initial_(question.problem.cameras[suspect.camera].camera),
         sigma_(kPositionNoise * std::max(suspect.sigmaPx, 1e-3)) {}
 
   std::optional<NamedFault> run() {
     const auto correspondences = spreadOver(known(0.0), kMostCorrespondences);
     const auto asIs = correspondences.size() < kFewestCorrespondences
                           ? std::nullopt
-                          : explain(rough_, correspondences, false);
+                          : explain(initial_, correspondences, false);
     if (!asIs) {
       return std::nullopt;
     }
@@ -98,11 +98,11 @@ private:
                : std::nullopt;
   }
 
-  std::optional<Explained> explain(const Camera& rough,
+  std::optional<Explained> explain(const Camera& initial,
                                    const std::vector<PointCorrespondence>& correspondences,
                                    bool focalFree, bool quick = false,
                                    Camera* found = nullptr) const {
-    const auto one = fitCamera(rough, correspondences, question_.rough, focalFree, quick);
+    const auto one = fitCamera(initial, correspondences, question_.initialSigma, focalFree, quick);
     if (!one) {
       return std::nullopt;
     }
@@ -127,14 +127,14 @@ private:
   }
 
   void tryFlips(const std::vector<PointCorrespondence>& correspondences) {
-    const Intrinsics& in = rough_.intrinsics;
+    const Intrinsics& in = initial_.intrinsics;
     for (const ImageSymmetry symmetry :
          {ImageSymmetry{0, true}, ImageSymmetry{180, false}, ImageSymmetry{180, true}}) {
       std::vector<PointCorrespondence> flipped = correspondences;
       for (PointCorrespondence& seen : flipped) {
         seen.pixel = transformed(symmetry, seen.pixel, in.width, in.height);
       }
-      weigh(CalibrationFault::VideoFlipped, 0.0, explain(rough_, flipped, false), 1.0);
+      weigh(CalibrationFault::VideoFlipped, 0.0, explain(initial_, flipped, false), 1.0);
     }
   }
 
@@ -144,7 +144,7 @@ private:
       for (PointCorrespondence& seen : scaled) { // edges of pixels scale, not centers
         seen.pixel = (seen.pixel.array() + 0.5) / ratio - 0.5;
       }
-      auto now = explain(rough_, scaled, false);
+      auto now = explain(initial_, scaled, false);
       weigh(CalibrationFault::WrongResolution, ratio, now, 2.0);
     }
   }
@@ -154,12 +154,12 @@ private:
       return;
     }
     for (const double start : {1.0, 0.7, 1.4}) { // far off, the pose's prior would hold it back
-      Camera begin = rough_;
+      Camera begin = initial_;
       begin.intrinsics.focalX *= start;
       begin.intrinsics.focalY *= start;
       Camera found;
       const auto now = explain(begin, correspondences, true, false, &found);
-      const double ratio = now ? found.intrinsics.focalX / rough_.intrinsics.focalX : 1.0;
+      const double ratio = now ? found.intrinsics.focalX / initial_.intrinsics.focalX : 1.0;
       if (std::abs(std::log(ratio)) > kLeastZoom) {
         weigh(CalibrationFault::ZoomChanged, ratio, now, 0.5 * std::log(numbers_));
       }
@@ -171,8 +171,8 @@ private:
     for (int tenth = 2; tenth <= 8; ++tenth) {
       const std::size_t split = correspondences.size() * static_cast<std::size_t>(tenth) / 10;
       const auto middle = correspondences.begin() + static_cast<std::ptrdiff_t>(split);
-      const auto before = fitCamera(rough_, {correspondences.begin(), middle}, wide(), false);
-      const auto after = fitCamera(rough_, {middle, correspondences.end()}, wide(), false);
+      const auto before = fitCamera(initial_, {correspondences.begin(), middle}, wide(), false);
+      const auto after = fitCamera(initial_, {middle, correspondences.end()}, wide(), false);
       if (!before || !after ||
           movedBy(before->camera, after->camera, correspondences) < kLeastMove * sigma_) {
         continue;
@@ -202,8 +202,10 @@ private:
     return upperMedian(distances);
   }
 
-  /// A camera that was moved may be farther off than the rough rig.
-  RoughSigma wide() const { return {2.0 * question_.rough.turn, 2.0 * question_.rough.position}; }
+  /// A camera that was moved may be farther off than the initial rig.
+  InitialRigSigma wide() const {
+    return {2.0 * question_.initialSigma.turn, 2.0 * question_.initialSigma.position};
+  }
 
   void tryLate() {
     const auto& times = suspect_.imagePoints->times;
@@ -227,7 +229,7 @@ private:
       if (std::abs(frames) < kLeastLate || correspondences.size() < kFewestCorrespondences) {
         continue;
       }
-      if (const auto now = explain(rough_, correspondences, false, true)) {
+      if (const auto now = explain(initial_, correspondences, false, true)) {
         order.emplace_back(now->cost, frames);
       }
     }
@@ -235,14 +237,15 @@ private:
     for (std::size_t k = 0; k < std::min<std::size_t>(3, order.size()); ++k) {
       const auto correspondences =
           spreadOver(known(order[k].second * period_), kMostCorrespondences);
-      weigh(CalibrationFault::CameraLate, order[k].second, explain(rough_, correspondences, false),
+      weigh(CalibrationFault::CameraLate, order[k].second,
+            explain(initial_, correspondences, false),
             0.5 * std::log(numbers_) + std::log(2.0 * kMostLate));
     }
   }
 
   const FaultQuestion& question_;
   const Suspect& suspect_;
-  const Camera& rough_;
+  const Camera& initial_;
   double sigma_;
   double numbers_ = 0.0;
   double period_ = 0.0;

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMostPoints = 240;
 /// Instants, and points, that a fit needs.
 constexpr std::size_t kFewestPoints = 8;
-constexpr double kMostSigmas = 5.0;      ///< that a camera is off the rough rig
+constexpr double kMostSigmas = 5.0;      ///< that a camera is off the initial rig
 constexpr double kUnseen = 1e6;          ///< pixels², of a point the camera cannot see
 constexpr double kMedianSquare = 0.4549; ///< of chi-square with one freedom
 constexpr std::array<double, 3> kWidths{40.0, 8.0, 2.0}; ///< of the loss, pixels, far to near
@@ -40,15 +40,15 @@ std::vector<std::vector<SeenBy>> seenBy(const ImagePoints& imagePoints,
   return table;
 }
 
-BundleProblem pointProblem(const CameraRig& rough, const ImagePoints& imagePoints,
-                           const std::vector<bool>& use, const RoughSigma& sigma,
+BundleProblem pointProblem(const CameraRig& initialRig, const ImagePoints& imagePoints,
+                           const std::vector<bool>& use, const InitialRigSigma& sigma,
                            bool centersFree) {
   BundleProblem problem;
-  std::vector<std::size_t> renamed(rough.size(), 0);
-  for (std::size_t c = 0; c < rough.size(); ++c) {
+  std::vector<std::size_t> renamed(initialRig.size(), 0);
+  for (std::size_t c = 0; c < initialRig.size(); ++c) {
     if (use[c]) {
       renamed[c] = problem.cameras.size();
-      problem.cameras.push_back({.camera = rough[c],
+      problem.cameras.push_back({.camera = initialRig[c],
                                  .centerFree = centersFree,
                                  .posePrior = PosePrior{sigma.turn, sigma.position}});
     }
@@ -84,7 +84,7 @@ Result<BundleResult> narrowed(BundleProblem& problem, std::size_t firstWidth) {
     if (!now) {
       return now;
     }
-    if (w + 1 < kWidths.size()) { // the prior stays about the rough rig in the last step only
+    if (w + 1 < kWidths.size()) { // the prior stays about the initial rig in the last step only
       for (std::size_t c = 0; c < problem.cameras.size(); ++c) {
         problem.cameras[c].camera.intrinsics = now->cameras[c].intrinsics;
       }
@@ -107,14 +107,14 @@ std::vector<double> squaresOf(const BundleResult& now) {
   return squares;
 }
 
-/// Whether a camera is where the rough rig allows it: else it fits by standing elsewhere, which is
-/// no explanation.
-bool plausible(const Camera& rough, const Camera& found, const RoughSigma& sigma) {
-  const double turn =
-      Eigen::AngleAxisd(found.cameraFromWorld.linear() * rough.cameraFromWorld.linear().transpose())
-          .angle();
+/// Whether a camera is where the initial rig allows it: else it fits by standing elsewhere, which
+/// is no explanation.
+bool plausible(const Camera& initial, const Camera& found, const InitialRigSigma& sigma) {
+  const double turn = Eigen::AngleAxisd(found.cameraFromWorld.linear() *
+                                        initial.cameraFromWorld.linear().transpose())
+                          .angle();
   return turn < kMostSigmas * sigma.turn &&
-         (found.center() - rough.center()).norm() < kMostSigmas * sigma.position;
+         (found.center() - initial.center()).norm() < kMostSigmas * sigma.position;
 }
 
 } // namespace
@@ -132,10 +132,11 @@ ImagePoints imagePointsOf(const BundleProblem& problem) {
   return all;
 }
 
-std::optional<PointFit> fitPoints(const CameraRig& rough, const ImagePoints& imagePoints,
-                                  const std::vector<bool>& use, const RoughSigma& sigma,
-                                  bool centersFree) {
-  BundleProblem problem = pointProblem(rough, imagePoints, use, sigma, centersFree);
+std::optional<PointFit> estimateStructureAndPoses(const CameraRig& initialRig,
+                                                  const ImagePoints& imagePoints,
+                                                  const std::vector<bool>& use,
+                                                  const InitialRigSigma& sigma, bool centersFree) {
+  BundleProblem problem = pointProblem(initialRig, imagePoints, use, sigma, centersFree);
   if (problem.cameras.size() < 2 || problem.states.size() < kFewestPoints) {
     return std::nullopt;
   }
@@ -144,16 +145,16 @@ std::optional<PointFit> fitPoints(const CameraRig& rough, const ImagePoints& ima
     return std::nullopt;
   }
   PointFit fit;
-  fit.rig = rough;
+  fit.rig = initialRig;
   std::size_t next = 0;
-  for (std::size_t c = 0; c < rough.size(); ++c) {
+  for (std::size_t c = 0; c < initialRig.size(); ++c) {
     if (use[c]) {
       fit.rig[c] = now->cameras[next++];
     }
   }
   fit.squares = squaresOf(*now);
-  for (std::size_t c = 0; c < rough.size(); ++c) {
-    if (!plausible(rough[c], fit.rig[c], sigma)) {
+  for (std::size_t c = 0; c < initialRig.size(); ++c) {
+    if (!plausible(initialRig[c], fit.rig[c], sigma)) {
       fit.squares.assign(fit.squares.size(), kUnseen);
     }
   }
@@ -188,11 +189,11 @@ PointPositions triangulated(const CameraRig& rig, const ImagePoints& imagePoints
   return positions;
 }
 
-std::optional<CameraResection> fitCamera(const Camera& rough,
+std::optional<CameraResection> fitCamera(const Camera& initial,
                                          const std::vector<PointCorrespondence>& correspondences,
-                                         const RoughSigma& sigma, bool focalFree, bool quick) {
+                                         const InitialRigSigma& sigma, bool focalFree, bool quick) {
   BundleProblem problem;
-  problem.cameras.push_back({.camera = rough,
+  problem.cameras.push_back({.camera = initial,
                              .focalFree = focalFree,
                              .posePrior = PosePrior{sigma.turn, sigma.position}});
   problem.bodies.push_back({.name = "point"});
@@ -209,7 +210,7 @@ std::optional<CameraResection> fitCamera(const Camera& rough,
     return std::nullopt;
   }
   CameraResection found{now->cameras[0], squaresOf(*now)};
-  if (!plausible(rough, found.camera, sigma)) {
+  if (!plausible(initial, found.camera, sigma)) {
     found.squares.assign(found.squares.size(), kUnseen);
   }
   return found;

@@ -27,7 +27,7 @@ struct ImagePoints {
 ImagePoints imagePointsOf(const BundleProblem& problem);
 
 /// How far the rig may be off.
-struct RoughSigma {
+struct InitialRigSigma {
   double turn = 0.06;     ///< radians
   double position = 0.12; ///< meters
 };
@@ -41,11 +41,13 @@ struct PointFit {
 };
 
 /// The poses of the cameras that `use` names, from up to 240 points that two of them see, near the
-/// rough rig (residuals count as gross where a camera ends far from it); with `centersFree` their
+/// initial rig (residuals count as gross where a camera ends far from it); with `centersFree` their
 /// principal points too. Nothing when they cannot be solved.
-std::optional<PointFit> fitPoints(const CameraRig& rough, const ImagePoints& imagePoints,
-                                  const std::vector<bool>& use, const RoughSigma& sigma,
-                                  bool centersFree = false);
+std::optional<PointFit> estimateStructureAndPoses(const CameraRig& initialRig,
+                                                  const ImagePoints& imagePoints,
+                                                  const std::vector<bool>& use,
+                                                  const InitialRigSigma& sigma,
+                                                  bool centersFree = false);
 
 /// Where the points are, as the cameras that `use` names see them with the rig: by instant, then
 /// id.
@@ -65,9 +67,9 @@ struct CameraResection {
   Camera camera;
   std::vector<double> squares; ///< of residuals per axis, pixels²; large where it sees nothing
 };
-std::optional<CameraResection> fitCamera(const Camera& rough,
+std::optional<CameraResection> fitCamera(const Camera& initial,
                                          const std::vector<PointCorrespondence>& correspondences,
-                                         const RoughSigma& sigma, bool focalFree,
+                                         const InitialRigSigma& sigma, bool focalFree,
                                          bool quick = false);
 
 /// The mean of minus log-likelihood of residuals under Student's distribution (4 degrees), up to a

@@ -36,12 +36,12 @@ public:
   explicit FaultSearch(const FaultQuestion& question)
       : question_(question), imagePoints_(imagePointsOf(question.problem)) {
     for (const BundleCamera& camera : question.problem.cameras) {
-      rough_.push_back(camera.camera);
+      initialRig_.push_back(camera.camera);
     }
-    if (cameraSpread(rough_) > kWidestRoom) {
-      question_.rough.position *= 1000.0;
+    if (cameraSpread(initialRig_) > kWidestRoom) {
+      question_.initialSigma.position *= 1000.0;
     }
-    everyone_.assign(rough_.size(), true);
+    everyone_.assign(initialRig_.size(), true);
   }
 
   FaultReport run() {
@@ -50,7 +50,7 @@ public:
       report.faults.push_back(*size);
       return finished(std::move(report));
     }
-    all_ = fitPoints(rough_, imagePoints_, everyone_, question_.rough);
+    all_ = estimateStructureAndPoses(initialRig_, imagePoints_, everyone_, question_.initialSigma);
     fitOthers();
     fitSwapped();
     report.sigmaPx = best_;
@@ -82,7 +82,7 @@ private:
 
   FaultReport finished(FaultReport report) const {
     std::vector<std::string> names;
-    for (const Camera& camera : rough_) {
+    for (const Camera& camera : initialRig_) {
       names.push_back(camera.name);
     }
     for (NamedFault& fault : report.faults) {
@@ -105,10 +105,11 @@ private:
 
   void fitOthers() {
     consider(all_);
-    for (std::size_t c = 0; c < rough_.size(); ++c) {
-      others_.push_back(rough_.size() < 3
+    for (std::size_t c = 0; c < initialRig_.size(); ++c) {
+      others_.push_back(initialRig_.size() < 3
                             ? std::nullopt
-                            : fitPoints(rough_, imagePoints_, without(c), question_.rough));
+                            : estimateStructureAndPoses(initialRig_, imagePoints_, without(c),
+                                                        question_.initialSigma));
       consider(others_.back());
     }
   }
@@ -126,11 +127,12 @@ private:
     if (!mayBeSwapped()) {
       return;
     }
-    for (std::size_t i = 0; i < rough_.size(); ++i) {
-      for (std::size_t j = i + 1; j < rough_.size(); ++j) {
+    for (std::size_t i = 0; i < initialRig_.size(); ++i) {
+      for (std::size_t j = i + 1; j < initialRig_.size(); ++j) {
         ImagePoints exchanged = imagePoints_;
         std::swap(exchanged.perCamera[i], exchanged.perCamera[j]);
-        if (auto fit = fitPoints(rough_, exchanged, everyone_, question_.rough)) {
+        if (auto fit = estimateStructureAndPoses(initialRig_, exchanged, everyone_,
+                                                 question_.initialSigma)) {
           swaps_.push_back({i, j, std::move(*fit)});
           consider(swaps_.back().fit);
         }
@@ -140,7 +142,7 @@ private:
 
   std::optional<NamedFault> ofOneCamera() const {
     std::optional<NamedFault> best;
-    for (std::size_t c = 0; c < rough_.size(); ++c) {
+    for (std::size_t c = 0; c < initialRig_.size(); ++c) {
       if (!others_[c] || others_[c]->sigmaPx > kClean * best_) {
         continue;
       }
@@ -172,7 +174,7 @@ private:
 
   FaultQuestion question_;
   ImagePoints imagePoints_;
-  CameraRig rough_;
+  CameraRig initialRig_;
   std::vector<bool> everyone_;
   std::optional<PointFit> all_;
   std::vector<std::optional<PointFit>> others_; ///< without each camera
@@ -190,7 +192,7 @@ Result<FaultReport> findWandFaults(const WandProblem& problem) {
   return wandBundle(problem).map([&](const BundleProblem& bundle) {
     FaultQuestion question;
     question.problem = bundle;
-    question.rough = {problem.roughTurn, problem.roughPosition};
+    question.initialSigma = {problem.initialTurnError, problem.initialPositionError};
     question.focalUnknown = problem.findFocal;
     question.unsynchronized =
         problem.findOffsets ||

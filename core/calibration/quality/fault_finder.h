@@ -22,9 +22,9 @@ struct FaultReport {
 /// pose from some time on, shifted in time. Pairs are exchanged and all solved again. A hypothesis
 /// is named when it gains more than 30 in log-likelihood (Student's, 4 degrees) and 0.1 per number
 /// measured, and explains the images nearly as well as the cameras that agree explain theirs; of
-/// several, the best. When no camera is named: half-pixel shifts of all, lengths against the rough
-/// rig's size, and the board's side and columns.
-/// With two cameras, faults of a single one cannot be told apart and are not looked for.
+/// several, the best. When no camera is named: half-pixel shifts of all, lengths against the
+/// initial rig's size, and the board's side and columns. With two cameras, faults of a single one
+/// cannot be told apart and are not looked for.
 FaultReport findFaults(const FaultQuestion& question);
 
 /// The same for a wand, as it was seen. Errors: those of calibrateFromWand() about its

@@ -11,7 +11,7 @@ namespace dewpoint::calibration {
 
 /// What the page about a calibration by wand shows.
 struct WandReport {
-  CameraRig before;                    ///< the rough rig
+  CameraRig before;                    ///< the initial rig
   WandResult result;                   ///< with its faults
   std::string accuracy;                ///< a sentence
   std::vector<BoardCoverage> coverage; ///< per camera

@@ -37,7 +37,7 @@ struct Track {
 };
 
 Track trackOf(const WandProblem& problem, std::size_t camera, std::size_t ball) {
-  const Unprojector unprojector(problem.rough[camera]);
+  const Unprojector unprojector(problem.initialRig[camera]);
   Track track{unprojector.center(), {}};
   for (const MarkerObservation& view : problem.views[camera]) {
     const auto direction = unprojector.rayWorld(view.pixel);
@@ -179,8 +179,8 @@ std::size_t shared(const Tracks& a, const Tracks& b) {
 
 } // namespace
 
-std::vector<double> roughOffsets(const WandProblem& problem) {
-  const std::size_t count = problem.rough.size();
+std::vector<double> searchTimeOffsets(const WandProblem& problem) {
+  const std::size_t count = problem.initialRig.size();
   std::vector<Tracks> tracks;
   for (std::size_t c = 0; c < count; ++c) {
     tracks.push_back({trackOf(problem, c, 0), trackOf(problem, c, 1)});

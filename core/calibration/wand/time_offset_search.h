@@ -15,7 +15,7 @@ namespace dewpoint::calibration {
 /// the cameras stand roughly: by something that changes smoothly with the position (a polynomial of
 /// second order is taken). With a wrong one they miss by the ball's way meanwhile, too. So the
 /// offset is taken that leaves the least beyond such a polynomial.
-std::vector<double> roughOffsets(const WandProblem& problem);
+std::vector<double> searchTimeOffsets(const WandProblem& problem);
 
 /// The views at other times: these seconds are added to those of each camera.
 std::vector<std::vector<MarkerObservation>>

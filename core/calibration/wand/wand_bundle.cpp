@@ -49,21 +49,21 @@ double usualPeriod(const WandProblem& problem) {
 } // namespace
 
 Status checkViews(const WandProblem& problem) {
-  if (problem.rough.size() < 2) {
+  if (problem.initialRig.size() < 2) {
     return failure(ErrorCode::Undetermined, "", "cameras", "at least two are needed");
   }
-  if (problem.views.size() != problem.rough.size()) {
+  if (problem.views.size() != problem.initialRig.size()) {
     return failure(ErrorCode::Mismatch, "", "views", "one list per camera is needed");
   }
   for (std::size_t c = 0; c < problem.views.size(); ++c) {
     if (problem.views[c].empty()) {
-      return failure(ErrorCode::Undetermined, "", problem.rough[c].name,
+      return failure(ErrorCode::Undetermined, "", problem.initialRig[c].name,
                      "the target is in none of its images");
     }
     for (const MarkerObservation& view : problem.views[c]) {
       if (!view.pixel.allFinite() || !std::isfinite(view.time) || !(view.sigma > 0.0) ||
           view.ball > 1) {
-        return failure(ErrorCode::BadValue, "", problem.rough[c].name,
+        return failure(ErrorCode::BadValue, "", problem.initialRig[c].name,
                        "a view has no usable time, place or sigma");
       }
     }
@@ -88,7 +88,7 @@ Result<BundleProblem> wandBundle(const WandProblem& problem) {
   }
   const bool stick = problem.stickLength > 0.0;
   BundleProblem bundle;
-  for (const Camera& camera : problem.rough) {
+  for (const Camera& camera : problem.initialRig) {
     bundle.cameras.push_back({.camera = camera});
   }
   bundle.bodies.push_back({.name = stick ? "stick" : "ball",
@@ -96,7 +96,7 @@ Result<BundleProblem> wandBundle(const WandProblem& problem) {
                            .length = problem.stickLength});
   const double period = usualPeriod(problem);
   bundle.longestGap = 2.5 * period;
-  const double reach = problem.rough.size() > 1 ? 0.5 * period : 0.0;
+  const double reach = problem.initialRig.size() > 1 ? 0.5 * period : 0.0;
   std::vector<bool> taken; // by (camera, ball), within the present state
   for (const auto& [camera, view] : viewsInTime(problem)) {
     if (view->ball > 0 && !stick) {
@@ -105,7 +105,7 @@ Result<BundleProblem> wandBundle(const WandProblem& problem) {
     const std::size_t slot = 2 * camera + view->ball;
     if (bundle.states.empty() || view->time > bundle.states.back().time + reach || taken.at(slot)) {
       bundle.states.push_back({.body = 0, .time = view->time});
-      taken.assign(2 * problem.rough.size(), false);
+      taken.assign(2 * problem.initialRig.size(), false);
     }
     taken[slot] = true;
     bundle.observations.push_back({.camera = camera,

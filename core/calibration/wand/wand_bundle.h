@@ -8,7 +8,7 @@ namespace dewpoint::calibration {
 /// Two cameras or more, each with views, and these usable; the error names the camera.
 Status checkViews(const WandProblem& problem);
 
-/// The views as a bundle problem on the rough cameras: views of the same instant (within half of
+/// The views as a bundle problem on the initial cameras: views of the same instant (within half of
 /// the usual time between two) become observations of one state.
 Result<BundleProblem> wandBundle(const WandProblem& problem);
 

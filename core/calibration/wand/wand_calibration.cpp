@@ -71,7 +71,7 @@ private:
       if (auto usable = checkViews(given_); !usable) {
         return usable;
       }
-      clocks_ = roughOffsets(given_);
+      clocks_ = searchTimeOffsets(given_);
       given_.views = shiftedInTime(std::move(given_.views), clocks_);
     }
     return {};
@@ -90,9 +90,9 @@ private:
     bundle.bodies.front().lengthSigma = sigma;
   }
 
-  /// The rough cameras, each off by up to what they may be off; start 0 as they are.
+  /// The initial cameras, each off by up to what they may be off; start 0 as they are.
   CameraRig startRig(int start) const {
-    CameraRig rig = given_.rough;
+    CameraRig rig = given_.initialRig;
     if (start == 0) {
       return rig;
     }
@@ -103,11 +103,11 @@ private:
       const double share = 1.0 / std::sqrt(3.0); // so that the length is about what was asked for
       const Eigen::Vector3d center =
           rig[c].center() +
-          share * given_.roughPosition * Eigen::Vector3d(place[0], place[1], place[2]);
+          share * given_.initialPositionError * Eigen::Vector3d(place[0], place[1], place[2]);
       auto& pose = rig[c].cameraFromWorld;
-      pose.linear() =
-          turnRotation(share * given_.roughTurn * Eigen::Vector3d(turn[0], turn[1], turn[2])) *
-          pose.linear();
+      pose.linear() = turnRotation(share * given_.initialTurnError *
+                                   Eigen::Vector3d(turn[0], turn[1], turn[2])) *
+                      pose.linear();
       pose.translation() = -pose.linear() * center;
     }
     return rig;
@@ -235,10 +235,10 @@ private:
     return {};
   }
 
-  /// Size, then the rough rig's world or what floor and fall say.
+  /// Size, then the initial rig's world or what floor and fall say.
   Status intoWorld() {
-    const bool sized = given_.scale == WandScale::Rough && given_.stickLength <= 0.0;
-    const Similarity back = rigAlignment(result_.bundle.cameras, given_.rough, sized);
+    const bool sized = given_.scale == WandScale::InitialRig && given_.stickLength <= 0.0;
+    const Similarity back = fitRigSimilarity(result_.bundle.cameras, given_.initialRig, sized);
     moveWorld(back, result_.bundle);
     const auto scale = scaleOf(given_, result_.problem, result_.bundle);
     if (!scale) {
@@ -247,11 +247,12 @@ private:
     Similarity larger;
     larger.scale = scale->factor;
     moveWorld(larger, result_.bundle);
-    if (!sized) { // the size is right now: place it where the rough rig was
-      moveWorld(rigAlignment(result_.bundle.cameras, given_.rough, false), result_.bundle);
+    if (!sized) { // the size is right now: place it where the initial rig was
+      moveWorld(fitRigSimilarity(result_.bundle.cameras, given_.initialRig, false), result_.bundle);
     }
     result_.scale = given_.stickLength > 0.0 ? WandScale::Stick : given_.scale;
-    result_.scaleFactor = 1.0 / rigAlignment(result_.bundle.cameras, given_.rough, true).scale;
+    result_.scaleFactor =
+        1.0 / fitRigSimilarity(result_.bundle.cameras, given_.initialRig, true).scale;
     result_.scaleSigma = scale->sigma;
     return uprightWorld(given_, result_.bundle, result_).map([&](const Similarity& upright) {
       moveWorld(upright, result_.bundle);

@@ -24,10 +24,10 @@ struct MarkerObservation {
 
 /// What gives the result its size.
 enum class WandScale {
-  Rough,    ///< the rough rig: sizes are only as good as it
-  Stick,    ///< the known length of the stick
-  Distance, ///< between two positions that were touched
-  Diameter  ///< the ball's apparent radius: to about 0.05 px of it
+  InitialRig, ///< the initial rig: sizes are only as good as it
+  Stick,      ///< the known length of the stick
+  Distance,   ///< between two positions that were touched
+  Diameter    ///< the ball's apparent radius: to about 0.05 px of it
 };
 
 /// The ball was held at two positions a known distance apart.
@@ -39,20 +39,20 @@ struct TouchedDistance {
 
 /// A wand, and how its images are to be read.
 struct WandProblem {
-  CameraRig rough;                                   ///< where the cameras are, roughly
-  std::vector<std::vector<MarkerObservation>> views; ///< per camera of `rough`
+  CameraRig initialRig;                              ///< where the cameras are, roughly
+  std::vector<std::vector<MarkerObservation>> views; ///< per camera of `initialRig`
   std::array<double, 2> ballRadius = {0.0, 0.0};     ///< meters; 0: unknown, taken for points
   double stickLength = 0.0; ///< between the middles of balls 0 and 1, meters; 0: one ball
-  WandScale scale = WandScale::Rough;
+  WandScale scale = WandScale::InitialRig;
   TouchedDistance distance;                  ///< for WandScale::Distance
   std::vector<double> floorTimes;            ///< when ball 0 lay on or touched the floor, seconds
   std::optional<std::array<double, 2>> drop; ///< ball 0 fell freely from .. until, seconds
   bool findOffsets = false;                  ///< time offsets of the cameras against the first
   bool findFocal = false;                    ///< focal lengths, in their ratio
   bool findDistortion = false;               ///< k1 of every camera
-  double roughTurn = 0.06;                   ///< by how much the rough rig may be off, radians
-  double roughPosition = 0.12;               ///< meters
-  int starts = 6;                            ///< the rough rig, and it perturbed by as much
+  double initialTurnError = 0.06;            ///< by how much the initial rig may be off, radians
+  double initialPositionError = 0.12;        ///< meters
+  int starts = 6;                            ///< the initial rig, and it perturbed by as much
   std::uint64_t seed = 1;                    ///< of the perturbations
   int mostInstants = 900;                    ///< used, spread evenly over the recording
 };
@@ -72,20 +72,20 @@ struct WandDrop {
 
 /// A calibration by wand.
 struct WandResult {
-  CameraRig cameras;                  ///< named as the rough ones
+  CameraRig cameras;                  ///< named as the initial ones
   std::vector<double> offsets;        ///< seconds; true time = camera's time + offset
   std::vector<double> cameraMedianPx; ///< length of the residuals kept
   double medianPx = 0.0;
   std::vector<std::size_t> views;   ///< per camera, used
   std::vector<std::size_t> dropped; ///< per camera, taken for gross errors
   std::vector<WandStart> starts;
-  WandScale scale = WandScale::Rough;
-  double scaleFactor = 1.0; ///< by which sizes were corrected against the rough rig
+  WandScale scale = WandScale::InitialRig;
+  double scaleFactor = 1.0; ///< by which sizes were corrected against the initial rig
   double scaleSigma = 0.0;  ///< relative standard deviation of the size; 0: not known
   bool floorFound = false;
   double floorRms = 0.0; ///< meters, of the touched positions about the plane
   std::optional<WandDrop> drop;
-  double upRotated = 0.0;              ///< radians between the rough rig's up and the result's
+  double upRotated = 0.0;              ///< radians between the initial rig's up and the result's
   BundleProblem problem;               ///< what was adjusted last, in the result's world
   BundleResult bundle;                 ///< and its outcome, with the covariance
   double seconds = 0.0;                ///< of computing
@@ -101,9 +101,9 @@ struct WandProgress {
 using WandCallback = std::function<bool(const WandProgress&)>;
 
 /// Poses (focal lengths, k1, time offsets) of all cameras from a wand (a waved ball or stick),
-/// starting from a rough rig: bundle adjustment with robust losses, narrowed in steps, from several
-/// starts; views that no solution explains are dropped one per instant and round. The world stays
-/// aligned to the rough rig unless floor touches or a fall say where up is. Deterministic.
+/// starting from a initial rig: bundle adjustment with robust losses, narrowed in steps, from
+/// several starts; views that no solution explains are dropped one per instant and round. The world
+/// stays aligned to the initial rig unless floor touches or a fall say where up is. Deterministic.
 ///
 /// Errors: too few views of a camera (named), cameras that are not connected by common views,
 /// touches at times when the ball was not seen by two cameras, and Cancelled.

@@ -164,8 +164,8 @@ Result<Similarity> onFloor(const WandProblem& problem, const BundleResult& now,
 
 } // namespace
 
-Similarity alignment(const std::vector<Eigen::Vector3d>& from,
-                     const std::vector<Eigen::Vector3d>& to, bool sized) {
+Similarity fitSimilarity(const std::vector<Eigen::Vector3d>& from,
+                         const std::vector<Eigen::Vector3d>& to, bool sized) {
   const auto columns = [](const std::vector<Eigen::Vector3d>& points) {
     return Eigen::Map<const Eigen::Matrix3Xd>(points.front().data(), 3, std::ssize(points));
   };
@@ -177,7 +177,7 @@ Similarity alignment(const std::vector<Eigen::Vector3d>& from,
   return change;
 }
 
-Similarity rigAlignment(const CameraRig& from, const CameraRig& to, bool sized) {
+Similarity fitRigSimilarity(const CameraRig& from, const CameraRig& to, bool sized) {
   // The size comes from the places alone; then points ahead of and above each camera, as far away
   // as the cameras are from each other, let the axes have their say.
   std::vector<Eigen::Vector3d> fromPositions, toPositions;
@@ -207,7 +207,7 @@ Similarity rigAlignment(const CameraRig& from, const CameraRig& to, bool sized) 
   for (auto& position : fromPositions) {
     position *= scale;
   }
-  Similarity change = alignment(fromPositions, toPositions, false);
+  Similarity change = fitSimilarity(fromPositions, toPositions, false);
   change.scale = scale;
   return change;
 }

@@ -20,11 +20,11 @@ struct Similarity {
 
 /// The least-squares similarity (or rigid motion: `sized` false) that brings `from` to `to`
 /// (Umeyama 1991). At least three points that are not on a line.
-Similarity alignment(const std::vector<Eigen::Vector3d>& from,
-                     const std::vector<Eigen::Vector3d>& to, bool sized);
+Similarity fitSimilarity(const std::vector<Eigen::Vector3d>& from,
+                         const std::vector<Eigen::Vector3d>& to, bool sized);
 
 /// The one that brings the cameras of a rig, positions and axes, to those of another.
-Similarity rigAlignment(const CameraRig& from, const CameraRig& to, bool sized);
+Similarity fitRigSimilarity(const CameraRig& from, const CameraRig& to, bool sized);
 
 /// The cameras, states and covariance of a result in another world.
 void moveWorld(const Similarity& change, BundleResult& result);
@@ -33,7 +33,7 @@ void moveWorld(const Similarity& change, BundleResult& result);
 std::optional<Eigen::Vector3d> ballAt(const BundleResult& now, double time, std::size_t ball = 0);
 
 /// The factor on sizes that the scale source of the problem asks for, with its relative standard
-/// deviation: 1 for the stick (it is in the adjustment) and the rough rig.
+/// deviation: 1 for the stick (it is in the adjustment) and the initial rig.
 struct ScaleFound {
   double factor = 1.0;
   double sigma = 0.0;

@@ -196,7 +196,7 @@ void BaselineTracker::conclude(std::size_t target,
   }
   estimate.mean = tracked.last.value_or(Eigen::Vector3d::Zero());
   estimate.best = estimate.mean;
-  estimate.existence = estimate.valid ? 1.0 : 0.0;
+  estimate.existenceProbability = estimate.valid ? 1.0 : 0.0;
   estimate.particleCount = estimate.valid ? 1 : 0;
   estimate.effectiveSampleSize = estimate.particleCount;
   estimates_[target] = estimate;

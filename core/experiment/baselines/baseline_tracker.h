@@ -42,7 +42,7 @@ struct BaselineSetup {
 
 /// The baselines: color mask, a position in each camera's image, least-squares intersection of the
 /// rays, no particles and no appearance but the mask. A target is valid when two cameras see it (or
-/// while its Kalman filter predicts); it knows no probability, so `existence` is 0 or 1.
+/// while its Kalman filter predicts); it knows no probability, so `existenceProbability` is 0 or 1.
 ///
 /// Targets of one color: the positions that blobs of two or more cameras agree on are given to the
 /// targets so that the sum of the distances to where they were last is least. Deterministic: seed

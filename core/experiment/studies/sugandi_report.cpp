@@ -72,7 +72,7 @@ std::string barsHtml(const BoxStudy& study) {
   return text + "</tbody></table></div>";
 }
 
-constexpr const char* kSloppyRemark =
+constexpr const char* kPerturbationRemark =
     "Sloppy first boxes: of 0.8 to 1.4 times the true size, each in place and shifted by 15 % to "
     "the four sides; measured against the true boxes, so that success falls with the first box's "
     "own overlap. Similarity on and off the target (center within the radius or not): means of "
@@ -80,40 +80,40 @@ constexpr const char* kSloppyRemark =
     "a method says of itself; held boxes count as 0. Surely wrong: share of all frames off the "
     "target with a similarity above 0.9.";
 
-std::string claimsText(const SloppyRow& row) {
+std::string claimsText(const BoxPerturbationRow& row) {
   return row.claims ? fmt::format("{:>6.2f} {:>6.2f} {:>6.1f} %", row.similarityOn,
                                   row.similarityOff, 100.0 * row.surelyWrong)
                     : std::string();
 }
 
-std::string sloppyText(const std::vector<SloppyRow>& rows) {
+std::string perturbationText(const std::vector<BoxPerturbationRow>& rows) {
   std::string text =
       fmt::format("\nSloppy first boxes\n{:<28} {:<10} {:>5} {:>5} {:>8} {:>8} {:>9} "
                   "{:>8} {:>6} {:>6} {:>8}\n",
                   "clip", "method", "size", "runs", "RMSE px", "success", "precision", "worst",
                   "on", "off", "wrong");
-  for (const SloppyRow& row : rows) {
+  for (const BoxPerturbationRow& row : rows) {
     text += fmt::format("{:<28} {:<10} {:>5.1f} {:>5} {:>8.2f} {:>8.3f} {:>7.1f} % {:>6.1f} % {}\n",
                         row.clip, row.method, row.scale, row.runs, row.figures.rmse,
                         row.figures.success, 100.0 * row.figures.precision,
                         100.0 * row.worstPrecision, claimsText(row));
   }
-  return text + fmt::format("{}\n", kSloppyRemark);
+  return text + fmt::format("{}\n", kPerturbationRemark);
 }
 
-std::string claimsCells(const SloppyRow& row) {
+std::string claimsCells(const BoxPerturbationRow& row) {
   return row.claims ? fmt::format("<td>{:.2f}</td><td>{:.2f}</td><td>{:.1f} %</td>",
                                   row.similarityOn, row.similarityOff, 100.0 * row.surelyWrong)
                     : "<td></td><td></td><td></td>";
 }
 
-std::string sloppyHtml(const std::vector<SloppyRow>& rows) {
+std::string perturbationHtml(const std::vector<BoxPerturbationRow>& rows) {
   std::string text =
       "<h2>Sloppy first boxes</h2><div class='scroll'><table><thead><tr><th>clip</th>"
       "<th>method</th><th>size</th><th>runs</th><th>RMSE px</th><th>success</th>"
       "<th>precision</th><th>worst run</th><th>similarity on</th><th>off</th>"
       "<th>surely wrong</th></tr></thead><tbody>";
-  for (const SloppyRow& row : rows) {
+  for (const BoxPerturbationRow& row : rows) {
     text +=
         fmt::format("<tr{}><td>{}</td><td>{}</td><td>{:.1f}</td><td>{}</td><td>{:.2f}</td>"
                     "<td>{:.3f}</td><td>{:.1f} %</td><td>{:.1f} %</td>{}</tr>",
@@ -121,15 +121,15 @@ std::string sloppyHtml(const std::vector<SloppyRow>& rows) {
                     row.scale, row.runs, row.figures.rmse, row.figures.success,
                     100.0 * row.figures.precision, 100.0 * row.worstPrecision, claimsCells(row));
   }
-  return text + fmt::format("</tbody></table></div><p>{}</p>", escaped(kSloppyRemark));
+  return text + fmt::format("</tbody></table></div><p>{}</p>", escaped(kPerturbationRemark));
 }
 
 } // namespace
 
-std::string sloppyBoxesCsv(const std::vector<SloppyRow>& rows) {
+std::string perturbedBoxesCsv(const std::vector<BoxPerturbationRow>& rows) {
   std::string text = "clip,method,size,runs,rmse_px,success,precision,worst_precision,"
                      "similarity_on,similarity_off,surely_wrong\n";
-  for (const SloppyRow& row : rows) {
+  for (const BoxPerturbationRow& row : rows) {
     text += fmt::format("{},{},{},{},{},{},{},{}", csvCell(row.clip), csvCell(row.method),
                         row.scale, row.runs, row.figures.rmse, row.figures.success,
                         row.figures.precision, row.worstPrecision);
@@ -158,7 +158,7 @@ std::string boxStudyText(const BoxStudy& study) {
   for (const char* remark : kRemarks) {
     text += fmt::format("{}\n", remark);
   }
-  return study.sloppy.empty() ? text : text + sloppyText(study.sloppy);
+  return study.perturbed.empty() ? text : text + perturbationText(study.perturbed);
 }
 
 std::string boxStudyCsv(const BoxStudy& study) {
@@ -182,7 +182,7 @@ std::string boxStudyHtml(const BoxStudy& study) {
   for (std::size_t clip = 0; clip < study.figures.size(); ++clip) {
     text += clipHtml(study, clip);
   }
-  text += study.sloppy.empty() ? "" : sloppyHtml(study.sloppy);
+  text += study.perturbed.empty() ? "" : perturbationHtml(study.perturbed);
   text += "<h2>How to read it</h2>";
   for (const char* remark : kRemarks) {
     text += fmt::format("<p>{}</p>", escaped(remark));
@@ -197,8 +197,8 @@ Status writeBoxStudy(const BoxStudy& study, const std::filesystem::path& folder)
   for (std::size_t clip = 0; clip < study.figures.size(); ++clip) {
     files.emplace_back(boxFramesFile(clip), imageFile(study.figures[clip].frames, ".jpg"));
   }
-  if (!study.sloppy.empty()) {
-    files.emplace_back("sloppy-boxes.csv", sloppyBoxesCsv(study.sloppy));
+  if (!study.perturbed.empty()) {
+    files.emplace_back("sloppy-boxes.csv", perturbedBoxesCsv(study.perturbed));
   }
   files.emplace_back(kBoxReport, boxStudyHtml(study));
   for (const auto& [name, bytes] : files) {

@@ -17,7 +17,7 @@ std::string boxStudyHtml(const BoxStudy& study);
 
 /// What sloppy first boxes led to, as CSV; without numbers in the last three columns where a method
 /// does not say how sure it is.
-std::string sloppyBoxesCsv(const std::vector<SloppyRow>& rows);
+std::string perturbedBoxesCsv(const std::vector<BoxPerturbationRow>& rows);
 
 /// Writes sugandi-rmse.txt, .csv and .html with its pictures, tracks.csv, and sloppy-boxes.csv
 /// where that was studied, into a folder that exists.

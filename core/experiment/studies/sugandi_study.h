@@ -3,7 +3,7 @@
 
 #include "core/experiment/metrics/box_metrics.h"
 #include "core/experiment/scenarios/box_clips.h"
-#include "core/experiment/studies/sloppy_study.h"
+#include "core/experiment/studies/box_perturbation_study.h"
 
 #include <cstdint>
 #include <functional>
@@ -50,8 +50,8 @@ struct BoxClipFigures {
 struct BoxStudy {
   std::vector<BoxRow> rows; ///< clip by clip
   std::vector<BoxBar> bars;
-  std::vector<BoxClipFigures> figures; ///< one per clip
-  std::vector<SloppyRow> sloppy;       ///< of studySloppyBoxes(); empty unless requested
+  std::vector<BoxClipFigures> figures;       ///< one per clip
+  std::vector<BoxPerturbationRow> perturbed; ///< of studyPerturbedBoxes(); empty unless requested
 };
 
 /// Follows every clip with `sugandi` of 100 and of 300 particles, `histogram` and OpenCV's four

@@ -114,7 +114,7 @@ public:
     trial.kind = kind;
     const bool far = kind == WandCase::Far;
     Project project = project_;
-    for (const Camera& camera : roughRig(far ? 0.3 : 0.1, (far ? 10.0 : 3.0) * kDegree)) {
+    for (const Camera& camera : perturbedRig(far ? 0.3 : 0.1, (far ? 10.0 : 3.0) * kDegree)) {
       ProjectCamera& added = project.cameras.emplace_back();
       added.camera = camera;
     }
@@ -144,21 +144,21 @@ private:
     options.fromDiameter = !stick;
     options.findOffsets = kind == WandCase::Unsynced;
     if (kind == WandCase::Far) {
-      options.roughPosition = 0.3;
-      options.roughTurn = 10.0 * kDegree;
+      options.initialPositionError = 0.3;
+      options.initialTurnError = 10.0 * kDegree;
     }
     return options;
   }
 
-  CameraRig roughRig(double position, double turn) const {
-    CameraRig rough = rig_;
-    for (std::size_t c = 0; c < rough.size(); ++c) {
-      auto& pose = rough[c].cameraFromWorld;
-      const Eigen::Vector3d center = rough[c].center() + position * directions_[c][0];
+  CameraRig perturbedRig(double position, double turn) const {
+    CameraRig perturbed = rig_;
+    for (std::size_t c = 0; c < perturbed.size(); ++c) {
+      auto& pose = perturbed[c].cameraFromWorld;
+      const Eigen::Vector3d center = perturbed[c].center() + position * directions_[c][0];
       pose.linear() = Eigen::AngleAxisd(turn, directions_[c][1]) * pose.linear();
       pose.translation() = -pose.linear() * center;
     }
-    return rough;
+    return perturbed;
   }
 
   void measure(const WandResult& result, WandTrial& trial) const {
@@ -174,7 +174,7 @@ private:
         truth.push_back(wave_.end(ball, state.time));
       }
     }
-    const Similarity back = alignment(found, truth, false);
+    const Similarity back = fitSimilarity(found, truth, false);
     std::array<double, 2> sums{};
     for (std::size_t i = 0; i < found.size(); ++i) {
       sums[i < rig_.size() ? 0 : 1] += (back * found[i] - truth[i]).squaredNorm();
@@ -183,7 +183,7 @@ private:
     trial.cameraRms = std::sqrt(sums[0] / cameras);
     trial.pointRms =
         std::sqrt(sums[1] / std::max(1.0, static_cast<double>(found.size()) - cameras));
-    trial.scaleError = 1.0 / alignment(found, truth, true).scale - 1.0;
+    trial.scaleError = 1.0 / fitSimilarity(found, truth, true).scale - 1.0;
     for (std::size_t c = 0; c < rig_.size(); ++c) {
       const double clock = trial.kind == WandCase::Unsynced ? clocks_.at(c) : 0.0;
       trial.offsetError = std::max(trial.offsetError, std::abs(result.offsets[c] - clock));
@@ -201,7 +201,7 @@ private:
   CameraRig rig_;
   simulation::Stage stage_;
   std::array<double, 4> clocks_{}; ///< seconds by which each camera looks late; the first not
-  std::vector<std::array<Eigen::Vector3d, 2>> directions_; ///< of the rough rig's errors
+  std::vector<std::array<Eigen::Vector3d, 2>> directions_; ///< of the initial rig's errors
   Project project_;
 };
 

@@ -11,7 +11,7 @@
 
 namespace dewpoint::experiment {
 
-/// How far the rough rig is off, and whether the cameras keep the same time.
+/// How far the initial rig is off, and whether the cameras keep the same time.
 enum class WandCase {
   Near,     ///< every camera 10 cm and 3 degrees off
   Far,      ///< 30 cm and 10 degrees

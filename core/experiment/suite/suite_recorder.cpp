@@ -23,7 +23,7 @@ constexpr double kMillimeters = 1000.0;
 constexpr std::int64_t kStepFrames = 5; // frames before and after a camera's loss that are averaged
 
 bool isDeclared(const SphereEstimate& estimate) {
-  return estimate.mean.allFinite() && (estimate.valid || estimate.existence > 0.5);
+  return estimate.mean.allFinite() && (estimate.valid || estimate.existenceProbability > 0.5);
 }
 
 double framesOrNever(const std::optional<std::int64_t>& frames) {
@@ -277,7 +277,7 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
       trace.push_back(error ? kMillimeters * error->norm()
                             : std::numeric_limits<double>::quiet_NaN());
       forecasts.push_back(
-          {estimate.existence,
+          {estimate.existenceProbability,
            frames[k].truth.has_value() && (estimate.mean - *frames[k].truth).norm() < kFollowGate});
       if (frames[k].truth && anyBlind(frames[k].frame)) {
         ++blindInside.total;

@@ -156,11 +156,11 @@ std::optional<PolarFit> fitPolar(const std::vector<Edge>& edges) {
 
 } // namespace
 
-std::optional<MarkerImage> fitBallEdge(const cv::Mat& bgr, const SphereImage& rough) {
-  Eigen::Vector2d center = rough.center;
+std::optional<MarkerImage> fitBallEdge(const cv::Mat& bgr, const SphereImage& initial) {
+  Eigen::Vector2d center = initial.center;
   Vector5 shape = Vector5::Zero();
-  shape[0] = rough.radius;
-  const int spokes = std::clamp(static_cast<int>(2.0 * std::numbers::pi * rough.radius), 24, 96);
+  shape[0] = initial.radius;
+  const int spokes = std::clamp(static_cast<int>(2.0 * std::numbers::pi * initial.radius), 24, 96);
   PolarFit fit;
   for (int round = 0; round < kRounds; ++round) {
     const double reach = std::min(kWidestPx, kWidestShare * shape[0]);
@@ -183,7 +183,7 @@ std::optional<MarkerImage> fitBallEdge(const cv::Mat& bgr, const SphereImage& ro
     }
     const auto found = fitPolar(edges);
     if (!found || found->agreeing < enough || found->spread > kLargestSpread ||
-        std::abs(found->shape[0] - rough.radius) > 0.4 * rough.radius) {
+        std::abs(found->shape[0] - initial.radius) > 0.4 * initial.radius) {
       return std::nullopt;
     }
     fit = *found;
@@ -191,7 +191,7 @@ std::optional<MarkerImage> fitBallEdge(const cv::Mat& bgr, const SphereImage& ro
     shape = fit.shape;
     shape.segment<2>(1).setZero();
   }
-  if ((center - rough.center).norm() > std::max(1.5, 0.25 * rough.radius)) {
+  if ((center - initial.center).norm() > std::max(1.5, 0.25 * initial.radius)) {
     return std::nullopt;
   }
   MarkerImage ball;

@@ -15,7 +15,8 @@ struct MarkerImage {
   double sigma = 0.0; ///< standard deviation of the center along each axis, pixels
 };
 
-/// Fits the outline of a ball from a rough one (a pixel or so off), to a few hundredths of a pixel.
+/// Fits the outline of a ball from an initial one (a pixel or so off), to a few hundredths of a
+/// pixel.
 ///
 /// A mask of matching pixels ends where a mixture of ball and background no longer matches, which
 /// depends on the light: on the dark side of a ball sooner than on the bright one. So each pixel
@@ -23,6 +24,6 @@ struct MarkerImage {
 /// farther in and out on the same spoke; 1 - w is the share that the ball covers, however bright it
 /// is there, and the sum of the shares along the spoke is where the edge lies, however blurred. The
 /// edges of all spokes make an ellipse, robustly. Nothing when too few agree: hidden, or no ball.
-std::optional<MarkerImage> fitBallEdge(const cv::Mat& bgr, const SphereImage& rough);
+std::optional<MarkerImage> fitBallEdge(const cv::Mat& bgr, const SphereImage& initial);
 
 } // namespace dewpoint::observation

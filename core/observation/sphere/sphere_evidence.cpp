@@ -26,7 +26,7 @@ constexpr double kInsideMiss = -4.5;
 constexpr double kRingClean = 1.2;
 constexpr double kRingMatch = -9.0;
 /// Samples of one image are far from independent: their sum counts this much.
-constexpr double kTemper = 0.12;
+constexpr double kSampleCorrelationFactor = 0.12;
 /// Pixels; smaller outlines count less, since their samples fall on the same pixels.
 constexpr double kFullArea = 60.0;
 
@@ -118,7 +118,7 @@ cv::Rect areaOf(const SphereImage& outline, double radii, double margin) {
 }
 
 double SphereEvidence::best() {
-  return kTemper * (kInsideMatch * (2 * kSpokes + 1) + kRingClean * kSpokes);
+  return kSampleCorrelationFactor * (kInsideMatch * (2 * kSpokes + 1) + kRingClean * kSpokes);
 }
 
 double SphereEvidence::logLikelihoodRatio(const LabelImage& labels, const SphereImage& outline) {
@@ -129,7 +129,7 @@ double SphereEvidence::logLikelihoodRatio(const LabelImage& labels, const Sphere
     sum += inside(sampler.at(spoke, kInner)) + inside(edge) + ring(edge, sampler.at(spoke, kRing));
   }
   const double area = std::numbers::pi * outline.radius * outline.radius;
-  return kTemper * std::min(1.0, area / kFullArea) * sum;
+  return kSampleCorrelationFactor * std::min(1.0, area / kFullArea) * sum;
 }
 
 double SphereEvidence::explainedRingGain(const LabelImage& labels, const SphereImage& outline,
@@ -148,7 +148,7 @@ double SphereEvidence::explainedRingGain(const LabelImage& labels, const SphereI
                      : 0;
   }
   const double area = std::numbers::pi * outline.radius * outline.radius;
-  return -kTemper * std::min(1.0, area / kFullArea) * kRingMatch * explained;
+  return -kSampleCorrelationFactor * std::min(1.0, area / kFullArea) * kRingMatch * explained;
 }
 
 double SphereEvidence::matchShare(const LabelImage& labels, const SphereImage& outline) {

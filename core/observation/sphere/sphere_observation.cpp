@@ -156,7 +156,7 @@ std::vector<CameraEvidence> SphereObservation::evidence(const Eigen::Vector3d& c
       view.labels.require(areaOf(*outline, SphereEvidence::kReach));
       cameras[k].inView = insideImage(*outline, view.labels.size());
       cameras[k].logLikelihood = SphereEvidence::logLikelihoodRatio(view.labels, *outline);
-      cameras[k].existence = probabilityFrom(cameras[k].logLikelihood);
+      cameras[k].existenceProbability = probabilityFrom(cameras[k].logLikelihood);
       cameras[k].visible = SphereEvidence::matchShare(view.labels, *outline);
     }
   }

@@ -38,7 +38,8 @@ FrameRecord frameRecord(const TrackedFrame& trackedFrame, const FrameSet& frames
   }
   for (const TrackedTarget& target : trackedFrame.targets) {
     const bool held = target.status == TargetStatus::Held || target.status == TargetStatus::Gone;
-    record.targets.push_back({target.status, static_cast<float>(existenceOf(target.estimate)),
+    record.targets.push_back({target.status,
+                              static_cast<float>(existenceProbabilityOf(target.estimate)),
                               held ? std::vector<CameraReport>() : target.reasons});
   }
   return record;

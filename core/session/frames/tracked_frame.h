@@ -53,7 +53,7 @@ struct TrackedFrame {
 struct FrameRecord {
   struct Entry {
     TargetStatus status = TargetStatus::Searching;
-    float existence = 0.0F;
+    float existenceProbability = 0.0F;
     std::vector<CameraReport> reasons; ///< empty while held
   };
   std::int64_t frame = 0;

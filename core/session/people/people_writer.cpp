@@ -75,7 +75,7 @@ TrajectorySample sampleOf(const PersonEstimate& person, std::int64_t frame, doub
   sample.covariance = person.covariance;
   sample.effectiveSampleSize = person.effectiveSampleSize;
   sample.cameras = person.camerasSeeing;
-  sample.existence = person.existence;
+  sample.existenceProbability = person.existenceProbability;
   return sample;
 }
 

@@ -7,7 +7,7 @@ CameraMotionStage stageOf(const CameraMotionReport& report, double now) {
   if (report.back) {
     return CameraMotionStage::Back;
   }
-  if (report.resolved) {
+  if (report.newPose) {
     return CameraMotionStage::Solved;
   }
   return now - seconds(report.event.time) > kCameraMotionPatience ? CameraMotionStage::Unsolvable

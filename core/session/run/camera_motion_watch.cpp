@@ -24,9 +24,9 @@ constexpr double kSightingSigma = 1.0;   // pixels: blob, and the other cameras'
 
 } // namespace
 
-Result<ResolvedCamera> resolveCameraMotion(const Camera& camera, const CameraRotation& turn,
-                                           const std::deque<ReprojectionResidual>& sightings,
-                                           double since) {
+Result<MovedCameraPose> estimatePoseAfterMotion(const Camera& camera, const CameraRotation& turn,
+                                                const std::deque<ReprojectionResidual>& sightings,
+                                                double since) {
   std::vector<PointSighting> points;
   for (const ReprojectionResidual& one : sightings) {
     if (one.time >= since) {
@@ -36,7 +36,7 @@ Result<ResolvedCamera> resolveCameraMotion(const Camera& camera, const CameraRot
   CameraMotionPrior prior;
   prior.turn = turn.turn;
   prior.turnSigma = std::max(prior.turnSigma, turn.sigma);
-  return resolveCamera(camera, prior, points);
+  return estimateMovedPose(camera, prior, points);
 }
 
 CameraMotionWatch::CameraMotionWatch(const CameraRig& rig)
@@ -129,8 +129,8 @@ void CameraMotionWatch::update(CameraMotionReport& report, double time) {
   // With two cameras the estimate leans on the bumped one too: the background alone is better.
   const auto& sightings =
       rig_.size() < 3 ? std::deque<ReprojectionResidual>() : sightings_.of(camera);
-  const auto resolved = resolveCameraMotion(rig_[camera], turn, sightings, since);
-  report.resolved = resolved && !report.back ? std::optional(*resolved) : std::nullopt;
+  const auto solved = estimatePoseAfterMotion(rig_[camera], turn, sightings, since);
+  report.newPose = solved && !report.back ? std::optional(*solved) : std::nullopt;
 }
 
 std::vector<Error> CameraMotionWatch::notices() const {

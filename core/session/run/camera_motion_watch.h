@@ -20,7 +20,7 @@ struct CameraMotionReport {
   std::optional<double> targetPixels;
   /// The camera as it stands now, to be put into the project: by the turn that was measured, and by
   /// the tracked targets' sightings since the bump. Recomputed about once a second.
-  std::optional<ResolvedCamera> resolved;
+  std::optional<MovedCameraPose> newPose;
 };
 
 /// Watches during a run whether cameras are moved (CameraMotionDetector), and how far the targets
@@ -69,8 +69,8 @@ private:
 
 /// The pose of a camera that was bumped at `event`, from the turn known now and the sightings
 /// since.
-Result<ResolvedCamera> resolveCameraMotion(const Camera& camera, const CameraRotation& turn,
-                                           const std::deque<ReprojectionResidual>& sightings,
-                                           double since);
+Result<MovedCameraPose> estimatePoseAfterMotion(const Camera& camera, const CameraRotation& turn,
+                                                const std::deque<ReprojectionResidual>& sightings,
+                                                double since);
 
 } // namespace dewpoint::session

@@ -119,8 +119,8 @@ struct IterationRecord {
   double microseconds = 0.0; ///< this iteration took, per target
   Eigen::Vector3d spreadPerAxis = Eigen::Vector3d::Zero(); ///< standard deviations x y z, meters
   int particleCount = 0;
-  double existence = 0.0; ///< probability, all cameras together
-  bool held = false;      ///< see isHeld()
+  double existenceProbability = 0.0; ///< probability, all cameras together
+  bool held = false;                 ///< see isHeld()
   /// Likelihood, existence and visible share per camera, in the order of the rig; empty when the
   /// method cannot tell.
   std::vector<CameraEvidence> cameras = {};

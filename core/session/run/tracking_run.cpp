@@ -206,7 +206,7 @@ std::vector<TrajectorySample> TrackingRun::samples() const {
     if (const auto* const sphere = std::get_if<SphereEstimate>(&estimate)) {
       samples.push_back({seconds(frames_->time), frames_->index, targets()[k].name, sphere->mean,
                          sphere->covariance, sphere->effectiveSampleSize, sphere->camerasSeeing,
-                         sphere->valid, std::nullopt, sphere->existence});
+                         sphere->valid, std::nullopt, sphere->existenceProbability});
       if (sphere->measurement) {
         samples.back().seen =
             PositionMeasurement{sphere->measurement->mean, sphere->measurement->covariance};

@@ -45,7 +45,8 @@ SphereEstimate BarreraTracker::iterate(ThreadTeam& team) {
       result.cameras, [](const CameraEvidence& camera) { return camera.visible > 0.0; }));
   const int needed = std::clamp(static_cast<int>(observation_.cameraCount()), 1, 2);
   result.valid = result.camerasSeeing >= needed;
-  result.existence = result.valid ? 1.0 : 0.0; // the paper's filter has no existence probability
+  result.existenceProbability =
+      result.valid ? 1.0 : 0.0; // the paper's filter has no existence probability
   estimate_ = result;
   return result;
 }
@@ -58,7 +59,7 @@ std::vector<CameraEvidence> BarreraTracker::evidence(const Eigen::Vector3d& poin
       cameras[k].inView = true;
       cameras[k].visible = static_cast<double>(*count) / WindowCounts::kPixels;
       cameras[k].logLikelihood = std::log(static_cast<double>(counted) / WindowCounts::kPixels);
-      cameras[k].existence = probabilityFrom(std::log(static_cast<double>(counted)));
+      cameras[k].existenceProbability = probabilityFrom(std::log(static_cast<double>(counted)));
     }
   }
   return cameras;

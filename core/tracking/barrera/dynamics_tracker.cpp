@@ -56,11 +56,11 @@ SphereEstimate DynamicsTracker::iterate(ThreadTeam& team) {
   for (std::size_t camera = 0; camera < seen_.size(); ++camera) {
     result.cameras[camera].inView = !imageOf(camera).empty();
     result.cameras[camera].visible = seen_[camera] ? 1.0 : 0.0;
-    result.cameras[camera].existence = result.cameras[camera].visible;
+    result.cameras[camera].existenceProbability = result.cameras[camera].visible;
   }
   result.camerasSeeing = static_cast<int>(std::ranges::count(seen_, true));
   result.valid = measured_.has_value();
-  result.existence = result.valid ? 1.0 : 0.0; // the filter has no opinion of its own
+  result.existenceProbability = result.valid ? 1.0 : 0.0; // the filter has no opinion of its own
   if (measured_) {
     result.measurement = Gaussian3{*measured_, sigma * sigma * Eigen::Matrix3d::Identity()};
   }

@@ -68,7 +68,8 @@ SphereEstimate sphereEstimateFrom(const TrackHypothesis& hypothesis, double iden
     result.measurement = hypothesis.measurement;
   }
   const double near = probabilityNearby(hypothesis);
-  result.existence = std::min(1.0, hypothesis.probability) * (1.0 - identityAmbiguity) * near;
+  result.existenceProbability =
+      std::min(1.0, hypothesis.probability) * (1.0 - identityAmbiguity) * near;
   result.radius = hypothesis.radius;
   observation.setRadius(hypothesis.radius);
   result.cameras = observation.evidence(result.mean, hypothesis.velocity());

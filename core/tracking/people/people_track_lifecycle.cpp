@@ -235,7 +235,7 @@ PeopleTrackLifecycle::Sight PeopleTrackLifecycle::sightOf(std::size_t person,
   return sight;
 }
 
-void PeopleTrackLifecycle::judgeSight() {
+void PeopleTrackLifecycle::updateVisibility() {
   const double interval = cameras_.interval();
   for (std::size_t person = 0; person < people_.size(); ++person) {
     PersonEstimate& estimate = people_[person];
@@ -257,7 +257,7 @@ void PeopleTrackLifecycle::judgeSight() {
       unseen += seeing > 0 && seeing + unable >= needed ? interval / kHiddenPatience : interval;
     }
     estimate.camerasSeeing = seeing;
-    estimate.existence = std::clamp(1.0 - unseen / settings_.survivalTime, 0.0, 1.0);
+    estimate.existenceProbability = std::clamp(1.0 - unseen / settings_.survivalTime, 0.0, 1.0);
     estimate.age += interval;
     estimate.interacting = std::ranges::any_of(people_, [&](const PersonEstimate& other) {
       return other.identity != estimate.identity &&
@@ -266,15 +266,15 @@ void PeopleTrackLifecycle::judgeSight() {
   }
 }
 
-void PeopleTrackLifecycle::dismiss() {
+void PeopleTrackLifecycle::terminateTracks() {
   for (std::size_t k = people_.size(); k-- > 0;) {
-    if (!settings_.area.contains(placeOf(people_[k])) || people_[k].existence <= 0.0) {
+    if (!settings_.area.contains(placeOf(people_[k])) || people_[k].existenceProbability <= 0.0) {
       leave(people_[k].identity);
     }
   }
 }
 
-void PeopleTrackLifecycle::giveBirth() {
+void PeopleTrackLifecycle::initiateTracks() {
   std::vector<Eigen::Vector2d> taken;
   for (const PersonEstimate& person : people_) {
     taken.push_back(placeOf(person));
@@ -296,10 +296,10 @@ void PeopleTrackLifecycle::step(const FrameSet& frames, ThreadTeam& team) {
     return; // learning, or no images: what is believed stays as it is
   }
   update(team);
-  judgeSight();
-  dismiss();
+  updateVisibility();
+  terminateTracks();
   if (settings_.births) {
-    giveBirth();
+    initiateTracks();
   }
 }
 

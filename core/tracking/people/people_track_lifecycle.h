@@ -88,9 +88,9 @@ private:
   void nameEverybody();
   void prepare();
   Sight sightOf(std::size_t person, std::size_t camera) const;
-  void judgeSight();
-  void dismiss();
-  void giveBirth();
+  void updateVisibility();
+  void terminateTracks();
+  void initiateTracks();
   std::vector<cv::Mat> silhouettesOfAll(double wider) const;
   std::size_t indexOf(int identity) const;
 

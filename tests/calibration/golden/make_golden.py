@@ -275,6 +275,6 @@ for make in (anipose, pose2sim, caliscope, opencv, ros, kalibr, with_mrcal, mc_c
              multical):
     make()
 with open("expected.csv", "w") as out:
-    out.write("# file, camera, point of the file's world in metres, pixel\n")
+    out.write("# file, camera, point of the file's world in meters, pixel\n")
     for line in EXPECTED:
         out.write(",".join(v if isinstance(v, str) else repr(float(v)) for v in line) + "\n")

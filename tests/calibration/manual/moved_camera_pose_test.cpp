@@ -45,50 +45,50 @@ double angleBetween(const Camera& a, const Camera& b) {
       .norm();
 }
 
-TEST(ResolveCamera, WithoutSightingsTurnsTheCamera) {
+TEST(EstimateMovedPose, WithoutSightingsTurnsTheCamera) {
   const Eigen::Vector3d turn(0.01, -0.02, 0.005);
-  const auto resolved = resolveCamera(camera(), {.turn = turn}, {});
-  ASSERT_TRUE(resolved) << sentence(resolved.error());
-  EXPECT_LT(angleBetween(resolved->camera, rotatedCamera(camera(), turn)), 1e-9);
-  EXPECT_LT((resolved->camera.center() - camera().center()).norm(), 1e-9);
+  const auto moved = estimateMovedPose(camera(), {.turn = turn}, {});
+  ASSERT_TRUE(moved) << sentence(moved.error());
+  EXPECT_LT(angleBetween(moved->camera, rotatedCamera(camera(), turn)), 1e-9);
+  EXPECT_LT((moved->camera.center() - camera().center()).norm(), 1e-9);
 }
 
-TEST(ResolveCamera, FindsTurnAndShiftFromTheTarget) {
+TEST(EstimateMovedPose, FindsTurnAndShiftFromTheTarget) {
   Camera bumped = rotatedCamera(camera(), Eigen::Vector3d(0.5, -0.8, 0.3) * kDegree);
   bumped.cameraFromWorld.translation() += Eigen::Vector3d(0.004, -0.003, 0.002);
   // The background gives the turn to 0.05 degrees.
   const CameraMotionPrior prior{.turn = Eigen::Vector3d(0.52, -0.75, 0.33) * kDegree};
   const auto seen = sightings(bumped, 300, 0.5);
-  const auto resolved = resolveCamera(camera(), prior, seen);
-  ASSERT_TRUE(resolved) << sentence(resolved.error());
-  EXPECT_GT(resolved->pixelsBefore, 4.0); // 0.94 degrees at 500 px are 8 px
-  EXPECT_LT(resolved->pixelsAfter, 0.7);  // the median of a Rayleigh of 0.5 px is 0.59
-  EXPECT_LT(angleBetween(resolved->camera, bumped), 0.05 * kDegree);
-  EXPECT_LT((resolved->camera.center() - bumped.center()).norm(), 0.003);
+  const auto moved = estimateMovedPose(camera(), prior, seen);
+  ASSERT_TRUE(moved) << sentence(moved.error());
+  EXPECT_GT(moved->pixelsBefore, 4.0); // 0.94 degrees at 500 px are 8 px
+  EXPECT_LT(moved->pixelsAfter, 0.7);  // the median of a Rayleigh of 0.5 px is 0.59
+  EXPECT_LT(angleBetween(moved->camera, bumped), 0.05 * kDegree);
+  EXPECT_LT((moved->camera.center() - bumped.center()).norm(), 0.003);
   // What is left is what is said to be left: within four sigma.
   const Eigen::Vector3d off =
-      bumped.cameraFromWorld.linear() * (resolved->camera.center() - bumped.center());
+      bumped.cameraFromWorld.linear() * (moved->camera.center() - bumped.center());
   for (int axis = 0; axis < 3; ++axis) {
-    EXPECT_LT(std::abs(off[axis]), 4.0 * resolved->shiftSigma[axis]);
+    EXPECT_LT(std::abs(off[axis]), 4.0 * moved->shiftSigma[axis]);
   }
 }
 
-TEST(ResolveCamera, IsNotFooledByWrongSightings) {
+TEST(EstimateMovedPose, IsNotFooledByWrongSightings) {
   const Camera bumped = rotatedCamera(camera(), Eigen::Vector3d(0.1, 0.2, 0.0) * kDegree);
   const auto seen = sightings(bumped, 200, 0.5, 40);
-  const auto resolved =
-      resolveCamera(camera(), {.turn = Eigen::Vector3d(0.1, 0.2, 0.0) * kDegree}, seen);
-  ASSERT_TRUE(resolved) << sentence(resolved.error());
-  EXPECT_LT(angleBetween(resolved->camera, bumped), 0.05 * kDegree);
-  EXPECT_LE(resolved->used, 160);
+  const auto moved =
+      estimateMovedPose(camera(), {.turn = Eigen::Vector3d(0.1, 0.2, 0.0) * kDegree}, seen);
+  ASSERT_TRUE(moved) << sentence(moved.error());
+  EXPECT_LT(angleBetween(moved->camera, bumped), 0.05 * kDegree);
+  EXPECT_LE(moved->used, 160);
 }
 
-TEST(ResolveCamera, SaysWhenNoPoseNearbyFits) {
+TEST(EstimateMovedPose, SaysWhenNoPoseNearbyFits) {
   Camera elsewhere = camera();
   elsewhere.cameraFromWorld = lookAt({-2.0, 2.5, 1.0}, {0.0, 0.0, 0.5});
-  const auto resolved = resolveCamera(camera(), {}, sightings(elsewhere, 100, 0.5));
-  ASSERT_FALSE(resolved);
-  EXPECT_EQ(resolved.error().field, "left");
+  const auto moved = estimateMovedPose(camera(), {}, sightings(elsewhere, 100, 0.5));
+  ASSERT_FALSE(moved);
+  EXPECT_EQ(moved.error().field, "left");
 }
 
 } // namespace

@@ -39,8 +39,8 @@ std::vector<double> trueErrors(const CameraRig& truth, const CameraRig& found, d
       noisy.push_back(*b);
     }
   }
-  sizeError = alignment(exact, real, true).scale - 1.0;
-  const Similarity change = alignment(exact, real, false);
+  sizeError = fitSimilarity(exact, real, true).scale - 1.0;
+  const Similarity change = fitSimilarity(exact, real, false);
   std::vector<double> errors;
   for (std::size_t i = 0; i < real.size(); ++i) {
     errors.push_back((change * noisy[i] - real[i]).norm());
@@ -63,7 +63,7 @@ Summary manyTrials(int trials) {
     const double noise = 0.1 + 0.1 * (trial % 4);
     const CameraRig truth = rig(seed, 3 + trial % 3);
     WandProblem problem = wave(truth, seed, noise, 240);
-    problem.rough = moved(truth, 0.1, 0.05, seed);
+    problem.initialRig = moved(truth, 0.1, 0.05, seed);
     const auto result = calibrateFromWand(problem);
     EXPECT_TRUE(result) << trial;
     if (!result) {
@@ -137,7 +137,7 @@ TEST(CalibrationAccuracy, WidensWhereErrorsAreNotIndependent) {
       view.pixel += 0.4 * Eigen::Vector2d(std::sin(phase), std::cos(1.3 * phase));
     }
   }
-  problem.rough = moved(truth, 0.1, 0.05, 5);
+  problem.initialRig = moved(truth, 0.1, 0.05, 5);
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   const auto accuracy = assessWand(*result, {});

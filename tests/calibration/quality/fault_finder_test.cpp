@@ -23,7 +23,7 @@ double noiseOf(std::uint32_t seed) {
 WandProblem clean(std::uint32_t seed, int cameras = 4) {
   const CameraRig truth = rig(seed, cameras);
   WandProblem problem = wave(truth, seed, noiseOf(seed), kFrames);
-  problem.rough = moved(truth, 0.1, 0.05, seed);
+  problem.initialRig = moved(truth, 0.1, 0.05, seed);
   return problem;
 }
 
@@ -91,7 +91,7 @@ TEST(FaultFinder, ALateCameraIsNamed) {
     const CameraRig truth = rig(seed);
     const int late = seed % 2 == 0 ? 10 : -23;
     WandProblem problem = wave(truth, seed, noiseOf(seed), kFrames, {0.0, 0.0, late / kRate, 0.0});
-    problem.rough = moved(truth, 0.1, 0.05, seed);
+    problem.initialRig = moved(truth, 0.1, 0.05, seed);
     const auto report = find(problem);
     expectOnly(report, CalibrationFault::CameraLate, {2});
     if (!report.faults.empty()) {
@@ -115,7 +115,7 @@ TEST(FaultFinder, ACameraThatMovedIsNamed) {
         problem.views[1].push_back(view);
       }
     }
-    problem.rough = moved(truth, 0.1, 0.05, seed);
+    problem.initialRig = moved(truth, 0.1, 0.05, seed);
     const auto report = find(problem);
     expectOnly(report, CalibrationFault::CameraMoved, {1});
     if (!report.faults.empty()) {
@@ -144,7 +144,7 @@ TEST(FaultFinder, AChangedZoomIsNamed) {
     truth[0].intrinsics.focalX *= ratio;
     truth[0].intrinsics.focalY *= ratio;
     WandProblem problem = wave(truth, seed, noiseOf(seed), kFrames);
-    problem.rough = moved(rig(seed), 0.1, 0.05, seed);
+    problem.initialRig = moved(rig(seed), 0.1, 0.05, seed);
     const auto report = find(problem);
     expectOnly(report, CalibrationFault::ZoomChanged, {0});
     if (!report.faults.empty()) {
@@ -174,7 +174,7 @@ TEST(FaultFinder, HalfAPixelIsNamed) {
     SCOPED_TRACE(seed);
     const CameraRig truth = rig(seed);
     WandProblem problem = wave(truth, seed, 0.1, kFrames);
-    problem.rough = moved(truth, 0.1, 0.05, seed);
+    problem.initialRig = moved(truth, 0.1, 0.05, seed);
     for (auto& views : problem.views) {
       for (MarkerObservation& view : views) {
         view.pixel.array() += seed % 2 == 0 ? 0.5 : -0.5;
@@ -193,7 +193,7 @@ TEST(FaultFinder, MixedUnitsAreNamed) {
     problem.stickLength = kStick / 0.0254;
     expectOnly(find(problem), CalibrationFault::InchesMixed, {});
     problem.stickLength = kStick;
-    for (Camera& camera : problem.rough) {
+    for (Camera& camera : problem.initialRig) {
       camera.cameraFromWorld.translation() *= 1000.0;
     }
     expectOnly(find(problem), CalibrationFault::MillimetersMixed, {});

@@ -33,8 +33,8 @@ std::string next(std::string& text, const std::string& from, const std::string& 
 TEST(WandReport, ShowsEveryCameraAndTheTarget) {
   const CameraRig truth = simulated::rig(1, 3);
   WandProblem problem = simulated::wave(truth, 1, 0.2, 150);
-  problem.rough = simulated::moved(truth, 0.05, 0.02, 1);
-  problem.rough[1].name = "left & <right>";
+  problem.initialRig = simulated::moved(truth, 0.05, 0.02, 1);
+  problem.initialRig[1].name = "left & <right>";
   problem.scale = WandScale::Stick;
   auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
@@ -42,7 +42,7 @@ TEST(WandReport, ShowsEveryCameraAndTheTarget) {
   const NamedFault late{CalibrationFault::CameraLate, {1}, 12.0, 99.0, "camera 2 is late"};
   result->faults.push_back(late);
   WandReport report;
-  report.before = problem.rough;
+  report.before = problem.initialRig;
   report.result = *result;
   report.accuracy = "In this volume +-3.1 mm (95 %)";
   report.coverage.resize(3);

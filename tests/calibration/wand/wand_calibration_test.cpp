@@ -86,7 +86,7 @@ WandProblem wave(const CameraRig& rig, std::size_t balls, double noise, int fram
 
 /// Largest distance between cameras of the same number after the best rigid motion.
 double misplacement(const CameraRig& found, const CameraRig& truth) {
-  const Similarity change = rigAlignment(found, truth, false);
+  const Similarity change = fitRigSimilarity(found, truth, false);
   double worst = 0.0;
   for (std::size_t c = 0; c < truth.size(); ++c) {
     worst = std::max(worst, (change * found[c].center() - truth[c].center()).norm());
@@ -97,7 +97,7 @@ double misplacement(const CameraRig& found, const CameraRig& truth) {
 TEST(WandCalibration, AStickGivesTheRigBack) {
   const CameraRig rig = trueRig();
   WandProblem problem = wave(rig, 2, 0.0);
-  problem.rough = moved(rig, 0.1, 0.05);
+  problem.initialRig = moved(rig, 0.1, 0.05);
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 1e-5);
@@ -112,9 +112,9 @@ TEST(WandCalibration, AStickGivesTheRigBack) {
 TEST(WandCalibration, HalfAPixelOfNoiseIsMillimeters) {
   const CameraRig rig = trueRig();
   WandProblem problem = wave(rig, 2, 0.3);
-  problem.rough = moved(rig, 0.3, 10.0 / 180.0 * std::numbers::pi);
-  problem.roughPosition = 0.3;
-  problem.roughTurn = 0.17;
+  problem.initialRig = moved(rig, 0.3, 10.0 / 180.0 * std::numbers::pi);
+  problem.initialPositionError = 0.3;
+  problem.initialTurnError = 0.17;
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 2e-3);
@@ -137,7 +137,7 @@ TEST(WandCalibration, GrossErrorsAreDropped) {
       ++total;
     }
   }
-  problem.rough = moved(rig, 0.1, 0.05);
+  problem.initialRig = moved(rig, 0.1, 0.05);
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 3e-3);
@@ -153,8 +153,8 @@ TEST(WandCalibration, FindsOffsetsAndFocalLengths) {
   const CameraRig rig = trueRig();
   const std::vector<double> offsets{0.0, 0.016, -0.016, 0.007};
   WandProblem problem = wave(rig, 2, 0.1, 300, offsets);
-  problem.rough = moved(rig, 0.1, 0.05);
-  for (Camera& camera : problem.rough) {
+  problem.initialRig = moved(rig, 0.1, 0.05);
+  for (Camera& camera : problem.initialRig) {
     camera.intrinsics.focalX *= 0.98;
     camera.intrinsics.focalY *= 0.98;
   }
@@ -180,7 +180,7 @@ TEST(WandCalibration, CamerasThatRunFreelyAreRefined) {
       view.time += phases[c];
     }
   }
-  problem.rough = moved(rig, 0.1, 0.05);
+  problem.initialRig = moved(rig, 0.1, 0.05);
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 5e-3);
@@ -197,8 +197,8 @@ TEST(WandCalibration, ClocksThatAreFarOffAreFound) {
   const CameraRig rig = trueRig();
   const std::vector<double> offsets{0.0, 0.21, -0.34, 0.05}; // at 15 images per second
   WandProblem problem = wave(rig, 1, 0.1, 300, offsets);
-  problem.rough = moved(rig, 0.1, 0.05);
-  const auto roughly = roughOffsets(problem);
+  problem.initialRig = moved(rig, 0.1, 0.05);
+  const auto roughly = searchTimeOffsets(problem);
   problem.findOffsets = true;
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
@@ -214,16 +214,16 @@ TEST(WandCalibration, ClocksStayWhereNothingIsClear) {
   const std::vector<double> none(rig.size(), 0.0);
   WandProblem problem = wave(rig, 1, 0.1, 100, none,
                              [](double, std::size_t) { return Eigen::Vector3d(0.1, 0.2, 1.0); });
-  problem.rough = moved(rig, 0.1, 0.05);
-  EXPECT_EQ(roughOffsets(problem), none);
+  problem.initialRig = moved(rig, 0.1, 0.05);
+  EXPECT_EQ(searchTimeOffsets(problem), none);
   problem.views[1].clear();
-  EXPECT_EQ(roughOffsets(problem), none);
+  EXPECT_EQ(searchTimeOffsets(problem), none);
 }
 
 TEST(WandCalibration, TheSizeComesFromADistanceOrTheDiameter) {
   const CameraRig rig = trueRig();
   WandProblem problem = wave(rig, 1, 0.05);
-  problem.rough = moved(rig, 0.1, 0.05);
+  problem.initialRig = moved(rig, 0.1, 0.05);
   problem.scale = WandScale::Distance;
   problem.distance = {2.0, 8.0, 0.0};
   const auto mean = [](double time) { // of the places within a tenth of a second: three frames
@@ -258,7 +258,7 @@ TEST(WandCalibration, FloorAndFallSayWhereUpIs) {
     return {0.1, 0.1, std::max(kRadius, 1.6 - 0.5 * 9.81 * fallen * fallen)};
   };
   WandProblem problem = wave(rig, 1, 0.05, 300, {0.0, 0.0, 0.0, 0.0}, path);
-  problem.rough = moved(rig, 0.1, 0.05);
+  problem.initialRig = moved(rig, 0.1, 0.05);
   problem.scale = WandScale::Distance;
   problem.distance = {1.0, 3.0, std::sqrt(0.75)}; // of two corners of the triangle
   problem.floorTimes = {1.0, 3.0, 5.0};
@@ -287,23 +287,23 @@ TEST(WandCalibration, FloorAndFallSayWhereUpIs) {
 TEST(WandCalibration, SaysWhatIsMissing) {
   const CameraRig rig = trueRig();
   WandProblem problem = wave(rig, 2, 0.1, 60);
-  problem.rough = moved(rig, 0.1, 0.05);
+  problem.initialRig = moved(rig, 0.1, 0.05);
   problem.views[1].clear();
   EXPECT_EQ(calibrateFromWand(problem).error().field, "camera 2");
   problem = wave(rig, 1, 0.1, 60);
-  problem.rough = rig;
+  problem.initialRig = rig;
   problem.stickLength = kStick; // but its second ball is never seen
   EXPECT_EQ(calibrateFromWand(problem).error().field, "stick");
   problem = wave(rig, 1, 0.0, 60, {0.0, 0.0, 0.0, 0.0},
                  [](double, std::size_t) { return Eigen::Vector3d(0.0, 0.0, 1.0); });
-  problem.rough = rig;
+  problem.initialRig = rig;
   EXPECT_EQ(calibrateFromWand(problem).error().code, ErrorCode::Undetermined);
   EXPECT_EQ(calibrateFromWand(wave(rig, 2, 0.1, 60), [](const WandProgress&) { return false; })
                 .error()
                 .code,
-            ErrorCode::Undetermined); // no rough rig at all
+            ErrorCode::Undetermined); // no initial rig at all
   problem = wave(rig, 2, 0.1, 60);
-  problem.rough = rig;
+  problem.initialRig = rig;
   EXPECT_EQ(calibrateFromWand(problem, [](const WandProgress&) { return false; }).error().code,
             ErrorCode::Cancelled);
 }

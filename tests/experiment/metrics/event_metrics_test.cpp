@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/metrics/event_metrics.h"
-#include "tests/experiment/track_frames.h"
+#include "tests/experiment/metrics/track_frames.h"
 
 #include <gtest/gtest.h>
 

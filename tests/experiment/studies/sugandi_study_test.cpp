@@ -96,36 +96,36 @@ TEST(SugandiStudy, DrawsTracksAndFrames) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(SloppyStudy, SlipsAreSharesOfTheBox) {
-  const std::vector<BoxSlip> slips = boxSlips();
-  EXPECT_EQ(slips.size(), 20U); // four sizes, five places
-  const BoxSlip slip{1.2, -0.15, 0.1};
-  const ImageBox drawn = slip.of({100.0, 50.0, 20.0, 40.0}); // center 110, 70
+TEST(BoxPerturbationStudy, PerturbationsAreSharesOfTheBox) {
+  const std::vector<BoxPerturbation> perturbations = boxPerturbations();
+  EXPECT_EQ(perturbations.size(), 20U); // four sizes, five places
+  const BoxPerturbation perturbation{1.2, -0.15, 0.1};
+  const ImageBox drawn = perturbation.of({100.0, 50.0, 20.0, 40.0}); // center 110, 70
   EXPECT_NEAR(drawn.center().x(), 107.0, 1e-12);
   EXPECT_NEAR(drawn.center().y(), 74.0, 1e-12);
   EXPECT_NEAR(drawn.width, 24.0, 1e-12);
   EXPECT_NEAR(drawn.height, 48.0, 1e-12);
 }
 
-TEST(SloppyStudy, ReportsASizePerRow) {
+TEST(BoxPerturbationStudy, ReportsASizePerRow) {
   BoxClip clip = simulatedBoxClip(7);
   clip.truth.resize(4);
   BoxStudy study;
-  auto rows =
-      studySloppyBoxes({clip}, 2, [](const SloppyRow&) { return true; }, {"histogram", "camshift"});
+  auto rows = studyPerturbedBoxes({clip}, 2, [](const BoxPerturbationRow&) { return true; },
+                                  {"histogram", "camshift"});
   ASSERT_TRUE(rows);
-  study.sloppy = std::move(*rows);
-  ASSERT_EQ(study.sloppy.size(), 8U); // two methods, four sizes
-  EXPECT_EQ(study.sloppy.front().runs, 10);
-  EXPECT_EQ(study.sloppy.back().runs, 5); // CamShift has no seeds
-  EXPECT_TRUE(study.sloppy.front().claims);
-  EXPECT_FALSE(study.sloppy.back().claims);
-  EXPECT_EQ(std::ranges::count(sloppyBoxesCsv(study.sloppy), '\n'), 9);
+  study.perturbed = std::move(*rows);
+  ASSERT_EQ(study.perturbed.size(), 8U); // two methods, four sizes
+  EXPECT_EQ(study.perturbed.front().runs, 10);
+  EXPECT_EQ(study.perturbed.back().runs, 5); // CamShift has no seeds
+  EXPECT_TRUE(study.perturbed.front().claims);
+  EXPECT_FALSE(study.perturbed.back().claims);
+  EXPECT_EQ(std::ranges::count(perturbedBoxesCsv(study.perturbed), '\n'), 9);
   EXPECT_NE(boxStudyText(study).find("Sloppy first boxes"), std::string::npos);
   EXPECT_NE(boxStudyHtml(study).find("Sloppy first boxes"), std::string::npos);
 }
 
-TEST(SloppyStudy, HistogramStaysOnThePedestrian) {
+TEST(BoxPerturbationStudy, HistogramStaysOnThePedestrian) {
   const char* data = std::getenv("DEWPOINT_DATA");
   if (data == nullptr || !std::filesystem::exists(std::filesystem::path(data) / "otb")) {
     GTEST_SKIP() << "the recording otb is not in DEWPOINT_DATA";
@@ -135,9 +135,9 @@ TEST(SloppyStudy, HistogramStaysOnThePedestrian) {
   std::erase_if(*clips, [](const BoxClip& clip) { return clip.name != "otb, Crossing"; });
   ASSERT_EQ(clips->size(), 1U);
   const auto rows =
-      studySloppyBoxes(*clips, 1, [](const SloppyRow&) { return true; }, {"histogram"});
+      studyPerturbedBoxes(*clips, 1, [](const BoxPerturbationRow&) { return true; }, {"histogram"});
   ASSERT_TRUE(rows);
-  for (const SloppyRow& row : *rows) {
+  for (const BoxPerturbationRow& row : *rows) {
     EXPECT_GT(row.figures.precision, row.scale < 1.3 ? 0.9 : 0.75) << row.scale;
     EXPECT_LT(row.surelyWrong, 0.05) << row.scale;
   }

@@ -37,7 +37,7 @@ SphereEstimate estimateAt(const Eigen::Vector3d& place, double sigma = 0.003) {
   estimate.mean = place;
   estimate.covariance = sigma * sigma * Eigen::Matrix3d::Identity();
   estimate.valid = true;
-  estimate.existence = 1.0;
+  estimate.existenceProbability = 1.0;
   return estimate;
 }
 
@@ -78,7 +78,7 @@ TEST(SuiteRecorder, CountsFromConvergenceOn) {
   for (std::int64_t k = 0; k < kFrames; ++k) {
     SphereEstimate estimate = estimateAt({k < 4 ? 0.5 : 0.002, 0.0, 0.0});
     estimate.valid = k < 15;
-    estimate.existence = k < 15 ? 1.0 : 0.0;
+    estimate.existenceProbability = k < 15 ? 1.0 : 0.0;
     recorder.add({estimate});
   }
   const SuiteResult result = recorder.result(0.0);
@@ -130,7 +130,7 @@ TEST(SuiteRecorder, LossHasToBeDeclared) {
   for (std::int64_t k = 0; k < kFrames; ++k) {
     SphereEstimate estimate = estimateAt({0, 0, 0});
     estimate.valid = k < 12;
-    estimate.existence = k < 12 ? 1.0 : 0.0;
+    estimate.existenceProbability = k < 12 ? 1.0 : 0.0;
     recorder.add({estimate});
   }
   const SuiteRow row = recorder.result(0.0).row;

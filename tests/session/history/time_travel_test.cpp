@@ -98,8 +98,8 @@ TEST_P(TimeTravelTest, ShowsEveryMomentAsItWas) {
     ASSERT_EQ(now->targets.size(), 1U);
     EXPECT_EQ(std::get<SphereEstimate>(now->targets[0].estimate).mean,
               std::get<SphereEstimate>(then->targets[0].estimate).mean);
-    EXPECT_EQ(std::get<SphereEstimate>(now->targets[0].estimate).existence,
-              std::get<SphereEstimate>(then->targets[0].estimate).existence);
+    EXPECT_EQ(std::get<SphereEstimate>(now->targets[0].estimate).existenceProbability,
+              std::get<SphereEstimate>(then->targets[0].estimate).existenceProbability);
     EXPECT_TRUE(sameTail(now->targets[0].tail, then->targets[0].tail));
     // A place of the tail is one where the target was held.
     EXPECT_EQ(now->targets[0].tail.back().allFinite(),
@@ -373,7 +373,7 @@ TEST(TimeTravel, TheFrameLogTellsStatusReasonsAndMissingCameras) {
     EXPECT_DOUBLE_EQ(record.time, seconds(timeStamp(static_cast<double>(record.frame) / 30.0)));
   }
   EXPECT_EQ(piece.records[20].targets[0].status, TargetStatus::Held);
-  EXPECT_GT(piece.records[20].targets[0].existence, 0.9F);
+  EXPECT_GT(piece.records[20].targets[0].existenceProbability, 0.9F);
   EXPECT_TRUE(piece.records[20].targets[0].reasons.empty());
   session.rerunFrom(80);
   ASSERT_TRUE(eventually([&] {

@@ -17,7 +17,7 @@ CameraMotionReport bumped(std::size_t camera = 1) {
 
 CameraMotionReport solved(std::size_t camera = 1) {
   CameraMotionReport report = bumped(camera);
-  report.resolved.emplace();
+  report.newPose.emplace();
   return report;
 }
 

@@ -105,10 +105,10 @@ TEST(CameraMotionWatch, ReportsAndSolvesABumpedCamera) {
   ASSERT_TRUE(report.targetPixels);
   EXPECT_NEAR(*report.targetPixels, 3.1, 1.0);
   EXPECT_LT(seconds(report.event.time), 12.0);
-  ASSERT_TRUE(report.resolved);
-  EXPECT_LT(angleBetween(report.resolved->camera, bumped), 0.05 * kDegree);
-  EXPECT_LT(report.resolved->pixelsAfter, 0.3);
-  EXPECT_GT(report.resolved->pixelsBefore, 2.0); // 0.36 degrees at 500 px are 3.1 px
+  ASSERT_TRUE(report.newPose);
+  EXPECT_LT(angleBetween(report.newPose->camera, bumped), 0.05 * kDegree);
+  EXPECT_LT(report.newPose->pixelsAfter, 0.3);
+  EXPECT_GT(report.newPose->pixelsBefore, 2.0); // 0.36 degrees at 500 px are 3.1 px
   ASSERT_EQ(watch.notices().size(), 1U);
   EXPECT_EQ(watch.notices()[0].field, "camera 2");
   EXPECT_NE(watch.notices()[0].detail.find("degrees"), std::string::npos);
@@ -120,8 +120,8 @@ TEST(CameraMotionWatch, ACameraThatIsCalibratedAgainIsNotReportedAnyMore) {
   CameraMotionWatch watch(rig);
   run(watch, bumped);
   ASSERT_EQ(watch.reports().size(), 1U);
-  ASSERT_TRUE(watch.reports()[0].resolved);
-  rig[1] = watch.reports()[0].resolved->camera;
+  ASSERT_TRUE(watch.reports()[0].newPose);
+  rig[1] = watch.reports()[0].newPose->camera;
   watch.setCameras(rig);
   EXPECT_TRUE(watch.reports().empty());
 }

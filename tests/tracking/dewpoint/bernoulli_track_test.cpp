@@ -178,7 +178,8 @@ TEST_F(TwoEqualBalls, AreResolvedAndTheAmbiguityStays) {
   ASSERT_EQ(track_.hypotheses().size(), 1U);
   EXPECT_NEAR(probability(), first + second, 1e-12);
   const SphereEstimate estimate = track_.estimate(observation_);
-  EXPECT_NEAR(estimate.existence, first, 1e-9); // (first + second) (1 - second / (first + second))
+  EXPECT_NEAR(estimate.existenceProbability, first,
+              1e-9); // (first + second) (1 - second / (first + second))
   EXPECT_TRUE(estimate.valid);
   update(); // the rival is gone for good
   EXPECT_EQ(track_.hypotheses().size(), 1U);
@@ -188,7 +189,7 @@ TEST_F(TwoEqualBalls, AreBothRightWhereBothAreTargets) {
   const double both = track_.hypotheses()[0].probability + track_.hypotheses()[1].probability;
   track_.resolveIdentity(true);
   ASSERT_EQ(track_.hypotheses().size(), 1U);
-  EXPECT_NEAR(track_.estimate(observation_).existence, both, 1e-9);
+  EXPECT_NEAR(track_.estimate(observation_).existenceProbability, both, 1e-9);
 }
 
 TEST_F(BernoulliTrackTest, ForgetsEverythingAtARestart) {

@@ -37,8 +37,8 @@ double errorOf(const SphereEstimate& estimate, const Eigen::Vector3d& truth) {
 
 bool isFinite(const SphereEstimate& e) {
   return e.mean.allFinite() && e.best.allFinite() && e.covariance.allFinite() &&
-         std::isfinite(e.existence) && std::isfinite(e.effectiveSampleSize) &&
-         std::isfinite(e.radius) && e.existence >= 0.0 && e.existence <= 1.0;
+         std::isfinite(e.existenceProbability) && std::isfinite(e.effectiveSampleSize) &&
+         std::isfinite(e.radius) && e.existenceProbability >= 0.0 && e.existenceProbability <= 1.0;
 }
 
 TEST(DewpointTracker, ConvergesInTwoFramesFromAUniformStart) {
@@ -50,7 +50,7 @@ TEST(DewpointTracker, ConvergesInTwoFramesFromAUniformStart) {
     EXPECT_LT(errorOf(estimate, truth), kClose) << seed;
     EXPECT_LT((estimate.best - truth).norm(), 0.01) << seed;
     EXPECT_TRUE(estimate.valid) << seed;
-    EXPECT_GT(estimate.existence, 0.9) << seed;
+    EXPECT_GT(estimate.existenceProbability, 0.9) << seed;
     EXPECT_EQ(estimate.camerasSeeing, 2) << seed;
     EXPECT_NEAR(estimate.radius, 0.035, 1e-6) << seed;
     EXPECT_FALSE(estimate.degenerate) << seed;
@@ -107,7 +107,7 @@ TEST(DewpointTracker, LossIsDeclaredWithinThreeFramesAndItsReturnToo) {
     run.show({});
   }
   EXPECT_FALSE(run.estimate().valid);
-  EXPECT_LT(run.estimate().existence, 0.5);
+  EXPECT_LT(run.estimate().existenceProbability, 0.5);
   for (int frame = 0; frame < 30; ++frame) {
     EXPECT_FALSE(run.show({}).valid) << frame;
   }
@@ -123,7 +123,7 @@ TEST(DewpointTracker, AnEmptySceneHoldsNothing) {
   for (int frame = 0; frame < 40; ++frame) {
     const SphereEstimate& estimate = run.show({});
     EXPECT_FALSE(estimate.valid) << frame;
-    EXPECT_LT(estimate.existence, 0.1) << frame;
+    EXPECT_LT(estimate.existenceProbability, 0.1) << frame;
     EXPECT_TRUE(isFinite(estimate)) << frame;
   }
 }

@@ -93,7 +93,8 @@ TEST_F(PeopleLifeTest, WhomNobodySeesFadesEvenlyAndGoes) {
   for (int n = 1; n <= 9; ++n) {
     step({});
     ASSERT_EQ(count(), 1U) << n;
-    EXPECT_NEAR(person(0).existence, 1.0 - (1.0 / 30.0 + (n - 1) / 15.0) / 0.6, kExact) << n;
+    EXPECT_NEAR(person(0).existenceProbability, 1.0 - (1.0 / 30.0 + (n - 1) / 15.0) / 0.6, kExact)
+        << n;
     EXPECT_EQ(person(0).camerasSeeing, 0);
   }
   EXPECT_TRUE(life_.goneOnes.empty());
@@ -109,25 +110,25 @@ TEST_F(PeopleLifeTest, WhoIsSeenAgainWinsBackTwiceAsFast) {
   for (int n = 0; n < 4; ++n) {
     step({});
   }
-  EXPECT_NEAR(person(0).existence, 1.0 - (7.0 / 30.0) / 0.6, kExact);
+  EXPECT_NEAR(person(0).existenceProbability, 1.0 - (7.0 / 30.0) / 0.6, kExact);
   step({kPlace});
-  EXPECT_NEAR(person(0).existence, 1.0 - (3.0 / 30.0) / 0.6, kExact);
+  EXPECT_NEAR(person(0).existenceProbability, 1.0 - (3.0 / 30.0) / 0.6, kExact);
   EXPECT_EQ(person(0).camerasSeeing, 4);
   step({kPlace});
-  EXPECT_EQ(person(0).existence, 1.0);
+  EXPECT_EQ(person(0).existenceProbability, 1.0);
   EXPECT_NEAR(person(0).age, 1.0 / 30.0 + 5.0 / 15.0, kExact);
 }
 
 TEST_F(PeopleLifeTest, WithoutAnyImageNothingChanges) {
   put(kPlace);
   step({});
-  const double before = person(0).existence;
+  const double before = person(0).existenceProbability;
   FrameSet blind = *bodies::draw(rig_, frame_++, {});
   blind.frames.assign(4, nullptr);
   show(std::make_shared<const FrameSet>(blind));
-  EXPECT_EQ(person(0).existence, before);
+  EXPECT_EQ(person(0).existenceProbability, before);
   life_.iterate(team_); // nor does another iteration on the same frame
-  EXPECT_EQ(person(0).existence, before);
+  EXPECT_EQ(person(0).existenceProbability, before);
 }
 
 TEST_F(PeopleLifeTest, WhoCrossesTheBorderHasLeft) {
@@ -155,10 +156,10 @@ TEST_F(PeopleLifeTest, WhoIsRemovedTakesNothingFromTheOthers) {
   EXPECT_EQ(put({1.2, 1.2}), 4);
   EXPECT_EQ(life_.bornOnes, (std::vector<int>{1, 2, 3, 4}));
   step({kPlace});
-  EXPECT_EQ(person(0).existence, 1.0);
-  EXPECT_NEAR(person(1).existence, 1.0 - (3.0 / 30.0) / 0.6, kExact); // both frames
-  EXPECT_NEAR(person(2).existence, 1.0 - (2.0 / 30.0) / 0.6, kExact); // the second only
-  life_.removePerson(99);                                             // nobody
+  EXPECT_EQ(person(0).existenceProbability, 1.0);
+  EXPECT_NEAR(person(1).existenceProbability, 1.0 - (3.0 / 30.0) / 0.6, kExact); // both frames
+  EXPECT_NEAR(person(2).existenceProbability, 1.0 - (2.0 / 30.0) / 0.6, kExact); // the second only
+  life_.removePerson(99);                                                        // nobody
   EXPECT_EQ(count(), 3U);
   life_.restart(1);
   EXPECT_EQ(count(), 0U);
@@ -201,23 +202,23 @@ protected:
 TEST_F(OneBehindTheOther, WhoIsHiddenFadesSlowly) {
   step({kFront, kBehind});
   EXPECT_EQ(person(0).camerasSeeing, 2);
-  EXPECT_EQ(person(0).existence, 1.0);
+  EXPECT_EQ(person(0).existenceProbability, 1.0);
   EXPECT_EQ(person(1).camerasSeeing, 1);
-  EXPECT_NEAR(person(1).existence, 1.0 - (1.0 / 120.0) / 0.6, kExact);
+  EXPECT_NEAR(person(1).existenceProbability, 1.0 - (1.0 / 120.0) / 0.6, kExact);
 }
 
 TEST_F(OneBehindTheOther, AMethodThatSharesNoMasksSeesBoth) {
   life_.masksAreShared = false;
   step({kFront, kBehind});
   EXPECT_EQ(person(1).camerasSeeing, 2);
-  EXPECT_EQ(person(1).existence, 1.0);
+  EXPECT_EQ(person(1).existenceProbability, 1.0);
 }
 
 // Where the one behind is not at all, no camera sees anything of them: nothing is forgiven.
 TEST_F(OneBehindTheOther, WhoIsSeenNowhereFadesAsFastAsAnybody) {
   step({kFront});
   EXPECT_EQ(person(1).camerasSeeing, 0);
-  EXPECT_NEAR(person(1).existence, 1.0 - (1.0 / 30.0) / 0.6, kExact);
+  EXPECT_NEAR(person(1).existenceProbability, 1.0 - (1.0 / 30.0) / 0.6, kExact);
 }
 
 class PeopleLifeWithBirths : public PeopleLifeTest {
@@ -236,7 +237,7 @@ TEST_F(PeopleLifeWithBirths, SomebodyWhoComesIsBornOnce) {
   EXPECT_EQ(person(0).identity, 1);
   // The middle of a body of the usual height on the floor.
   EXPECT_LT((person(0).position - Eigen::Vector3d(kPlace.x(), kPlace.y(), 0.86)).norm(), 1e-9);
-  EXPECT_EQ(person(0).existence, 1.0);
+  EXPECT_EQ(person(0).existenceProbability, 1.0);
   for (int frame = 0; frame < 10; ++frame) {
     step({kPlace});
   }

@@ -28,7 +28,7 @@ protected:
     report.event.time = timeStamp(10.0);
     report.back = back;
     if (solved) {
-      report.resolved.emplace();
+      report.newPose.emplace();
     }
     snapshot.cameraMotions = {report};
     return shown;
@@ -52,11 +52,11 @@ TEST_F(CameraMotionAlertsTest, APoseThatIsKnownIsOneClickAway) {
   EXPECT_TRUE(bar_.text().contains(QStringLiteral("camera 2")));
   EXPECT_TRUE(bar_.text().contains(QStringLiteral("being worked out")));
   messages_.setSnapshot(at(11.0, true));
-  QSignalSpy resolve(&messages_, &CameraMotionAlerts::resolveWanted);
+  QSignalSpy newPose(&messages_, &CameraMotionAlerts::newPoseWanted);
   ASSERT_NE(answer(), nullptr);
   answer()->click();
-  ASSERT_EQ(resolve.size(), 1);
-  EXPECT_EQ(resolve.front().front().toInt(), 1);
+  ASSERT_EQ(newPose.size(), 1);
+  EXPECT_EQ(newPose.front().front().toInt(), 1);
 }
 
 TEST_F(CameraMotionAlertsTest, WithoutAPoseCalibrationIsOffered) {
@@ -70,7 +70,7 @@ TEST_F(CameraMotionAlertsTest, WithoutAPoseCalibrationIsOffered) {
 
 TEST_F(CameraMotionAlertsTest, WhoClosesTheBarIsLeftAlone) {
   messages_.setSnapshot(at(11.0, true));
-  bar_.close();
+  bar_.dismiss();
   messages_.setSnapshot(at(12.0, true));
   EXPECT_FALSE(bar_.isVisibleTo(&window_));
   messages_.setSnapshot(nullptr); // another run

@@ -12,7 +12,7 @@ FrameRecord record(std::int64_t frame, TargetStatus status = TargetStatus::Held)
   record.time = static_cast<double>(frame) / 25.0;
   record.targets.resize(1);
   record.targets[0].status = status;
-  record.targets[0].existence = 0.99F;
+  record.targets[0].existenceProbability = 0.99F;
   return record;
 }
 
@@ -72,7 +72,7 @@ TEST(TimelineModel, DropoutsAreKnownUntilTheRunBeginsAnew) {
 TEST(TimelineModel, AFrameIsDescribedWithTargetAndReason) {
   TimelineModel model = modelOf({0, 1});
   FrameRecord lost = record(2, TargetStatus::Lost);
-  lost.targets[0].existence = 0.1F;
+  lost.targets[0].existenceProbability = 0.1F;
   lost.targets[0].reasons = {{CameraStatus::Hidden, 0.0}, {CameraStatus::None, 0.0}};
   model.append({lost}, false);
   EXPECT_EQ(model.describe(1), QStringLiteral("Frame 2, 0.04 s\nball ● held (0.99)"));

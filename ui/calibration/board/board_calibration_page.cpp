@@ -27,20 +27,21 @@ constexpr int kSteps = 1000;
 
 } // namespace
 
-BoardCalibrationPage::BoardCalibrationPage(BoardCalibrator& desk, QWidget* parent)
-    : QWidget(parent), desk_(desk) {
+BoardCalibrationPage::BoardCalibrationPage(BoardCalibrator& calibrator, QWidget* parent)
+    : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("boardPage"));
   build();
-  connect(calibrate_, &QPushButton::clicked, &desk_, &BoardCalibrator::calibrate);
-  connect(cancel_, &QPushButton::clicked, &desk_, &BoardCalibrator::cancel);
-  connect(apply_, &QPushButton::clicked, &desk_, &BoardCalibrator::apply);
+  connect(calibrate_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::calibrate);
+  connect(cancel_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::cancel);
+  connect(apply_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::apply);
   connect(report_, &QPushButton::clicked, this, &BoardCalibrationPage::askReport);
-  connect(&desk_, &BoardCalibrator::changed, this, &BoardCalibrationPage::refresh);
-  connect(&desk_, &BoardCalibrator::wishChanged, this, &BoardCalibrationPage::refresh);
-  connect(&desk_, &BoardCalibrator::calibrated, this, [this] {
+  connect(&calibrator_, &BoardCalibrator::changed, this, &BoardCalibrationPage::refresh);
+  connect(&calibrator_, &BoardCalibrator::wishChanged, this, &BoardCalibrationPage::refresh);
+  connect(&calibrator_, &BoardCalibrator::calibrated, this, [this] {
     QTimer::singleShot(0, this, &BoardCalibrationPage::showResult); // laid out by then
   });
-  connect(&desk_, &BoardCalibrator::progressChanged, this, &BoardCalibrationPage::showProgress);
+  connect(&calibrator_, &BoardCalibrator::progressChanged, this,
+          &BoardCalibrationPage::showProgress);
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
@@ -48,9 +49,9 @@ void BoardCalibrationPage::build() {
   guide_ = new QLabel(this);
   guide_->setWordWrap(true);
   boardTitle_ = makePageTitle(this);
-  fields_ = new BoardForm(desk_, this);
+  fields_ = new BoardForm(calibrator_, this);
   goalTitle_ = makePageTitle(this);
-  auto* goal = new BoardGoalForm(desk_, this);
+  auto* goal = new BoardGoalForm(calibrator_, this);
   runTitle_ = makePageTitle(this);
   const auto button = [this](const char* name) {
     auto* made = new QPushButton(this);
@@ -63,7 +64,7 @@ void BoardCalibrationPage::build() {
   report_ = button("boardReport");
   progress_ = new QProgressBar(this);
   progress_->setObjectName(QStringLiteral("boardProgress"));
-  live_ = new BoardLive(desk_, this);
+  live_ = new BoardLive(calibrator_, this);
   result_ = new QLabel(this);
   result_->setObjectName(QStringLiteral("boardResult"));
   result_->setWordWrap(true);
@@ -113,9 +114,9 @@ void BoardCalibrationPage::retranslateUi() {
 }
 
 void BoardCalibrationPage::refresh() {
-  const bool live = desk_.isLive();
-  const bool computing = desk_.isComputing();
-  const auto outcome = desk_.outcome();
+  const bool live = calibrator_.isLive();
+  const bool computing = calibrator_.isComputing();
+  const auto outcome = calibrator_.outcome();
   guide_->setText(live ? tr("Show a printed board to the cameras: you are told what to show next, "
                             "and it is taken when you hold it still.")
                        : tr("A recording in which a printed board is shown to the cameras, held "
@@ -123,31 +124,31 @@ void BoardCalibrationPage::refresh() {
   runTitle_->setText(live ? tr("Live cameras") : tr("This recording"));
   live_->setVisible(live);
   calibrate_->setVisible(!live && !computing);
-  calibrate_->setEnabled(desk_.shownFrame() >= 0);
+  calibrate_->setEnabled(calibrator_.shownFrame() >= 0);
   progress_->setVisible(computing);
   cancel_->setVisible(computing);
-  apply_->setVisible(outcome != nullptr && !desk_.isApplied());
+  apply_->setVisible(outcome != nullptr && !calibrator_.isApplied());
   const bool doubted =
       outcome != nullptr && outcome->extrinsics && !outcome->extrinsics->faults.empty();
   apply_->setText(doubted ? tr("Use it anyway") : tr("Apply"));
   report_->setVisible(outcome != nullptr);
-  QString words = outcome ? outcomeWords(desk_, *outcome) : QString();
-  if (!desk_.failure().isEmpty()) {
-    words = QStringLiteral("⚠ ") + desk_.failure();
-  } else if (desk_.isApplied()) {
+  QString words = outcome ? outcomeWords(calibrator_, *outcome) : QString();
+  if (!calibrator_.failure().isEmpty()) {
+    words = QStringLiteral("⚠ ") + calibrator_.failure();
+  } else if (calibrator_.isApplied()) {
     words = tr("✓ The cameras are calibrated (Ctrl+Z takes it back).") + QLatin1Char('\n') + words;
   }
   result_->setText(words);
   result_->setVisible(!words.isEmpty());
   if (computing) {
-    showProgress(desk_.isLooking() ? 0.0 : -1.0);
+    showProgress(calibrator_.isLooking() ? 0.0 : -1.0);
   }
 }
 
 void BoardCalibrationPage::showProgress(double part) {
   progress_->setRange(0, part < 0.0 ? 0 : kSteps);
   progress_->setValue(static_cast<int>(part * kSteps));
-  progress_->setFormat(desk_.isLooking() ? tr("Looking for the board: %p %") : tr("Solving"));
+  progress_->setFormat(calibrator_.isLooking() ? tr("Looking for the board: %p %") : tr("Solving"));
 }
 
 void BoardCalibrationPage::showResult() {
@@ -164,14 +165,14 @@ void BoardCalibrationPage::askReport() {
       this, tr("Save the report"), QStringLiteral("calibration.html"), tr("Page (*.html)"));
   if (!file.isEmpty()) {
     connect(
-        &desk_, &BoardCalibrator::saved, this,
+        &calibrator_, &BoardCalibrator::saved, this,
         [file](const QString& saved) {
           if (saved == file) {
             QDesktopServices::openUrl(QUrl::fromLocalFile(saved));
           }
         },
         Qt::SingleShotConnection);
-    desk_.saveReport(file);
+    calibrator_.saveReport(file);
   }
 }
 

@@ -19,7 +19,7 @@ class BoardLive;
 class BoardCalibrationPage : public QWidget {
   Q_OBJECT
 public:
-  explicit BoardCalibrationPage(BoardCalibrator& desk, QWidget* parent = nullptr);
+  explicit BoardCalibrationPage(BoardCalibrator& calibrator, QWidget* parent = nullptr);
 
   /// Asks for a file and writes the board as a PDF.
   void print();
@@ -32,7 +32,7 @@ private:
   void showResult();
   void askReport();
 
-  BoardCalibrator& desk_;
+  BoardCalibrator& calibrator_;
   QLabel* guide_;
   QLabel* boardTitle_;
   BoardForm* fields_;

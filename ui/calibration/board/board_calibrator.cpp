@@ -111,12 +111,13 @@ void BoardCalibrator::compute(Computation computation, bool applyIt) {
           return progress(*looking ? kLookingShare * part : -1.0);
         }));
     *looking = false;
-    return [this, result, applyIt] { adopt(result, applyIt); };
+    return [this, result, applyIt] { applyResult(result, applyIt); };
   });
   Q_EMIT changed();
 }
 
-void BoardCalibrator::adopt(const std::shared_ptr<Result<BoardOutcome>>& result, bool applyIt) {
+void BoardCalibrator::applyResult(const std::shared_ptr<Result<BoardOutcome>>& result,
+                                  bool applyIt) {
   if (!*result) {
     failure_ = errorSentence(result->error());
     return;

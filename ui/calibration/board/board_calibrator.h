@@ -90,7 +90,7 @@ private:
   using Computation = std::function<Result<BoardOutcome>(const CalibrationProgress& progress)>;
   void setWatching(bool watching);
   void compute(Computation computation, bool applyIt);
-  void adopt(const std::shared_ptr<Result<BoardOutcome>>& result, bool applyIt);
+  void applyResult(const std::shared_ptr<Result<BoardOutcome>>& result, bool applyIt);
   void write(const std::function<Status()>& task, const QString& file);
   void forget();
   std::function<void()> wakeUp();
@@ -108,7 +108,7 @@ private:
   QString failure_;
   bool forgotten_ = false; ///< what is computed is of another project
   std::shared_ptr<std::atomic<bool>> looking_;
-  BackgroundJob* job_; ///< children: end with the desk
+  BackgroundJob* job_; ///< children: end with the calibrator
   BackgroundJob* writer_;
   JobMailbox mailbox_;                                ///< what the watch's thread has seen
   std::unique_ptr<BoardWatch, DetachedDelete> watch_; ///< its thread ends beside the window

@@ -43,7 +43,8 @@ QSpinBox* makeCount(const char* name, QWidget* parent) {
 
 } // namespace
 
-BoardForm::BoardForm(BoardCalibrator& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+BoardForm::BoardForm(BoardCalibrator& calibrator, QWidget* parent)
+    : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("boardFields"));
   build();
   connectFields();
@@ -120,13 +121,13 @@ void BoardForm::build() {
   dictionaryLabel_->setBuddy(dictionary_);
 }
 
-double BoardForm::metresPerUnit() const {
+double BoardForm::metersPerUnit() const {
   return kUnits.at(static_cast<std::size_t>(std::max(0, unit_->currentIndex()))).meters;
 }
 
 void BoardForm::connectFields() {
   using Board = BoardDescription;
-  connect(&desk_, &BoardCalibrator::wishChanged, this, &BoardForm::refresh);
+  connect(&calibrator_, &BoardCalibrator::wishChanged, this, &BoardForm::refresh);
   connect(kind_, &QComboBox::activated, this, [this](int index) {
     edit([index](Board& board) { board = withKind(board, static_cast<Board::Kind>(index)); });
   });
@@ -137,12 +138,12 @@ void BoardForm::connectFields() {
     edit([value](Board& board) { board = withSquares(board, board.squareColumns(), value); });
   });
   connect(size_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([meters = value * metresPerUnit()](Board& board) {
+    edit([meters = value * metersPerUnit()](Board& board) {
       board = withSquareSize(board, meters);
     });
   });
   connect(marker_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([meters = value * metresPerUnit()](Board& board) {
+    edit([meters = value * metersPerUnit()](Board& board) {
       board = withMarkerSize(board, meters);
     });
   });
@@ -158,13 +159,13 @@ void BoardForm::connectFields() {
 }
 
 void BoardForm::edit(const std::function<void(BoardDescription&)>& change) {
-  BoardGuideRequest wish = desk_.wish();
+  BoardGuideRequest wish = calibrator_.wish();
   BoardDescription board = wish.board.board;
   change(board);
   const Status checked = checkBoard(board);
   if (checked) {
     wish.board.board = board;
-    desk_.setWish(wish);
+    calibrator_.setWish(wish);
   }
   refresh(); // also when it was refused
   if (!checked) {
@@ -176,7 +177,7 @@ void BoardForm::print() {
   const QString chosen = QFileDialog::getSaveFileName(
       this, tr("Print the board"), QStringLiteral("board.pdf"), tr("PDF (*.pdf)"));
   if (!chosen.isEmpty()) {
-    desk_.printBoard(paper_->currentText(), chosen);
+    calibrator_.printBoard(paper_->currentText(), chosen);
   }
 }
 
@@ -218,7 +219,7 @@ void BoardForm::retranslateUi() {
 }
 
 void BoardForm::refresh() {
-  const BoardDescription& board = desk_.wish().board.board;
+  const BoardDescription& board = calibrator_.wish().board.board;
   const bool markers = board.kind == BoardDescription::Kind::Charuco;
   const auto count = [](QSpinBox* box, int value) {
     const QSignalBlocker quiet(box);

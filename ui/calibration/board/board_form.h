@@ -22,7 +22,7 @@ class BoardCalibrator;
 class BoardForm : public QWidget {
   Q_OBJECT
 public:
-  explicit BoardForm(BoardCalibrator& desk, QWidget* parent = nullptr);
+  explicit BoardForm(BoardCalibrator& calibrator, QWidget* parent = nullptr);
 
   /// Asks for a file and writes the board as a PDF in its true size.
   void print();
@@ -33,9 +33,9 @@ private:
   void retranslateUi();
   void refresh();
   void edit(const std::function<void(BoardDescription&)>& change);
-  double metresPerUnit() const;
+  double metersPerUnit() const;
 
-  BoardCalibrator& desk_;
+  BoardCalibrator& calibrator_;
   QLabel* kindLabel_;
   QComboBox* kind_;
   QLabel* squaresLabel_;

@@ -22,12 +22,12 @@ namespace {
 
 /// In the order of the choice.
 constexpr std::array<BoardGoal, 3> kGoals{{{true, true}, {true, false}, {false, true}}};
-constexpr double kMillimetre = 1e-3;
+constexpr double kMillimeter = 1e-3;
 
 } // namespace
 
-BoardGoalForm::BoardGoalForm(BoardCalibrator& desk, QWidget* parent)
-    : QWidget(parent), desk_(desk) {
+BoardGoalForm::BoardGoalForm(BoardCalibrator& calibrator, QWidget* parent)
+    : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("boardGoalFields"));
   build();
   connectFields();
@@ -79,14 +79,14 @@ void BoardGoalForm::build() {
 }
 
 void BoardGoalForm::edit(const std::function<void(BoardGuideRequest&)>& change) {
-  BoardGuideRequest wish = desk_.wish();
+  BoardGuideRequest wish = calibrator_.wish();
   change(wish);
-  desk_.setWish(wish);
+  calibrator_.setWish(wish);
 }
 
 void BoardGoalForm::connectFields() {
-  connect(&desk_, &BoardCalibrator::wishChanged, this, &BoardGoalForm::refresh);
-  connect(&desk_, &BoardCalibrator::changed, this, &BoardGoalForm::refresh);
+  connect(&calibrator_, &BoardCalibrator::wishChanged, this, &BoardGoalForm::refresh);
+  connect(&calibrator_, &BoardCalibrator::changed, this, &BoardGoalForm::refresh);
   connect(goal_, &QComboBox::activated, this, [this](int index) {
     edit([index](BoardGuideRequest& wish) {
       wish.goal = kGoals.at(static_cast<std::size_t>(index));
@@ -106,13 +106,13 @@ void BoardGoalForm::connectFields() {
     edit([frame](BoardGuideRequest& wish) { wish.board.worldFrame = frame; });
   });
   connect(floorHere_, &QPushButton::clicked, this, [this] {
-    edit([this](BoardGuideRequest& wish) { wish.board.worldFrame = desk_.shownFrame(); });
+    edit([this](BoardGuideRequest& wish) { wish.board.worldFrame = calibrator_.shownFrame(); });
   });
   connect(lensAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double pixels) {
     edit([pixels](BoardGuideRequest& wish) { wish.lenses.requestedProjectionPx = pixels; });
   });
   connect(placeAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double millimeters) {
-    edit([=](BoardGuideRequest& wish) { wish.requestedPosition = kMillimetre * millimeters; });
+    edit([=](BoardGuideRequest& wish) { wish.requestedPosition = kMillimeter * millimeters; });
   });
 }
 
@@ -153,7 +153,7 @@ void BoardGoalForm::retranslateUi() {
 }
 
 void BoardGoalForm::refresh() {
-  const BoardGuideRequest& wish = desk_.wish();
+  const BoardGuideRequest& wish = calibrator_.wish();
   for (std::size_t k = 0; k < kGoals.size(); ++k) {
     if (kGoals.at(k) == wish.goal) {
       goal_->setCurrentIndex(static_cast<int>(k));
@@ -162,13 +162,13 @@ void BoardGoalForm::refresh() {
   model_->setCurrentIndex(static_cast<int>(wish.board.model));
   modelLabel_->setVisible(wish.goal.lenses);
   model_->setVisible(wish.goal.lenses);
-  const bool live = desk_.isLive();
+  const bool live = calibrator_.isLive();
   const bool onFloor = wish.board.worldFrame.has_value();
   floor_->setChecked(onFloor);
   floor_->setVisible(!live && wish.goal.poses);
   floorFrame_->setVisible(onFloor && floor_->isVisibleTo(this));
   floorHere_->setVisible(onFloor && floor_->isVisibleTo(this));
-  floorHere_->setEnabled(desk_.shownFrame() >= 0);
+  floorHere_->setEnabled(calibrator_.shownFrame() >= 0);
   {
     const QSignalBlocker quiet(floorFrame_);
     floorFrame_->setValue(static_cast<int>(wish.board.worldFrame.value_or(0)));
@@ -177,7 +177,7 @@ void BoardGoalForm::refresh() {
   lensAccuracy_->setVisible(live && wish.goal.lenses);
   placeAccuracy_->setVisible(live && wish.goal.poses);
   showValue(*lensAccuracy_, wish.lenses.requestedProjectionPx);
-  showValue(*placeAccuracy_, wish.requestedPosition / kMillimetre);
+  showValue(*placeAccuracy_, wish.requestedPosition / kMillimeter);
 }
 
 } // namespace dewpoint::ui

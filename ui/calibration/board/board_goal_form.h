@@ -27,7 +27,7 @@ class BoardCalibrator;
 class BoardGoalForm : public QWidget {
   Q_OBJECT
 public:
-  explicit BoardGoalForm(BoardCalibrator& desk, QWidget* parent = nullptr);
+  explicit BoardGoalForm(BoardCalibrator& calibrator, QWidget* parent = nullptr);
 
 private:
   void build();
@@ -36,7 +36,7 @@ private:
   void refresh();
   void edit(const std::function<void(BoardGuideRequest&)>& change);
 
-  BoardCalibrator& desk_;
+  BoardCalibrator& calibrator_;
   QLabel* goalLabel_;
   QComboBox* goal_;
   QLabel* modelLabel_;

@@ -18,15 +18,16 @@ const QColor kSeen("#00c78f"); // bluish green, lighter than Okabe-Ito's: on ima
 
 } // namespace
 
-BoardLayer::BoardLayer(int camera, CameraView* view, BoardCalibrator& desk)
-    : QWidget(view), camera_(static_cast<std::size_t>(camera)), view_(view), desk_(desk) {
+BoardLayer::BoardLayer(int camera, CameraView* view, BoardCalibrator& calibrator)
+    : QWidget(view), camera_(static_cast<std::size_t>(camera)), view_(view),
+      calibrator_(calibrator) {
   setObjectName(QStringLiteral("boardLayer%1").arg(camera));
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setFocusPolicy(Qt::NoFocus);
   setGeometry(view->rect());
   view->installEventFilter(this);
-  connect(&desk_, &BoardCalibrator::guideChanged, this, &BoardLayer::follow);
-  connect(&desk_, &BoardCalibrator::changed, this, &BoardLayer::follow);
+  connect(&calibrator_, &BoardCalibrator::guideChanged, this, &BoardLayer::follow);
+  connect(&calibrator_, &BoardCalibrator::changed, this, &BoardLayer::follow);
   follow();
 }
 
@@ -38,11 +39,11 @@ bool BoardLayer::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void BoardLayer::follow() {
-  if (isHidden() == desk_.isWatching()) {
-    setVisible(desk_.isWatching());
+  if (isHidden() == calibrator_.isWatching()) {
+    setVisible(calibrator_.isWatching());
     raise();
   }
-  const auto state = desk_.guide();
+  const auto state = calibrator_.guide();
   const std::size_t taken =
       camera_ < state->cameras.size() ? state->cameras[camera_].taken.size() : 0;
   if (taken > taken_) {
@@ -57,7 +58,7 @@ void BoardLayer::follow() {
 }
 
 void BoardLayer::paintEvent(QPaintEvent*) {
-  const auto state = desk_.guide();
+  const auto state = calibrator_.guide();
   if (camera_ >= state->cameras.size() || state->cameras[camera_].outline.empty()) {
     return;
   }

@@ -15,7 +15,7 @@ class CameraView;
 class BoardLayer : public QWidget {
   Q_OBJECT
 public:
-  BoardLayer(int camera, CameraView* view, BoardCalibrator& desk);
+  BoardLayer(int camera, CameraView* view, BoardCalibrator& calibrator);
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -26,7 +26,7 @@ private:
 
   std::size_t camera_;
   CameraView* view_;
-  BoardCalibrator& desk_;
+  BoardCalibrator& calibrator_;
   std::size_t taken_ = 0;
   bool lit_ = false;
 };

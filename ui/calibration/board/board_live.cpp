@@ -22,17 +22,18 @@ constexpr int kHeldSteps = 100;
 
 } // namespace
 
-BoardLive::BoardLive(BoardCalibrator& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+BoardLive::BoardLive(BoardCalibrator& calibrator, QWidget* parent)
+    : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("boardLive"));
   build();
-  connect(start_, &QPushButton::clicked, &desk_, &BoardCalibrator::start);
-  connect(capture_, &QPushButton::clicked, &desk_, &BoardCalibrator::captureNow);
-  connect(floor_, &QPushButton::clicked, &desk_, &BoardCalibrator::captureFloor);
-  connect(next_, &QPushButton::clicked, &desk_, &BoardCalibrator::goOn);
-  connect(finish_, &QPushButton::clicked, &desk_, &BoardCalibrator::finish);
-  connect(&desk_, &BoardCalibrator::changed, this, &BoardLive::refresh);
-  connect(&desk_, &BoardCalibrator::wishChanged, this, &BoardLive::refresh);
-  connect(&desk_, &BoardCalibrator::guideChanged, this, &BoardLive::refresh);
+  connect(start_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::start);
+  connect(capture_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::captureNow);
+  connect(floor_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::captureFloor);
+  connect(next_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::goOn);
+  connect(finish_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::finish);
+  connect(&calibrator_, &BoardCalibrator::changed, this, &BoardLive::refresh);
+  connect(&calibrator_, &BoardCalibrator::wishChanged, this, &BoardLive::refresh);
+  connect(&calibrator_, &BoardCalibrator::guideChanged, this, &BoardLive::refresh);
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
@@ -109,17 +110,17 @@ void BoardLive::makeRows(std::size_t count) {
 void BoardLive::fillRow(const Row& row, const BoardGuideState& state, std::size_t camera) {
   const auto& of = state.cameras[camera];
   const bool lens = state.phase == BoardGuideState::Phase::Lenses ||
-                    (!desk_.wish().goal.poses && desk_.wish().goal.lenses);
+                    (!calibrator_.wish().goal.poses && calibrator_.wish().goal.lenses);
   row.map->show(of, lens);
-  row.name->setText(desk_.nameOf(camera));
+  row.name->setText(calibrator_.nameOf(camera));
   row.advice->setText(lens ? adviceWords(of) : seenWords(of));
-  row.accuracy->setText(lens ? accuracyWords(of, desk_.wish().lenses) : placeWords(of));
-  row.sharpness->setText(sharpnessWords(of, desk_.wish().lenses));
+  row.accuracy->setText(lens ? accuracyWords(of, calibrator_.wish().lenses) : placeWords(of));
+  row.sharpness->setText(sharpnessWords(of, calibrator_.wish().lenses));
   const double held = lens ? of.lens.held : of.seen ? state.rig.held : 0.0;
   row.held->setValue(static_cast<int>(kHeldSteps * held));
   row.held->setAccessibleName(
-      tr("How long the board was held still before %1").arg(desk_.nameOf(camera)));
-  row.map->setAccessibleName(tr("Where %1 saw the board").arg(desk_.nameOf(camera)));
+      tr("How long the board was held still before %1").arg(calibrator_.nameOf(camera)));
+  row.map->setAccessibleName(tr("Where %1 saw the board").arg(calibrator_.nameOf(camera)));
   row.map->setToolTip(tr("Filled: the regions and tilts that the board was shown in. Orange: what "
                          "is asked for. Green: the board as it is seen now"));
 }
@@ -139,25 +140,26 @@ void BoardLive::retranslateUi() {
 }
 
 void BoardLive::refresh() {
-  const bool watching = desk_.isWatching();
-  const auto state = desk_.guide();
+  const bool watching = calibrator_.isWatching();
+  const auto state = calibrator_.guide();
   const bool places = state->phase == BoardGuideState::Phase::Poses;
-  start_->setText(watching || desk_.hasViews() ? tr("Start over") : tr("Start"));
+  start_->setText(watching || calibrator_.hasViews() ? tr("Start over") : tr("Start"));
   start_->setToolTip(tr("Look for the board in the live images, and be told what to show"));
-  start_->setEnabled(!desk_.isComputing());
+  start_->setEnabled(!calibrator_.isComputing());
   capture_->setEnabled(watching);
-  floor_->setVisible(desk_.wish().goal.poses);
+  floor_->setVisible(calibrator_.wish().goal.poses);
   floor_->setEnabled(watching && places);
-  next_->setVisible(desk_.wish().goal.poses && desk_.wish().goal.lenses);
+  next_->setVisible(calibrator_.wish().goal.poses && calibrator_.wish().goal.lenses);
   next_->setEnabled(watching && !places);
-  finish_->setEnabled(desk_.hasViews() && !desk_.isComputing() && !desk_.outcome());
+  finish_->setEnabled(calibrator_.hasViews() && !calibrator_.isComputing() &&
+                      !calibrator_.outcome());
   list_->setVisible(!state->cameras.empty());
   overall_->setVisible(watching);
   followGuide();
 }
 
 void BoardLive::followGuide() {
-  const auto state = desk_.guide();
+  const auto state = calibrator_.guide();
   if (rows_.size() != state->cameras.size()) {
     makeRows(state->cameras.size());
   }
@@ -167,7 +169,7 @@ void BoardLive::followGuide() {
   overall_->setText(
       state->frame < 0 ? tr("Waiting for images: are the cameras playing?")
       : state->phase == BoardGuideState::Phase::Poses
-          ? pairWords(desk_, state->rig)
+          ? pairWords(calibrator_, state->rig)
           : tr("Show the board to one camera after the other, as each of them asks."));
 }
 

@@ -22,7 +22,7 @@ class BoardMap;
 class BoardLive : public QWidget {
   Q_OBJECT
 public:
-  explicit BoardLive(BoardCalibrator& desk, QWidget* parent = nullptr);
+  explicit BoardLive(BoardCalibrator& calibrator, QWidget* parent = nullptr);
 
 private:
   /// What is shown of one camera.
@@ -41,7 +41,7 @@ private:
   void makeRows(std::size_t count);
   void fillRow(const Row& row, const BoardGuideState& state, std::size_t camera);
 
-  BoardCalibrator& desk_;
+  BoardCalibrator& calibrator_;
   QPushButton* start_;
   QPushButton* capture_;
   QPushButton* floor_;

@@ -48,28 +48,31 @@ QString placeLine(const QString& name, const CameraFit& fit) {
   return line;
 }
 
-void addLenses(const BoardCalibrator& desk, const LensesFromBoards& lenses, QStringList& lines) {
+void addLenses(const BoardCalibrator& calibrator, const LensesFromBoards& lenses,
+               QStringList& lines) {
   lines << Words::tr("Lenses");
   std::size_t kept = 0;
   for (std::size_t k = 0; k < lenses.cameras.size(); ++k) {
     if (lenses.cameras[k]) {
-      lines << lensLine(desk.nameOf(k), *lenses.cameras[k]);
+      lines << lensLine(calibrator.nameOf(k), *lenses.cameras[k]);
     } else {
       lines << QStringLiteral("⚠ ") +
                    Words::tr("%1 keeps its lens: %2")
-                       .arg(desk.nameOf(k), QString::fromStdString(lenses.kept.at(kept++).detail));
+                       .arg(calibrator.nameOf(k),
+                            QString::fromStdString(lenses.kept.at(kept++).detail));
     }
   }
 }
 
-void addPlaces(const BoardCalibrator& desk, const ExtrinsicsResult& places, QStringList& lines) {
+void addPlaces(const BoardCalibrator& calibrator, const ExtrinsicsResult& places,
+               QStringList& lines) {
   if (!lines.isEmpty()) {
     lines << QString();
   }
   lines << Words::tr("Places: rms %1 px over %2 positions of the board")
                .arg(numberText(places.rmsPx, 3), QString::number(places.boardPoses.size()));
   for (std::size_t k = 0; k < places.fits.size(); ++k) {
-    lines << placeLine(desk.nameOf(k), places.fits[k]);
+    lines << placeLine(calibrator.nameOf(k), places.fits[k]);
   }
   // The last ones are about cameras that never saw the board: said already.
   const auto blind =
@@ -130,13 +133,13 @@ QString adviceWords(const BoardGuideState::PerCamera& camera) {
   return Words::tr("✓ Done");
 }
 
-QString pairWords(const BoardCalibrator& desk, const RigGuidance::State& state) {
+QString pairWords(const BoardCalibrator& calibrator, const RigGuidance::State& state) {
   if (state.showTo < 0 || state.andTo < 0) {
     return Words::tr("✓ All cameras have seen enough together");
   }
   return Words::tr("Show the board to %1 and %2 at once, hold it still, then elsewhere")
-      .arg(desk.nameOf(static_cast<std::size_t>(state.showTo)),
-           desk.nameOf(static_cast<std::size_t>(state.andTo)));
+      .arg(calibrator.nameOf(static_cast<std::size_t>(state.showTo)),
+           calibrator.nameOf(static_cast<std::size_t>(state.andTo)));
 }
 
 QString sharpnessWords(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings) {
@@ -172,24 +175,24 @@ QString placeWords(const BoardGuideState::PerCamera& camera) {
                               : Words::tr("%1 views with others").arg(views);
 }
 
-QString outcomeWords(const BoardCalibrator& desk, const BoardOutcome& outcome) {
+QString outcomeWords(const BoardCalibrator& calibrator, const BoardOutcome& outcome) {
   QStringList lines;
   if (outcome.lenses) {
-    addLenses(desk, *outcome.lenses, lines);
+    addLenses(calibrator, *outcome.lenses, lines);
   }
   if (outcome.extrinsicsError) {
     lines << QStringLiteral("⚠ ") + Words::tr("The places were not found: %1")
                                         .arg(errorSentence(*outcome.extrinsicsError));
   }
   if (outcome.extrinsics) {
-    addPlaces(desk, *outcome.extrinsics, lines);
+    addPlaces(calibrator, *outcome.extrinsics, lines);
     lines << (outcome.accuracy
                   ? verdictWords(*outcome.accuracy)
                   : Words::tr("How good it is cannot be said: too few places were seen "
                               "by two cameras."));
     QStringList names;
     for (std::size_t k = 0; k < outcome.extrinsics->cameras.size(); ++k) {
-      names << desk.nameOf(k);
+      names << calibrator.nameOf(k);
     }
     for (const NamedFault& fault : outcome.extrinsics->faults) {
       lines << QStringLiteral("⚠ ") + faultWords(fault, names);

@@ -17,7 +17,7 @@ QString tiltWords(BoardTilt tilt);
 /// What to show to one camera next, in one line.
 QString adviceWords(const BoardGuideState::PerCamera& camera);
 /// What to show next for the positions of the cameras.
-QString pairWords(const BoardCalibrator& desk, const RigGuidance::State& state);
+QString pairWords(const BoardCalibrator& calibrator, const RigGuidance::State& state);
 /// "sharp" or "soft", with the width of edges.
 QString sharpnessWords(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings);
 /// How well its lens is known so far, and how well it is to be.
@@ -29,6 +29,6 @@ QString seenWords(const BoardGuideState::PerCamera& camera);
 QString placeWords(const BoardGuideState::PerCamera& camera);
 
 /// The result in sentences: what was found, camera by camera, quality and remarks.
-QString outcomeWords(const BoardCalibrator& desk, const BoardOutcome& outcome);
+QString outcomeWords(const BoardCalibrator& calibrator, const BoardOutcome& outcome);
 
 } // namespace dewpoint::ui

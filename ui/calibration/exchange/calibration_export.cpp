@@ -137,12 +137,12 @@ ExchangeDialog::Preview CalibrationExportDialog::preview() {
     const auto outcome =
         std::make_shared<Result<CalibrationConversion>>(previewExport(project, target));
     const QString replaced = !file.isEmpty() && QFileInfo::exists(file) ? file : QString();
-    return [this, outcome, replaced] { adopt(*outcome, replaced); };
+    return [this, outcome, replaced] { applyResult(*outcome, replaced); };
   };
 }
 
-void CalibrationExportDialog::adopt(const Result<CalibrationConversion>& outcome,
-                                    const QString& replaced) {
+void CalibrationExportDialog::applyResult(const Result<CalibrationConversion>& outcome,
+                                          const QString& replaced) {
   if (outcome) {
     showPreview(textOf(*outcome, replaced), true);
   } else {

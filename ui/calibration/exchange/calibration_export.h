@@ -27,7 +27,7 @@ private:
   bool isFolder() const;
   void formatChanged();
   /// `replaced`: the file that is there already; empty if none is.
-  void adopt(const Result<CalibrationConversion>& outcome, const QString& replaced);
+  void applyResult(const Result<CalibrationConversion>& outcome, const QString& replaced);
   void finish(const Result<CalibrationConversion>& written);
   QString textOf(const CalibrationConversion& conversion, const QString& replaced) const;
 

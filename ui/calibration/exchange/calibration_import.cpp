@@ -173,7 +173,7 @@ ExchangeDialog::Preview CalibrationImportDialog::preview() {
   made_.reset();
   return [this, project = document_.project(), wish = wish()] {
     const auto made = std::make_shared<Result<CalibrationImport>>(importCalibration(project, wish));
-    return [this, made] { adopt(*made); };
+    return [this, made] { applyResult(*made); };
   };
 }
 
@@ -185,7 +185,7 @@ void CalibrationImportDialog::mark(ImportQuestion question) {
   }
 }
 
-void CalibrationImportDialog::adoptError(const Error& error) {
+void CalibrationImportDialog::applyError(const Error& error) {
   const AskedQuestion asked = askedQuestion(error);
   const QString sentence = errorSentence(asked.error);
   mark(asked.question);
@@ -199,9 +199,9 @@ void CalibrationImportDialog::adoptError(const Error& error) {
   Q_EMIT failed(sentence);
 }
 
-void CalibrationImportDialog::adopt(const Result<CalibrationImport>& made) {
+void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made) {
   if (!made) {
-    adoptError(made.error());
+    applyError(made.error());
     return;
   }
   mark(ImportQuestion::None);

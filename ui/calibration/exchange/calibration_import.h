@@ -28,8 +28,8 @@ protected:
 
 private:
   ImportRequest wish() const;
-  void adopt(const Result<CalibrationImport>& made);
-  void adoptError(const Error& error);
+  void applyResult(const Result<CalibrationImport>& made);
+  void applyError(const Error& error);
   void mark(ImportQuestion question);
   void fillCameras();
 

@@ -177,7 +177,7 @@ void CameraForm::retranslateUi() {
   refresh();
 }
 
-double CameraForm::metresPerUnit() const {
+double CameraForm::metersPerUnit() const {
   return unit_->currentIndex() == 1 ? 0.01 : 1.0;
 }
 
@@ -190,10 +190,10 @@ bool CameraForm::showsFieldOfView() const {
 }
 
 void CameraForm::showUnits() {
-  const bool centimetres = unit_->currentIndex() == 1;
+  const bool centimeters = unit_->currentIndex() == 1;
   const NumberRange length =
-      centimetres ? NumberRange{-1e6, 1e6, 1.0, 1} : NumberRange{-1e4, 1e4, 0.01, 3};
-  const QString unit = centimetres ? QStringLiteral(" cm") : QStringLiteral(" m");
+      centimeters ? NumberRange{-1e6, 1e6, 1.0, 1} : NumberRange{-1e4, 1e4, 0.01, 3};
+  const QString unit = centimeters ? QStringLiteral(" cm") : QStringLiteral(" m");
   const QString degrees = QStringLiteral("°");
   const QString heading[] = {tr("Yaw"), tr("Pitch"), QString()};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -236,8 +236,8 @@ void CameraForm::refresh() {
   const double angles[] = {heading.yaw / base::kDegree, heading.pitch / base::kDegree, 0.0};
   for (int k = 0; k < 3; ++k) {
     const auto index = static_cast<std::size_t>(k);
-    showValue(*position_[index], camera.center()[k] / metresPerUnit());
-    showValue(*aim_[index], looksAtPoint() ? target[k] / metresPerUnit() : angles[k]);
+    showValue(*position_[index], camera.center()[k] / metersPerUnit());
+    showValue(*aim_[index], looksAtPoint() ? target[k] / metersPerUnit() : angles[k]);
   }
   showValue(*aim_[3], heading.roll / base::kDegree);
   showValue(*lens_,
@@ -255,7 +255,7 @@ void CameraForm::change(const QString& what, const QString& value, const Camera&
 void CameraForm::editPosition(int axis, double value) {
   const Camera camera = hand_.cameraAt(hand_.camera());
   Eigen::Vector3d position = camera.center();
-  position[axis] = value * metresPerUnit();
+  position[axis] = value * metersPerUnit();
   const auto* field = position_[static_cast<std::size_t>(axis)];
   change(tr("position"), field->text(), withPosition(camera, position), kAxes[axis]);
 }
@@ -266,7 +266,7 @@ void CameraForm::editAim(int index, double value) {
   const char* const keys[] = {"aim x", "aim y", "aim z", "roll"};
   if (index < 3 && looksAtPoint()) {
     Eigen::Vector3d target = lookedAt(camera, hand_.grid().origin.z());
-    target[index] = value * metresPerUnit();
+    target[index] = value * metersPerUnit();
     change(tr("looks at"), field->text(), lookingAt(camera, target), keys[index]);
     return;
   }

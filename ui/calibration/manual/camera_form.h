@@ -32,7 +32,7 @@ private:
   void editPosition(int axis, double value);
   void editAim(int field, double value);
   void editLens(double value);
-  double metresPerUnit() const;
+  double metersPerUnit() const;
   bool looksAtPoint() const;
   bool showsFieldOfView() const;
   void change(const QString& what, const QString& value, const Camera& camera, const char* key);

@@ -32,7 +32,7 @@ PointCalibrator::PointCalibrator(Document& document, ManualCalibration& hand, QO
     : QObject(parent), document_(document), hand_(hand) {
   connect(&document_, &Document::changed, this, [this](const ProjectChanges& changes) {
     if (changes.points || changes.calibration || changes.sources) {
-      if (!adopting_ && (changes.points || changes.sources)) {
+      if (!applying_ && (changes.points || changes.sources)) {
         forgetSolution();
       }
       chosen_ = std::min(chosen_, static_cast<int>(points().size()) - 1);
@@ -151,7 +151,7 @@ void PointCalibrator::solve(bool alsoFocal) {
     auto solution = std::make_shared<const PointSolution>(solveFromPoints(rig, all, settings));
     return [this, solution, all] {
       if (all == points() && solution->rig.size() == document_.project().cameras.size()) {
-        adopt(*solution);
+        applyResult(*solution);
       }
       Q_EMIT changed();
       Q_EMIT solved();
@@ -162,14 +162,14 @@ void PointCalibrator::solve(bool alsoFocal) {
   }
 }
 
-void PointCalibrator::adopt(const PointSolution& solution) {
+void PointCalibrator::applyResult(const PointSolution& solution) {
   forgetSolution();
-  adopting_ = true;
+  applying_ = true;
   if (solution.anySolved()) {
     edit(tr("Solve cameras from measured points"),
          [&](Project& project) { project = withCameras(std::move(project), solution.rig); });
   }
-  adopting_ = false;
+  applying_ = false;
   QStringList lines;
   for (const CameraFromPoints& camera : solution.cameras) {
     lines << cameraSentence(camera);

@@ -67,7 +67,7 @@ Q_SIGNALS:
 private:
   bool edit(const QString& step, const std::function<void(Project&)>& change,
             const std::string& mergeKey = {});
-  void adopt(const PointSolution& solution);
+  void applyResult(const PointSolution& solution);
   QString cameraSentence(const CameraFromPoints& camera) const;
   QString worstPointSentence(const PointSolution& solution) const;
   void forgetSolution();
@@ -76,7 +76,7 @@ private:
   ManualCalibration& hand_;
   int chosen_ = -1;
   bool clicking_ = false;
-  bool adopting_ = false; ///< the change that comes is the solution itself
+  bool applying_ = false; ///< the change that comes is the solution itself
   QString verdict_;
   std::optional<int> worst_;
   struct Proposal {

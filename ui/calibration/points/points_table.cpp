@@ -159,9 +159,9 @@ void PointsTable::showResiduals() {
       }
     }
     setCell(row, Pixels, pixels < 0.0 ? QStringLiteral("–") : numberText(pixels, 2), false);
-    setCell(row, Millimetres, meters < 0.0 ? QStringLiteral("–") : numberText(1000.0 * meters, 1),
+    setCell(row, Millimeters, meters < 0.0 ? QStringLiteral("–") : numberText(1000.0 * meters, 1),
             false);
-    for (const int column : {int(Clicks), int(Pixels), int(Millimetres)}) {
+    for (const int column : {int(Clicks), int(Pixels), int(Millimeters)}) {
       table_->item(row, column)->setToolTip(each.join(QLatin1Char('\n')));
     }
   }

@@ -23,7 +23,7 @@ public:
   PointsTable(PointCalibrator& points, ManualCalibration& hand, QWidget* parent = nullptr);
 
 private:
-  enum Column { Name, X, Y, Z, Clicks, Pixels, Millimetres, ColumnCount };
+  enum Column { Name, X, Y, Z, Clicks, Pixels, Millimeters, ColumnCount };
 
   void build();
   void retranslateUi();

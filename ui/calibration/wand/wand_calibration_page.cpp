@@ -14,31 +14,31 @@
 
 namespace dewpoint::ui {
 
-WandCalibrationPage::WandCalibrationPage(WandCalibrator& desk, QWidget* parent)
-    : QWidget(parent), desk_(desk), guide_(new QLabel(this)), momentsTitle_(makePageTitle(this)),
-      wavingTitle_(makePageTitle(this)), waving_(new WandWaving(desk, this)),
-      outcomeTitle_(makePageTitle(this)) {
+WandCalibrationPage::WandCalibrationPage(WandCalibrator& calibrator, QWidget* parent)
+    : QWidget(parent), calibrator_(calibrator), guide_(new QLabel(this)),
+      momentsTitle_(makePageTitle(this)), wavingTitle_(makePageTitle(this)),
+      waving_(new WandWaving(calibrator, this)), outcomeTitle_(makePageTitle(this)) {
   setObjectName(QStringLiteral("wandPage"));
   guide_->setWordWrap(true);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);
   column->addWidget(guide_);
-  column->addWidget(new WandForm(desk, this));
+  column->addWidget(new WandForm(calibrator, this));
   column->addWidget(wavingTitle_);
   column->addWidget(waving_);
   column->addWidget(momentsTitle_);
-  column->addWidget(new WandMoments(desk, this));
+  column->addWidget(new WandMoments(calibrator, this));
   column->addWidget(outcomeTitle_);
-  column->addWidget(new WandOutcome(desk, this));
+  column->addWidget(new WandOutcome(calibrator, this));
   column->addStretch(1);
-  connect(&desk_, &WandCalibrator::changed, this, &WandCalibrationPage::retranslateUi);
+  connect(&calibrator_, &WandCalibrator::changed, this, &WandCalibrationPage::retranslateUi);
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
 void WandCalibrationPage::retranslateUi() {
   guide_->setText(
-      desk_.isLive()
+      calibrator_.isLive()
           ? tr("Nudge the cameras by hand until they are roughly right. Then wave the ball, or a "
                "stick with two balls, through the whole volume, and refine.")
           : tr("Nudge the cameras by hand until they are roughly right. A recording of a ball, or "
@@ -47,8 +47,8 @@ void WandCalibrationPage::retranslateUi() {
   momentsTitle_->setText(tr("Where the floor is"));
   wavingTitle_->setText(tr("Waving"));
   outcomeTitle_->setText(tr("Refine"));
-  wavingTitle_->setVisible(desk_.isLive());
-  waving_->setVisible(desk_.isLive());
+  wavingTitle_->setVisible(calibrator_.isLive());
+  waving_->setVisible(calibrator_.isLive());
 }
 
 } // namespace dewpoint::ui

@@ -16,12 +16,12 @@ class WandWaving;
 class WandCalibrationPage : public QWidget {
   Q_OBJECT
 public:
-  explicit WandCalibrationPage(WandCalibrator& desk, QWidget* parent = nullptr);
+  explicit WandCalibrationPage(WandCalibrator& calibrator, QWidget* parent = nullptr);
 
 private:
   void retranslateUi();
 
-  WandCalibrator& desk_;
+  WandCalibrator& calibrator_;
   QLabel* guide_;
   QLabel* momentsTitle_;
   QLabel* wavingTitle_;

@@ -93,7 +93,7 @@ void WandCalibrator::removeMoment(std::size_t index) {
 
 void WandCalibrator::showMoment(std::size_t index) {
   if (index < moments_.size()) {
-    around_.selection.wantMoment(moments_[index].frame);
+    around_.selection.requestFrame(moments_[index].frame);
   }
 }
 
@@ -193,7 +193,7 @@ void WandCalibrator::refine() {
     } else {
       *outcome = tl::make_unexpected(inputs.error());
     }
-    return [this, outcome] { adopt(std::move(*outcome)); };
+    return [this, outcome] { applyResult(std::move(*outcome)); };
   });
 }
 
@@ -201,7 +201,7 @@ void WandCalibrator::cancel() {
   job_->cancel();
 }
 
-void WandCalibrator::adopt(Result<WandRefinement> outcome) {
+void WandCalibrator::applyResult(Result<WandRefinement> outcome) {
   if (!outcome) {
     failure_ = errorSentence(outcome.error());
   } else {

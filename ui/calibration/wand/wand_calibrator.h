@@ -25,7 +25,7 @@ class BackgroundJob;
 class WandCalibrator : public QObject {
   Q_OBJECT
 public:
-  /// What the desk works with.
+  /// What the calibrator works with.
   struct Surroundings {
     Document& document;
     ManualCalibration& hand;
@@ -94,7 +94,7 @@ Q_SIGNALS:
   void failed(const QString& sentence);
 
 private:
-  void adopt(Result<WandRefinement> outcome);
+  void applyResult(Result<WandRefinement> outcome);
   void forget();
   void letGo();
 
@@ -110,7 +110,7 @@ private:
   QString failure_;
   bool applied_ = false;
   QTimer tick_;        ///< while collecting
-  BackgroundJob* job_; ///< child: ends with the desk
+  BackgroundJob* job_; ///< child: ends with the calibrator
 };
 
 } // namespace dewpoint::ui

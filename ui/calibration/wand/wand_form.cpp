@@ -50,7 +50,8 @@ void show(QComboBox& box, int index) {
 
 } // namespace
 
-WandForm::WandForm(WandCalibrator& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+WandForm::WandForm(WandCalibrator& calibrator, QWidget* parent)
+    : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("wandFields"));
   build();
   connectFields();
@@ -64,17 +65,18 @@ void WandForm::build() {
   ball_ = makeChoice("wandBall", this);
   otherLabel_ = new QLabel(this);
   other_ = makeChoice("wandOther", this);
-  ball_->setModel(&desk_.targets());
-  other_->setModel(&desk_.targets());
+  ball_->setModel(&calibrator_.targets());
+  other_->setModel(&calibrator_.targets());
   lengthLabel_ = new QLabel(this);
   length_ = makeNumberField(QStringLiteral("wandLength"), {0.1, 1e4, 1.0, 2}, this);
   sizeLabel_ = new QLabel(this);
   size_ = makeChoice("wandSize", this);
   distanceLabel_ = new QLabel(this);
   distance_ = makeNumberField(QStringLiteral("wandDistance"), {0.1, 1e5, 1.0, 2}, this);
-  roughLabel_ = new QLabel(this);
-  roughPlace_ = makeNumberField(QStringLiteral("wandRoughPlace"), {0.1, 1e4, 1.0, 1}, this);
-  roughTurn_ = makeNumberField(QStringLiteral("wandRoughTurn"), {0.1, 90.0, 1.0, 1}, this);
+  initialErrorLabel_ = new QLabel(this);
+  initialPositionError_ =
+      makeNumberField(QStringLiteral("wandRoughPlace"), {0.1, 1e4, 1.0, 1}, this);
+  initialTurnError_ = makeNumberField(QStringLiteral("wandRoughTurn"), {0.1, 90.0, 1.0, 1}, this);
   offsets_ = makeCheck("wandOffsets", this);
   focal_ = makeCheck("wandFocal", this);
   distortion_ = makeCheck("wandDistortion", this);
@@ -96,10 +98,10 @@ void WandForm::build() {
   row(3, lengthLabel_, length_);
   row(4, sizeLabel_, size_);
   row(5, distanceLabel_, distance_);
-  grid->addWidget(roughLabel_, 6, 0);
-  grid->addWidget(roughPlace_, 6, 1);
-  grid->addWidget(roughTurn_, 6, 2);
-  roughLabel_->setBuddy(roughPlace_);
+  grid->addWidget(initialErrorLabel_, 6, 0);
+  grid->addWidget(initialPositionError_, 6, 1);
+  grid->addWidget(initialTurnError_, 6, 2);
+  initialErrorLabel_->setBuddy(initialPositionError_);
   int at = 7; // one below the other: some languages need the width
   for (QWidget* check : std::initializer_list<QWidget*>{offsets_, focal_, distortion_, span_}) {
     grid->addWidget(check, at++, 0, 1, 3);
@@ -107,7 +109,7 @@ void WandForm::build() {
 }
 
 void WandForm::connectFields() {
-  connect(&desk_, &WandCalibrator::changed, this, &WandForm::refresh);
+  connect(&calibrator_, &WandCalibrator::changed, this, &WandForm::refresh);
   connect(kind_, &QComboBox::activated, this,
           [this](int index) { edit([=](WandSettings& wish) { wish.stick = index == 1; }); });
   connect(ball_, &QComboBox::activated, this, [this] {
@@ -124,11 +126,11 @@ void WandForm::connectFields() {
   connect(distance_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     edit([=](WandSettings& wish) { wish.distance = value / 100.0; });
   });
-  connect(roughPlace_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([=](WandSettings& wish) { wish.roughPosition = value / 100.0; });
+  connect(initialPositionError_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    edit([=](WandSettings& wish) { wish.initialPositionError = value / 100.0; });
   });
-  connect(roughTurn_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([=](WandSettings& wish) { wish.roughTurn = value * base::kDegree; });
+  connect(initialTurnError_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    edit([=](WandSettings& wish) { wish.initialTurnError = value * base::kDegree; });
   });
   const auto check = [this](QCheckBox* box, bool WandSettings::*field) {
     connect(box, &QCheckBox::clicked, this, [this, field](bool checked) {
@@ -142,15 +144,15 @@ void WandForm::connectFields() {
 }
 
 void WandForm::edit(const std::function<void(WandSettings&)>& change) {
-  WandSettings wish = desk_.wish();
+  WandSettings wish = calibrator_.wish();
   change(wish);
-  desk_.setWish(wish);
+  calibrator_.setWish(wish);
 }
 
 void WandForm::chooseBalls() {
-  WandSettings both = desk_.wish();
+  WandSettings both = calibrator_.wish();
   both.stick = true;
-  const auto balls = selectedTargets(both, desk_.project());
+  const auto balls = selectedTargets(both, calibrator_.project());
   for (QComboBox* box : {ball_, other_}) {
     const std::size_t end = box == ball_ ? 0 : 1;
     box->setCurrentIndex(end < balls.size() ? box->findText(QString::fromStdString(balls[end]))
@@ -159,8 +161,8 @@ void WandForm::chooseBalls() {
 }
 
 void WandForm::fillSizes() {
-  const auto& targets = desk_.project().targets;
-  const auto balls = selectedTargets(desk_.wish(), desk_.project());
+  const auto& targets = calibrator_.project().targets;
+  const auto balls = selectedTargets(calibrator_.wish(), calibrator_.project());
   const auto ball =
       balls.empty() ? targets.end() : std::ranges::find(targets, balls.front(), &Target::name);
   const QString diameter =
@@ -171,20 +173,20 @@ void WandForm::fillSizes() {
 }
 
 void WandForm::refresh() {
-  const WandSettings& wish = desk_.wish();
+  const WandSettings& wish = calibrator_.wish();
   chooseBalls();
   fillSizes();
   ::dewpoint::ui::show(*kind_, wish.stick ? 1 : 0);
   ::dewpoint::ui::show(*size_, static_cast<int>(wish.size));
   showValue(*length_, 100.0 * wish.length);
   showValue(*distance_, 100.0 * wish.distance);
-  showValue(*roughPlace_, 100.0 * wish.roughPosition);
-  showValue(*roughTurn_, wish.roughTurn / base::kDegree);
+  showValue(*initialPositionError_, 100.0 * wish.initialPositionError);
+  showValue(*initialTurnError_, wish.initialTurnError / base::kDegree);
   offsets_->setChecked(wish.findOffsets);
   focal_->setChecked(wish.findFocal);
   distortion_->setChecked(wish.findDistortion);
-  span_->setChecked(wish.onlySpan && desk_.hasSpan());
-  span_->setEnabled(desk_.hasSpan());
+  span_->setChecked(wish.onlySpan && calibrator_.hasSpan());
+  span_->setEnabled(calibrator_.hasSpan());
   for (QWidget* field :
        std::initializer_list<QWidget*>{otherLabel_, other_, lengthLabel_, length_}) {
     field->setVisible(wish.stick);
@@ -194,8 +196,8 @@ void WandForm::refresh() {
   const bool distance = !wish.stick && wish.size == WandSize::Distance;
   distanceLabel_->setVisible(distance);
   distance_->setVisible(distance);
-  span_->setVisible(!desk_.isLive());
-  setEnabled(!desk_.isRefining());
+  span_->setVisible(!calibrator_.isLive());
+  setEnabled(!calibrator_.isRefining());
 }
 
 void WandForm::retranslateUi() {
@@ -226,13 +228,13 @@ void WandForm::retranslateUi() {
   name(distance_, tr("Distance touched"),
        tr("Between the two places that the middle of the ball was held at"));
   distance_->setSuffix(tr(" cm"));
-  roughLabel_->setText(tr("Off by up to"));
-  name(roughPlace_, tr("How far cameras may be off"),
+  initialErrorLabel_->setText(tr("Off by up to"));
+  name(initialPositionError_, tr("How far cameras may be off"),
        tr("How well the cameras are nudged: about how far each may be from its true place"));
-  roughPlace_->setSuffix(tr(" cm"));
-  name(roughTurn_, tr("How much cameras may be turned"),
+  initialPositionError_->setSuffix(tr(" cm"));
+  name(initialTurnError_, tr("How much cameras may be turned"),
        tr("About how far each may be turned from where it truly looks"));
-  roughTurn_->setSuffix(QStringLiteral("°"));
+  initialTurnError_->setSuffix(QStringLiteral("°"));
   check(offsets_, tr("Find time offsets"),
         tr("For cameras that do not take their images at the same instants"));
   check(focal_, tr("Find focal lengths"), tr("For lenses that were never calibrated, or zoomed"));

@@ -24,7 +24,7 @@ class WandCalibrator;
 class WandForm : public QWidget {
   Q_OBJECT
 public:
-  explicit WandForm(WandCalibrator& desk, QWidget* parent = nullptr);
+  explicit WandForm(WandCalibrator& calibrator, QWidget* parent = nullptr);
 
 private:
   void build();
@@ -35,7 +35,7 @@ private:
   void chooseBalls();
   void fillSizes();
 
-  WandCalibrator& desk_;
+  WandCalibrator& calibrator_;
   QLabel* kindLabel_;
   QComboBox* kind_;
   QLabel* ballLabel_;
@@ -48,9 +48,9 @@ private:
   QComboBox* size_;
   QLabel* distanceLabel_;
   QDoubleSpinBox* distance_;
-  QLabel* roughLabel_;
-  QDoubleSpinBox* roughPlace_;
-  QDoubleSpinBox* roughTurn_;
+  QLabel* initialErrorLabel_;
+  QDoubleSpinBox* initialPositionError_;
+  QDoubleSpinBox* initialTurnError_;
   QCheckBox* offsets_;
   QCheckBox* focal_;
   QCheckBox* distortion_;

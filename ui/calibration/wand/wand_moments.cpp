@@ -14,9 +14,9 @@
 
 namespace dewpoint::ui {
 
-WandMoments::WandMoments(WandCalibrator& desk, QWidget* parent)
-    : QWidget(parent), desk_(desk), role_(new QComboBox(this)), take_(new QPushButton(this)),
-      list_(new QListWidget(this)), remove_(new QPushButton(this)) {
+WandMoments::WandMoments(WandCalibrator& calibrator, QWidget* parent)
+    : QWidget(parent), calibrator_(calibrator), role_(new QComboBox(this)),
+      take_(new QPushButton(this)), list_(new QListWidget(this)), remove_(new QPushButton(this)) {
   setObjectName(QStringLiteral("wandMoments"));
   role_->setObjectName(QStringLiteral("wandRole"));
   makeNarrow(*role_);
@@ -31,15 +31,15 @@ WandMoments::WandMoments(WandCalibrator& desk, QWidget* parent)
   grid->addWidget(take_, 1, 0);
   grid->addWidget(remove_, 1, 1);
   grid->addWidget(list_, 2, 0, 1, 2);
-  connect(&desk_, &WandCalibrator::changed, this, &WandMoments::refresh);
+  connect(&calibrator_, &WandCalibrator::changed, this, &WandMoments::refresh);
   connect(take_, &QPushButton::clicked, this,
-          [this] { desk_.takeMoment(static_cast<TouchRole>(role_->currentIndex())); });
+          [this] { calibrator_.takeMoment(static_cast<TouchRole>(role_->currentIndex())); });
   connect(remove_, &QPushButton::clicked, this,
-          [this] { desk_.removeMoment(static_cast<std::size_t>(list_->currentRow())); });
+          [this] { calibrator_.removeMoment(static_cast<std::size_t>(list_->currentRow())); });
   connect(list_, &QListWidget::itemActivated, this,
-          [this] { desk_.showMoment(static_cast<std::size_t>(list_->currentRow())); });
+          [this] { calibrator_.showMoment(static_cast<std::size_t>(list_->currentRow())); });
   connect(list_, &QListWidget::currentRowChanged, this,
-          [this](int row) { remove_->setEnabled(row >= 0 && !desk_.isRefining()); });
+          [this](int row) { remove_->setEnabled(row >= 0 && !calibrator_.isRefining()); });
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
@@ -71,13 +71,13 @@ void WandMoments::refresh() {
   {
     const QSignalBlocker quiet(list_);
     list_->clear();
-    for (const TouchedInstant& moment : desk_.moments()) {
+    for (const TouchedInstant& moment : calibrator_.moments()) {
       list_->addItem(tr("%1 s – %2").arg(numberText(moment.seconds, 3), touchWords(moment.role)));
     }
     list_->setCurrentRow(std::min(chosen, list_->count() - 1));
   }
-  take_->setEnabled(desk_.canTakeMoment() && !desk_.isRefining());
-  remove_->setEnabled(list_->currentRow() >= 0 && !desk_.isRefining());
+  take_->setEnabled(calibrator_.canTakeMoment() && !calibrator_.isRefining());
+  remove_->setEnabled(list_->currentRow() >= 0 && !calibrator_.isRefining());
 }
 
 } // namespace dewpoint::ui

@@ -18,13 +18,13 @@ class WandCalibrator;
 class WandMoments : public QWidget {
   Q_OBJECT
 public:
-  explicit WandMoments(WandCalibrator& desk, QWidget* parent = nullptr);
+  explicit WandMoments(WandCalibrator& calibrator, QWidget* parent = nullptr);
 
 private:
   void retranslateUi();
   void refresh();
 
-  WandCalibrator& desk_;
+  WandCalibrator& calibrator_;
   QComboBox* role_;
   QPushButton* take_;
   QListWidget* list_;

@@ -37,7 +37,8 @@ QLabel* makeText(const char* name, QWidget* parent) {
 
 } // namespace
 
-WandOutcome::WandOutcome(WandCalibrator& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+WandOutcome::WandOutcome(WandCalibrator& calibrator, QWidget* parent)
+    : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("wandOutcome"));
   build();
   connectParts();
@@ -91,15 +92,15 @@ void WandOutcome::build() {
 }
 
 void WandOutcome::connectParts() {
-  connect(&desk_, &WandCalibrator::changed, this, &WandOutcome::refresh);
-  connect(&desk_, &WandCalibrator::collectedChanged, this,
-          [this] { missing_->setText(desk_.missing()); });
-  connect(&desk_, &WandCalibrator::progressChanged, this, &WandOutcome::showProgress);
-  connect(refine_, &QPushButton::clicked, &desk_, &WandCalibrator::refine);
-  connect(cancel_, &QPushButton::clicked, &desk_, &WandCalibrator::cancel);
-  connect(apply_, &QPushButton::clicked, &desk_, &WandCalibrator::apply);
-  connect(flip_, &QPushButton::pressed, this, [this] { desk_.setFlipped(true); });
-  connect(flip_, &QPushButton::released, this, [this] { desk_.setFlipped(false); });
+  connect(&calibrator_, &WandCalibrator::changed, this, &WandOutcome::refresh);
+  connect(&calibrator_, &WandCalibrator::collectedChanged, this,
+          [this] { missing_->setText(calibrator_.missing()); });
+  connect(&calibrator_, &WandCalibrator::progressChanged, this, &WandOutcome::showProgress);
+  connect(refine_, &QPushButton::clicked, &calibrator_, &WandCalibrator::refine);
+  connect(cancel_, &QPushButton::clicked, &calibrator_, &WandCalibrator::cancel);
+  connect(apply_, &QPushButton::clicked, &calibrator_, &WandCalibrator::apply);
+  connect(flip_, &QPushButton::pressed, this, [this] { calibrator_.setFlipped(true); });
+  connect(flip_, &QPushButton::released, this, [this] { calibrator_.setFlipped(false); });
   connect(report_, &QPushButton::clicked, this, &WandOutcome::chooseReport);
 }
 
@@ -141,8 +142,8 @@ void WandOutcome::showProgress(double part) {
 }
 
 void WandOutcome::refresh() {
-  const bool running = desk_.isRefining();
-  const QString missing = desk_.missing();
+  const bool running = calibrator_.isRefining();
+  const QString missing = calibrator_.missing();
   missing_->setText(missing);
   missing_->setVisible(!missing.isEmpty() && !running);
   refine_->setEnabled(!running && missing.isEmpty());
@@ -155,29 +156,30 @@ void WandOutcome::refresh() {
 }
 
 void WandOutcome::showOutcome() {
-  const auto found = desk_.refinement();
-  const bool over = !desk_.isRefining();
+  const auto found = calibrator_.refinement();
+  const bool over = !calibrator_.isRefining();
   QStringList notes;
   QString verdict;
-  if (!desk_.failure().isEmpty()) {
-    verdict = QStringLiteral("⚠ ") + desk_.failure();
+  if (!calibrator_.failure().isEmpty()) {
+    verdict = QStringLiteral("⚠ ") + calibrator_.failure();
     notes << tr("The cameras are as they were.");
   }
   if (found) {
     verdict = found->accuracy ? verdictWords(*found->accuracy)
                               : QStringLiteral("⚠ ") + errorSentence(found->accuracy.error());
-    if (desk_.isStale()) {
+    if (calibrator_.isStale()) {
       notes << tr("The cameras were changed since; this is about how they were refined.");
     }
     for (const NamedFault& fault : found->result.faults) {
       notes << QStringLiteral("⚠ ") + faultWords(fault, cameraNames(found->before));
     }
     if (saysTooLittle(*found)) {
-      notes << QStringLiteral("⚠ ") + tr("That is less sure than the cameras were (off by up to %1 "
-                                         "cm): wave through more of the volume.")
-                                          .arg(numberText(100.0 * found->options.roughPosition, 1));
+      notes << QStringLiteral("⚠ ") +
+                   tr("That is less sure than the cameras were (off by up to %1 "
+                      "cm): wave through more of the volume.")
+                       .arg(numberText(100.0 * found->options.initialPositionError, 1));
     }
-    if (!desk_.isApplied()) {
+    if (!calibrator_.isApplied()) {
       notes << tr("The cameras are as they were.");
     }
     if (found->accuracy && found->accuracy->modelFactor > 1.0) {
@@ -189,7 +191,7 @@ void WandOutcome::showOutcome() {
       notes << tr("The fall says %1 m/s² (9.81 is expected).")
                    .arg(numberText(found->result.drop->gravity, 2));
     }
-    if (found->options.findOffsets && desk_.isApplied()) {
+    if (found->options.findOffsets && calibrator_.isApplied()) {
       notes << tr("How late cameras are is kept in the project: images are put together by it from "
                   "now on.");
     }
@@ -200,8 +202,8 @@ void WandOutcome::showOutcome() {
   notes_->setVisible(over && !notes.isEmpty());
   const bool shown = over && found != nullptr;
   table_->setVisible(shown);
-  flip_->setVisible(shown && desk_.isApplied());
-  apply_->setVisible(shown && !desk_.isApplied());
+  flip_->setVisible(shown && calibrator_.isApplied());
+  apply_->setVisible(shown && !calibrator_.isApplied());
   report_->setVisible(shown);
   if (shown) {
     fillTable();
@@ -209,7 +211,7 @@ void WandOutcome::showOutcome() {
 }
 
 void WandOutcome::fillTable() {
-  const WandRefinement& found = *desk_.refinement();
+  const WandRefinement& found = *calibrator_.refinement();
   const WandResult& result = found.result;
   table_->setRowCount(static_cast<int>(result.cameras.size()));
   table_->setColumnHidden(Offset, !found.options.findOffsets);
@@ -239,7 +241,7 @@ void WandOutcome::chooseReport() {
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Save the report"), QStringLiteral("calibration.html"), tr("Web pages (*.html)"));
   if (!file.isEmpty()) {
-    desk_.saveReport(file);
+    calibrator_.saveReport(file);
   }
 }
 

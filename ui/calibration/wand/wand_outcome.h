@@ -18,7 +18,7 @@ class WandCalibrator;
 class WandOutcome : public QWidget {
   Q_OBJECT
 public:
-  explicit WandOutcome(WandCalibrator& desk, QWidget* parent = nullptr);
+  explicit WandOutcome(WandCalibrator& calibrator, QWidget* parent = nullptr);
 
 private:
   void build();
@@ -30,7 +30,7 @@ private:
   void showProgress(double part);
   void chooseReport();
 
-  WandCalibrator& desk_;
+  WandCalibrator& calibrator_;
   QLabel* missing_;
   QPushButton* refine_;
   QProgressBar* progress_;

@@ -20,9 +20,9 @@ namespace {
 constexpr int kColumns = 3;
 }
 
-WandWaving::WandWaving(WandCalibrator& desk, QWidget* parent)
-    : QWidget(parent), desk_(desk), wave_(new QPushButton(this)), state_(new QLabel(this)),
-      grid_(new QGridLayout) {
+WandWaving::WandWaving(WandCalibrator& calibrator, QWidget* parent)
+    : QWidget(parent), calibrator_(calibrator), wave_(new QPushButton(this)),
+      state_(new QLabel(this)), grid_(new QGridLayout) {
   setObjectName(QStringLiteral("wandWaving"));
   wave_->setObjectName(QStringLiteral("wandWave"));
   state_->setObjectName(QStringLiteral("wandWaveState"));
@@ -37,10 +37,11 @@ WandWaving::WandWaving(WandCalibrator& desk, QWidget* parent)
   column->addWidget(wave_);
   column->addWidget(state_);
   column->addLayout(grid_);
-  connect(wave_, &QPushButton::clicked, this,
-          [this] { desk_.isWaving() ? desk_.stopWaving() : desk_.startWaving(); });
-  connect(&desk_, &WandCalibrator::changed, this, &WandWaving::refresh);
-  connect(&desk_, &WandCalibrator::collectedChanged, this, &WandWaving::showCameras);
+  connect(wave_, &QPushButton::clicked, this, [this] {
+    calibrator_.isWaving() ? calibrator_.stopWaving() : calibrator_.startWaving();
+  });
+  connect(&calibrator_, &WandCalibrator::changed, this, &WandWaving::refresh);
+  connect(&calibrator_, &WandCalibrator::collectedChanged, this, &WandWaving::showCameras);
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
@@ -51,10 +52,10 @@ void WandWaving::retranslateUi() {
 }
 
 void WandWaving::refresh() {
-  const bool waving = desk_.isWaving();
+  const bool waving = calibrator_.isWaving();
   wave_->setText(waving ? tr("■ Stop waving") : tr("● Start waving"));
   wave_->setAccessibleName(waving ? tr("Stop waving") : tr("Start waving"));
-  wave_->setEnabled(!desk_.isRefining());
+  wave_->setEnabled(!calibrator_.isRefining());
   showCameras();
 }
 
@@ -77,14 +78,14 @@ void WandWaving::makeCameras(std::size_t count) {
 }
 
 void WandWaving::showCameras() {
-  const auto collected = desk_.collected();
+  const auto collected = calibrator_.collected();
   makeCameras(collected ? collected->cameras.size() : 0);
   if (!collected) {
     state_->setText(tr("Nothing collected yet."));
     return;
   }
   CameraRig rig;
-  for (const ProjectCamera& camera : desk_.project().cameras) {
+  for (const ProjectCamera& camera : calibrator_.project().cameras) {
     rig.push_back(camera.camera);
   }
   bool enough = true;

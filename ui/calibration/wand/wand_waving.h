@@ -21,7 +21,7 @@ class WandCalibrator;
 class WandWaving : public QWidget {
   Q_OBJECT
 public:
-  explicit WandWaving(WandCalibrator& desk, QWidget* parent = nullptr);
+  explicit WandWaving(WandCalibrator& calibrator, QWidget* parent = nullptr);
 
 private:
   void retranslateUi();
@@ -29,7 +29,7 @@ private:
   void showCameras();
   void makeCameras(std::size_t count);
 
-  WandCalibrator& desk_;
+  WandCalibrator& calibrator_;
   QPushButton* wave_;
   QLabel* state_;
   QGridLayout* grid_;

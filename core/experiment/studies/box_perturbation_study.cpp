@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/experiment/studies/sloppy_study.h"
+#include "core/experiment/studies/box_perturbation_study.h"
 
 #include "core/experiment/baselines/box_follower.h"
 
@@ -47,7 +47,7 @@ struct Claims {
 };
 
 Status follow(const BoxClip& clip, const std::vector<cv::Mat>& images, const ImageBox& first,
-              BoxFollower& follower, Claims& claims, SloppyRow& row) {
+              BoxFollower& follower, Claims& claims, BoxPerturbationRow& row) {
   if (const auto started = follower.start(images.front(), first); !started) {
     return started;
   }
@@ -68,7 +68,7 @@ Status follow(const BoxClip& clip, const std::vector<cv::Mat>& images, const Ima
   return {};
 }
 
-void conclude(const Claims& claims, SloppyRow& row) {
+void conclude(const Claims& claims, BoxPerturbationRow& row) {
   row.figures.rmse /= row.runs;
   row.figures.success /= row.runs;
   row.figures.precision /= row.runs;
@@ -79,15 +79,15 @@ void conclude(const Claims& claims, SloppyRow& row) {
   row.surelyWrong = double(claims.wrong) / std::max(1, frames);
 }
 
-Result<SloppyRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,
-                          const std::string& method, double scale, int seeds) {
-  SloppyRow row;
+Result<BoxPerturbationRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,
+                                   const std::string& method, double scale, int seeds) {
+  BoxPerturbationRow row;
   row.clip = clip.name;
   row.method = method;
   row.scale = scale;
   Claims claims;
-  for (const BoxSlip& slip : boxSlips()) {
-    if (slip.scale != scale) {
+  for (const BoxPerturbation& perturbation : boxPerturbations()) {
+    if (perturbation.scale != scale) {
       continue;
     }
     for (int seed = 1; seed <= (isOpenCvs(method) ? 1 : seeds); ++seed) {
@@ -95,7 +95,8 @@ Result<SloppyRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& image
       if (!follower) {
         return tl::make_unexpected(follower.error());
       }
-      const auto done = follow(clip, images, slip.of(clip.truth.front()), **follower, claims, row);
+      const auto done =
+          follow(clip, images, perturbation.of(clip.truth.front()), **follower, claims, row);
       if (!done) {
         return tl::make_unexpected(done.error());
       }
@@ -107,22 +108,23 @@ Result<SloppyRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& image
 
 } // namespace
 
-std::vector<BoxSlip> boxSlips() {
-  std::vector<BoxSlip> slips;
+std::vector<BoxPerturbation> boxPerturbations() {
+  std::vector<BoxPerturbation> perturbations;
   for (const double scale : kScales) {
-    slips.push_back({scale, 0.0, 0.0});
+    perturbations.push_back({scale, 0.0, 0.0});
     for (const double shift : {-kShift, kShift}) {
-      slips.push_back({scale, shift, 0.0});
-      slips.push_back({scale, 0.0, shift});
+      perturbations.push_back({scale, shift, 0.0});
+      perturbations.push_back({scale, 0.0, shift});
     }
   }
-  return slips;
+  return perturbations;
 }
 
-Result<std::vector<SloppyRow>> studySloppyBoxes(const std::vector<BoxClip>& clips, int seeds,
-                                                const std::function<bool(const SloppyRow&)>& report,
-                                                const std::vector<std::string>& methods) {
-  std::vector<SloppyRow> rows;
+Result<std::vector<BoxPerturbationRow>>
+studyPerturbedBoxes(const std::vector<BoxClip>& clips, int seeds,
+                    const std::function<bool(const BoxPerturbationRow&)>& report,
+                    const std::vector<std::string>& methods) {
+  std::vector<BoxPerturbationRow> rows;
   for (const BoxClip& clip : clips) {
     const auto images = imagesOf(clip);
     if (!images) {

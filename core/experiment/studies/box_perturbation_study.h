@@ -11,7 +11,7 @@
 namespace dewpoint::experiment {
 
 /// How a box drawn by hand differs from the true one.
-struct BoxSlip {
+struct BoxPerturbation {
   double scale = 1.0; ///< of width and height
   double right = 0.0; ///< of the center, in true widths
   double down = 0.0;  ///< of the center, in true heights
@@ -24,10 +24,10 @@ struct BoxSlip {
 
 /// 0.8, 1, 1.2 and 1.4 times the true size, each in place and shifted by 15 % to the left, to the
 /// right, up and down.
-std::vector<BoxSlip> boxSlips();
+std::vector<BoxPerturbation> boxPerturbations();
 
 /// One method on one clip from first boxes of one size, in place and shifted: means over all runs.
-struct SloppyRow {
+struct BoxPerturbationRow {
   std::string clip;
   std::string method; ///< "histogram", "csrt"
   double scale = 1.0; ///< of the first box
@@ -43,9 +43,9 @@ struct SloppyRow {
 /// Follows every clip from sloppy first boxes with `sugandi` and `histogram` (300 particles,
 /// `seeds` runs each), CSRT and CamShift. `report` gets each row as it is done; it returns false to
 /// stop.
-Result<std::vector<SloppyRow>> studySloppyBoxes(const std::vector<BoxClip>& clips, int seeds,
-                                                const std::function<bool(const SloppyRow&)>& report,
-                                                const std::vector<std::string>& methods = {
-                                                    "histogram", "sugandi", "csrt", "camshift"});
+Result<std::vector<BoxPerturbationRow>> studyPerturbedBoxes(
+    const std::vector<BoxClip>& clips, int seeds,
+    const std::function<bool(const BoxPerturbationRow&)>& report,
+    const std::vector<std::string>& methods = {"histogram", "sugandi", "csrt", "camshift"});
 
 } // namespace dewpoint::experiment

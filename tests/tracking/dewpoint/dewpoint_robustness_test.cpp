@@ -21,8 +21,8 @@ Eigen::Vector3d moving(int frame) {
 
 bool isFinite(const SphereEstimate& e) {
   return e.mean.allFinite() && e.best.allFinite() && e.covariance.allFinite() &&
-         std::isfinite(e.existence) && std::isfinite(e.effectiveSampleSize) && e.existence >= 0.0 &&
-         e.existence <= 1.0;
+         std::isfinite(e.existenceProbability) && std::isfinite(e.effectiveSampleSize) &&
+         e.existenceProbability >= 0.0 && e.existenceProbability <= 1.0;
 }
 
 /// Every kind of frame set without use: each in the midst of good ones.
@@ -99,7 +99,7 @@ TEST(DewpointRobustness, FollowsTheTargetThroughFadingLight) {
 // and there at once when sight returns.
 TEST(DewpointRobustness, WithoutSightATargetIsDeclaredWhileItCanBeRight) {
   DrawnRun run(rigAround(2), {redBall()});
-  double existence = 1.0;
+  double existenceProbability = 1.0;
   for (int frame = 0; frame < 100; ++frame) {
     const double angle = 2.0 * frame / 30.0; // 0.2 m/s and 0.4 m/s² on a circle of 0.1 m
     const Eigen::Vector3d place =
@@ -118,12 +118,12 @@ TEST(DewpointRobustness, WithoutSightATargetIsDeclaredWhileItCanBeRight) {
       EXPECT_LT(error, 2e-3) << frame;
       continue;
     }
-    EXPECT_LE(estimate.existence, frame == 60 ? 1.0 : existence) << frame;
-    existence = estimate.existence;
+    EXPECT_LE(estimate.existenceProbability, frame == 60 ? 1.0 : existenceProbability) << frame;
+    existenceProbability = estimate.existenceProbability;
     EXPECT_TRUE(frame > 63 || estimate.valid) << frame; // a tenth of a second is bridged
     EXPECT_TRUE(!estimate.valid || error < 0.05) << frame << ": " << error;
   }
-  EXPECT_LT(existence, 0.2);
+  EXPECT_LT(existenceProbability, 0.2);
 }
 
 TEST(DewpointRobustness, NothingButFramesOfNoUse) {
@@ -200,8 +200,8 @@ std::vector<double> bitsOf(int threads, std::uint64_t seed) {
       all.insert(all.end(), e.mean.data(), e.mean.data() + 3);
       all.insert(all.end(), e.best.data(), e.best.data() + 3);
       all.insert(all.end(), e.covariance.data(), e.covariance.data() + 9);
-      all.insert(all.end(), {e.existence, e.effectiveSampleSize, e.radius, double(e.particleCount),
-                             double(e.camerasSeeing), double(e.valid)});
+      all.insert(all.end(), {e.existenceProbability, e.effectiveSampleSize, e.radius,
+                             double(e.particleCount), double(e.camerasSeeing), double(e.valid)});
     }
   }
   return all;
@@ -354,7 +354,7 @@ TEST(DewpointRobustness, RepeatedIterationsDoNotShrinkTheCovariance) {
     const SphereEstimate& again = run.again();
     EXPECT_NEAR(again.covariance.trace(), once.covariance.trace(), 0.05 * once.covariance.trace());
     EXPECT_LT((again.mean - once.mean).norm(), 1e-3);
-    EXPECT_NEAR(again.existence, once.existence, 0.01);
+    EXPECT_NEAR(again.existenceProbability, once.existenceProbability, 0.01);
   }
 }
 
