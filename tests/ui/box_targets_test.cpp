@@ -6,6 +6,7 @@
 #include "ui/style/theme.h"
 
 #include <QComboBox>
+#include <QLabel>
 
 namespace dewpoint::tests {
 
