@@ -47,6 +47,7 @@ Result<std::vector<cv::Mat>> readSome(PictureReader& reader, const PictureShape&
   return pictures;
 }
 
+/// Not upperMedian(): that copies to floating point, here for each of the millions of bytes.
 cv::Mat medianOf(const std::vector<cv::Mat>& pictures) {
   if (pictures.size() == 1) {
     return pictures.front();

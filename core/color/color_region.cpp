@@ -269,7 +269,7 @@ double colorDistance(const BgrColor& one, const BgrColor& other) {
 }
 
 BgrColor medianColor(std::vector<BgrColor> colors) {
-  BgrColor median{};
+  BgrColor median{}; // bytes in place: upperMedian() would copy each channel to floating point
   const auto middle = colors.begin() + std::ptrdiff_t(colors.size() / 2);
   for (std::size_t i = 0; i < 3; ++i) {
     std::ranges::nth_element(colors, middle, {}, [i](const BgrColor& color) { return color[i]; });

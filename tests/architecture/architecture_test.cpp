@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/architecture/namespace_rule.h"
 #include "tests/architecture/source_rules.h"
 
 #include <gtest/gtest.h>
@@ -37,9 +38,15 @@ std::string contents(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// A file with nothing but its namespace.
+std::string emptyFile(const std::string& path) {
+  const std::string home = namespaceOf(path);
+  return home.empty() ? "" : "namespace " + home + " {}\n";
+}
+
 /// How many complaints a file at `path` with just this include gets.
 std::size_t complaints(const std::string& path, const std::string& include) {
-  return violations(path, "#include " + include + "\n").size();
+  return violations(path, "#include " + include + "\n" + emptyFile(path)).size();
 }
 
 TEST(Architecture, EveryFileKeepsTheRules) {
@@ -229,8 +236,30 @@ TEST(SourceRules, ForeignLibrariesStayWhereTheyBelong) {
 
 TEST(SourceRules, LongFilesFail) {
   const auto lines = [](int count) { return std::string(static_cast<std::size_t>(count), '\n'); };
-  EXPECT_TRUE(violations("core/base/a.h", lines(kLineLimit)).empty());
-  EXPECT_EQ(violations("core/base/a.h", lines(kLineLimit + 1)).size(), 1U);
+  const std::string path = "core/base/a.h";
+  EXPECT_TRUE(violations(path, emptyFile(path) + lines(kLineLimit - 1)).empty());
+  EXPECT_EQ(violations(path, emptyFile(path) + lines(kLineLimit)).size(), 1U);
+}
+
+TEST(SourceRules, AFileOpensTheNamespaceOfItsFolder) {
+  const auto inside = [](const std::string& path, const std::string& name) {
+    return violations(path, "namespace " + name + " {\nstruct Verdict {};\n}\n").size();
+  };
+  EXPECT_EQ(inside("core/calibration/quality/verdict.h", "dewpoint::calibration"), 0U);
+  EXPECT_EQ(inside("core/experiment/scenarios/verdict.h", "dewpoint::experiment::scenarios"), 0U);
+  EXPECT_EQ(inside("ui/calibration/wand/verdict.h", "dewpoint::ui"), 0U);
+  EXPECT_EQ(inside("app/dewpoint-cli/common/verdict.h", "dewpoint::app"), 0U);
+  EXPECT_EQ(inside("bench/verdict.h", "bench"), 0U) << "each is a program by itself";
+
+  EXPECT_EQ(inside("core/calibration/quality/verdict.h", "dewpoint"), 1U);
+  EXPECT_EQ(inside("core/calibration/quality/verdict.h", "dewpoint::experiment"), 1U);
+  EXPECT_EQ(inside("core/camera_motion/verdict.h", "dewpoint::camera"), 1U);
+  EXPECT_EQ(inside("core/experiment/suite/verdict.h", "dewpoint::experiments"), 1U);
+  EXPECT_EQ(inside("ui/calibration/wand/verdict.h", "dewpoint::calibration"), 1U);
+  EXPECT_EQ(inside("app/wiring/verdict.h", "dewpoint::wiring"), 1U);
+
+  EXPECT_TRUE(violations("core/precompiled.h", "#include <vector>\n").empty());
+  EXPECT_EQ(violations("core/base/precompiled.h", "#include <vector>\n").size(), 1U);
 }
 
 } // namespace

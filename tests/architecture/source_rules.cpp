@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/architecture/source_rules.h"
 
+#include "tests/architecture/namespace_rule.h"
+
 #include <algorithm>
 #include <map>
 #include <regex>
@@ -376,6 +378,9 @@ std::vector<std::string> violations(const std::string& path, std::string_view te
     if (!reason.empty()) {
       found.push_back(path + " includes " + include + ": " + reason);
     }
+  }
+  if (!opensItsNamespace(path, text)) {
+    found.push_back(path + " does not open its namespace " + namespaceOf(path));
   }
   return found;
 }

@@ -35,6 +35,11 @@ expectExit $kBadInput calibrate wand demo --target "green ball"
 expectSentence target "green ball"
 expectExit $kUsage calibrate wand demo --stick "pink ball" "pink ball"
 expectSentence --stick --length
+# A stick's length is the size: nothing else can be.
+expectExit $kUsage calibrate wand demo --stick a b --length 0.5 --distance 1 2 1.5
+expectSentence --length --distance
+expectExit $kUsage calibrate wand demo --diameter --stick a b --length 0.5
+expectSentence --length --diameter
 expectExit $kUsage calibrate wand demo --apply
 expectSentence --apply
 expectExit $kBadInput calibrate wand demo --frames 60:200 --floor 99

@@ -50,6 +50,20 @@ TEST(CalibratedProject, EveryWayToACalibrationKeepsThatRule) {
   }
 }
 
+TEST(CalibratedProject, OffsetsAreTakenOffTheDelaysOfRealCameras) {
+  Project project = mixedProject();
+  project.cameras[1].delay = 0.1;
+  // A camera that is another 0.02 s late has an offset of -0.02 s.
+  const Project changed = withTimeOffsets(project, {-0.05, -0.02});
+  EXPECT_EQ(changed.cameras[0], project.cameras[0]); // simulated: never late
+  EXPECT_DOUBLE_EQ(changed.cameras[1].delay, 0.1 + 0.02);
+  EXPECT_DOUBLE_EQ(withTimeOffsets(project, {0.0, 0.03}).cameras[1].delay, 0.1 - 0.03);
+  EXPECT_EQ(changed.cameras[1].camera, project.cameras[1].camera);
+  // Without an offset of its own a camera stays as it is.
+  EXPECT_EQ(withTimeOffsets(project, {-0.05}), project);
+  EXPECT_EQ(withTimeOffsets(project, {0.0, 0.0, 7.0}), project); // there is no third camera
+}
+
 TEST(CalibratedProject, ATurnedPictureTakesItsCalibrationAndClicksAlong) {
   Project project = mixedProject();
   const Camera before = project.cameras[1].camera; // 160 x 120

@@ -128,7 +128,11 @@ void BoardPageTest::keep(const QString& name) {
 void BoardPageTest::aRecordingCalibratesInOneStep() {
   openRecording();
   const auto before = project().cameras;
+  const QSignalSpy progress(&calibrator(), &BoardCalibrator::progressChanged);
   QVERIFY(calibrate());
+  // The board is looked for first, and how far that is, is known; nobody looks for it afterwards.
+  QVERIFY(!progress.isEmpty() && progress.first().first().toDouble() >= 0.0);
+  QVERIFY(!calibrator().isLooking());
   QVERIFY2(calibrator().isApplied(), qPrintable(result()));
   QCOMPARE(history().count(), 1);
   QVERIFY(!history().undoText().isEmpty());
@@ -232,6 +236,11 @@ void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
   const auto before = project().cameras;
   QSignalSpy over(&calibrator(), &BoardCalibrator::calibrated);
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton);
+  // What was taken is solved only: whatever stage says how far it is, none of them looks for a
+  // board.
+  int solving = 0, looking = 0;
+  connect(&calibrator(), &BoardCalibrator::progressChanged, this,
+          [&](double part) { ++(calibrator().isLooking() || part >= 0.0 ? looking : solving); });
   // The board is moved on when a view was taken, or when this one gives nothing new.
   std::size_t taken = 0;
   int images = 0;
@@ -248,7 +257,9 @@ void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
     }
   });
   QVERIFY(waitFor([&] { return over.count() > 0; }));
-  disconnect(&calibrator(), &BoardCalibrator::guideChanged, this, nullptr);
+  disconnect(&calibrator(), nullptr, this, nullptr);
+  QVERIFY(solving > 0);
+  QCOMPARE(looking, 0);
   QVERIFY2(calibrator().outcome() != nullptr, qPrintable(result()));
   QVERIFY(!calibrator().isWatching());
   QVERIFY(project().cameras == before); // until it is wanted

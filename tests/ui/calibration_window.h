@@ -74,7 +74,7 @@ inline void CalibrationWindow::drag(int k, const Eigen::Vector2d& from, const Ei
     mouse(k, QEvent::MouseMove, from + step / 8.0 * (to - from));
   }
   mouse(k, QEvent::MouseButtonRelease, to);
-  QTest::qWait(1);
+  QCoreApplication::processEvents(); // what the release has queued
 }
 
 inline void CalibrationWindow::click(int k, const Eigen::Vector2d& pixel,

@@ -21,6 +21,8 @@ public:
     timer_.start(kIntervalMs);
   }
 
+  /// How often the event loop has let it measure.
+  int ticks() const { return ticks_; }
   /// The longest stall since the last call.
   double takeLongest() {
     const double longest = longest_;
@@ -34,12 +36,14 @@ private:
   void tick() {
     const double gap = 1e-6 * static_cast<double>(clock_.nsecsElapsed());
     clock_.restart();
+    ++ticks_;
     longest_ = std::max(longest_, gap - kIntervalMs);
   }
 
   QTimer timer_;
   QElapsedTimer clock_;
   double longest_ = 0.0;
+  int ticks_ = 0;
 };
 
 } // namespace dewpoint::tests

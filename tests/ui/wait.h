@@ -34,7 +34,8 @@ protected:
     });
   }
   /// Runs the event loop for as long as something unwanted would take to happen. Only for tests
-  /// that nothing does: then there is no condition to wait for.
+  /// that nothing does, when there is no condition to wait for, and for a hand that moves at a pace
+  /// of its own.
   static void letTimePass(int milliseconds = 300) { QTest::qWait(milliseconds); }
 };
 

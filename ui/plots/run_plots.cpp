@@ -12,7 +12,7 @@ namespace dewpoint::ui {
 namespace {
 
 /// Columns of the series, then two for each camera.
-enum Column : std::size_t {
+enum RunColumn : std::size_t {
   kSpreadX,
   kSpreadY,
   kSpreadZ,

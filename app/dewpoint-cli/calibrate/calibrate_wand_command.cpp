@@ -212,8 +212,9 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
   command->add_option("--stick", options->stick, "The targets at both ends of a stick")
       ->expected(2)
       ->excludes(target);
-  command->add_option("--length", wand.stickLength, "Between the balls' middles, metres")
-      ->check(positive);
+  auto* length =
+      command->add_option("--length", wand.stickLength, "Between the balls' middles, metres")
+          ->check(positive);
   command->add_option("--frames", options->frames,
                       "Only frames A to B-1, as A:B (either may be empty)");
   command->add_flag("--offsets", wand.findOffsets,
@@ -223,8 +224,10 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
   command
       ->add_option("--distance", options->distance,
                    "T1 T2 METRES: the ball was held at two places this far apart")
-      ->expected(3);
-  command->add_flag("--diameter", wand.fromDiameter, "Size from the ball's diameter");
+      ->expected(3)
+      ->excludes(length);
+  command->add_flag("--diameter", wand.fromDiameter, "Size from the ball's diameter")
+      ->excludes(length);
   command->add_option("--floor", wand.floorTimes, "Seconds at which the ball lay on the floor");
   command->add_option("--drop", options->drop, "FROM UNTIL, seconds: the ball fell freely")
       ->expected(2);

@@ -194,7 +194,8 @@ int runPeople(const PeopleOptions& options) {
   tracked = tracked ? writer->finish() : tracked;
   if (!observer.rows().empty()) {
     const auto sheet = std::filesystem::path(options.folder) / "overlay.png";
-    if (const auto written = writeContactSheet(observer.rows(), sheet); !written) {
+    const auto written = writeContactSheet(observer.rows(), sheet);
+    if (tracked && !written) { // else what failed before is what is to be said
       return report(written.error());
     }
   }

@@ -98,7 +98,9 @@ cv::Scalar colorOf(std::size_t target) {
   return kColors[target % kColors.size()];
 }
 
-/// Follows boxes through the images of one source.
+/// Follows boxes through the images of one source, in a loop of its own: a click becomes a box only
+/// in the first image, and a box beyond it is an error. A TrackingRun takes boxes that are known
+/// before, and passes over those it cannot follow.
 class BoxRun {
 public:
   explicit BoxRun(const TrackBoxOptions& options) : options_(options), team_(options.threads) {}

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/planning/rig_map.h"
 
+#include "core/base/statistics.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace dewpoint::calibration {
 namespace {
@@ -26,25 +29,21 @@ double highest(const CameraRig& rig) {
 } // namespace
 
 RigMapSummary summaryOf(const RigMap& map, double limit) {
-  std::vector<float> known;
+  std::vector<double> sigmas; // unknown ones after all others
   RigMapSummary summary;
-  std::size_t tooFew = 0, within = 0;
+  std::size_t tooFew = 0, within = 0, known = 0;
   for (std::size_t i = 0; i < map.sigmas.size(); ++i) {
+    const double sigma = double(map.sigmas[i]);
     tooFew += map.counts[i] < 2 ? 1 : 0;
-    within += double(map.sigmas[i]) <= limit ? 1 : 0; // NaN is not
-    if (!std::isnan(map.sigmas[i])) {
-      known.push_back(map.sigmas[i]);
-    }
+    within += sigma <= limit ? 1 : 0; // NaN is not
+    known += std::isnan(sigma) ? 0 : 1;
+    sigmas.push_back(std::isnan(sigma) ? std::numeric_limits<double>::infinity() : sigma);
   }
   const double count = double(std::max<std::size_t>(map.sigmas.size(), 1));
   summary.within = double(within) / count;
   summary.tooFew = double(tooFew) / count;
-  const std::size_t half = map.sigmas.size() / 2;
-  summary.medianSigma = std::numeric_limits<double>::quiet_NaN();
-  if (half < known.size()) {
-    std::ranges::nth_element(known, known.begin() + std::ptrdiff_t(half));
-    summary.medianSigma = double(known[half]);
-  }
+  summary.medianSigma = known > map.sigmas.size() / 2 ? upperMedian(std::move(sigmas))
+                                                      : std::numeric_limits<double>::quiet_NaN();
   return summary;
 }
 

@@ -144,6 +144,7 @@ double ninetyFive(const PositionErrors& errors, const Eigen::MatrixXd& perDraw, 
                               .norm());
     }
   }
+  // Not quantile(): one of the distances, no value between two, and without sorting them all.
   const auto at =
       distances.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(distances.size()));
   std::nth_element(distances.begin(), at, distances.end());

@@ -179,7 +179,8 @@ Counts AdaptiveColor::TargetImage::count(const ColorClassifier& classifier) cons
 
 namespace {
 
-/// The values at kLowQuantile from both ends.
+/// The values at kLowQuantile from both ends. Not quantile(): that is linear between two values and
+/// needs all of them sorted; here one that occurs is enough, in each frame.
 std::pair<double, double> quantiles(std::vector<double>& values) {
   const auto last = std::ssize(values) - 1;
   const auto at = [&](double share) {

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person may type into a field for a number, and how it is taken.
+#include "ui/widgets/decimal_field.h"
+
+#include <QLocale>
+#include <gtest/gtest.h>
+
+namespace dewpoint::tests {
+namespace {
+
+const QLocale kEnglish(QLocale::English, QLocale::UnitedStates);
+const QLocale kGerman(QLocale::German, QLocale::Germany);
+
+/// What a field makes of a text.
+struct Judged {
+  QValidator::State state = QValidator::Invalid;
+  QString text; ///< as it is shown from then on
+};
+
+Judged judged(const DecimalField& field, const QString& typed) {
+  Judged result;
+  result.text = typed;
+  int position = static_cast<int>(typed.size());
+  result.state = field.validate(result.text, position);
+  return result;
+}
+
+/// A field for 1 to 10, with two decimals.
+class DecimalFieldTest : public testing::Test {
+protected:
+  DecimalFieldTest() {
+    field_.setLocale(kEnglish);
+    field_.setDecimals(2);
+    field_.setRange(1.0, 10.0);
+  }
+  QValidator::State stateOf(const char* typed) const {
+    return judged(field_, QString::fromLatin1(typed)).state;
+  }
+  QString shownFor(const char* typed) const {
+    return judged(field_, QString::fromLatin1(typed)).text;
+  }
+
+  DecimalField field_;
+};
+
+TEST_F(DecimalFieldTest, NumbersWithinTheLimitsAreAcceptable) {
+  for (const char* typed : {"1", "10", "2.5", "2.55", "9.99", "10.00"}) {
+    EXPECT_EQ(stateOf(typed), QValidator::Acceptable) << typed;
+  }
+}
+
+TEST_F(DecimalFieldTest, WhatMayBecomeANumberIsIntermediate) {
+  for (const char* typed : {"", ".", ",", "+", "0", "0.5"}) { // 0.5 is below 1, but 0.5 may go
+    EXPECT_EQ(stateOf(typed), QValidator::Intermediate) << typed;
+  }
+}
+
+TEST_F(DecimalFieldTest, WhatCannotBecomeANumberIsInvalid) {
+  for (const char* typed : {"x", "2x", "2.5.1", "2,5,1", "2.555", "-", "-2"}) {
+    EXPECT_EQ(stateOf(typed), QValidator::Invalid) << typed;
+  }
+}
+
+TEST_F(DecimalFieldTest, BeyondTheLimitsNothingCanBeTyped) {
+  EXPECT_EQ(stateOf("10.01"), QValidator::Invalid);
+  EXPECT_EQ(stateOf("10,01"), QValidator::Invalid);
+  EXPECT_EQ(stateOf("11"), QValidator::Invalid);
+  field_.setRange(-10.0, 10.0);
+  EXPECT_EQ(stateOf("-"), QValidator::Intermediate);
+  EXPECT_EQ(stateOf("-,"), QValidator::Intermediate);
+  EXPECT_EQ(stateOf("-0,5"), QValidator::Acceptable);
+  EXPECT_EQ(stateOf("-10.01"), QValidator::Invalid);
+}
+
+TEST_F(DecimalFieldTest, PointAndCommaAreBothTheDecimalSign) {
+  EXPECT_EQ(stateOf("2,5"), QValidator::Acceptable);
+  EXPECT_EQ(shownFor("2,5"), QStringLiteral("2.5"));
+  EXPECT_EQ(shownFor("2.5"), QStringLiteral("2.5"));
+  EXPECT_EQ(field_.valueFromText(QStringLiteral("2,5")), 2.5);
+  field_.setLocale(kGerman);
+  EXPECT_EQ(stateOf("2.5"), QValidator::Acceptable);
+  EXPECT_EQ(shownFor("2.5"), QStringLiteral("2,5"));
+  EXPECT_EQ(shownFor("2,5"), QStringLiteral("2,5"));
+  EXPECT_EQ(field_.valueFromText(QStringLiteral("2.5")), 2.5);
+  EXPECT_EQ(stateOf("."), QValidator::Intermediate);
+  EXPECT_EQ(stateOf("2.555"), QValidator::Invalid); // three decimals, no thousands
+}
+
+TEST_F(DecimalFieldTest, TheFirstSignOfAThousandIsTheDecimalSign) {
+  field_.setDecimals(3);
+  field_.setRange(0.0, 10000.0);
+  EXPECT_EQ(shownFor("1,234"), QStringLiteral("1.234"));
+  EXPECT_EQ(field_.valueFromText(QStringLiteral("1,234")), 1.234);
+  // With both signs it is clear which one is which.
+  EXPECT_EQ(stateOf("1,234.5"), QValidator::Acceptable);
+  EXPECT_EQ(field_.valueFromText(QStringLiteral("1,234.5")), 1234.5);
+}
+
+TEST_F(DecimalFieldTest, SignsInTheUnitDoNotCount) {
+  field_.setSuffix(QStringLiteral(" p.c."));
+  EXPECT_EQ(stateOf("2,5 p.c."), QValidator::Acceptable);
+  EXPECT_EQ(shownFor("2,5 p.c."), QStringLiteral("2.5 p.c."));
+  EXPECT_EQ(field_.valueFromText(QStringLiteral("2,5 p.c.")), 2.5);
+}
+
+TEST_F(DecimalFieldTest, AnotherLanguageWritesTheNumberAnew) {
+  field_.setValue(2.5);
+  EXPECT_EQ(field_.text(), QStringLiteral("2.50"));
+  int changes = 0;
+  QObject::connect(&field_, &QDoubleSpinBox::valueChanged, &field_, [&] { ++changes; });
+  field_.setLocale(kGerman);
+  EXPECT_EQ(field_.text(), QStringLiteral("2,50"));
+  EXPECT_EQ(field_.value(), 2.5);
+  EXPECT_EQ(changes, 0);
+}
+
+} // namespace
+} // namespace dewpoint::tests
