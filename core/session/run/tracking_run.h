@@ -126,6 +126,7 @@ public:
 private:
   /// The common part of both kinds of tracked frames.
   TrackedFrame commonTrackedFrame(const TrackedFrame* before, int boxParticleLimit) const;
+  void place(const PeopleChange& people);
   void correctPeople();
 
   RunDefinitionPtr definition_;
