@@ -93,7 +93,6 @@ public:
   /// Corrections of people that could not be granted since the last call.
   std::vector<Error> takeRefusals() { return std::exchange(refusals_, {}); }
 
-  MethodFamily family() const { return definition_->family(); }
   std::int64_t iterations() const { return iterations_; }
   /// Those that are tracked: the project's, or the persons who have been there.
   const std::vector<Target>& targets() const;
