@@ -88,7 +88,8 @@ Status checkTargets(const Project& project) {
 
 /// Of a camera whose images will say what size they are: methods that follow boxes need no more.
 bool isBare(const Project& project, const Intrinsics& intrinsics) {
-  return !methodFamily(project.method).inSpace && intrinsics.width == 0 && intrinsics.height == 0;
+  return !methodFamily(project.method).needsCalibration && intrinsics.width == 0 &&
+         intrinsics.height == 0;
 }
 
 Status checkCameras(const Project& project) {

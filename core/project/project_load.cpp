@@ -314,7 +314,7 @@ void readParts(TableReader& reader, const std::string& file, Project& project) {
   for (const toml::table* table : reader.tables("camera")) {
     project.cameras.push_back(readCamera(*table, file, folder, project.cameras.size(),
                                          !project.scene.empty() && !hasSource(*table), calibrated,
-                                         !methodFamily(project.method).inSpace, error));
+                                         !methodFamily(project.method).needsCalibration, error));
     reader.recordError(error);
   }
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/playback.h"
 
+#include "core/base/overloaded.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace dewpoint::session {
 namespace {
-
-template <class... Functions> struct Overloaded : Functions... { using Functions::operator()...; };
 
 /// The head, paused or ended.
 Playback::State waiting(bool inputEnded) {

@@ -162,12 +162,13 @@ bool RunDriver::restart(std::optional<std::uint64_t> seed) {
 }
 
 std::int64_t RunDriver::beginOf(const command::SetMethod& method, std::int64_t from) const {
-  const auto family = methodFamily(method.method);
-  // Another family follows other things; and people need the background learned at the beginning.
-  if (family != run().family() || family.findsTargets()) {
+  // Another kind of methods follows other things; of the same kind both can do what one can.
+  const bool isOther = methodFamily(method.method).targets != run().definition()->family().targets;
+  // People need the background learned at the beginning.
+  if (isOther || run().capability<PeopleFinding>() != nullptr) {
     return travel().nearest(0).value_or(from);
   }
-  if (family.targets == TargetsFrom::Box) {
+  if (run().capability<BoxFollowing>() != nullptr) {
     for (const Target& target : run().targets()) { // they begin at their boxes
       from = target.box ? std::min(from, travel().nearest(target.box->frame).value_or(from)) : from;
     }
@@ -351,13 +352,13 @@ void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSna
 
 void RunDriver::describe(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
   snapshot.rig = definition().rig;
-  snapshot.family = definition().family();
+  snapshot.targetsFrom = definition().family().targets;
   snapshot.emptyRooms = definition().emptyRooms;
   snapshot.seed = definition().seed;
   if (kept_.exists()) {
     showFrame(builder, quickly, snapshot);
   }
-  playback_.published(snapshot.preview, builder.lacksMaps(snapshot));
+  playback_.published(snapshot.preview, kept_.exists() && builder.lacksMaps(run(), snapshot));
   snapshot.state = playback_.playState();
   snapshot.rerun = playback_.rerunning();
   snapshot.notices = errors_;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/run_recorder.h"
 
+#include "core/base/overloaded.h"
 #include "core/base/statistics.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 namespace dewpoint::session {
 namespace {
@@ -77,13 +79,18 @@ std::vector<IterationRecord> RunRecorder::records(const TrackingRun& run) const 
       record.spread = std::sqrt(position->covariance.trace());
       record.spreadPerAxis = position->covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
     }
-    if (const auto* const box = std::get_if<BoxEstimate>(&estimate)) {
-      record.similarity = box->similarity;
-      record.spread = box->spread;
-    } else if (const auto* const sphere = std::get_if<SphereEstimate>(&estimate)) {
-      const auto truth = truth_.at(run.targets()[k].name, record.frame);
-      record.error = truth ? (sphere->mean - *truth).norm() : record.error;
-    } // of a person nobody knows which of the true ones it is
+    const auto describe =
+        Overloaded{[&](const SphereEstimate& sphere) {
+                     const auto truth = truth_.at(run.targets()[k].name, record.frame);
+                     record.error = truth ? (sphere.mean - *truth).norm() : record.error;
+                   },
+                   [&](const BoxEstimate& box) {
+                     record.similarity = box.similarity;
+                     record.spread = box.spread;
+                   },
+                   [](const PersonEstimate&) {}, // nobody knows which of the true ones it is
+                   [](const AbsentEstimate&) {}};
+    std::visit(describe, estimate);
     records.push_back(std::move(record));
   }
   return records;
@@ -105,7 +112,7 @@ void RunRecorder::record(const TrackingRun& run, const TrackedFrame& trackedFram
   log_.append(run.samples());
   log_.append(run.boxSamples());
   log_.append(frameRecord(trackedFrame, *run.frames()));
-  if (run.family().findsTargets() && !trackedFrame.targets.empty()) {
+  if (run.capability<PeopleFinding>() != nullptr && !trackedFrame.targets.empty()) {
     log_.append(peopleFrame(trackedFrame));
   }
 }

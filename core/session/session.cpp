@@ -69,20 +69,22 @@ Status Session::saveRun(const std::filesystem::path& folder) const {
   for (const Error& notice : last->notices) {
     figures.notices.push_back(sentence(notice));
   }
-  const auto family = methodFamily(project.method);
-  if (family.findsTargets()) {
-    const auto saved = savePeople(peopleRecord(), folder, [](double) { return true; });
-    if (!saved) {
-      return tl::make_unexpected(saved.error());
-    }
-    return writeTextFile(folder / "run.json", runReport(project, figures));
-  }
-  const Status saved = !family.inSpace ? writeBoxTrack(boxTrack(), folder)
-                                       : writeTrajectory(trajectory(), folder / "trajectory.csv");
-  if (!saved) {
+  if (const Status saved = saveTables(methodFamily(project.method).tables, folder); !saved) {
     return saved;
   }
   return writeTextFile(folder / "run.json", runReport(project, figures));
+}
+
+Status Session::saveTables(RunTables tables, const std::filesystem::path& folder) const {
+  switch (tables) {
+  case RunTables::Trajectory:
+    return writeTrajectory(trajectory(), folder / "trajectory.csv");
+  case RunTables::Boxes:
+    return writeBoxTrack(boxTrack(), folder);
+  case RunTables::People:
+    break;
+  }
+  return savePeople(peopleRecord(), folder, [](double) { return true; }).map([](std::size_t) {});
 }
 
 PeopleRecord Session::peopleRecord() const {

@@ -108,6 +108,8 @@ public:
   void setFrameTap(FrameTap tap);
 
 private:
+  Status saveTables(RunTables tables, const std::filesystem::path& folder) const;
+
   class Impl;
   std::unique_ptr<Impl> impl_;
 };

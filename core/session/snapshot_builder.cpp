@@ -3,7 +3,6 @@
 
 #include "core/color/match_image.h"
 #include "core/session/box_counterparts.h"
-#include "core/tracking/catalog/method_catalog.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -43,7 +42,7 @@ TargetSnapshot absent(const Target& target) {
 /// Targets of the run that are not in the moment shown. Nothing is believed of them then, but they
 /// are known; people are not there yet.
 void addOthers(const TrackingRun& run, TrackSnapshot& snapshot) {
-  const bool ofPeople = run.family().findsTargets();
+  const bool ofPeople = run.capability<PeopleFinding>() != nullptr;
   if (snapshot.tracked && !ofPeople) {
     return;
   }
@@ -70,6 +69,7 @@ void showPresentBoxes(const TrackingRun& run, TrackSnapshot& snapshot) {
     } else { // it was added later
       snapshot.targets.push_back(absent(targets[k]));
     }
+    snapshot.targets.back().absence = HoldState::NoBox;
   }
 }
 
@@ -109,11 +109,10 @@ std::vector<cv::Mat> colorMasks(const TrackSnapshot& snapshot) {
 
 /// The motion masks of a method for people after its last frame, in the sizes of the images
 /// (CV_8UC1, 0 or 255); empty where there is none.
-std::vector<cv::Mat> motionMasks(const TrackingRun& run) {
+std::vector<cv::Mat> motionMasks(const TrackingRun& run, const PeopleFinding& finding) {
   std::vector<cv::Mat> masks;
-  const auto* const finding = run.capability<PeopleFinding>();
-  for (std::size_t camera = 0; finding != nullptr && camera < run.rig().size(); ++camera) {
-    cv::Mat mask = finding->foreground(camera);
+  for (std::size_t camera = 0; camera < run.rig().size(); ++camera) {
+    cv::Mat mask = finding.foreground(camera);
     const Intrinsics& size = run.rig()[camera].intrinsics;
     if (!mask.empty() && mask.size() != cv::Size(size.width, size.height)) {
       cv::Mat larger;
@@ -144,20 +143,20 @@ void SnapshotBuilder::show(const TrackedFrame& trackedFrame, const TrackingRun& 
   }
 }
 
-void SnapshotBuilder::addImages(TrackSnapshot& snapshot) const {
-  if (wishes_.shapes && snapshot.family.findsTargets()) {
+void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot) const {
+  if (wishes_.shapes) {
     addShapes(snapshot);
   }
   if (!snapshot.frames) {
     return;
   }
-  for (TargetSnapshot& target : snapshot.targets) {
-    if (!snapshot.family.findsTargets()) { // which of the true people it is, nobody knows
+  if (run.capability<PeopleFinding>() == nullptr) { // of whom nobody knows which true one it is
+    for (TargetSnapshot& target : snapshot.targets) {
       target.truth = truth_.at(target.target.name, snapshot.frame);
     }
   }
   // A target without a color has no mask.
-  if (wishes_.masks && !snapshot.preview && snapshot.family.targets == TargetsFrom::Color) {
+  if (wishes_.masks && !snapshot.preview && snapshot.targetsFrom == TargetsFrom::Color) {
     snapshot.masks = colorMasks(snapshot);
   }
 }
@@ -173,9 +172,8 @@ void SnapshotBuilder::showHead(const TrackingRun& run, const History* history, b
   for (std::size_t k = 0; k < snapshot.targets.size(); ++k) { // all of them, and to the last bit
     run.particles(k, kParticlesShown, snapshot.targets[k].particles, snapshot.targets[k].weights);
   }
-  addImages(snapshot);
-  if (wantsMaps(snapshot) &&
-      (snapshot.family.findsTargets() ? snapshot.frames != nullptr : snapshot.tracked)) {
+  addImages(run, snapshot);
+  if (wantsMaps(run, snapshot)) {
     addMaps(run, snapshot);
   }
 }
@@ -192,17 +190,24 @@ Status SnapshotBuilder::showPast(const TrackingRun& run, TimeTravel& travel, std
   snapshot.tracked = trackedFrame != nullptr;
   show(trackedFrame != nullptr ? *trackedFrame : TrackedFrame(), run, &travel.history(), frame,
        snapshot);
-  addImages(snapshot);
+  addImages(run, snapshot);
   return {};
 }
 
-bool SnapshotBuilder::lacksMaps(const TrackSnapshot& snapshot) const {
-  return snapshot.past && snapshot.tracked && !snapshot.preview && wantsMaps(snapshot);
+bool SnapshotBuilder::wantsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
+  return run.capability<PeopleFinding>() != nullptr // whose motion is seen without tracking
+             ? wishes_.masks && snapshot.frames != nullptr
+             : wishes_.maps && snapshot.tracked;
+}
+
+bool SnapshotBuilder::lacksMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
+  return snapshot.past && snapshot.tracked && !snapshot.preview && wantsMaps(run, snapshot);
 }
 
 void SnapshotBuilder::addMaps(const TrackingRun& run, TrackSnapshot& snapshot) const {
-  if (run.family().findsTargets()) {
-    snapshot.masks = motionMasks(run);
+  if (const auto* const finding = run.capability<PeopleFinding>()) {
+    snapshot.masks = motionMasks(run, *finding);
+    snapshot.masksShowMotion = true;
   }
   const auto* const mapping = run.capability<LikelihoodMapping>();
   for (std::size_t k = 0; mapping != nullptr && k < snapshot.targets.size(); ++k) {

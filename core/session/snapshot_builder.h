@@ -35,7 +35,7 @@ public:
   Status showPast(const TrackingRun& run, TimeTravel& travel, std::int64_t frame, bool quickly,
                   TrackSnapshot& snapshot) const;
   /// Whether something is wanted of a past frame that only addMaps() can tell.
-  bool lacksMaps(const TrackSnapshot& snapshot) const;
+  bool lacksMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const;
   /// What the run itself has to tell of the frame it stands at: likelihood maps, or motion masks
   /// with methods for people.
   void addMaps(const TrackingRun& run, TrackSnapshot& snapshot) const;
@@ -45,10 +45,9 @@ private:
   static void show(const TrackedFrame& trackedFrame, const TrackingRun& run, const History* history,
                    std::int64_t tailEnd, TrackSnapshot& snapshot);
   /// What every frame shows of its images.
-  void addImages(TrackSnapshot& snapshot) const;
-  bool wantsMaps(const TrackSnapshot& snapshot) const {
-    return snapshot.family.findsTargets() ? wishes_.masks : wishes_.maps;
-  }
+  void addImages(const TrackingRun& run, TrackSnapshot& snapshot) const;
+  /// Whether something is wanted that only addMaps() can tell.
+  bool wantsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const;
 
   TruthTable truth_;
   SnapshotWishes wishes_;

@@ -145,6 +145,13 @@ Status guess(std::vector<ProjectCamera>& cameras, std::size_t index) {
   return {};
 }
 
+/// The first of those that need none; the default one when all need it.
+std::string methodWithoutCalibration() {
+  const auto needs = [](const Method& method) { return method.family.needsCalibration; };
+  const auto found = std::ranges::find_if_not(methods(), needs);
+  return std::string(found != methods().end() ? found->name : methods().front().name);
+}
+
 } // namespace
 
 SourceKind guessedSource(const std::string& location) {
@@ -164,7 +171,7 @@ Result<MadeProject> makeProject(const NewProject& wanted) {
   MadeProject made;
   Project& project = made.project;
   if (wanted.cameras.size() == 1 && !wanted.calibration) {
-    project.method = methodNames(TargetsFrom::Box).front(); // nothing else is of use
+    project.method = methodWithoutCalibration(); // nothing else is of use
   }
   project.parameters = ParameterValues(methodParameters(project.method));
   project.framesPerSecond = wanted.framesPerSecond;
@@ -187,7 +194,7 @@ Result<MadeProject> makeProject(const NewProject& wanted) {
   makeDistinct(project.cameras);
   project.name = !wanted.name.empty() ? wanted.name : nameOf(project.cameras);
   if (!wanted.calibration) {
-    made.calibrated = false;
+    made.lacksCalibration = methodFamily(project.method).needsCalibration;
     for (std::size_t i = 0; i < project.cameras.size(); ++i) {
       if (auto guessed = guess(project.cameras, i); !guessed) {
         return tl::make_unexpected(guessed.error());

@@ -32,14 +32,15 @@ struct NewProject {
 /// A project, and notes about it.
 struct MadeProject {
   Project project; ///< without file and without targets: their colors are still to be learned
-  bool calibrated = true; ///< false: the poses are a guess, positions in space mean nothing yet
+  /// The poses are a guess, and the method needs them: positions in space mean nothing yet.
+  bool lacksCalibration = false;
   bool matchedByOrder = false; ///< the calibration file's names fit no camera; its order was used
 };
 
 /// Makes a project of videos, image folders, devices or streams. Calibrations are matched by name,
 /// else by order when there is one for each camera. Without a file, cameras are guessed: 53 degrees
-/// wide, in a ring around a box of 1 m; a single one without a file is for a method of family
-/// Boxes, which needs none. FileMissing, Mismatch, BadValue and what the calibration
+/// wide, in a ring around a box of 1 m; a single one without a file is for a method that needs no
+/// calibration. FileMissing, Mismatch, BadValue and what the calibration
 /// file says.
 Result<MadeProject> makeProject(const NewProject& wanted);
 

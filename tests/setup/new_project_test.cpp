@@ -64,7 +64,7 @@ TEST_F(NewProjectTest, CamerasAreCalledAsTheirFiles) {
 TEST_F(NewProjectTest, WithoutACalibrationSizesAreReadAndPosesDiffer) {
   const auto made = makeProject(two());
   ASSERT_TRUE(made);
-  EXPECT_FALSE(made->calibrated);
+  EXPECT_TRUE(made->lacksCalibration);
   const auto& cameras = made->project.cameras;
   EXPECT_EQ(cameras[0].camera.intrinsics.width, 64);
   EXPECT_EQ(cameras[0].camera.intrinsics.height, 48);
@@ -94,6 +94,7 @@ TEST_F(NewProjectTest, OneCameraWithoutACalibrationFollowsBoxes) {
   const auto made = makeProject(one);
   ASSERT_TRUE(made);
   EXPECT_EQ(methodFamily(made->project.method).targets, TargetsFrom::Box);
+  EXPECT_FALSE(made->lacksCalibration);
   EXPECT_EQ(made->project.name, "left"); // one recording says nothing of its folder
   EXPECT_TRUE(checkParameters(made->project.method, made->project.parameters));
   EXPECT_EQ(makeProject(two())->project.method, "dewpoint");
@@ -104,7 +105,7 @@ TEST_F(NewProjectTest, CalibrationsGoByName) {
   wanted.calibration = calibration({"right", "other", "left"});
   const auto made = makeProject(wanted);
   ASSERT_TRUE(made) << sentence(made.error());
-  EXPECT_TRUE(made->calibrated);
+  EXPECT_FALSE(made->lacksCalibration);
   EXPECT_FALSE(made->matchedByOrder);
   EXPECT_EQ(made->project.cameras[0].camera.intrinsics.focalX, 102.0); // the third of the file
   EXPECT_EQ(made->project.cameras[1].camera.intrinsics.focalX, 100.0); // the first

@@ -50,10 +50,14 @@ TEST(Parameters, EveryMethodBelongsToAFamily) {
   EXPECT_EQ(methodFamily("sugandi").targets, TargetsFrom::Box);
   EXPECT_EQ(methodFamily("mohedano-ms").targets, TargetsFrom::Images);
   for (const Method& method : methods()) {
-    EXPECT_EQ(method.family.inSpace, method.family.targets != TargetsFrom::Box) << method.name;
-    EXPECT_EQ(methodFamily(method.name), method.family);
+    const MethodFamily family = methodFamily(method.name);
+    EXPECT_EQ(family.targets, method.family.targets) << method.name;
+    EXPECT_EQ(family.needsCalibration, family.targets != TargetsFrom::Box) << method.name;
+    EXPECT_NE(family.describe, nullptr) << method.name;
     EXPECT_EQ(findMethod(method.name), &method);
   }
+  EXPECT_EQ(methodNames(RunTables::Boxes), methodNames(TargetsFrom::Box));
+  EXPECT_EQ(methodNames(RunTables::People), methodNames(TargetsFrom::Images));
   EXPECT_EQ(findMethod("nothing"), nullptr);
   EXPECT_TRUE(methodSentence("nothing").empty());
 }

@@ -3,10 +3,10 @@
 
 #include "core/project/project.h"
 #include "core/session/session.h"
-#include "core/tracking/catalog/method_catalog.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/image_pick_tool.h"
 #include "ui/document/document.h"
+#include "ui/document/method_presentation.h"
 #include "ui/selection/selection.h"
 #include "ui/text/camera_motion_text.h"
 #include "ui/text/camera_names.h"
@@ -35,10 +35,8 @@ CameraDocks::CameraDocks(const Workbench& bench)
 }
 
 void CameraDocks::connectActions() {
-  // Methods that follow boxes know no color to mask and no place to map.
-  bench_.needRun({"actionShowMask", "actionShowEvidence"}, [document = &bench_.document] {
-    return methodFamily(document->project().method).targets != TargetsFrom::Box;
-  });
+  bench_.needRun({"actionShowMask", "actionShowEvidence"},
+                 [document = &bench_.document] { return document->presentation().hasOverlays; });
   bench_.onToggled("actionShowMask", this, [this](bool shown) {
     if (Session* session = bench_.session.session()) {
       session->setMasksWanted(shown);

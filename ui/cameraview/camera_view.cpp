@@ -93,7 +93,7 @@ PictureSource CameraView::source() const {
   return {.camera = camera_,
           .frame = frame,
           .mask = maskShown_ ? maskOf(snapshot_, camera_) : cv::Mat(),
-          .isOfMotion = snapshot_->family.findsTargets(),
+          .isOfMotion = snapshot_->masksShowMotion,
           .size = fittedSize({frame->image.cols, frame->image.rows}),
           .maps = evidenceShown_ ? snapshot_ : nullptr};
 }
@@ -200,11 +200,12 @@ void CameraView::paintEvent(QPaintEvent*) {
 }
 
 void CameraView::paintBelief(QPainter& painter, const QRectF& picture) const {
-  if (shown_->family.findsTargets()) {
-    paintPeople(painter, *shown_, camera_, placement_, picture, chosenTarget_);
-    paintPeopleTrouble(painter, *shown_, camera_, picture);
-  }
-  for (std::size_t i = 0; !shown_->family.findsTargets() && i < shown_->targets.size(); ++i) {
+  paintPeople(painter, *shown_, camera_, placement_, picture, chosenTarget_);
+  paintPeopleTrouble(painter, *shown_, camera_, picture);
+  for (std::size_t i = 0; i < shown_->targets.size(); ++i) {
+    if (shown_->targets[i].person() != nullptr) {
+      continue; // is painted already
+    }
     if (picture_.source.maps == shown_) {
       paintEvidence(painter, mapPlace(shown_->targets[i], camera_), picture_.maps[i],
                     proposedOutlines(*shown_, camera_, shown_->targets[i]), placement_);

@@ -2,11 +2,11 @@
 #include "ui/color/color_dock.h"
 
 #include "core/project/project.h"
-#include "core/tracking/catalog/method_catalog.h"
 #include "ui/actions/action_registry.h"
 #include "ui/cameraview/camera_docks.h"
 #include "ui/color/color_panel.h"
 #include "ui/document/document.h"
+#include "ui/document/method_presentation.h"
 #include "ui/panels/inspector_docks.h"
 #include "ui/panels/target_panel.h"
 #include "ui/widgets/message_bar.h"
@@ -57,20 +57,20 @@ void ColorDock::connectActions() {
   connect(&bench_.document, &Document::methodChanged, this, &ColorDock::nameLearning);
 }
 
-bool ColorDock::followsBoxes() const {
-  return methodFamily(bench_.document.project().method).targets == TargetsFrom::Box;
+bool ColorDock::takesBoxes() const {
+  return bench_.document.presentation().pointing == Pointing::Box;
 }
 
 void ColorDock::nameLearning() {
   bench_.actions.rename(bench_.action("actionLearnColor"),
-                        followsBoxes() ? QT_TRANSLATE_NOOP("Actions", "Take a box")
-                                       : QT_TRANSLATE_NOOP("Actions", "Learn the color"),
+                        takesBoxes() ? QT_TRANSLATE_NOOP("Actions", "Take a box")
+                                     : QT_TRANSLATE_NOOP("Actions", "Learn the color"),
                         "learn");
 }
 
 void ColorDock::learned(int target, bool isNew) {
   targets_->choose(target);
-  if (followsBoxes()) {
+  if (takesBoxes()) {
     targetDock_->raise();
     bench_.session.startAfterBox(isNew);
     return;

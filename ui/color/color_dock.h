@@ -25,7 +25,7 @@ private:
   void connectActions();
   void nameLearning();
   void learned(int target, bool isNew);
-  bool followsBoxes() const;
+  bool takesBoxes() const;
 
   Workbench bench_;
   ViewDock* targetDock_;

@@ -3,13 +3,13 @@
 
 #include "core/color/color_histogram.h"
 #include "core/project/project.h"
-#include "core/tracking/catalog/method_catalog.h"
 #include "ui/cameraview/image_pick_tool.h"
 #include "ui/color/box_picker.h"
 #include "ui/color/color_learner.h"
 #include "ui/color/color_picker.h"
 #include "ui/color/color_sample_list.h"
 #include "ui/document/document.h"
+#include "ui/document/method_presentation.h"
 #include "ui/style/theme.h"
 #include "ui/text/retranslation.h"
 #include "ui/text/verdict_text.h"
@@ -314,11 +314,11 @@ void ColorPanel::surveyImages() {
 }
 
 bool ColorPanel::takesBoxes() const {
-  return methodFamily(document_.project().method).targets == TargetsFrom::Box;
+  return document_.presentation().pointing == Pointing::Box;
 }
 
 bool ColorPanel::mustPoint() const {
-  if (methodFamily(document_.project().method).findsTargets()) {
+  if (document_.presentation().pointing == Pointing::Nothing) {
     return false; // they are found by themselves
   }
   const auto& targets = document_.project().targets;

@@ -54,7 +54,7 @@ private:
   void retranslateUi();
   void refresh();
   void connectLearner();
-  /// Whether the method follows boxes: then a box is pointed at in place of a color.
+  /// Whether a box is pointed at in place of a color.
   bool takesBoxes() const;
   /// Whether a plain click is expected although nobody asked for it: there is nothing to follow.
   bool mustPoint() const;

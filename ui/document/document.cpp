@@ -5,6 +5,7 @@
 #include "core/project/project_check.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/edit_command.h"
+#include "ui/document/method_presentation.h"
 
 #include <QCoreApplication>
 #include <QUndoStack>
@@ -29,6 +30,10 @@ Document::Document(QObject* parent)
 
 Document::~Document() {
   undoStack_->clear(); // commands refer to this document
+}
+
+const MethodPresentation& Document::presentation() const {
+  return presentationOf(*project_);
 }
 
 void Document::replace(Project project, bool unsaved) {

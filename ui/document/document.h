@@ -16,6 +16,8 @@ class QUndoStack;
 
 namespace dewpoint::ui {
 
+struct MethodPresentation;
+
 /// The project and its history: the only door through which the window changes it. Every edit is a
 /// named step that can be undone, and announces what changed.
 class Document : public QObject {
@@ -28,6 +30,8 @@ public:
   const Project& project() const { return *project_; }
   /// The same, to be kept: it never changes.
   std::shared_ptr<const Project> state() const { return project_; }
+  /// What the window does for its method; another from methodChanged() or replaced() on.
+  const MethodPresentation& presentation() const;
   QUndoStack* undoStack() const { return undoStack_; }
   /// Another project takes the place of this one; the history starts from scratch. `unsaved`: the
   /// project is in no file as it is (recovered, or just made).

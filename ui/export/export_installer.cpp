@@ -3,8 +3,8 @@
 
 #include "core/project/project.h"
 #include "core/session/session.h"
-#include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
+#include "ui/document/method_presentation.h"
 #include "ui/export/box_export_dialog.h"
 #include "ui/export/export_dialog.h"
 #include "ui/selection/selection.h"
@@ -75,7 +75,7 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
 
 void installExport(const Workbench& bench, const Timeline& timeline) {
   bench.onTriggered("actionExportTrajectory", &bench.window, [bench, &timeline] {
-    if (methodFamily(bench.document.project().method).targets == TargetsFrom::Box) {
+    if (bench.document.presentation().pages == RunPages::Boxes) {
       exportBoxes(bench);
     } else {
       exportTrajectory(bench, timeline.model());

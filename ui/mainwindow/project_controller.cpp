@@ -2,8 +2,8 @@
 #include "ui/mainwindow/project_controller.h"
 
 #include "core/project/project.h"
-#include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
+#include "ui/document/method_presentation.h"
 #include "ui/document/project_saver.h"
 #include "ui/mainwindow/recovery_offer.h"
 #include "ui/preferences/preferences.h"
@@ -149,7 +149,7 @@ void ProjectController::beginNew(const QStringList& files) {
 }
 
 void ProjectController::openMade(const Project& project, const QString& note) {
-  const bool boxes = methodFamily(project.method).targets == TargetsFrom::Box;
+  const bool boxes = presentationOf(project).pointing == Pointing::Box;
   const QString hint = boxes ? tr("Click the thing or drag a box around it in any camera view.")
                        : note.isEmpty()
                            ? tr("Click the thing to follow in any image: its color is learned and "

@@ -2,7 +2,7 @@
 #include "ui/mainwindow/status_bar_panel.h"
 
 #include "core/session/run/snapshot.h"
-#include "core/tracking/catalog/method_catalog.h"
+#include "ui/document/method_presentation.h"
 #include "ui/text/people_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
@@ -181,13 +181,13 @@ void StatusBarPanel::refresh() {
     }
   }
   const bool several = snapshot.targets.size() > 1;
-  state_ = target != nullptr && several && snapshot.tracked
-               ? holdState(*target, snapshot.family.targets)
-               : holdState(snapshot);
+  state_ =
+      target != nullptr && several && snapshot.tracked ? holdState(*target) : holdState(snapshot);
   name_ = several ? QString::fromStdString(target->target.name) : QString();
   const bool mustSay = target != nullptr && target->status != TargetStatus::Held;
   stateText_.clear();
-  if (snapshot.family.findsTargets() && target_ < 0) { // nobody in particular
+  const MethodPresentation& presentation = presentationOf(snapshot);
+  if (presentation.countsPeople && target_ < 0) { // nobody in particular
     state_ = holdState(snapshot);
     name_.clear();
     const QString there = numberText(peopleThere(snapshot), 0);
@@ -198,7 +198,7 @@ void StatusBarPanel::refresh() {
   QString reason = mustSay ? reasonText(target->reasons, cameraNames(snapshot)) : QString();
   if (mustSay && box != nullptr) {
     reason = tr("held where it is thought to be");
-  } else if (mustSay && snapshot.family.targets == TargetsFrom::Box && !target->target.box) {
+  } else if (mustSay && presentation.pointing == Pointing::Box && !target->target.box) {
     reason = tr("click it or drag a box around it");
   }
   reason_->setFullText(reason);

@@ -3,8 +3,8 @@
 
 #include "core/project/project.h"
 #include "core/session/run/snapshot.h"
-#include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
+#include "ui/document/method_presentation.h"
 #include "ui/document/target_list_model.h"
 #include "ui/style/theme.h"
 #include "ui/text/quantity_text.h"
@@ -105,7 +105,7 @@ void TargetPanel::refresh() {
   choose(std::min(std::max(0, before), static_cast<int>(targets.size()) - 1));
   refreshing_ = false;
   shown_ = chosen();
-  const bool boxes = methodFamily(document_.project().method).targets == TargetsFrom::Box;
+  const bool boxes = document_.presentation().pointing == Pointing::Box;
   radiusLabel_->setVisible(!boxes);
   radius_->setVisible(!boxes);
   box_->setVisible(boxes);
@@ -133,7 +133,7 @@ void TargetPanel::showChosen() {
 
 void TargetPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   const auto index = static_cast<std::size_t>(std::max(0, chosen()));
-  if (!snapshot || snapshot->family.targets != TargetsFrom::Box ||
+  if (!snapshot || presentationOf(*snapshot).pages != RunPages::Boxes ||
       index >= snapshot->targets.size()) {
     box_->clear();
     return;
@@ -148,11 +148,10 @@ void TargetPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   box_->setText(
       tr("%1, in %2\nCenter %3, %4 px, size %5 × %6 px\nSimilarity %7\nEffective sample size %8 of "
          "%9")
-          .arg(holdText(holdState(target, snapshot->family.targets)),
-               cameraNames(*snapshot).value(target.box()->camera), numberText(center.x(), 1),
-               numberText(center.y(), 1), numberText(estimate.box.width, 1),
-               numberText(estimate.box.height, 1), numberText(estimate.similarity, 2),
-               numberText(estimate.effectiveSampleSize, 0),
+          .arg(holdText(holdState(target)), cameraNames(*snapshot).value(target.box()->camera),
+               numberText(center.x(), 1), numberText(center.y(), 1),
+               numberText(estimate.box.width, 1), numberText(estimate.box.height, 1),
+               numberText(estimate.similarity, 2), numberText(estimate.effectiveSampleSize, 0),
                QString::number(estimate.particleCount)) +
       QLatin1Char('\n') + tr("Spread %1 px").arg(numberText(estimate.spread, 1)));
 }

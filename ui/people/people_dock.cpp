@@ -5,10 +5,10 @@
 #include "core/session/run/snapshot.h"
 #include "core/session/run/snapshot_state.h"
 #include "core/session/session.h"
-#include "core/tracking/catalog/method_catalog.h"
 #include "ui/cameraview/camera_docks.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
+#include "ui/document/method_presentation.h"
 #include "ui/jobs/latest_job.h"
 #include "ui/people/add_person_tool.h"
 #include "ui/people/people_panel.h"
@@ -77,7 +77,7 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
 }
 
 bool PeopleDock::isOfPeople() const {
-  return methodFamily(bench_.document.project().method).findsTargets();
+  return bench_.document.presentation().countsPeople;
 }
 
 void PeopleDock::connectPlacer(const CameraDocks& cameras) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/people/people_panel.h"
 
+#include "ui/document/method_presentation.h"
 #include "ui/selection/selection.h"
 #include "ui/style/theme.h"
 #include "ui/text/people_text.h"
@@ -154,7 +155,7 @@ void PeoplePanel::showLearning() {
 
 void PeoplePanel::refresh() {
   sinceRefresh_.start();
-  if (!snapshot_ || !snapshot_->family.findsTargets()) {
+  if (!snapshot_ || !presentationOf(*snapshot_).countsPeople) {
     learning_->hide();
     summary_->setText(tr("People appear here once a method for people runs."));
     table_->setRowCount(0);

@@ -2,7 +2,6 @@
 #include "ui/plots/plot_panel.h"
 
 #include "core/session/run/snapshot.h"
-#include "core/tracking/catalog/method_catalog.h"
 #include "ui/actions/action_registry.h"
 #include "ui/plots/plot_figure.h"
 #include "ui/plots/plot_stack.h"
@@ -197,7 +196,7 @@ void PlotPanel::clear() {
 }
 
 void PlotPanel::useCameras() {
-  stack_->setPlots(boxes_ ? boxRunPlots() : runPlots(cameras_));
+  stack_->setPlots(pages_ == RunPages::Boxes ? boxRunPlots() : runPlots(cameras_));
 }
 
 void PlotPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
@@ -206,10 +205,10 @@ void PlotPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
     return;
   }
   const QStringList cameras = snapshot->rig ? cameraNames(*snapshot->rig) : QStringList();
-  const bool boxes = snapshot->family.targets == TargetsFrom::Box;
-  if (cameras != cameras_ || !camerasKnown_ || boxes != boxes_) {
+  const RunPages pages = presentationOf(*snapshot).pages;
+  if (cameras != cameras_ || !camerasKnown_ || pages != pages_) {
     camerasKnown_ = true;
-    boxes_ = boxes;
+    pages_ = pages;
     cameras_ = cameras;
     for (const auto& series : series_) {
       series->reset(runPlotColumns(static_cast<int>(cameras_.size())));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/document/method_presentation.h"
 #include "ui/jobs/job_queue.h"
 #include "ui/plots/plot_series.h"
 
@@ -70,7 +71,7 @@ private:
   PlotStack* stack_;
   QStringList cameras_;
   bool camerasKnown_ = false;
-  bool boxes_ = false;                              ///< the run follows boxes in images
+  RunPages pages_ = RunPages::Positions;
   std::vector<std::unique_ptr<PlotSeries>> series_; ///< per target
   int target_ = 0;
   JobQueue files_;

@@ -2,7 +2,6 @@
 #include "ui/start/new_project_page.h"
 
 #include "core/setup/footage.h"
-#include "core/tracking/catalog/method_catalog.h"
 #include "ui/text/camera_names.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/retranslation.h"
@@ -305,7 +304,7 @@ void NewProjectPage::finish(const Result<MadeProject>& result) {
     return;
   }
   QString note;
-  if (!result->calibrated && methodFamily(result->project.method).inSpace) {
+  if (result->lacksCalibration) {
     note = tr("Without a calibration the camera positions are a guess: images can be tracked, but "
               "positions in space mean nothing yet.");
   } else if (result->matchedByOrder) {

@@ -2,9 +2,9 @@
 #include "ui/trajectory/trajectory_panel.h"
 
 #include "core/session/run/snapshot.h"
-#include "core/tracking/catalog/method_catalog.h"
 #include "core/trajectory/motion_csv.h"
 #include "ui/actions/action_registry.h"
+#include "ui/document/method_presentation.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/text/retranslation.h"
 #include "ui/trajectory/box_panel.h"
@@ -231,7 +231,7 @@ void TrajectoryPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   if (!snapshot) {
     return; // what follows the run empties the table
   }
-  pages_->setCurrentIndex(snapshot->family.targets == TargetsFrom::Box ? 1 : 0);
+  pages_->setCurrentIndex(presentationOf(*snapshot).pages == RunPages::Boxes ? 1 : 0);
   names_.clear();
   for (const TargetSnapshot& target : snapshot->targets) {
     names_.push_back(target.target.name);

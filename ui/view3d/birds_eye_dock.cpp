@@ -2,8 +2,8 @@
 #include "ui/view3d/birds_eye_dock.h"
 
 #include "core/project/project.h"
-#include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
+#include "ui/document/method_presentation.h"
 #include "ui/selection/selection.h"
 #include "ui/view3d/birds_eye_view.h"
 #include "ui/workbench/dock_manager.h"
@@ -16,11 +16,11 @@ namespace dewpoint::ui {
 namespace {
 
 void showForMethod(const Workbench& bench, ViewDock* dock) {
-  const bool boxes = methodFamily(bench.document.project().method).targets == TargetsFrom::Box;
-  if (!bench.session.isRunning() || dock->isHidden() == boxes) {
+  const bool showsRoom = bench.document.presentation().showsRoom;
+  if (!bench.session.isRunning() || dock->isHidden() != showsRoom) {
     return;
   }
-  dock->setVisible(!boxes && !dock->isHiddenByUser());
+  dock->setVisible(showsRoom && !dock->isHiddenByUser());
   if (bench.document.project().layout.empty()) { // else it is as the person wanted it
     bench.docks.shareSpaceSoon();
   }

@@ -36,7 +36,9 @@ Error ofSettings(Error error) {
 Result<PeopleStudySetup> setupOf(const StudyOptions& options) {
   PeopleStudySetup setup;
   setup.scenario = options.scenario;
-  setup.methods = options.methods.empty() ? methodNames(TargetsFrom::Images) : options.methods;
+  if (!options.methods.empty()) {
+    setup.methods = options.methods;
+  }
   for (const std::string& setting : options.settings) {
     const auto equals = setting.find('=');
     char* end = nullptr;
@@ -120,7 +122,7 @@ void addPeopleExperiments(CLI::App& group, int& exitCode) {
         ->capture_default_str();
     command->add_option("--method", options->methods, "Method; all unless given")
         ->delimiter(',')
-        ->check(CLI::IsMember(methodNames(TargetsFrom::Images)));
+        ->check(CLI::IsMember(PeopleStudySetup().methods));
     command->add_option("--set", options->settings,
                         "Set a parameter, of the methods that have it: key=value");
     command->add_option("--out", options->folder,

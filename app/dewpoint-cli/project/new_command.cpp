@@ -5,7 +5,6 @@
 #include "core/session/run/background_images.h"
 #include "core/setup/footage.h"
 #include "core/setup/new_project.h"
-#include "core/tracking/catalog/method_catalog.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -128,7 +127,7 @@ int makeNew(NewOptions& options) {
   if (const auto saved = saveProject(made->project, options.file); !saved) {
     return report(saved.error());
   }
-  if (!made->calibrated && methodFamily(made->project.method).inSpace) {
+  if (made->lacksCalibration) {
     fmt::print(stderr, "dewpoint-cli: note: without --calibration the camera positions are a "
                        "guess.\n");
   }

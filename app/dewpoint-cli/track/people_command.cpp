@@ -39,8 +39,13 @@ struct PeopleOptions {
   bool list = false;
 };
 
+/// Those of which the command writes the tables, the default first.
+std::vector<std::string> peopleMethods() {
+  return methodNames(RunTables::People);
+}
+
 void listMethods() {
-  for (const std::string& method : methodNames(TargetsFrom::Images)) {
+  for (const std::string& method : peopleMethods()) {
     fmt::print("{}: {}\n", method, methodSentence(method));
     for (const ParameterDeclaration& one : methodParameters(method)) {
       fmt::print("  {:<20} {:>9} {:<5} {} to {}. {}\n", one.key, one.defaultValue, one.unit,
@@ -51,8 +56,9 @@ void listMethods() {
 
 /// Chooses the method and its parameters: the project's, where they are for people.
 Status applyOptions(const PeopleOptions& options, Project& project) {
-  const bool isOfPeople = methodFamily(project.method).findsTargets();
-  const std::string usual = isOfPeople ? project.method : methodNames(TargetsFrom::Images).front();
+  const std::vector<std::string> known = peopleMethods();
+  const bool isKnown = std::ranges::find(known, project.method) != known.end();
+  const std::string usual = isKnown ? project.method : known.front();
   const std::string method = options.method.empty() ? usual : options.method;
   if (method != project.method) {
     project.method = method;
@@ -223,7 +229,7 @@ void addPeopleCommand(CLI::App& app, int& exitCode) {
   command
       ->add_option("--method", options->method,
                    "Method (the project's, if it is for people, else people)")
-      ->check(CLI::IsMember(methodNames(TargetsFrom::Images)));
+      ->check(CLI::IsMember(peopleMethods()));
   command->add_option("--seed", options->seed, "Seed of the run (the project's unless given)");
   command->add_option("--threads", options->threads, "Threads; never changes the result")
       ->check(CLI::Range(1, 256))

@@ -32,7 +32,7 @@ struct TrackBoxOptions {
   std::string source;
   std::vector<std::string> boxes;
   std::vector<std::string> clicks;
-  std::string method = methodNames(TargetsFrom::Box).front();
+  std::string method;
   std::vector<std::string> settings;
   std::string frames;
   std::uint64_t seed = 1;
@@ -280,6 +280,8 @@ void addTrackBoxCommand(CLI::App& app, int& exitCode) {
   auto* command = app.add_subcommand(
       "track-box", "Follow boxes through one camera's images, without any calibration.");
   auto options = std::make_shared<TrackBoxOptions>();
+  const std::vector<std::string> known = methodNames(RunTables::Boxes); // the default first
+  options->method = known.front();
   command->add_option("SOURCE", options->source, "Video, or folder of images")->required();
   command->add_option("--box", options->boxes,
                       "X,Y,WIDTH,HEIGHT of a target in the first frame; may be repeated");
@@ -287,7 +289,7 @@ void addTrackBoxCommand(CLI::App& app, int& exitCode) {
                       "X,Y on a target in the first frame: the box is found; may be repeated");
   command->add_option("--out", options->folder, "Folder to write")->required();
   command->add_option("--method", options->method, "Tracking method")
-      ->check(CLI::IsMember(methodNames(TargetsFrom::Box)))
+      ->check(CLI::IsMember(known))
       ->capture_default_str();
   command->add_option("--set", options->settings, "Set a parameter of the method: key=value");
   command->add_option("--seed", options->seed, "Seed of the run")->capture_default_str();

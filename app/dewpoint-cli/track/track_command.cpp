@@ -27,15 +27,36 @@ struct TrackOptions {
   std::vector<std::string> settings;
 };
 
-/// Of all methods those that follow targets.
+/// Whether the tables of a method are those of people, which another command writes.
+bool isForPeople(const std::string& method) {
+  return methodFamily(method).tables == RunTables::People;
+}
+
+/// Of all methods those of which the command writes the tables.
 std::vector<std::string> trackableMethods() {
-  std::vector<std::string> names;
-  for (const Method& method : methods()) {
-    if (!method.family.findsTargets()) {
-      names.emplace_back(method.name);
-    }
-  }
+  std::vector<std::string> names = methodNames();
+  std::erase_if(names, isForPeople);
   return names;
+}
+
+/// Whether the project of `file` names what its method is to follow.
+Status checkTargets(const Project& project, const std::string& file) {
+  const auto hasBox = [](const Target& target) { return target.box.has_value(); };
+  if (isForPeople(project.method)) {
+    return failure(ErrorCode::BadValue, file, "method",
+                   project.method + " is for people, whom dewpoint-cli people tracks");
+  }
+  if (methodFamily(project.method).targets == TargetsFrom::Box &&
+      std::ranges::none_of(project.targets, hasBox)) {
+    return failure(
+        ErrorCode::MissingKey, file, "target",
+        fmt::format("method {} needs at least one [[target]] with a box", project.method));
+  }
+  if (project.targets.empty()) {
+    return failure(ErrorCode::MissingKey, file, "target",
+                   "at least one [[target]] is needed; learn-color makes one");
+  }
+  return {};
 }
 
 Status applyOptions(const TrackOptions& options, Project& project) {
@@ -69,20 +90,8 @@ int track(TrackOptions options) {
     report(applied.error());
     return kExitUsage;
   }
-  const bool boxes = methodFamily(project->method).targets == TargetsFrom::Box;
-  const auto hasBox = [](const Target& target) { return target.box.has_value(); };
-  if (boxes && std::ranges::none_of(project->targets, hasBox)) {
-    return report(
-        {ErrorCode::MissingKey, options.project, "target",
-         fmt::format("method {} needs at least one [[target]] with a box", project->method)});
-  }
-  if (methodFamily(project->method).findsTargets()) {
-    return report({ErrorCode::BadValue, options.project, "method",
-                   project->method + " is for people, whom dewpoint-cli people tracks"});
-  }
-  if (project->targets.empty()) {
-    return report({ErrorCode::MissingKey, options.project, "target",
-                   "at least one [[target]] is needed; learn-color makes one"});
+  if (const auto good = checkTargets(*project, options.project); !good) {
+    return report(good.error());
   }
   auto inputs = openInputs(std::move(*project));
   if (!inputs) {

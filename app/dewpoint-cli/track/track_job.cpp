@@ -184,7 +184,7 @@ int TrackJob::run(SessionInputs inputs) const {
   }
   const TrajectoryHeader header = trajectoryHeader(inputs.project);
   TrackOutput output{std::nullopt, {header, {}}, {boxTrackHeader(inputs.project), {}}};
-  if (run->family().inSpace) {
+  if (run->definition()->family().tables != RunTables::Boxes) {
     auto writer = TrajectoryWriter::create(folder / "trajectory.csv", header);
     if (!writer) {
       return report(writer.error());

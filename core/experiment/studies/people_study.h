@@ -47,7 +47,7 @@ inline constexpr double kPeopleGate = 0.5;
 struct PeopleStudySetup {
   std::string scenario;
   PeopleClothes clothes = PeopleClothes::Different;
-  std::vector<std::string> methods; ///< of methods that find people
+  std::vector<std::string> methods = methodNames(TargetsFrom::Images); ///< they find people
   std::uint64_t seed = 1;
   /// Values that differ from the defaults, for the methods that have such a parameter.
   std::vector<std::pair<std::string, double>> parameters;

@@ -64,7 +64,6 @@ Status studyScenario(const char* scenario, const ExperimentOptions& options) {
   }
   PeopleStudySetup setup;
   setup.scenario = scenario;
-  setup.methods = methodNames(TargetsFrom::Images);
   bool goOn = true;
   const auto trials =
       studyManyPeople(setup, clothesOf(options.clothes), std::max(1, options.runs),

@@ -20,17 +20,6 @@ bool isSameImage(const cv::Mat& a, const cv::Mat& b) {
   return a.data == b.data || a.empty() || cv::norm(a, b, cv::NORM_INF) == 0.0;
 }
 
-/// What is said of a target that is another one.
-std::string definitionOf(const Target& target, TargetsFrom origin) {
-  if (origin == TargetsFrom::Box) {
-    return target.box ? "another box" : "no box";
-  }
-  const ColorRange& color = target.color;
-  return fmt::format("hue {} to {}, saturation {} to {}, intensity {} to {}, radius {} m",
-                     color.hueMin, color.hueMax, color.saturationMin, color.saturationMax,
-                     color.intensityMin, color.intensityMax, target.radius);
-}
-
 } // namespace
 
 bool areSameRooms(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b) {
@@ -88,7 +77,7 @@ std::string differences(const RunDefinition& before, const RunDefinition& after)
   }
   for (std::size_t k = 0; k < std::min(before.targets.size(), after.targets.size()); ++k) {
     if (!(before.targets[k] == after.targets[k])) {
-      add(after.targets[k].name, definitionOf(after.targets[k], after.family().targets));
+      add(after.targets[k].name, after.family().describe(after.targets[k]));
     }
   }
   for (std::size_t k = 0; k < std::min(before.rig->size(), after.rig->size()); ++k) {

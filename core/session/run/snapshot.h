@@ -7,6 +7,7 @@
 #include "core/session/frames/tracked_frame.h"
 #include "core/session/people/person_shape.h"
 #include "core/session/run/camera_motion_watch.h"
+#include "core/session/run/hold_state.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <Eigen/Core>
@@ -28,7 +29,8 @@ struct TargetSnapshot {
       tail; ///< positions in the last frames, oldest first; NaN where not held
   std::optional<Eigen::Vector3d> truth;
   TargetStatus status = TargetStatus::Searching;
-  BoxParticles boxParticles; ///< of a BoxEstimate
+  HoldState absence = HoldState::Gone; ///< its state while it is absent
+  BoxParticles boxParticles;           ///< of a BoxEstimate
   /// Per camera, why it does not confirm the target (reasonSentence); may be empty.
   std::vector<CameraReport> reasons;
   std::vector<CandidatePosition> proposals; ///< positions considered in this frame; may be empty
@@ -75,12 +77,12 @@ struct BudgetFigures {
 /// Everything a view may show of one frame. Immutable once published.
 struct TrackSnapshot {
   std::shared_ptr<const CameraRig> rig;
-  MethodFamily family;
+  TargetsFrom targetsFrom = TargetsFrom::Color;
   FrameSetPtr frames;              ///< null before the first frame
   std::vector<cv::Mat> emptyRooms; ///< per camera without targets; empty when that is not known
-  /// Per camera CV_8UC1, 255 - k: color of target k; with methods for people 255: it moves. Empty
-  /// unless wanted.
+  /// Per camera CV_8UC1, 255 - k: color of target k. Empty unless wanted.
   std::vector<cv::Mat> masks;
+  bool masksShowMotion = false; ///< instead; 255: it moves
   std::vector<TargetSnapshot> targets;
   std::vector<PeopleCameraState> peopleCameras; ///< per camera; empty but for methods for people
   std::int64_t frame = -1;                      ///< the one shown

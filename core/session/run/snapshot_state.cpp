@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/run/snapshot_state.h"
 
+#include "core/base/overloaded.h"
 #include "core/geometry/convex_hull.h"
 
 #include <algorithm>
 #include <limits>
+#include <variant>
 
 namespace dewpoint::session {
 
@@ -41,17 +43,31 @@ HoldState holdState(TargetStatus status) {
                                         : HoldState::Searching;
 }
 
-HoldState holdState(const TargetSnapshot& target, TargetsFrom targets) {
-  if (targets != TargetsFrom::Box) {
-    return holdState(target.status);
-  }
-  if (target.box() == nullptr) {
-    return HoldState::NoBox;
-  }
-  return target.status == TargetStatus::Searching ? HoldState::Hidden : holdState(target.status);
+HoldState holdState(const TargetSnapshot& target) {
+  const HoldState state = holdState(target.status);
+  return std::visit(Overloaded{[state](const SphereEstimate&) { return state; },
+                               [state](const BoxEstimate&) {
+                                 return state == HoldState::Searching ? HoldState::Hidden : state;
+                               },
+                               [state](const PersonEstimate&) { return state; },
+                               [&target](const AbsentEstimate&) { return target.absence; }},
+                    target.estimate);
 }
 
 namespace {
+
+/// Whether a camera has something to say of a target: a box is followed in the camera of the box
+/// only.
+bool concerns(const TargetSnapshot& target, int camera) {
+  const auto& given = target.target.box;
+  return std::visit(Overloaded{[](const SphereEstimate&) { return true; },
+                               [camera](const BoxEstimate& box) { return box.camera == camera; },
+                               [](const PersonEstimate&) { return true; },
+                               [camera, &given](const AbsentEstimate&) {
+                                 return given && given->camera == camera;
+                               }},
+                    target.estimate);
+}
 
 HoldState stateOfPeople(const TrackSnapshot& snapshot) {
   if (std::ranges::any_of(snapshot.peopleCameras,
@@ -73,19 +89,20 @@ template <class Counts> HoldState worstState(const TrackSnapshot& snapshot, cons
   if (!snapshot.frames) {
     return HoldState::NoImages;
   }
-  if (snapshot.targets.empty() && !snapshot.family.findsTargets()) {
+  const bool findsTargets = snapshot.targetsFrom == TargetsFrom::Images;
+  if (snapshot.targets.empty() && !findsTargets) {
     return HoldState::NoTarget;
   }
   if (snapshot.past && !snapshot.tracked) {
     return HoldState::NotTracked;
   }
-  if (snapshot.family.findsTargets()) {
+  if (findsTargets) {
     return stateOfPeople(snapshot);
   }
   for (const HoldState state :
        {HoldState::Lost, HoldState::Searching, HoldState::Hidden, HoldState::Held}) {
     if (std::ranges::any_of(snapshot.targets, [&](const TargetSnapshot& target) {
-          return counts(target) && holdState(target, snapshot.family.targets) == state;
+          return counts(target) && holdState(target) == state;
         })) {
       return state;
     }
@@ -100,14 +117,8 @@ HoldState holdState(const TrackSnapshot& snapshot) {
 }
 
 HoldState holdState(const TrackSnapshot& snapshot, int camera) {
-  if (snapshot.family.targets != TargetsFrom::Box) {
-    return holdState(snapshot);
-  }
-  return worstState(snapshot, [camera](const TargetSnapshot& target) {
-    const BoxEstimate* box = target.box();
-    return box != nullptr ? box->camera == camera
-                          : target.target.box && target.target.box->camera == camera;
-  });
+  return worstState(snapshot,
+                    [camera](const TargetSnapshot& target) { return concerns(target, camera); });
 }
 
 const TargetSnapshot* targetToExplain(const TrackSnapshot& snapshot, int preferred) {

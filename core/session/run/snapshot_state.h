@@ -10,8 +10,8 @@ namespace dewpoint::session {
 
 /// The state a view shows for a target's status.
 HoldState holdState(TargetStatus status);
-/// The same, and where boxes are followed whether it is hidden or has no box yet.
-HoldState holdState(const TargetSnapshot& target, TargetsFrom targets);
+/// The same of a target, and of a box whether it is hidden or not there yet.
+HoldState holdState(const TargetSnapshot& target);
 /// The worst of all targets: lost, searching, held; nothing to say without targets or images.
 HoldState holdState(const TrackSnapshot& snapshot);
 /// The same of one camera: a box is followed in the camera of the box only.

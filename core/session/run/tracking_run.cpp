@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/run/tracking_run.h"
 
+#include "core/base/overloaded.h"
 #include "core/session/people/people_writer.h"
 #include "core/tracking/catalog/method_catalog.h"
 
@@ -12,6 +13,37 @@
 #include <utility>
 
 namespace dewpoint::session {
+
+namespace {
+
+/// A box is known as it is given, all else only when the frame was tracked.
+constexpr Overloaded kStatusBeforeTracking{
+    [](const SphereEstimate&) { return TargetStatus::Searching; },
+    [](const BoxEstimate& box) {
+      return isHeld(box) ? TargetStatus::Held : TargetStatus::Searching;
+    },
+    [](const PersonEstimate&) { return TargetStatus::Searching; },
+    [](const AbsentEstimate&) { return TargetStatus::Gone; }};
+
+TrajectorySample sampleOf(const SphereEstimate& sphere, const std::string& target,
+                          std::int64_t frame, double time) {
+  TrajectorySample sample{time,
+                          frame,
+                          target,
+                          sphere.mean,
+                          sphere.covariance,
+                          sphere.effectiveSampleSize,
+                          sphere.camerasSeeing,
+                          sphere.valid,
+                          std::nullopt,
+                          sphere.existence};
+  if (sphere.measurement) {
+    sample.seen = PositionMeasurement{sphere.measurement->mean, sphere.measurement->covariance};
+  }
+  return sample;
+}
+
+} // namespace
 
 TrajectoryHeader trajectoryHeader(const Project& project) {
   TrajectoryHeader header;
@@ -115,17 +147,18 @@ void TrackingRun::apply(const RunDefinitionPtr& definition) {
 }
 
 void TrackingRun::apply(const RunChange& change) {
-  if (const auto* other = std::get_if<DefinitionChange>(&change)) {
-    apply(other->after);
-    return;
-  }
+  std::visit(Overloaded{[this](const DefinitionChange& other) { apply(other.after); },
+                        [this](const PeopleChange& people) { place(people); }},
+             change);
+}
+
+void TrackingRun::place(const PeopleChange& people) {
   auto* const placing = tracking::capability<PersonPlacing>(*tracker_);
-  const auto& of = std::get<PeopleChange>(change);
-  if (of.newPerson && placing != nullptr) {
-    placing->addPerson(*of.newPerson);
+  if (people.newPerson && placing != nullptr) {
+    placing->addPerson(*people.newPerson);
   }
-  if (of.personGone && placing != nullptr) {
-    placing->removePerson(*of.personGone);
+  if (people.personGone && placing != nullptr) {
+    placing->removePerson(*people.personGone);
   }
 }
 
@@ -202,18 +235,17 @@ std::size_t TrackingRun::trackedCount() const {
 std::vector<TrajectorySample> TrackingRun::samples() const {
   std::vector<TrajectorySample> samples;
   for (std::size_t k = 0; frames_ && k < tracker_->trackCount(); ++k) {
-    const TrackEstimate estimate = tracker_->estimate(k);
-    if (const auto* const sphere = std::get_if<SphereEstimate>(&estimate)) {
-      samples.push_back({seconds(frames_->time), frames_->index, targets()[k].name, sphere->mean,
-                         sphere->covariance, sphere->effectiveSampleSize, sphere->camerasSeeing,
-                         sphere->valid, std::nullopt, sphere->existenceProbability});
-      if (sphere->measurement) {
-        samples.back().seen =
-            PositionMeasurement{sphere->measurement->mean, sphere->measurement->covariance};
-      }
-    } else if (const auto* const person = std::get_if<PersonEstimate>(&estimate)) {
-      samples.push_back(sampleOf(*person, frames_->index, seconds(frames_->time)));
-    }
+    const double time = seconds(frames_->time);
+    std::visit(Overloaded{[&](const SphereEstimate& sphere) {
+                            samples.push_back(
+                                sampleOf(sphere, targets()[k].name, frames_->index, time));
+                          },
+                          [&](const PersonEstimate& person) {
+                            samples.push_back(sampleOf(person, frames_->index, time));
+                          },
+                          [](const BoxEstimate&) {}, // in no space: see boxSamples()
+                          [](const AbsentEstimate&) {}},
+               tracker_->estimate(k));
   }
   return samples;
 }
@@ -272,11 +304,8 @@ TrackedFrame TrackingRun::present(const TrackedFrame* recorded, int boxParticleL
       target.status = recorded->targets[k].status;
       target.reasons = recorded->targets[k].reasons;
       target.proposals = recorded->targets[k].proposals;
-    } else { // a box is known as it is given, all else only when the frame was tracked
-      const bool isBox = std::holds_alternative<BoxEstimate>(target.estimate);
-      target.status = isAbsent(target.estimate)          ? TargetStatus::Gone
-                      : isBox && isHeld(target.estimate) ? TargetStatus::Held
-                                                         : TargetStatus::Searching;
+    } else {
+      target.status = std::visit(kStatusBeforeTracking, target.estimate);
     }
   }
   return trackedFrame;

@@ -93,7 +93,6 @@ public:
   /// Corrections of people that could not be granted since the last call.
   std::vector<Error> takeRefusals() { return std::exchange(refusals_, {}); }
 
-  MethodFamily family() const { return definition_->family(); }
   std::int64_t iterations() const { return iterations_; }
   /// Those that are tracked: the project's, or the persons who have been there.
   const std::vector<Target>& targets() const;
@@ -126,6 +125,7 @@ public:
 private:
   /// The common part of both kinds of tracked frames.
   TrackedFrame commonTrackedFrame(const TrackedFrame* before, int boxParticleLimit) const;
+  void place(const PeopleChange& people);
   void correctPeople();
 
   RunDefinitionPtr definition_;

@@ -25,8 +25,20 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr MethodFamily kSpheres{TargetsFrom::Color, true}, kBoxes{TargetsFrom::Box, false},
-    kPeople{TargetsFrom::Images, true};
+std::string colorText(const Target& target) {
+  const ColorRange& color = target.color;
+  return fmt::format("hue {} to {}, saturation {} to {}, intensity {} to {}, radius {} m",
+                     color.hueMin, color.hueMax, color.saturationMin, color.saturationMax,
+                     color.intensityMin, color.intensityMax, target.radius);
+}
+
+std::string boxText(const Target& target) {
+  return target.box ? "another box" : "no box";
+}
+
+constexpr MethodFamily kSpheres{TargetsFrom::Color, true, RunTables::Trajectory, colorText};
+constexpr MethodFamily kBoxes{TargetsFrom::Box, false, RunTables::Boxes, boxText};
+constexpr MethodFamily kPeople{TargetsFrom::Images, true, RunTables::People, colorText};
 
 using Made = std::unique_ptr<Tracker>;
 using Targets = std::vector<Target>;
@@ -89,6 +101,16 @@ constexpr Method kMethods[] = {
      mohedanoMsParameters, makeMohedano<false>},
 };
 
+template <class Suits> std::vector<std::string> namesWhere(const Suits& suits) {
+  std::vector<std::string> names;
+  for (const Method& method : kMethods) {
+    if (suits(method.family)) {
+      names.emplace_back(method.name);
+    }
+  }
+  return names;
+}
+
 } // namespace
 
 std::span<const Method> methods() {
@@ -101,21 +123,15 @@ const Method* findMethod(std::string_view name) {
 }
 
 std::vector<std::string> methodNames() {
-  std::vector<std::string> names;
-  for (const Method& method : kMethods) {
-    names.emplace_back(method.name);
-  }
-  return names;
+  return namesWhere([](const MethodFamily&) { return true; });
 }
 
 std::vector<std::string> methodNames(TargetsFrom targets) {
-  std::vector<std::string> names;
-  for (const Method& method : kMethods) {
-    if (method.family.targets == targets) {
-      names.emplace_back(method.name);
-    }
-  }
-  return names;
+  return namesWhere([targets](const MethodFamily& family) { return family.targets == targets; });
+}
+
+std::vector<std::string> methodNames(RunTables tables) {
+  return namesWhere([tables](const MethodFamily& family) { return family.tables == tables; });
 }
 
 MethodFamily methodFamily(std::string_view method) {

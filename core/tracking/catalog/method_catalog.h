@@ -23,15 +23,23 @@ enum class TargetsFrom {
   Images ///< nothing: the method finds by itself who is there
 };
 
-/// What the methods of a kind have in common, before any of them runs.
+/// The tables that are written of a run.
+enum class RunTables {
+  Trajectory, ///< places in the room
+  Boxes,      ///< boxes in images
+  People      ///< places in the room, and the bodies of people
+};
+
+/// What the methods of a kind answer before any of them runs. Each answer is for itself: a new kind
+/// of methods gives its own, and nobody who asks for one need know of it.
 struct MethodFamily {
   TargetsFrom targets = TargetsFrom::Color;
-  /// Says where things are in the room, by calibrated cameras; else in the images of one camera,
-  /// about which nothing need be known.
-  bool inSpace = true;
-
-  bool operator==(const MethodFamily&) const = default;
-  bool findsTargets() const { return targets == TargetsFrom::Images; }
+  /// Says where things are in the room; else in the images of one camera, about which nothing need
+  /// be known.
+  bool needsCalibration = true;
+  RunTables tables = RunTables::Trajectory;
+  /// What a target is to the method, in words.
+  std::string (*describe)(const Target& target) = nullptr;
 };
 
 /// A tracking method: one row of the catalog.
@@ -57,6 +65,8 @@ const Method* findMethod(std::string_view name);
 std::vector<std::string> methodNames();
 /// Names of the methods whose targets come from there.
 std::vector<std::string> methodNames(TargetsFrom targets);
+/// Names of the methods of which such tables are written.
+std::vector<std::string> methodNames(RunTables tables);
 /// Of an unknown method that of the default one.
 MethodFamily methodFamily(std::string_view method);
 /// Empty for an unknown method.

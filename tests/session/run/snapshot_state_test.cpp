@@ -60,15 +60,19 @@ TEST(SnapshotState, TheWorstTargetSpeaksForAll) {
 
 TEST(SnapshotState, ABoxIsHiddenOrMissingAndOfOneCamera) {
   TrackSnapshot snapshot = snapshotOf({TargetStatus::Held, TargetStatus::Searching});
-  snapshot.family.targets = TargetsFrom::Box;
-  EXPECT_EQ(holdState(snapshot.targets[0], snapshot.family.targets), HoldState::NoBox);
+  snapshot.targetsFrom = TargetsFrom::Box;
+  for (TargetSnapshot& target : snapshot.targets) {
+    target.estimate = AbsentEstimate{};
+    target.absence = HoldState::NoBox;
+  }
+  EXPECT_EQ(holdState(snapshot.targets[0]), HoldState::NoBox);
   EXPECT_EQ(holdState(snapshot), HoldState::NoBox);
   for (int k = 0; k < 2; ++k) {
     BoxEstimate box;
     box.camera = k;
     snapshot.targets[static_cast<std::size_t>(k)].estimate = box;
   }
-  EXPECT_EQ(holdState(snapshot.targets[1], snapshot.family.targets), HoldState::Hidden);
+  EXPECT_EQ(holdState(snapshot.targets[1]), HoldState::Hidden);
   EXPECT_EQ(holdState(snapshot), HoldState::Hidden);
   EXPECT_EQ(holdState(snapshot, 0), HoldState::Held);
   EXPECT_EQ(holdState(snapshot, 1), HoldState::Hidden);
@@ -77,7 +81,7 @@ TEST(SnapshotState, ABoxIsHiddenOrMissingAndOfOneCamera) {
 
 TEST(SnapshotState, PeopleAreLearnedFirst) {
   TrackSnapshot snapshot = snapshotOf({});
-  snapshot.family.targets = TargetsFrom::Images;
+  snapshot.targetsFrom = TargetsFrom::Images;
   snapshot.peopleCameras.resize(2);
   snapshot.peopleCameras[0].learned = 1.0;
   snapshot.peopleCameras[1].learned = 0.5;
@@ -122,7 +126,7 @@ TEST(SnapshotState, OnlyAHeldTargetWithinTheImageIsInView) {
 
 TEST(SnapshotState, AClickMeetsTheNearestPersonWhoseHullIsThere) {
   TrackSnapshot snapshot = snapshotOf({});
-  snapshot.family.targets = TargetsFrom::Images;
+  snapshot.targetsFrom = TargetsFrom::Images;
   addPerson(snapshot, test::kBall + Eigen::Vector3d(0.0, 0.3, 0.0)); // behind, for the left camera
   addPerson(snapshot, test::kBall);
   const Eigen::Vector2d center(79.5, 59.5); // where both cameras look

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace dewpoint::base {
+
+/// A visitor made of one function per alternative of a variant; the compiler names the alternatives
+/// that have none.
+template <class... Functions> struct Overloaded : Functions... { using Functions::operator()...; };
+
+} // namespace dewpoint::base
