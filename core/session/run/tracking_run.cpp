@@ -36,7 +36,7 @@ TrajectorySample sampleOf(const SphereEstimate& sphere, const std::string& targe
                           sphere.camerasSeeing,
                           sphere.valid,
                           std::nullopt,
-                          sphere.existence};
+                          sphere.existenceProbability};
   if (sphere.measurement) {
     sample.seen = PositionMeasurement{sphere.measurement->mean, sphere.measurement->covariance};
   }
