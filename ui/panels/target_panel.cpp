@@ -6,7 +6,7 @@
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
 #include "ui/document/target_list_model.h"
-#include "ui/style/theme.h"
+#include "ui/text/hold_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
 #include "ui/text/retranslation.h"

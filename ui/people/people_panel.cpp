@@ -3,6 +3,7 @@
 
 #include "ui/selection/selection.h"
 #include "ui/style/theme.h"
+#include "ui/text/hold_text.h"
 #include "ui/text/people_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
