@@ -57,28 +57,37 @@ Result<std::size_t> Session::saveTrajectory(const std::filesystem::path& file) c
   return writeTrajectory(found, file).map([&] { return found.samples.size(); });
 }
 
-Status Session::saveRun(const std::filesystem::path& folder) const {
-  std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
-  if (problem) {
-    return failure(ErrorCode::FileUnwritable, folder.string(), "", problem.message());
-  }
+RunRecord Session::record() const {
   auto [project, figures] = impl_->loop.log().run();
   const TrackSnapshotPtr last = newest();
   figures.droppedFrames = last->droppedFrames;
   for (const Error& notice : last->notices) {
     figures.notices.push_back(sentence(notice));
   }
+  return {std::move(project), std::move(figures), peopleRecord(), boxTrack()};
+}
+
+Status Session::saveRun(const std::filesystem::path& folder) const {
+  return record().save(folder);
+}
+
+Status RunRecord::save(const std::filesystem::path& folder) const {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) {
+    return failure(ErrorCode::FileUnwritable, folder.string(), "", problem.message());
+  }
   const auto family = methodFamily(project.method);
   if (family.findsTargets()) {
-    const auto saved = savePeople(peopleRecord(), folder, [](double) { return true; });
+    const auto saved = savePeople(people, folder, [](double) { return true; });
     if (!saved) {
       return tl::make_unexpected(saved.error());
     }
     return writeTextFile(folder / "run.json", runReport(project, figures));
   }
-  const Status saved = !family.inSpace ? writeBoxTrack(boxTrack(), folder)
-                                       : writeTrajectory(trajectory(), folder / "trajectory.csv");
+  const Status saved = !family.inSpace
+                           ? writeBoxTrack(boxes, folder)
+                           : writeTrajectory(people.trajectory, folder / "trajectory.csv");
   if (!saved) {
     return saved;
   }
